@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Every outside library, found once. Order matters: VTK before PCL (PCL overwrites VTK_LIBRARIES).
+find_package(Threads REQUIRED)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Test)
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  GUISupportQt RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingUI InteractionStyle
+  FiltersCore FiltersSources FiltersGeneral IOImage CommonCore CommonDataModel RenderingCore)
+set(RELIEVO_VTK_LIBRARIES ${VTK_LIBRARIES})
+find_package(PCL 1.13 REQUIRED COMPONENTS common io)
+find_package(assimp 5.2 REQUIRED)
+find_package(GDAL 3.6 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
+find_library(QWT_LIBRARY NAMES qwt-qt5 REQUIRED)
+if(NOT TARGET relievo::qwt)
+  add_library(relievo_qwt INTERFACE)
+  target_include_directories(relievo_qwt SYSTEM INTERFACE ${QWT_INCLUDE_DIR})
+  target_link_libraries(relievo_qwt INTERFACE ${QWT_LIBRARY})
+  add_library(relievo::qwt ALIAS relievo_qwt)
+endif()
+if(RELIEVO_BUILD_TESTS)
+  find_package(GTest REQUIRED)
+  find_package(OpenCV 4.6 REQUIRED COMPONENTS core imgproc)
+  find_package(benchmark REQUIRED)
+endif()

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# One helper to add a library, one to add a test; every target goes through them.
+
+add_library(relievo_settings INTERFACE)
+target_include_directories(relievo_settings INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(relievo_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<BOOL:${RELIEVO_WARNINGS_AS_ERRORS}>:-Werror>)
+target_compile_definitions(relievo_settings INTERFACE QT_NO_KEYWORDS QT_NO_CAST_TO_ASCII
+  RELIEVO_VERSION_STRING="${PROJECT_VERSION}")
+
+# relievo_add_module(core_depth SOURCES a.cpp ... PUBLIC targets... PRIVATE targets... [QT])
+# One module folder, one target: relievo_core_depth, alias relievo::core_depth.
+function(relievo_add_module name)
+  cmake_parse_arguments(ARG "QT" "TYPE" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  if(NOT ARG_SOURCES)
+    add_library(relievo_${name} INTERFACE)
+    target_link_libraries(relievo_${name} INTERFACE relievo_settings ${ARG_PUBLIC})
+  else()
+    if(NOT ARG_TYPE)
+      set(ARG_TYPE STATIC)
+    endif()
+    add_library(relievo_${name} ${ARG_TYPE} ${ARG_SOURCES})
+    target_link_libraries(relievo_${name} PUBLIC relievo_settings ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+    if(ARG_QT)
+      set_target_properties(relievo_${name} PROPERTIES AUTOMOC ON AUTORCC ON)
+    endif()
+  endif()
+  add_library(relievo::${name} ALIAS relievo_${name})
+endfunction()
+
+# relievo_add_test(core/depth/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
+# One test file tests/<path>.cpp, one executable, one CTest entry of the same name.
+# DISPLAY: needs an X display; ./test provides Xvfb. MAIN: the file has its own main().
+function(relievo_add_test path)
+  cmake_parse_arguments(ARG "DISPLAY;QT;MAIN" "TIMEOUT" "LINK;SOURCES;LABELS;ENVIRONMENT" ${ARGN})
+  string(REPLACE "/" "_" target ${path})
+  add_executable(${target} ${CMAKE_SOURCE_DIR}/tests/${path}.cpp ${ARG_SOURCES})
+  target_link_libraries(${target} PRIVATE relievo_settings ${ARG_LINK} GTest::gtest GTest::gmock)
+  if(NOT ARG_MAIN)
+    target_link_libraries(${target} PRIVATE GTest::gtest_main)
+  endif()
+  target_compile_definitions(${target} PRIVATE
+    RELIEVO_SOURCE_DIR="${CMAKE_SOURCE_DIR}" RELIEVO_BINARY_DIR="${CMAKE_BINARY_DIR}")
+  set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  if(ARG_QT)
+    set_target_properties(${target} PROPERTIES AUTOMOC ON)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  add_test(NAME ${path} COMMAND ${target})
+  set_tests_properties(${path} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  if(ARG_DISPLAY)
+    list(APPEND ARG_LABELS display)
+  endif()
+  if(ARG_LABELS)
+    set_tests_properties(${path} PROPERTIES LABELS "${ARG_LABELS}")
+  endif()
+  if(ARG_ENVIRONMENT)
+    set_tests_properties(${path} PROPERTIES ENVIRONMENT "${ARG_ENVIRONMENT}")
+  endif()
+endfunction()

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: BSD-3-Clause
+if(RELIEVO_SANITIZE STREQUAL "address")
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+elseif(RELIEVO_SANITIZE STREQUAL "thread")
+  add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=thread)
+elseif(RELIEVO_SANITIZE)
+  message(FATAL_ERROR "RELIEVO_SANITIZE is '${RELIEVO_SANITIZE}'; known are address, thread and empty.")
+endif()

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/base/task.h"
+#include "core/depth/depth_map.h"
+#include "core/depth/depth_request.h"
+
+namespace relievo {
+
+enum class HoleRule {
+  base,         ///< Enclosed holes rest on the base plane (the paper's rule).
+  interpolate,  ///< Holes up to max_area_mm2 are interpolated from their rim.
+  none,         ///< Holes are left open: outside, NaN in files.
+};
+struct HoleChoice {
+  HoleRule rule = HoleRule::base;
+  double max_area_mm2 = 0;
+};
+
+/// One enclosed hole of the map, after sampling gaps were closed.
+struct Hole {
+  std::size_t cells = 0;
+  double area_mm2 = 0;
+  double centre_x_mm = 0, centre_y_mm = 0;  ///< View.
+  bool filled = false;                      ///< Interpolated on request.
+};
+
+struct FilledMap {
+  DepthMap map;             ///< Heights above the base plane.
+  double base_z_mm = 0;     ///< View z of the base plane, to be subtracted from view_from_file.
+  std::vector<Hole> holes;  ///< Largest first.
+};
+
+/// From raw front depths to a depth map: sampling gaps (empty cells smaller than the data's own
+/// spacing) are interpolated, enclosed holes treated as chosen, the rest is outside. The base plane
+/// is the 0.1 % quantile of the measured cells. [worker]
+/// @param is_mesh  triangles leave no sampling gaps
+/// @throw ArgumentError  no cell was hit
+FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, bool is_mesh,
+                     const HoleChoice& choice, const Task& task = {});
+
+}  // namespace relievo

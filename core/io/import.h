@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "core/base/task.h"
+#include "core/cloud/scan.h"
+
+namespace relievo {
+
+struct ImportOptions {
+  bool accept_incomplete = false;  ///< E101: load the complete records of a cut file.
+  std::uint64_t max_points = 200'000'000;
+  std::uint64_t max_memory_bytes = 6ULL << 30;  ///< Address space of the import worker.
+  double max_cpu_s = 600;
+};
+
+/// Reads PLY, PCD, OBJ, STL or text (XYZ ASC PTS CSV TXT), chosen by content first, name second.
+/// Header and sizes are checked here; the library then reads in a child process with limits, in the
+/// C locale; the result is checked again. Acts on a stop request within 250 ms. [worker]
+/// @throw FileError  missing, a directory, empty, malformed, incomplete (E101), unknown format, or
+///                   no finite point; the message names file, finding and remedy
+/// @throw Cancelled
+Scan importScan(const std::filesystem::path& file, const ImportOptions& options = {},
+                const Task& task = {});
+
+/// Content check only: does the file look like a raster (GeoTIFF) rather than a scan?
+/// @throw FileError  missing, a directory or empty
+bool looksLikeRaster(const std::filesystem::path& file);
+
+/// `relievo --import-worker`: the child's main. Every main() that may import calls this first.
+/// @return exit status if the arguments ask for a worker, nothing otherwise
+std::optional<int> runImportWorkerIfAsked(int argc, char** argv);
+
+}  // namespace relievo

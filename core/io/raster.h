@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "core/cloud/scan.h"
+#include "core/depth/depth_map.h"
+
+namespace relievo {
+
+/// A height raster as read: either a foreign raster (values in the file's unit) or a MAP written by
+/// this program (values in view mm, origins and view known).
+struct RasterMap {
+  ScanInfo info;  ///< points = cells; bounds from the georeference and the values.
+  GridSize size;
+  std::vector<float> values;  ///< Row-major, row 0 at the lowest y (files have it at the top).
+  std::vector<bool> valid;    ///< Not nodata and finite.
+  double pixel = 1;           ///< Sample distance, file unit; x and y agree to 1e-6.
+  FilePoint first;            ///< File position of sample (0, 0), z = 0.
+  bool is_own_map = false;    ///< Written by writeMap.
+  std::optional<ViewFromFile> view_from_file;  ///< Of an own map.
+  std::vector<Origin> origins;  ///< Of an own map with its origin file beside it; else empty.
+};
+
+/// Reads band 1 of a GeoTIFF or TIFF through GDAL. [worker]
+/// @throw FileError  unreadable, rotated or non-square pixels, or no valid cell
+RasterMap readRaster(const std::filesystem::path& file);
+
+struct MapFileOptions {
+  ViewFromFile view_from_file;
+  bool write_origins = true;  ///< Also NAME.origin.tif.
+};
+
+/// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres
+/// are the samples, RELIEVO_* metadata) and MAP.origin.tif (uint8 codes). Written to a temporary
+/// name and renamed, so that a failure leaves nothing half done.
+/// @throw WriteError
+void writeMap(const std::filesystem::path& file, const DepthMap& map,
+              const MapFileOptions& options);
+
+}  // namespace relievo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "core/depth/depth_map.h"
+#include "core/pyramid/pyramid.h"
+#include "core/region/region.h"
+
+namespace relievo {
+
+/// The paper's fixed haptic space has 200 x 200 samples (sec. 6).
+inline constexpr int kWindowSamples = 200;
+inline constexpr std::size_t kWindowCount = std::size_t{kWindowSamples} * kWindowSamples;
+
+/// The surface that is shown in detail and lies under the hand: one region resampled to 200 x 200.
+/// Sample (i, j) sits at x_mm + (i + 0.5) side/200, y_mm + (j + 0.5) side/200; row 0 lowest y.
+struct RegionWindow {
+  std::uint64_t id = 0;  ///< Differs between windows whose samples differ.
+  Region region;
+  double gain = 1;                ///< Already applied to the heights.
+  std::vector<float> heights_mm;  ///< kWindowCount values, view mm above the base plane.
+  std::vector<Origin> origins;    ///< Of the map cell nearest each sample; outside beyond the map.
+  float min_mm = 0, max_mm = 0;   ///< Of heights_mm.
+
+  double spacingMm() const noexcept { return region.side_mm / kWindowSamples; }
+};
+
+/// Bilinear between the nodes of the region's level, clamped within the map; beyond the map
+/// height 0 and origin outside. [any thread]
+/// @throw ArgumentError  no such level, side not > 0, or gain not finite and > 0
+RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Region& region,
+                          double gain = 1);
+
+/// How a window lies in the hand's workspace: one scale for x, y and z.
+struct HandMapping {
+  double device_per_view = 1;  ///< 1 mm on the object is this many mm of hand.
+  DeviceFromView device_from_view;
+
+  /// "1 mm of hand = s mm on the object".
+  double objectMmPerHandMm() const noexcept { return 1 / device_per_view; }
+};
+
+inline constexpr double kHandWidthMm =
+    80;  ///< A window's side fills this much of the hand's space.
+inline constexpr double kHandHeightMm = 60;  ///< Its heights at most this much.
+
+/// Scale 80/side, or 60/(max - min) if smaller; the window's centre at mid height maps to the
+/// device origin.
+HandMapping handMapping(const RegionWindow& window);
+
+}  // namespace relievo

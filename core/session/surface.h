@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/base/transform.h"
+#include "core/base/unit.h"
+#include "core/cloud/scan.h"
+#include "core/depth/depth_map.h"
+#include "core/depth/depth_request.h"
+#include "core/depth/fill.h"
+#include "core/depth/view.h"
+#include "core/pyramid/pyramid.h"
+#include "core/region/region.h"
+
+namespace relievo {
+
+/// Everything chosen between a file and its surface; one record for window and command line.
+struct SurfaceOptions {
+  std::optional<LengthUnit> unit;              ///< Nothing: the file's, else one unit is 1 mm.
+  UnitSource unit_source = UnitSource::given;  ///< How `unit` was chosen, if it was.
+  std::optional<ViewChoice> view;              ///< Nothing: top for rasters, automatic for scans.
+  std::optional<int> cells;                    ///< Samples across the longer side, >= 2.
+  std::optional<double> spacing_mm;            ///< Or their distance; excludes `cells`.
+  std::string engine = "cpu";                  ///< "cpu" or "depthbuffer".
+  HoleChoice holes;
+  PyramidOptions pyramid;
+};
+
+struct StageSeconds {
+  double read = 0, grid = 0, fill = 0, pyramid = 0;
+};
+
+/// A file made touchable: depth map, pyramid and how they came about. Immutable once made.
+struct Surface {
+  ScanInfo info;
+  bool is_raster = false;  ///< From a raster or from a map written by this program.
+  LengthUnit unit = LengthUnit::mm;
+  UnitSource unit_source = UnitSource::assumed;
+  ViewFromFile view_from_file;
+  std::string view_name;  ///< "top", ..., "free"; what automatic chose.
+  std::string engine, rule;
+  DepthMap map;
+  Pyramid pyramid;
+  DetailLadder ladder;
+  std::vector<Hole> holes;            ///< Enclosed holes, largest first.
+  std::vector<std::string> messages;  ///< For people: how the grid was chosen, what was assumed.
+  StageSeconds seconds;
+};
+
+/// Grid, fill and pyramid of a scan that is already in memory. [worker]
+/// @param engine  runs for options.engine; the caller supplies the OpenGL one
+/// @throw ArgumentError, Cancelled, GraphicsError
+Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
+                    const Task& task = {});
+
+/// A raster or a map read from a file becomes a surface as it is. [worker]
+struct RasterMap;  // core/io/raster.h
+Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, const Task& task = {});
+
+}  // namespace relievo

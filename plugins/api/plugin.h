@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QtPlugin>
+#include <span>
+
+#include "core/region/probe.h"
+#include "core/region/window.h"
+
+class QAction;
+class QWidget;
+
+namespace relievo {
+
+/// One point of the two plots (paper, force figure). Heights in view mm, force in newtons.
+struct PlotSample {
+  double t_s = 0;
+  double hip_z_mm = 0, proxy_z_mm = 0;
+  double force_n = 0;
+};
+
+/// What the status bar and the accessible texts say about touch.
+struct TouchStatus {
+  QString device;      ///< "mouse", "Falcon ready", "no device".
+  double rate_hz = 0;  ///< Measured rate of the force loop.
+  double worst_period_ms = 0;
+  quint64 late_ticks = 0;
+  bool realtime = false;  ///< Real-time priority was granted.
+  QString realtime_note;  ///< Why not, if not.
+  bool forces_on = false;
+  bool recording = false;
+  quint64 recorded_samples = 0;
+  double stiffness_n_per_mm = 0;
+};
+
+/// The hand as the mouse or the keys move it: where it wants to be, in the shown window's view mm.
+struct HandTarget {
+  ViewMm position;
+  bool inside = false;  ///< The pointer is over the detail view.
+};
+
+/// What the application offers a plugin. All calls and signals: GUI thread.
+class Host : public QObject {
+  Q_OBJECT
+ public:
+  using QObject::QObject;
+
+  virtual void addPanel(const QString& title, QWidget* panel) = 0;  ///< Takes ownership.
+  /// Adds to a menu of the menu bar ("Touch", "Record"); the action also gets its shortcut there.
+  virtual void addAction(const QString& menu, QAction* action) = 0;  ///< Takes ownership.
+  virtual void showProbe(const Probe& probe) = 0;                    ///< Detail view, next frame.
+  virtual void plot(std::span<const PlotSample> samples) = 0;
+  virtual void showStatus(const TouchStatus& status) = 0;
+  virtual void announce(const QString& text) = 0;  ///< Status text, accessible event, speech.
+  /// Runs a command by its object name ("finer", "coarser", "whole"): the same path as keys.
+  /// @return false: unknown or disabled
+  virtual bool run(const QString& command) = 0;
+  virtual std::shared_ptr<const RegionWindow> shownWindow() const = 0;  ///< May be null.
+  /// Comment lines for a recording's header: input, hash, unit, view, region (conventions.md 5.5).
+  virtual QString recordingHeader() const = 0;
+
+ Q_SIGNALS:
+  void windowShown(std::shared_ptr<const RegionWindow> window);  ///< Also sent once after attach.
+  void handMoved(const HandTarget& target);
+  void closing();
+};
+
+/// A module under plugins/. Loaded at start, attached once, detached before the program ends.
+class Plugin {
+ public:
+  virtual ~Plugin() = default;
+  virtual void attach(Host& host) = 0;  ///< @throw Error: the plugin is skipped and named.
+  virtual void detach() noexcept = 0;   ///< All its threads are joined on return.
+  virtual QByteArray saveState() const { return {}; }
+  virtual void restoreState(const QByteArray& /*state*/) {}
+};
+
+}  // namespace relievo
+
+#define RELIEVO_PLUGIN_IID "org.relievo.Plugin/1"
+Q_DECLARE_INTERFACE(relievo::Plugin, RELIEVO_PLUGIN_IID)

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/base/origin.h"
+#include "core/region/probe.h"
+#include "core/region/region.h"
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace relievo {
+
+/// Heights to draw: a window, or a whole pyramid level. Copied by setSurface.
+struct SurfaceGrid {
+  GridFrame frame;
+  const std::vector<float>* heights_mm = nullptr;  ///< Row-major, row 0 lowest y.
+  const std::vector<Origin>* origins = nullptr;    ///< Same size, or null: all measured.
+};
+
+enum class StereoMode { off, anaglyph };
+struct StereoOptions {
+  StereoMode mode = StereoMode::off;
+  double eye_angle_deg = 4;             ///< Full angle between the eyes' directions, 0.5 .. 10.
+  std::optional<double> zero_plane_mm;  ///< View z of zero parallax; nothing: mid height.
+  friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
+};
+
+struct LightOptions {
+  double azimuth_deg =
+      315;  ///< From where the key light shines: 0 = up, clockwise (315 = upper left).
+  double elevation_deg = 45;  ///< Above the base plane.
+  friend bool operator==(const LightOptions&, const LightOptions&) = default;
+};
+
+/// Camera of a relief: orthographic. Untilted it looks along -z at exactly `rect`.
+struct ReliefCamera {
+  RectMm rect;               ///< What is in view, view mm; the longer window side shows more.
+  double azimuth_deg = 0;    ///< Turn about the view's y axis.
+  double elevation_deg = 0;  ///< Turn about the view's x axis; 0 looks straight down on the relief.
+  friend bool operator==(const ReliefCamera&, const ReliefCamera&) = default;
+};
+
+/// Everything drawn in one viewport: the relief as a lit quad mesh with per-vertex normals (paper
+/// sec. 4), the pink window, proxy and HIP, scale bar. The same scene serves the window's views,
+/// screenshots, and `relievo render`. No Qt. [one thread; that of the render window]
+class ReliefScene {
+ public:
+  ReliefScene();
+  ~ReliefScene();
+  ReliefScene(const ReliefScene&) = delete;
+  ReliefScene& operator=(const ReliefScene&) = delete;
+
+  void setSurface(const SurfaceGrid& grid);
+  void clearSurface();
+  void setCamera(const ReliefCamera& camera);
+  void setStereo(const StereoOptions& stereo);
+  void setLight(const LightOptions& light);
+  void setBackground(double red, double green, double blue);
+  /// Pink (#ff4fa3) frame 2 px wide with a dark outline and eight handles; nothing hides it.
+  void setPinkWindow(const std::optional<RectMm>& rect, bool with_handles);
+  /// Proxy: blue ball; HIP: red ring around a small ball; line between; arrow along the force.
+  /// ball_radius_mm in view mm. Nothing hides them.
+  void setProbe(const std::optional<Probe>& probe, double ball_radius_mm);
+  /// "|-- 10 mm --|" at the lower left.
+  void setScaleBar(bool visible);
+
+  /// Adds this scene's renderer to a window and sets the window's stereo and multisampling.
+  void attachTo(vtkRenderWindow* window);
+  /// To be called before each render: camera aspect, scale bar length, window frame in pixels.
+  void prepare(int width_px, int height_px);
+  vtkRenderer* renderer();
+
+  /// View position under a pixel (origin top left) on the plane z = z_mm; for picking and dragging.
+  ViewMm viewFromPixel(double px, double py, int width_px, int height_px, double z_mm) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace relievo
