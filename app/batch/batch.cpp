@@ -91,17 +91,19 @@ Surface loadForVerb(const MapArguments& arguments, const Task& task) {
   return surface;
 }
 
+void warnIfAliased(const Surface& surface, const Region& region) {
+  const Level fitting = defaultLevel(surface.ladder, region.side_mm);
+  if (region.level >= fitting) return;
+  tell("Level " + std::to_string(region.level.value) +
+       " is finer than 200 samples across this region can carry; fine structure aliases. Level " +
+       std::to_string(fitting.value) + " fits, or choose a smaller region.");
+}
+
 void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
                         const RegionWindow& window) {
   if (arguments.window_out.empty()) return;
-  const double step = window.spacingMm();
-  const DepthMap samples{.frame = {.size = {.cols = kWindowSamples, .rows = kWindowSamples},
-                                   .spacing_mm = step,
-                                   .first_x_mm = window.region.x_mm + 0.5 * step,
-                                   .first_y_mm = window.region.y_mm + 0.5 * step},
-                         .heights_mm = window.heights_mm,
-                         .origins = window.origins};
-  writeMap(arguments.window_out, samples,
+  // Heights as they are under the hand: 0 outside, not NaN.
+  writeMap(arguments.window_out, windowMap(window),
            {.view_from_file = surface.view_from_file, .outside_as_nan = false});
 }
 

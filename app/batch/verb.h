@@ -37,6 +37,9 @@ Verb touchVerb();
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);
 
+/// Says so on stderr where a level is much finer than the 200 samples across its region.
+void warnIfAliased(const Surface& surface, const Region& region);
+
 /// Writes the window's samples if asked to.
 void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
                         const RegionWindow& window);
