@@ -81,8 +81,7 @@ void DetailView::straighten() {
 void DetailView::turnBy(double azimuth_deg, double elevation_deg) {
   ReliefCamera next = camera();
   next.azimuth_deg = std::remainder(next.azimuth_deg + azimuth_deg, 360.0);
-  next.elevation_deg =
-      std::clamp(next.elevation_deg + elevation_deg, -kMostTiltDeg, kMostTiltDeg);
+  next.elevation_deg = std::clamp(next.elevation_deg + elevation_deg, -kMostTiltDeg, kMostTiltDeg);
   setCamera(next);
   Q_EMIT turned(isTurned());
 }
@@ -108,7 +107,9 @@ void DetailView::showProbe(const Probe& probe) {
   setProbeDrawn(probe, kBallOfSide * window->region.side_mm);
 }
 
-void DetailView::clearProbe() { setProbeDrawn({}, 1); }
+void DetailView::clearProbe() {
+  setProbeDrawn({}, 1);
+}
 
 void DetailView::setPressDepthMm(double depth_hand_mm) {
   const double depth = std::clamp(depth_hand_mm, kDepthStepMm, kMostDepthMm);
@@ -189,8 +190,7 @@ void DetailView::mouseMoveEvent(QMouseEvent* event) {
 void DetailView::pan(const QPointF& point) {
   const double mm = mmPerPixel() / drag_start_.side_mm;
   const QPointF way = point - drag_point_;
-  const auto next =
-      moved(document_.surface()->ladder, drag_start_, -way.x() * mm, way.y() * mm);
+  const auto next = moved(document_.surface()->ladder, drag_start_, -way.x() * mm, way.y() * mm);
   document_.preview(next.value_or(drag_start_));
 }
 
@@ -280,8 +280,8 @@ bool DetailView::moveHandByKey(int key, double cells) {
 }
 
 void DetailView::keyPressEvent(QKeyEvent* event) {
-  const bool ours = document_.isOpen() &&
-                    (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
+  const bool ours =
+      document_.isOpen() && (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
   if (event->key() == Qt::Key_Escape && drag_ == Drag::pan) {
     document_.revert();
     drag_ = Drag::none;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <QCryptographicHash>
+#include <QFile>
 #include <QUndoCommand>
 
 #include "core/depth/rasterize.h"
@@ -46,6 +48,19 @@ class StateCommand : public QUndoCommand {
   int merge_id_;
 };
 
+/// Hexadecimal; empty if the file cannot be read again.
+QString sha256Of(const QString& path, const Task& task) {
+  constexpr qint64 kBlock = 4 << 20;
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  while (!file.atEnd()) {
+    task.check();
+    hash.addData(file.read(kBlock));
+  }
+  return QString::fromLatin1(hash.result().toHex());
+}
+
 bool sameGrid(const Surface& a, const Surface& b) {
   return a.map.frame == b.map.frame && a.ladder.spacings_mm == b.ladder.spacings_mm;
 }
@@ -66,7 +81,7 @@ struct Document::Outcome {
   Work work;
   std::shared_ptr<const Surface> surface;
   bool cancelled = false;
-  QString error, code;
+  QString error, code, sha256;
 };
 
 Document::Document(DepthEngine depth_buffer, QObject* parent)
@@ -101,7 +116,9 @@ int Document::detail() const {
   return isOpen() ? state_.surface->ladder.detailOf(state_.region.level) : 0;
 }
 
-int Document::details() const { return isOpen() ? state_.surface->ladder.levels() : 0; }
+int Document::details() const {
+  return isOpen() ? state_.surface->ladder.levels() : 0;
+}
 
 void Document::setView(const ViewChoice& view) {
   if (!isOpen()) return;
@@ -194,20 +211,22 @@ Document::Outcome Document::compute(const Work& work, const DepthEngine& depth_b
         w.options.unit = w.open.remembered_unit;
         w.options.unit_source = UnitSource::remembered;
       }
+      out.sha256 = sha256Of(w.open.file, task);
     }
     task.check();
     const DepthEngine engine = w.options.engine == "cpu" ? DepthEngine(rasterize) : depth_buffer;
-    out.surface = std::make_shared<const Surface>(
-        w.scan ? makeSurface(*w.scan, w.options, engine, task)
-               : makeSurface(*w.raster, w.options, task));
+    out.surface =
+        std::make_shared<const Surface>(w.scan ? makeSurface(*w.scan, w.options, engine, task)
+                                               : makeSurface(*w.raster, w.options, task));
   } catch (const Cancelled&) {
     out.cancelled = true;
   } catch (const Error& error) {
     out.error = QString::fromUtf8(error.what());
     out.code = QString::fromStdString(error.code);
   } catch (const std::bad_alloc&) {
-    out.error = tr("There is not enough memory for this. Nothing was changed. Close other programs "
-                   "or choose a smaller file.");
+    out.error =
+        tr("There is not enough memory for this. Nothing was changed. Close other programs "
+           "or choose a smaller file.");
   } catch (const std::exception& error) {
     out.error = tr("This failed unexpectedly: %1. Nothing was changed.")
                     .arg(QString::fromUtf8(error.what()));
@@ -239,6 +258,7 @@ void Document::finish(const std::shared_ptr<Outcome>& outcome) {
     return;
   }
   file_ = work.open.file;
+  sha256_ = outcome->sha256;
   scan_ = work.scan;
   raster_ = work.raster;
   history_.clear();
@@ -374,8 +394,8 @@ void Document::apply(const DocumentState& state) {
       other_surface || !window_ || state.region != state_.region || state.gain != state_.gain;
   state_ = state;
   if (other_window) {
-    window_ = std::make_shared<const RegionWindow>(sampleWindow(
-        state_.surface->map, state_.surface->pyramid, state_.region, state_.gain));
+    window_ = std::make_shared<const RegionWindow>(
+        sampleWindow(state_.surface->map, state_.surface->pyramid, state_.region, state_.gain));
   }
   if (other_surface) Q_EMIT surfaceChanged();
   if (other_window) Q_EMIT windowChanged();

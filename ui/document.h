@@ -58,6 +58,7 @@ class Document : public QObject {
   std::shared_ptr<const Surface> surface() const { return state_.surface; }
   std::shared_ptr<const RegionWindow> window() const { return window_; }
   QString file() const { return file_; }
+  QString fileSha256() const { return sha256_; }  ///< Of the bytes that were read, hexadecimal.
   /// "Detail 2 of 4" numbers; 0 while nothing is open.
   int detail() const;
   int details() const;
@@ -113,7 +114,7 @@ class Document : public QObject {
   static Outcome compute(const Work& work, const DepthEngine& depth_buffer, const Task& task);
 
   DepthEngine depth_buffer_;
-  QString file_;
+  QString file_, sha256_;
   std::shared_ptr<const Scan> scan_;
   std::shared_ptr<const RasterMap> raster_;
   DocumentState state_;

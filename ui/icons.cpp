@@ -66,7 +66,8 @@ QPainterPath shape(Icon which) {
       path.addPath(lines({{{3.5, 15.5}, {9, 10.5}, {13, 14}, {16, 11.5}, {20.5, 15.5}}}));
       break;
     case Icon::forces:  // A hand's force against a surface.
-      path = lines({{{3, 19.5}, {21, 19.5}}, {{12, 16}, {12, 4}}, {{7.5, 8.5}, {12, 4}, {16.5, 8.5}}});
+      path =
+          lines({{{3, 19.5}, {21, 19.5}}, {{12, 16}, {12, 4}}, {{7.5, 8.5}, {12, 4}, {16.5, 8.5}}});
       break;
     case Icon::camera:
       path.addRoundedRect(3, 7, 18, 12.5, 2, 2);
@@ -98,8 +99,8 @@ class StrokeEngine : public QIconEngine {
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(rect.topLeft());
     painter->scale(rect.width() / 24.0, rect.height() / 24.0);
-    painter->setPen(QPen(palette.color(group, role), 1.6, Qt::SolidLine, Qt::RoundCap,
-                         Qt::RoundJoin));
+    painter->setPen(
+        QPen(palette.color(group, role), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter->drawPath(shape(which_));
     painter->restore();
   }
@@ -118,6 +119,8 @@ class StrokeEngine : public QIconEngine {
 
 }  // namespace
 
-QIcon icon(Icon which) { return QIcon(new StrokeEngine(which)); }
+QIcon icon(Icon which) {
+  return QIcon(new StrokeEngine(which));
+}
 
 }  // namespace relievo

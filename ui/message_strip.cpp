@@ -56,7 +56,9 @@ void MessageStrip::show(const QString& text, const std::vector<Button>& buttons)
   QAccessible::updateAccessibility(&event);
 }
 
-QString MessageStrip::text() const { return isHidden() ? QString() : label_->text(); }
+QString MessageStrip::text() const {
+  return isHidden() ? QString() : label_->text();
+}
 
 void MessageStrip::close() {
   hide();

@@ -27,8 +27,7 @@ Theme current_theme = Theme::light;
 
 /// What the desktop showed before our own palette replaced it.
 bool systemIsDark() {
-  static const bool kDark =
-      QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
+  static const bool kDark = QGuiApplication::palette().color(QPalette::Window).lightness() < 128;
   return kDark;
 }
 
@@ -50,7 +49,9 @@ Theme resolved(Theme theme) {
   return systemIsDark() ? Theme::dark : Theme::light;
 }
 
-const ThemeColours& currentColours() { return colours(current_theme); }
+const ThemeColours& currentColours() {
+  return colours(current_theme);
+}
 
 void applyTheme(QApplication& app, Theme theme) {
   systemIsDark();  // Asked before our palette hides the desktop's.
@@ -72,8 +73,8 @@ void applyTheme(QApplication& app, Theme theme) {
   p.setColor(QPalette::ToolTipBase, c.base);
   p.setColor(QPalette::ToolTipText, c.text);
   p.setColor(QPalette::PlaceholderText, c.quiet_text);
-  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text,
-                                         QPalette::ButtonText}) {
+  for (const QPalette::ColorRole role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     QColor faint = c.quiet_text;
     faint.setAlphaF(current_theme == Theme::contrast ? 0.8 : 0.55);
     p.setColor(QPalette::Disabled, role, faint);

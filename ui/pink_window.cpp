@@ -42,12 +42,12 @@ RectMm resizedSquare(const Region& start, PinkPart part, double x_mm, double y_m
                      double least_mm) {
   const double right = start.x_mm + start.side_mm;
   const double top = start.y_mm + start.side_mm;
-  const bool from_left = part == PinkPart::left || part == PinkPart::left_bottom ||
-                         part == PinkPart::left_top;
-  const bool from_right = part == PinkPart::right || part == PinkPart::right_bottom ||
-                          part == PinkPart::right_top;
-  const bool from_bottom = part == PinkPart::bottom || part == PinkPart::left_bottom ||
-                           part == PinkPart::right_bottom;
+  const bool from_left =
+      part == PinkPart::left || part == PinkPart::left_bottom || part == PinkPart::left_top;
+  const bool from_right =
+      part == PinkPart::right || part == PinkPart::right_bottom || part == PinkPart::right_top;
+  const bool from_bottom =
+      part == PinkPart::bottom || part == PinkPart::left_bottom || part == PinkPart::right_bottom;
   const bool from_top =
       part == PinkPart::top || part == PinkPart::left_top || part == PinkPart::right_top;
   double side = least_mm;

@@ -25,8 +25,8 @@ constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cel
 std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
   std::size_t level = 0;
   const auto& levels = surface.pyramid.levels;
-  while (level + 1 < levels.size() && std::max(levels[level].frame.size.cols,
-                                               levels[level].frame.size.rows) > kMostSamples) {
+  while (level + 1 < levels.size() &&
+         std::max(levels[level].frame.size.cols, levels[level].frame.size.rows) > kMostSamples) {
     ++level;
   }
   auto grid = std::make_shared<HeldGrid>();
@@ -39,11 +39,11 @@ std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
   };
   grid->origins.reserve(size.count());
   for (int row = 0; row < size.rows; ++row) {
-    const int r = nearest(grid->frame.yMm(row), finest.first_y_mm, finest.spacing_mm,
-                          finest.size.rows);
+    const int r =
+        nearest(grid->frame.yMm(row), finest.first_y_mm, finest.spacing_mm, finest.size.rows);
     for (int col = 0; col < size.cols; ++col) {
-      const int c = nearest(grid->frame.xMm(col), finest.first_x_mm, finest.spacing_mm,
-                            finest.size.cols);
+      const int c =
+          nearest(grid->frame.xMm(col), finest.first_x_mm, finest.spacing_mm, finest.size.cols);
       grid->origins.push_back(surface.map.origin({c, r}));
     }
   }
@@ -130,7 +130,9 @@ QPointF ReferenceView::pointOf(double x_mm, double y_mm) const {
   return {(x_mm - a.x) / (b.x - a.x) * probe.x(), (y_mm - a.y) / (b.y - a.y) * probe.y()};
 }
 
-double ReferenceView::toleranceMm() const { return kGripPixels * mmPerPixel(); }
+double ReferenceView::toleranceMm() const {
+  return kGripPixels * mmPerPixel();
+}
 
 void ReferenceView::mousePressEvent(QMouseEvent* event) {
   if (!document_.isOpen() || event->button() != Qt::LeftButton) return;
@@ -210,8 +212,8 @@ void ReferenceView::resizeBy(double factor) {
   const DetailLadder& ladder = document_.surface()->ladder;
   const Region& r = document_.state().region;
   const double least = kLeastCells * ladder.spacings_mm.front();
-  const double side = std::clamp(r.side_mm * factor, std::min(least, ladder.sideMm(1)),
-                                 ladder.sideMm(1));
+  const double side =
+      std::clamp(r.side_mm * factor, std::min(least, ladder.sideMm(1)), ladder.sideMm(1));
   document_.setRect({r.centreX() - 0.5 * side, r.centreY() - 0.5 * side, side, side});
 }
 

@@ -25,11 +25,13 @@ QString folderKey(const QString& file) {
 
 Settings::Settings(Mode mode)
     : safe_(mode == Mode::safe),
-      config_(safe_ ? QString() : place("XDG_CONFIG_HOME", QStringLiteral("/.config"),
-                                        QStringLiteral("relievo.ini")),
+      config_(safe_ ? QString()
+                    : place("XDG_CONFIG_HOME", QStringLiteral("/.config"),
+                            QStringLiteral("relievo.ini")),
               QSettings::IniFormat),
-      state_(safe_ ? QString() : place("XDG_STATE_HOME", QStringLiteral("/.local/state"),
-                                       QStringLiteral("state.ini")),
+      state_(safe_ ? QString()
+                   : place("XDG_STATE_HOME", QStringLiteral("/.local/state"),
+                           QStringLiteral("state.ini")),
              QSettings::IniFormat) {}
 
 QStringList Settings::recentFiles() const {

@@ -55,7 +55,8 @@ StatusFields::StatusFields(QStatusBar& bar)
     field->setAccessibleName(tr(kFields[i].name));
     field->setObjectName(QLatin1String("status_") +
                          QString::fromLatin1(kFields[i].name).toLower().replace(' ', '_'));
-    const int width = field->fontMetrics().horizontalAdvance(QString::fromLatin1(kFields[i].widest));
+    const int width =
+        field->fontMetrics().horizontalAdvance(QString::fromLatin1(kFields[i].widest));
     if (width > 0) field->setMinimumWidth(width + 16);
     if (i == 0) {
       field->setMinimumWidth(60);
@@ -99,9 +100,13 @@ void StatusFields::set(StatusField field, const QString& text, const QString& ti
   if (field != StatusField::message) label->setVisible(!text.isEmpty());
 }
 
-QString StatusFields::text(StatusField field) const { return label(field)->text(); }
+QString StatusFields::text(StatusField field) const {
+  return label(field)->text();
+}
 
-QWidget* StatusFields::firstField() const { return labels_[0]; }
+QWidget* StatusFields::firstField() const {
+  return labels_[0];
+}
 
 void StatusFields::beginWork() {
   work_bar_->setValue(0);

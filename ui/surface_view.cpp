@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/surface_view.h"
 
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
 #include <algorithm>
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QPainter>
 #include <QResizeEvent>
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 
 #include "ui/vtk/offscreen.h"
 
@@ -34,7 +34,9 @@ QAccessibleInterface* accessibleView(const QString&, QObject* object) {
 
 }  // namespace
 
-void installAccessibleViews() { QAccessible::installFactory(accessibleView); }
+void installAccessibleViews() {
+  QAccessible::installFactory(accessibleView);
+}
 
 void SceneState::applyTo(ReliefScene& scene) const {
   if (grid) {
@@ -57,6 +59,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   Canvas(SurfaceView* view, ReliefScene& scene) : QVTKOpenGLNativeWidget(view), scene_(scene) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
+    setAcceptDrops(false);
     setEnableHiDPI(true);
     setDefaultCursor(Qt::ArrowCursor);
     setRenderWindow(window_);
@@ -88,7 +91,9 @@ SurfaceView::SurfaceView(QWidget* parent)
 }
 
 // The canvas draws the scene: it goes first.
-SurfaceView::~SurfaceView() { delete canvas_; }
+SurfaceView::~SurfaceView() {
+  delete canvas_;
+}
 
 void SurfaceView::requestRender() {
   canvas_->renderWindow()->Modified();
@@ -167,14 +172,15 @@ double SurfaceView::mmPerPixel() const {
   return std::max({shorter_x, shorter_y, 1e-12});
 }
 
-QImage SurfaceView::shot() { return canvas_->grabFramebuffer(); }
+QImage SurfaceView::shot() {
+  return canvas_->grabFramebuffer();
+}
 
 QImage SurfaceView::image(const QSize& pixels) const {
   ReliefScene scene;
   state_.applyTo(scene);
   const RgbImage drawn = renderOffscreen(scene, pixels.width(), pixels.height());
-  return QImage(drawn.rgb.data(), drawn.width, drawn.height, 3 * drawn.width,
-                QImage::Format_RGB888)
+  return QImage(drawn.rgb.data(), drawn.width, drawn.height, 3 * drawn.width, QImage::Format_RGB888)
       .copy();
 }
 

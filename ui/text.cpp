@@ -10,7 +10,9 @@
 namespace relievo {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Text", text); }
+QString tr(const char* text) {
+  return QCoreApplication::translate("Text", text);
+}
 
 int decimalsFor(double step) {
   if (!(step > 0)) return 2;
@@ -28,7 +30,9 @@ QString number(double value, int decimals) {
 
 }  // namespace
 
-QString mmText(double mm, double step_mm) { return number(mm, decimalsFor(step_mm)); }
+QString mmText(double mm, double step_mm) {
+  return number(mm, decimalsFor(step_mm));
+}
 
 QString lengthText(double mm) {
   const double size = std::abs(mm);
