@@ -100,6 +100,27 @@ RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Reg
   return window;
 }
 
+DepthMap windowMap(const RegionWindow& window, int ring) {
+  const double step = window.spacingMm();
+  const int across = kWindowSamples + 2 * ring;
+  DepthMap map;
+  map.frame = {.size = {.cols = across, .rows = across},
+               .spacing_mm = step,
+               .first_x_mm = window.region.x_mm + (0.5 - ring) * step,
+               .first_y_mm = window.region.y_mm + (0.5 - ring) * step};
+  const auto inside = [ring](int i) {
+    return static_cast<std::size_t>(std::clamp(i - ring, 0, kWindowSamples - 1));
+  };
+  for (int row = 0; row < across; ++row) {
+    for (int col = 0; col < across; ++col) {
+      const std::size_t i = inside(row) * kWindowSamples + inside(col);
+      map.heights_mm.push_back(window.heights_mm[i]);
+      map.origins.push_back(window.origins[i]);
+    }
+  }
+  return map;
+}
+
 HandMapping handMapping(const RegionWindow& window) {
   HandMapping mapping;
   const double range = static_cast<double>(window.max_mm) - static_cast<double>(window.min_mm);
