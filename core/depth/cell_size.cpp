@@ -20,9 +20,18 @@ struct Planar {
 
 Planar projected(const Scan& scan, const Rotation& r, std::size_t most) {
   Planar planar;
-  const std::size_t stride = std::max<std::size_t>(1, scan.points.size() / most);
-  for (std::size_t i = 0; i < scan.points.size(); i += stride) {
-    const FilePoint p = scan.point(i);
+  const std::size_t count = scan.points.size();
+  const std::size_t taken = std::min(count, most);
+  // Scans are stored row by row; an even stride would see every n-th column only. Steps of the
+  // golden ratio visit them all alike.
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  double position = 0;
+  for (std::size_t i = 0; i < taken; ++i) {
+    const std::size_t chosen =
+        taken == count ? i : static_cast<std::size_t>(position * static_cast<double>(count));
+    position += kGoldenRatio;
+    if (position >= 1) position -= 1;
+    const FilePoint p = scan.point(chosen);
     planar.x.push_back(r[0] * p.x + r[1] * p.y + r[2] * p.z);
     planar.y.push_back(r[3] * p.x + r[4] * p.y + r[5] * p.z);
   }
