@@ -7,18 +7,22 @@
 namespace relievo {
 namespace {
 
+QColor rgb(QRgb value) {
+  return QColor::fromRgb(value);
+}
+
 // window base text quiet button border highlight highlighted link viewport strip hip proxy force
 const std::array<ThemeColours, 3>& table() {
   static const std::array<ThemeColours, 3> kTable{{
-      {QColor(0xf4f4f2), QColor(0xffffff), QColor(0x1e2226), QColor(0x5c646b), QColor(0xececea),
-       QColor(0xc9cbcc), QColor(0x2f6f9f), QColor(0xffffff), QColor(0x1f5f95), QColor(0x23262a),
-       QColor(0xfff3d6), QColor(0xd62828), QColor(0x2563eb), QColor(0x2f7d4f)},
-      {QColor(0x26292d), QColor(0x1d2023), QColor(0xe4e6e8), QColor(0xa4abb2), QColor(0x31353a),
-       QColor(0x43484e), QColor(0x3f86b8), QColor(0xffffff), QColor(0x7fb8e6), QColor(0x1b1d20),
-       QColor(0x4a3d1c), QColor(0xff6b6b), QColor(0x6ea0ff), QColor(0x6cc592)},
-      {QColor(0x000000), QColor(0x000000), QColor(0xffffff), QColor(0xe8e8e8), QColor(0x101010),
-       QColor(0xffffff), QColor(0xffd400), QColor(0x000000), QColor(0x6fc3ff), QColor(0x000000),
-       QColor(0x3a3000), QColor(0xff7a7a), QColor(0x8ab4ff), QColor(0x7dffb0)},
+      {rgb(0xf4f4f2), rgb(0xffffff), rgb(0x1e2226), rgb(0x5c646b), rgb(0xececea), rgb(0xc9cbcc),
+       rgb(0x2f6f9f), rgb(0xffffff), rgb(0x1f5f95), rgb(0x23262a), rgb(0xfff3d6), rgb(0xd62828),
+       rgb(0x2563eb), rgb(0x2f7d4f)},
+      {rgb(0x26292d), rgb(0x1d2023), rgb(0xe4e6e8), rgb(0xa4abb2), rgb(0x31353a), rgb(0x43484e),
+       rgb(0x3f86b8), rgb(0xffffff), rgb(0x7fb8e6), rgb(0x1b1d20), rgb(0x4a3d1c), rgb(0xff6b6b),
+       rgb(0x6ea0ff), rgb(0x6cc592)},
+      {rgb(0x000000), rgb(0x000000), rgb(0xffffff), rgb(0xe8e8e8), rgb(0x101010), rgb(0xffffff),
+       rgb(0xffd400), rgb(0x000000), rgb(0x6fc3ff), rgb(0x000000), rgb(0x3a3000), rgb(0xff7a7a),
+       rgb(0x8ab4ff), rgb(0x7dffb0)},
   }};
   return kTable;
 }

@@ -20,7 +20,7 @@ struct HeldGrid {
 /// What a view shows, apart from its pixels: drawn on screen and, again, into images.
 struct SceneState {
   std::shared_ptr<const HeldGrid> grid;
-  ReliefCamera camera;
+  ReliefCamera camera{.rect = {-50, -50, 100, 100}};
   StereoOptions stereo;
   LightOptions light;
   QColor background{0x23, 0x26, 0x2a};

@@ -56,9 +56,10 @@ QStringList sampleFiles() {
   QStringList folders;
   const QByteArray chosen = qgetenv("RELIEVO_DATA_PATH");
   if (!chosen.isEmpty()) folders << QString::fromLocal8Bit(chosen);
-  folders << program + QLatin1String("/../data")
-          << program + QLatin1String("/../share/relievo/data")
-          << program + QLatin1String("/../data/samples");
+  // Installed; then in a build tree, build/PRESET/bin.
+  for (const char* folder : {"/../share/relievo/data", "/../../../data/samples"}) {
+    folders << program + QLatin1String(folder);
+  }
   QStringList files;
   for (const QString& folder : folders) {
     // The dense reference surfaces beside the samples are for measuring, not for looking.

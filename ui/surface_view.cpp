@@ -67,8 +67,6 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     scene_.attachTo(window_);
   }
 
-  void attach() { scene_.attachTo(window_); }
-
  protected:
   void paintGL() override {
     const QSize pixels = size() * devicePixelRatioF();
@@ -104,7 +102,6 @@ void SurfaceView::setStereo(const StereoOptions& stereo) {
   if (stereo == state_.stereo) return;
   state_.stereo = stereo;
   scene_->setStereo(stereo);
-  canvas_->attach();
   requestRender();
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <deque>
 #include <QWidget>
 #include <span>
 
+#include "ui/strip_plot.h"
 #include "ui/touch_readout.h"
 
 class QTimer;
-class QwtPlot;
-class QwtPlotCurve;
 
 namespace relievo {
 
@@ -35,9 +33,7 @@ class TimePlot : public QWidget {
   void redraw();
 
   std::deque<TouchPlotPoint> points_;
-  QwtPlot* heights_;
-  QwtPlot* forces_;
-  std::array<QwtPlotCurve*, 3> curves_{};  ///< Hand, proxy, force; owned by the plots.
+  StripPlot heights_, forces_;
   QTimer* timer_;
   bool stale_ = false;
 };
