@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace relievo {
+
+/// Size of a file that can be read: a regular file (or a link to one), not empty, readable.
+/// Never waits, not even on a FIFO without a writer. [any thread]
+/// @throw FileError  missing, a directory, a device or pipe, without permission, or empty
+std::uint64_t checkedFileSize(const std::filesystem::path& file);
+
+/// At most the first `limit` bytes. @throw FileError  as above
+std::string readHead(const std::filesystem::path& file, std::size_t limit);
+
+/// File name without folders, for messages.
+std::string shownName(const std::filesystem::path& file);
+
+/// "960 000": digits in groups of three.
+std::string grouped(std::uint64_t number);
+
+}  // namespace relievo

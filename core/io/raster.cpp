@@ -1,0 +1,508 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/raster.h"
+
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string_view>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/base/unit.h"
+#include "core/io/file_check.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kMaxCells = 400'000'000;
+constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+/// Collects what GDAL complains about on this thread while it lives, instead of printing it.
+class GdalErrors {
+ public:
+  GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::collect, this); }
+  ~GdalErrors() { CPLPopErrorHandler(); }
+  GdalErrors(const GdalErrors&) = delete;
+  GdalErrors& operator=(const GdalErrors&) = delete;
+
+  bool any() const noexcept { return failed_; }
+  const std::string& first() const noexcept { return first_; }
+
+ private:
+  static void collect(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
+    auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
+    if (severity < CE_Failure || self->failed_) return;
+    self->failed_ = true;
+    self->first_ = message;
+  }
+
+  bool failed_ = false;
+  std::string first_;
+};
+
+GDALDriver& geoTiffDriver() {
+  static std::once_flag registered;
+  std::call_once(registered, [] { GDALRegister_GTiff(); });
+  return *GetGDALDriverManager()->GetDriverByName("GTiff");
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw FileError("Cannot read " + shownName(file) + ": " + reason);
+}
+
+std::filesystem::path originFileOf(std::filesystem::path map_file) {
+  return map_file.replace_extension(".origin.tif");
+}
+
+// ---- numbers in metadata -------------------------------------------------------------------
+
+std::string roundTripText(std::span<const double> numbers) {
+  std::string text;
+  std::array<char, 32> buffer{};
+  for (const double number : numbers) {
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
+    if (!text.empty()) text += ' ';
+    text.append(buffer.data(), end);
+  }
+  return text;
+}
+
+template <std::size_t N>
+std::optional<std::array<double, N>> parseNumbers(const char* text) {
+  if (text == nullptr) return std::nullopt;
+  std::array<double, N> numbers{};
+  std::string_view rest(text);
+  for (double& number : numbers) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  }
+  if (rest.find_first_not_of(' ') != std::string_view::npos) return std::nullopt;
+  return numbers;
+}
+
+// ---- reading -------------------------------------------------------------------------------
+
+Dataset openTiff(const std::filesystem::path& file, const GdalErrors& errors) {
+  geoTiffDriver();
+  const char* const drivers[] = {"GTiff", nullptr};
+  Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+  if (!dataset) {
+    refuse(file, "it is not a readable TIFF" +
+                     (errors.any() ? " (" + errors.first() + ")" : std::string()) +
+                     ". Export it again as GeoTIFF.");
+  }
+  return dataset;
+}
+
+/// Place and pitch of the samples; heights may still be in another order.
+struct Placement {
+  double pixel = 1;
+  FilePoint first;
+  bool rows_from_top = true;
+};
+
+Placement placementOf(GDALDataset& dataset, RasterMap& raster) {
+  const std::filesystem::path& file = raster.info.file;
+  std::array<double, 6> g{0, 1, 0, static_cast<double>(raster.size.rows), 0, -1};
+  if (dataset.GetGeoTransform(g.data()) != CE_None) {
+    g = {0, 1, 0, static_cast<double>(raster.size.rows), 0, -1};
+    raster.info.warnings.emplace_back(
+        "The raster has no georeference; one pixel was taken as one unit.");
+  }
+  if (!std::all_of(g.begin(), g.end(), [](double v) { return std::isfinite(v); }) || g[1] == 0) {
+    refuse(file, "its georeference holds no usable numbers. Write it again with gdal_translate.");
+  }
+  const double pixel = std::abs(g[1]);
+  if (std::abs(g[2]) > kSquareTolerance * pixel || std::abs(g[4]) > kSquareTolerance * pixel ||
+      g[1] < 0) {
+    refuse(file,
+           "its rows do not run from west to east; it is rotated or mirrored. "
+           "Make it north-up with gdalwarp.");
+  }
+  if (std::abs(std::abs(g[5]) - pixel) > kSquareTolerance * pixel) {
+    refuse(file, "its pixels are not square (" + roundTripText(std::array{pixel, std::abs(g[5])}) +
+                     "). Resample it with gdalwarp -tr.");
+  }
+  Placement placement;
+  placement.pixel = pixel;
+  placement.rows_from_top = g[5] < 0;
+  const double first_line = g[3] + 0.5 * g[5];
+  const double lowest =
+      placement.rows_from_top ? first_line + (raster.size.rows - 1) * g[5] : first_line;
+  placement.first = {g[0] + 0.5 * g[1], lowest, 0};
+  return placement;
+}
+
+std::optional<LengthUnit> unitOfMetres(double metres) {
+  for (const LengthUnitFact& fact : kLengthUnits) {
+    if (std::abs(metres * 1000 - fact.mm) <= 1e-7 * fact.mm) return fact.unit;
+  }
+  return std::nullopt;
+}
+
+std::optional<LengthUnit> unitOfName(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, LengthUnit>, 12> kNames{{
+      {"m", LengthUnit::m},
+      {"metre", LengthUnit::m},
+      {"meter", LengthUnit::m},
+      {"metres", LengthUnit::m},
+      {"meters", LengthUnit::m},
+      {"mm", LengthUnit::mm},
+      {"cm", LengthUnit::cm},
+      {"ft", LengthUnit::ft},
+      {"foot", LengthUnit::ft},
+      {"sfoot", LengthUnit::us_ft},
+      {"US survey foot", LengthUnit::us_ft},
+      {"us-ft", LengthUnit::us_ft},
+  }};
+  for (const auto& [known, unit] : kNames) {
+    if (known == text) return unit;
+  }
+  return std::nullopt;
+}
+
+/// Horizontal unit into info.unit. @return  factor from stored heights to that unit.
+double readUnits(GDALDataset& dataset, ScanInfo& info) {
+  const OGRSpatialReference* srs = dataset.GetSpatialRef();
+  if (srs == nullptr || srs->IsEmpty()) return 1;
+  if (srs->IsGeographic()) {
+    refuse(info.file,
+           "its pixels are measured in degrees. Reproject it to metres, for example "
+           "gdalwarp -t_srs EPSG:UTM-ZONE.");
+  }
+  if (!srs->IsProjected() && !srs->IsLocal()) return 1;
+  const double metres = srs->GetLinearUnits(nullptr);
+  info.unit = unitOfMetres(metres);
+  if (!info.unit) {
+    info.warnings.push_back("The raster's unit of " + roundTripText(std::array{metres}) +
+                            " m is not known here; state it with --unit.");
+    return 1;
+  }
+  std::optional<LengthUnit> vertical;
+  if (srs->IsVertical()) vertical = unitOfMetres(srs->GetTargetLinearUnits("VERT_CS", nullptr));
+  if (!vertical) vertical = unitOfName(dataset.GetRasterBand(1)->GetUnitType());
+  if (!vertical) {
+    info.warnings.push_back("The raster states no unit for its heights; they were taken to be in " +
+                            std::string(name(*info.unit)) + " like its coordinates.");
+    return 1;
+  }
+  if (*vertical == *info.unit) return 1;
+  info.warnings.push_back("Heights in " + std::string(name(*vertical)) + " were converted to " +
+                          std::string(name(*info.unit)) + ", the unit of the coordinates.");
+  return mmPer(*vertical) / mmPer(*info.unit);
+}
+
+void checkBand(GDALRasterBand& band, const std::filesystem::path& file) {
+  if (GDALDataTypeIsComplex(band.GetRasterDataType()) != 0) {
+    refuse(file, "its cells are complex numbers, not heights. Choose a height raster.");
+  }
+  const GDALColorInterp colour = band.GetColorInterpretation();
+  if (colour == GCI_RedBand || colour == GCI_PaletteIndex) {
+    refuse(file,
+           "it is a colour picture, not a height raster. Choose the raster with one band of "
+           "heights.");
+  }
+}
+
+/// Stored number to height: value * scale + offset in the unit of the coordinates.
+struct HeightRule {
+  double scale = 1, offset = 0;
+};
+
+HeightRule heightRule(GDALRasterBand& band, double unit_factor) {
+  HeightRule rule;
+  int stated = 0;
+  const double scale = band.GetScale(&stated);
+  if (stated != 0 && std::isfinite(scale) && scale != 0) rule.scale = scale;
+  const double offset = band.GetOffset(&stated);
+  if (stated != 0 && std::isfinite(offset)) rule.offset = offset;
+  rule.scale *= unit_factor;
+  rule.offset *= unit_factor;
+  return rule;
+}
+
+void readCells(GDALRasterBand& band, const Placement& placement, const HeightRule& rule,
+               const GdalErrors& errors, RasterMap& raster) {
+  const auto cols = static_cast<std::size_t>(raster.size.cols);
+  raster.values.assign(raster.size.count(), kNaN);
+  raster.valid.assign(raster.size.count(), false);
+  std::vector<double> line(cols);
+  std::vector<std::uint8_t> mask(cols);
+  GDALRasterBand& mask_band = *band.GetMaskBand();
+  for (int file_row = 0; file_row < raster.size.rows; ++file_row) {
+    if (band.RasterIO(GF_Read, 0, file_row, raster.size.cols, 1, line.data(), raster.size.cols, 1,
+                      GDT_Float64, 0, 0, nullptr) != CE_None ||
+        mask_band.RasterIO(GF_Read, 0, file_row, raster.size.cols, 1, mask.data(), raster.size.cols,
+                           1, GDT_Byte, 0, 0, nullptr) != CE_None) {
+      refuse(raster.info.file, "row " + std::to_string(file_row) + " is damaged or missing (" +
+                                   errors.first() + "). Copy or export it again.");
+    }
+    const int row = placement.rows_from_top ? raster.size.rows - 1 - file_row : file_row;
+    const std::size_t start = raster.size.index({0, row});
+    for (std::size_t col = 0; col < cols; ++col) {
+      const auto height = static_cast<float>(line[col] * rule.scale + rule.offset);
+      if (mask[col] == 0 || !std::isfinite(height)) continue;
+      raster.values[start + col] = height;
+      raster.valid[start + col] = true;
+    }
+  }
+}
+
+void summarize(RasterMap& raster) {
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  std::uint64_t valid = 0;
+  for (std::size_t i = 0; i < raster.values.size(); ++i) {
+    if (!raster.valid[i]) continue;
+    ++valid;
+    lowest = std::min(lowest, static_cast<double>(raster.values[i]));
+    highest = std::max(highest, static_cast<double>(raster.values[i]));
+  }
+  raster.info.points = raster.size.count();
+  raster.info.finite_points = valid;
+  if (valid == 0) {
+    refuse(raster.info.file, "none of its " + grouped(raster.info.points) +
+                                 " cells holds a height. Choose another raster.");
+  }
+  raster.info.bounds =
+      FileBounds{{raster.first.x, raster.first.y, lowest},
+                 {raster.first.x + (raster.size.cols - 1) * raster.pixel,
+                  raster.first.y + (raster.size.rows - 1) * raster.pixel, highest}};
+}
+
+/// The exact frame of an own map, unless another program moved or cut the raster since.
+void restoreFrame(GDALDataset& dataset, RasterMap& raster) {
+  const auto frame = parseNumbers<3>(dataset.GetMetadataItem("RELIEVO_FRAME"));
+  if (!frame) return;
+  const auto [x, y, spacing] = *frame;
+  const double tolerance = kSquareTolerance * raster.pixel;
+  if (std::abs(x - raster.first.x) > tolerance || std::abs(y - raster.first.y) > tolerance ||
+      std::abs(spacing - raster.pixel) * std::max(raster.size.cols, raster.size.rows) > tolerance) {
+    return;
+  }
+  raster.first = {x, y, 0};
+  raster.pixel = spacing;
+}
+
+/// Origins beside an own map; empty with a warning if they do not belong to it.
+std::vector<Origin> readOrigins(const RasterMap& raster, std::vector<std::string>& warnings) {
+  const std::filesystem::path file = originFileOf(raster.info.file);
+  std::error_code missing;
+  if (!std::filesystem::exists(file, missing)) return {};
+  const GdalErrors errors;
+  const char* const drivers[] = {"GTiff", nullptr};
+  const Dataset dataset(
+      GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+  const auto ignore = [&](const std::string& reason) {
+    warnings.push_back(shownName(file) + " " + reason + " and was left aside.");
+    return std::vector<Origin>{};
+  };
+  if (!dataset) return ignore("cannot be read");
+  if (dataset->GetRasterXSize() != raster.size.cols ||
+      dataset->GetRasterYSize() != raster.size.rows || dataset->GetRasterCount() < 1) {
+    return ignore("has another size than the map");
+  }
+  std::vector<std::uint8_t> codes(raster.size.count());
+  const auto stride = static_cast<GSpacing>(raster.size.cols);
+  if (dataset->GetRasterBand(1)->RasterIO(
+          GF_Read, 0, 0, raster.size.cols, raster.size.rows,
+          codes.data() + raster.size.index({0, raster.size.rows - 1}), raster.size.cols,
+          raster.size.rows, GDT_Byte, 1, -stride, nullptr) != CE_None) {
+    return ignore("cannot be read");
+  }
+  std::vector<Origin> origins(codes.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const bool outside = codes[i] == static_cast<std::uint8_t>(Origin::outside);
+    if (codes[i] >= kOriginCount || outside == raster.valid[i]) {
+      return ignore("does not fit the map");
+    }
+    origins[i] = static_cast<Origin>(codes[i]);
+  }
+  return origins;
+}
+
+void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
+  const char* unit = dataset.GetMetadataItem("RELIEVO_UNIT");
+  const char* matrix = dataset.GetMetadataItem("RELIEVO_VIEW_FROM_FILE");
+  if (unit == nullptr || matrix == nullptr) return;
+  const auto numbers = parseNumbers<16>(matrix);
+  if (!numbers || std::string_view(unit) != "mm") {
+    refuse(raster.info.file,
+           "its RELIEVO_ entries were changed and make no sense. Write the map again.");
+  }
+  raster.is_own_map = true;
+  raster.info.unit = LengthUnit::mm;
+  raster.view_from_file = ViewFromFile{*numbers};
+  restoreFrame(dataset, raster);
+}
+
+// ---- writing -------------------------------------------------------------------------------
+
+[[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
+  throw WriteError("Cannot write " + file.string() + ": " + reason +
+                   ". Check the folder, its permissions and the free space.");
+}
+
+/// A file under a temporary name beside its final one; removed unless `keep` was called.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(std::filesystem::path final_name)
+      : final_(std::move(final_name)),
+        temporary_(final_.parent_path() /
+                   ("." + final_.stem().string() + "." + std::to_string(::getpid()) + ".tmp.tif")) {
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    if (!kept_) std::filesystem::remove(temporary_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::filesystem::path& path() const noexcept { return temporary_; }
+  void keep() {
+    std::error_code error;
+    std::filesystem::rename(temporary_, final_, error);
+    if (error) cannotWrite(final_, error.message());
+    kept_ = true;
+  }
+
+ private:
+  std::filesystem::path final_, temporary_;
+  bool kept_ = false;
+};
+
+/// One band, row 0 of `cells` at the lowest y, which is the last row of the file.
+struct BandToWrite {
+  GDALDataType type;
+  const void* cells;
+  std::size_t cell_bytes;
+};
+
+void writeBand(const std::filesystem::path& file, const std::filesystem::path& shown,
+               const GridFrame& frame, const BandToWrite& band, const CPLStringList& metadata) {
+  GdalErrors errors;
+  const GridSize size = frame.size;
+  const char* const options[] = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", nullptr};
+  Dataset dataset(geoTiffDriver().Create(file.c_str(), size.cols, size.rows, 1, band.type,
+                                         const_cast<char**>(options)));
+  if (!dataset) cannotWrite(shown, errors.first());
+  const double s = frame.spacing_mm;
+  std::array<double, 6> transform{frame.first_x_mm - 0.5 * s,         s, 0,
+                                  frame.yMm(size.rows - 1) + 0.5 * s, 0, -s};
+  dataset->SetGeoTransform(transform.data());
+  dataset->SetMetadata(const_cast<char**>(metadata.List()));
+  if (band.type == GDT_Float32) dataset->GetRasterBand(1)->SetNoDataValue(kNaN);
+  const auto* bottom_up = static_cast<const std::uint8_t*>(band.cells);
+  const std::size_t line_bytes = static_cast<std::size_t>(size.cols) * band.cell_bytes;
+  for (int file_row = 0; file_row < size.rows && !errors.any(); ++file_row) {
+    const auto row = static_cast<std::size_t>(size.rows - 1 - file_row);
+    auto* line = const_cast<std::uint8_t*>(bottom_up + row * line_bytes);
+    if (dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, file_row, size.cols, 1, line, size.cols, 1,
+                                            band.type, 0, 0, nullptr) != CE_None) {
+      break;
+    }
+  }
+  dataset.reset();  // Flushes; a full disk shows itself here at the latest.
+  if (errors.any()) cannotWrite(shown, errors.first());
+}
+
+void checkMap(const DepthMap& map) {
+  const GridSize size = map.frame.size;
+  if (size.cols < 1 || size.rows < 1 || !(map.frame.spacing_mm > 0) ||
+      map.heights_mm.size() != size.count() || map.origins.size() != size.count()) {
+    throw ArgumentError("A map of " + std::to_string(size.cols) + " x " +
+                        std::to_string(size.rows) + " cells cannot be written: it has " +
+                        std::to_string(map.heights_mm.size()) + " heights and " +
+                        std::to_string(map.origins.size()) + " origins.");
+  }
+}
+
+}  // namespace
+
+RasterMap readRaster(const std::filesystem::path& file) {
+  checkedFileSize(file);
+  const GdalErrors errors;
+  const Dataset dataset = openTiff(file, errors);
+  RasterMap raster;
+  raster.info.file = file;
+  raster.size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()};
+  if (dataset->GetRasterCount() < 1 || raster.size.cols < 2 || raster.size.rows < 2) {
+    refuse(file, "it has " + std::to_string(raster.size.cols) + " x " +
+                     std::to_string(raster.size.rows) +
+                     " cells; at least 2 x 2 are needed. Choose a larger raster.");
+  }
+  if (raster.size.count() > kMaxCells) {
+    refuse(file, "it has " + grouped(raster.size.count()) + " cells, more than the limit of " +
+                     grouped(kMaxCells) + ". Cut or thin it with gdal_translate.");
+  }
+  GDALRasterBand& band = *dataset->GetRasterBand(1);
+  checkBand(band, file);
+  if (dataset->GetRasterCount() > 1) {
+    raster.info.warnings.push_back("The raster has " + std::to_string(dataset->GetRasterCount()) +
+                                   " bands; the first was read as heights.");
+  }
+  raster.info.format = std::string("GeoTIFF ") + GDALGetDataTypeName(band.GetRasterDataType());
+  const bool own = dataset->GetMetadataItem("RELIEVO_VIEW_FROM_FILE") != nullptr;
+  const double unit_factor = own ? 1 : readUnits(*dataset, raster.info);
+  const Placement placement = placementOf(*dataset, raster);
+  raster.pixel = placement.pixel;
+  raster.first = placement.first;
+  readOwnMap(*dataset, raster);
+  readCells(band, placement, heightRule(band, unit_factor), errors, raster);
+  summarize(raster);
+  if (raster.is_own_map) raster.origins = readOrigins(raster, raster.info.warnings);
+  return raster;
+}
+
+void writeMap(const std::filesystem::path& file, const DepthMap& map,
+              const MapFileOptions& options) {
+  checkMap(map);
+  std::vector<float> heights = map.heights_mm;
+  std::vector<std::uint8_t> codes(map.origins.size());
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    codes[i] = static_cast<std::uint8_t>(map.origins[i]);
+    if (options.outside_as_nan && map.origins[i] == Origin::outside) heights[i] = kNaN;
+  }
+  CPLStringList metadata;
+  metadata.SetNameValue("RELIEVO_UNIT", "mm");
+  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
+  metadata.SetNameValue("RELIEVO_VIEW_FROM_FILE", roundTripText(options.view_from_file.m).c_str());
+  metadata.SetNameValue(
+      "RELIEVO_FRAME",
+      roundTripText(std::array{map.frame.first_x_mm, map.frame.first_y_mm, map.frame.spacing_mm})
+          .c_str());
+
+  TemporaryFile map_file(file);
+  writeBand(map_file.path(), file, map.frame, {GDT_Float32, heights.data(), sizeof(float)},
+            metadata);
+  const std::filesystem::path origin_name = originFileOf(file);
+  if (options.write_origins) {
+    TemporaryFile origin_file(origin_name);
+    writeBand(origin_file.path(), origin_name, map.frame, {GDT_Byte, codes.data(), 1}, metadata);
+    origin_file.keep();
+  } else {
+    std::error_code ignored;  // An older map's origins would lie about this one.
+    std::filesystem::remove(origin_name, ignored);
+  }
+  map_file.keep();
+}
+
+}  // namespace relievo

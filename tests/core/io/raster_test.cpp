@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/raster.h"
+
+#include <cpl_conv.h>
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <random>
+
+#include "core/base/error.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+using test::TemporaryFolder;
+using ::testing::HasSubstr;
+
+DepthMap roughMap(GridSize size) {
+  DepthMap map;
+  map.frame = {size, 0.1 + 1.0 / 3.0, 1.0 / 7.0, -12.3};
+  std::mt19937 random(20);
+  std::uniform_real_distribution<float> height(-1.F, 30.F);
+  for (std::size_t i = 0; i < size.count(); ++i) {
+    map.origins.push_back(static_cast<Origin>(i % kOriginCount));
+    const bool flat = map.origins.back() == Origin::outside;
+    map.heights_mm.push_back(flat ? 0.F : height(random));
+  }
+  return map;
+}
+
+ViewFromFile oddView() {
+  ViewFromFile view;
+  view.m = {0, 1000, 0, -1.0 / 3.0, 0, 0, 1000, 5.4e6 + 0.1, 1000, 0, 0, 1e-17, 0, 0, 0, 1};
+  return view;
+}
+
+/// A foreign GeoTIFF of doubles, rows from the top.
+struct ForeignRaster {
+  int cols = 3, rows = 2;
+  std::vector<double> cells{1, 2, 3, 4, 5, 6};
+  std::array<double, 6> transform{100, 0.5, 0, 200, 0, -0.5};
+  int epsg = 0;
+  GDALDataType type = GDT_Float64;
+  int bands = 1;
+  double scale = 1, offset = 0;
+  bool nodata = false;
+  double nodata_value = -9999;
+
+  std::filesystem::path write(const TemporaryFolder& folder) const {
+    GDALAllRegister();
+    const std::filesystem::path file = folder.path() / "foreign.tif";
+    GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        file.c_str(), cols, rows, bands, type, nullptr);
+    std::array<double, 6> t = transform;
+    dataset->SetGeoTransform(t.data());
+    if (epsg != 0) {
+      OGRSpatialReference srs;
+      srs.importFromEPSG(epsg);
+      dataset->SetSpatialRef(&srs);
+    }
+    GDALRasterBand* band = dataset->GetRasterBand(1);
+    if (scale != 1) band->SetScale(scale);
+    if (offset != 0) band->SetOffset(offset);
+    if (nodata) band->SetNoDataValue(nodata_value);
+    std::vector<double> copy = cells;
+    EXPECT_EQ(band->RasterIO(GF_Write, 0, 0, cols, rows, copy.data(), cols, rows, GDT_Float64, 0, 0,
+                             nullptr),
+              CE_None);
+    GDALClose(dataset);
+    return file;
+  }
+};
+
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    readRaster(file);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Raster, OwnMapComesBackBitForBit) {
+  const TemporaryFolder folder;
+  const DepthMap map = roughMap({37, 23});
+  const std::filesystem::path file = folder.path() / "map.tif";
+  writeMap(file, map, {oddView(), true});
+  const RasterMap raster = readRaster(file);
+
+  EXPECT_TRUE(raster.is_own_map);
+  EXPECT_EQ(raster.size, map.frame.size);
+  EXPECT_EQ(raster.pixel, map.frame.spacing_mm);
+  EXPECT_EQ(raster.first.x, map.frame.first_x_mm);
+  EXPECT_EQ(raster.first.y, map.frame.first_y_mm);
+  ASSERT_TRUE(raster.view_from_file.has_value());
+  EXPECT_EQ(*raster.view_from_file, oddView());
+  EXPECT_EQ(raster.info.unit, LengthUnit::mm);
+  ASSERT_EQ(raster.origins.size(), map.origins.size());
+  EXPECT_EQ(raster.origins, map.origins);
+  for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
+    const bool outside = map.origins[i] == Origin::outside;
+    ASSERT_EQ(raster.valid[i], !outside) << i;
+    if (!outside) {
+      ASSERT_EQ(std::memcmp(&raster.values[i], &map.heights_mm[i], sizeof(float)), 0) << i;
+    }
+  }
+}
+
+TEST(Raster, MapFileIsNorthUpWithSamplesAtCellCentresAndNaNOutside) {
+  const TemporaryFolder folder;
+  DepthMap map = roughMap({4, 3});
+  map.frame = {{4, 3}, 2.0, 10.0, 20.0};
+  const std::filesystem::path file = folder.path() / "map.tif";
+  writeMap(file, map, {oddView(), true});
+
+  GDALAllRegister();
+  auto* dataset = static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_ReadOnly));
+  ASSERT_NE(dataset, nullptr);
+  std::array<double, 6> t{};
+  ASSERT_EQ(dataset->GetGeoTransform(t.data()), CE_None);
+  EXPECT_EQ(t, (std::array<double, 6>{9, 2, 0, 25, 0, -2}));
+  EXPECT_EQ(dataset->GetRasterCount(), 1);
+  GDALRasterBand* band = dataset->GetRasterBand(1);
+  EXPECT_EQ(band->GetRasterDataType(), GDT_Float32);
+  EXPECT_TRUE(std::isnan(band->GetNoDataValue()));
+  EXPECT_STREQ(dataset->GetMetadataItem("RELIEVO_UNIT"), "mm");
+  EXPECT_STREQ(dataset->GetMetadataItem("RELIEVO_VERSION"), RELIEVO_VERSION_STRING);
+  EXPECT_THAT(dataset->GetMetadataItem("RELIEVO_VIEW_FROM_FILE"),
+              HasSubstr("-0.3333333333333333 0 0 1000 5400000.1"));
+  std::array<float, 4> top{};
+  ASSERT_EQ(band->RasterIO(GF_Read, 0, 0, 4, 1, top.data(), 4, 1, GDT_Float32, 0, 0, nullptr),
+            CE_None);
+  for (int col = 0; col < 4; ++col) {
+    const Cell cell{col, 2};
+    const float stored = top[static_cast<std::size_t>(col)];
+    if (map.origin(cell) == Origin::outside) {
+      EXPECT_TRUE(std::isnan(stored));
+    } else {
+      EXPECT_EQ(stored, map.heightMm(cell));
+    }
+  }
+  GDALClose(dataset);
+  auto* origins =
+      static_cast<GDALDataset*>(GDALOpen((folder.path() / "map.origin.tif").c_str(), GA_ReadOnly));
+  ASSERT_NE(origins, nullptr);
+  EXPECT_EQ(origins->GetRasterBand(1)->GetRasterDataType(), GDT_Byte);
+  GDALClose(origins);
+}
+
+TEST(Raster, WritingLeavesTheMapAndItsOriginsAndNothingElse) {
+  const TemporaryFolder folder;
+  writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), true});
+  writeMap(folder.path() / "map.tif", roughMap({6, 6}), {oddView(), true});
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.push_back(entry.path().filename().string());
+  }
+  EXPECT_THAT(names, ::testing::UnorderedElementsAre("map.tif", "map.origin.tif"));
+  EXPECT_EQ(readRaster(folder.path() / "map.tif").size, (GridSize{6, 6}));
+}
+
+TEST(Raster, WritingWithoutOriginsRemovesTheOriginsOfTheOverwrittenMap) {
+  const TemporaryFolder folder;
+  writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), true});
+  writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), false});
+  EXPECT_TRUE(readRaster(folder.path() / "map.tif").origins.empty());
+}
+
+TEST(Raster, WritingIntoAMissingFolderSaysSoAndLeavesNothing) {
+  const TemporaryFolder folder;
+  EXPECT_THROW(writeMap(folder.path() / "absent" / "map.tif", roughMap({5, 5}), {}), WriteError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(Raster, OriginsThatDoNotFitTheMapAreLeftAsideWithAWarning) {
+  const TemporaryFolder folder;
+  writeMap(folder.path() / "a.tif", roughMap({5, 5}), {oddView(), true});
+  writeMap(folder.path() / "b.tif", roughMap({6, 6}), {oddView(), true});
+  std::filesystem::rename(folder.path() / "b.origin.tif", folder.path() / "a.origin.tif");
+  const RasterMap raster = readRaster(folder.path() / "a.tif");
+  EXPECT_TRUE(raster.origins.empty());
+  ASSERT_EQ(raster.info.warnings.size(), 1U);
+  EXPECT_THAT(raster.info.warnings[0], HasSubstr("another size"));
+}
+
+TEST(Raster, ForeignRasterHasItsBoxAtCellCentresAndRowZeroLowest) {
+  const TemporaryFolder folder;
+  const RasterMap raster = readRaster(ForeignRaster{}.write(folder));
+  EXPECT_FALSE(raster.is_own_map);
+  EXPECT_EQ(raster.size, (GridSize{3, 2}));
+  EXPECT_EQ(raster.pixel, 0.5);
+  EXPECT_EQ(raster.values, (std::vector<float>{4, 5, 6, 1, 2, 3}));
+  EXPECT_EQ(raster.first, (FilePoint{100.25, 199.25, 0}));
+  ASSERT_TRUE(raster.info.bounds.has_value());
+  EXPECT_EQ(*raster.info.bounds, (FileBounds{{100.25, 199.25, 1}, {101.25, 199.75, 6}}));
+  EXPECT_EQ(raster.info.points, 6U);
+  EXPECT_EQ(raster.info.faces, 0U);
+  EXPECT_FALSE(raster.info.unit.has_value());
+}
+
+TEST(Raster, SouthUpRasterKeepsItsPlace) {
+  const TemporaryFolder folder;
+  ForeignRaster foreign;
+  foreign.transform = {100, 0.5, 0, 199, 0, 0.5};
+  const RasterMap raster = readRaster(foreign.write(folder));
+  EXPECT_EQ(raster.values, (std::vector<float>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(raster.first, (FilePoint{100.25, 199.25, 0}));
+}
+
+TEST(Raster, NodataScaleAndOffsetAreHonoured) {
+  const TemporaryFolder folder;
+  ForeignRaster foreign;
+  foreign.type = GDT_Int16;
+  foreign.cells = {1, -9999, 3, 4, 5, 6};
+  foreign.nodata = true;
+  foreign.scale = 0.1;
+  foreign.offset = 100;
+  const RasterMap raster = readRaster(foreign.write(folder));
+  EXPECT_EQ(raster.info.finite_points, 5U);
+  EXPECT_FALSE(raster.valid[4]);
+  EXPECT_TRUE(std::isnan(raster.values[4]));
+  EXPECT_FLOAT_EQ(raster.values[3], 100.1F);
+  EXPECT_NEAR(raster.info.bounds->max.z, 100.6, 1e-5);
+}
+
+TEST(Raster, UnitComesFromTheProjection) {
+  const TemporaryFolder folder;
+  ForeignRaster foreign;
+  foreign.epsg = 32632;  // UTM zone 32 N, metres.
+  const RasterMap metres = readRaster(foreign.write(folder));
+  EXPECT_EQ(metres.info.unit, LengthUnit::m);
+  ASSERT_FALSE(metres.info.warnings.empty());
+  EXPECT_THAT(metres.info.warnings[0], HasSubstr("no unit for its heights"));
+  foreign.epsg = 2263;  // New York Long Island, US survey feet.
+  EXPECT_EQ(readRaster(foreign.write(folder)).info.unit, LengthUnit::us_ft);
+}
+
+TEST(Raster, WhatIsNoHeightGridIsRefusedWithASentence) {
+  const TemporaryFolder folder;
+  ForeignRaster rotated;
+  rotated.transform = {0, 1, 0.2, 0, 0.2, -1};
+  EXPECT_THAT(refusal(rotated.write(folder)), HasSubstr("rotated"));
+  ForeignRaster oblong;
+  oblong.transform = {0, 1, 0, 0, 0, -2};
+  EXPECT_THAT(refusal(oblong.write(folder)), HasSubstr("not square"));
+  ForeignRaster narrow;
+  narrow.cols = 1;
+  EXPECT_THAT(refusal(narrow.write(folder)), HasSubstr("at least 2 x 2"));
+  ForeignRaster degrees;
+  degrees.epsg = 4326;
+  EXPECT_THAT(refusal(degrees.write(folder)), HasSubstr("degrees"));
+  ForeignRaster photo;
+  photo.bands = 3;
+  photo.type = GDT_Byte;
+  EXPECT_THAT(refusal(photo.write(folder)), HasSubstr("colour picture"));
+  ForeignRaster empty;
+  empty.cells.assign(6, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THAT(refusal(empty.write(folder)), HasSubstr("none of its 6 cells"));
+}
+
+TEST(Raster, DamagedFilesAreRefusedWithASentence) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(refusal(folder.path() / "absent.tif"), HasSubstr("no such file"));
+  EXPECT_THAT(refusal(folder.path()), HasSubstr("folder"));
+  EXPECT_THAT(refusal(folder.write("empty.tif", "")), HasSubstr("empty"));
+  EXPECT_THAT(refusal(folder.write("noise.tif", "II*\0garbage garbage garbage")),
+              HasSubstr("not a readable TIFF"));
+  const std::filesystem::path file = folder.path() / "cut.tif";
+  writeMap(file, roughMap({200, 200}), {oddView(), true});
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+  EXPECT_FALSE(refusal(file).empty());
+}
+
+TEST(Raster, SharedElevationModelOpens) {
+  const std::filesystem::path data = test::sharedData();
+  if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
+  const RasterMap raster = readRaster(data / "dem" / "synthetic_dem15_0.50.tif");
+  EXPECT_FALSE(raster.is_own_map);
+  EXPECT_EQ(raster.pixel, 0.5);
+  EXPECT_EQ(raster.info.points, raster.size.count());
+  EXPECT_LT(raster.info.bounds->min.z, raster.info.bounds->max.z);
+}
+
+}  // namespace
+}  // namespace relievo
