@@ -37,12 +37,16 @@ struct FilledMap {
   std::vector<Hole> holes;  ///< Largest first.
 };
 
+/// What the depths come from.
+struct FillSource {
+  bool has_sampling_gaps = true;  ///< Points leave empty cells between them; triangles do not.
+  double base_quantile = 0.001;   ///< Of the measured cells: the base plane. 0 is the lowest.
+};
+
 /// From raw front depths to a depth map: sampling gaps (empty cells smaller than the data's own
-/// spacing) are interpolated, enclosed holes treated as chosen, the rest is outside. The base plane
-/// is the 0.1 % quantile of the measured cells. [worker]
-/// @param is_mesh  triangles leave no sampling gaps
+/// spacing) are interpolated, enclosed holes treated as chosen, the rest is outside. [worker]
 /// @throw ArgumentError  no cell was hit
-FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, bool is_mesh,
+FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task = {});
 
 }  // namespace relievo

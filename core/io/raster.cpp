@@ -479,7 +479,7 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
   std::vector<std::uint8_t> codes(map.origins.size());
   for (std::size_t i = 0; i < codes.size(); ++i) {
     codes[i] = static_cast<std::uint8_t>(map.origins[i]);
-    if (map.origins[i] == Origin::outside) heights[i] = kNaN;
+    if (options.outside_as_nan && map.origins[i] == Origin::outside) heights[i] = kNaN;
   }
   CPLStringList metadata;
   metadata.SetNameValue("RELIEVO_UNIT", "mm");

@@ -32,7 +32,8 @@ RasterMap readRaster(const std::filesystem::path& file);
 
 struct MapFileOptions {
   ViewFromFile view_from_file;
-  bool write_origins = true;  ///< Also NAME.origin.tif.
+  bool write_origins = true;   ///< Also NAME.origin.tif.
+  bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
 };
 
 /// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres

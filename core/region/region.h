@@ -49,6 +49,7 @@ Level defaultLevel(const DetailLadder& ladder, double side_mm);
 /// @throw ArgumentError  size not finite and > 0, or no such level
 struct RectMm {
   double x_mm = 0, y_mm = 0, width_mm = 0, height_mm = 0;
+  friend bool operator==(const RectMm&, const RectMm&) = default;
 };
 Region regionFromRect(const DetailLadder& ladder, const RectMm& rect,
                       std::optional<Level> level = std::nullopt);

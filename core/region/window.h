@@ -34,6 +34,11 @@ struct RegionWindow {
 RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Region& region,
                           double gain = 1);
 
+/// The window as a grid of its own, in view mm: for drawing and for files.
+/// @param ring  1 adds one ring of samples that continue the border's heights, so that a drawn
+///              surface covers the whole region and not only up to its outermost samples
+DepthMap windowMap(const RegionWindow& window, int ring = 0);
+
 /// How a window lies in the hand's workspace: one scale for x, y and z.
 struct HandMapping {
   double device_per_view = 1;  ///< 1 mm on the object is this many mm of hand.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +21,9 @@ struct RgbImage {
 /// Can an X display be opened? Must be asked before any VTK window is made: without one VTK aborts.
 bool haveDisplay();
 
-/// Starts a private Xvfb for this process if there is no display, and stops it in the destructor.
+/// Starts a private Xvfb for this process if there is no display, and stops it in the destructor;
+/// meanwhile the environment's DISPLAY names it. It also ends if the thread that started it does.
+/// To be made before other threads read the environment. [main thread]
 class DisplayGuard {
  public:
   /// @throw GraphicsError  no display and Xvfb is missing or does not start
@@ -31,11 +34,16 @@ class DisplayGuard {
 
  private:
   int pid_ = -1;
+  std::optional<std::string> display_before_;
 };
 
-/// Renders a scene into memory, independent of any window on screen. @throw GraphicsError  no
-/// display, size above the driver's limit, or a black (failed) image
-RgbImage renderOffscreen(ReliefScene& scene, int width, int height);
+/// Renders a copy of a scene into memory, independent of any window on screen; the OpenGL context
+/// that was current stays so. [the scene's thread] @throw GraphicsError  no display, size above the
+/// driver's limit, or a black (failed) image
+RgbImage renderOffscreen(const ReliefScene& scene, int width, int height);
+
+/// True if every byte is 0: what a driver gives back when it silently failed to draw.
+bool isBlack(const RgbImage& image);
 
 /// PNG with text entries (Title, Software, relievo:state, ...). @throw WriteError
 void writePng(const std::filesystem::path& file, const RgbImage& image,

@@ -41,8 +41,8 @@ struct LightOptions {
 /// Camera of a relief: orthographic. Untilted it looks along -z at exactly `rect`.
 struct ReliefCamera {
   RectMm rect;               ///< What is in view, view mm; the longer window side shows more.
-  double azimuth_deg = 0;    ///< Turn about the view's y axis.
-  double elevation_deg = 0;  ///< Turn about the view's x axis; 0 looks straight down on the relief.
+  double azimuth_deg = 0;    ///< Turn about the view's y axis; > 0: the viewer goes to the right.
+  double elevation_deg = 0;  ///< Turn about the view's x axis; > 0: the viewer goes up (toward +y).
   friend bool operator==(const ReliefCamera&, const ReliefCamera&) = default;
 };
 
@@ -70,14 +70,23 @@ class ReliefScene {
   /// "|-- 10 mm --|" at the lower left.
   void setScaleBar(bool visible);
 
-  /// Adds this scene's renderer to a window and sets the window's stereo and multisampling.
-  void attachTo(vtkRenderWindow* window);
+  /// Adds this scene's renderers (three layers) to a window and sets the window's stereo. A scene
+  /// belongs to one window; copy() makes one for another.
+  /// @param samples  multisampling; 0 and 1 are none, the right choice for software OpenGL
+  void attachTo(vtkRenderWindow* window, int samples = 0);
   /// To be called before each render: camera aspect, scale bar length, window frame in pixels.
   void prepare(int width_px, int height_px);
-  vtkRenderer* renderer();
+  vtkRenderer* renderer();  ///< The one of the surface; for its camera and viewport.
 
-  /// View position under a pixel (origin top left) on the plane z = z_mm; for picking and dragging.
+  /// View position under a pixel on the plane z = z_mm; for picking and dragging. Pixels are
+  /// continuous from the picture's top left corner: the middle of the first pixel is (0.5, 0.5).
   ViewMm viewFromPixel(double px, double py, int width_px, int height_px, double z_mm) const;
+
+  /// Background black and nothing to see: then a black picture is no failure.
+  bool mayBeBlack() const;
+
+  /// Another scene that shows the same, for another render window. Costs a copy of the surface.
+  std::unique_ptr<ReliefScene> copy() const;
 
  private:
   struct Impl;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/arguments.h"
+
+#include <charconv>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace relievo::batch {
+namespace {
+
+double number(const std::string& option, std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw ArgumentError(option + ": '" + std::string(text) + "' is not a number.");
+  }
+  return value;
+}
+
+HoleChoice holeChoice(const std::string& text) {
+  if (text == "base") return {.rule = HoleRule::base};
+  if (text == "none") return {.rule = HoleRule::none};
+  constexpr std::string_view kPrefix = "interpolate:";
+  if (text.starts_with(kPrefix)) {
+    const double area = number("--holes", std::string_view(text).substr(kPrefix.size()));
+    if (area >= 0) return {.rule = HoleRule::interpolate, .max_area_mm2 = area};
+  }
+  throw ArgumentError("--holes: '" + text + "' is none of base, interpolate:MAX_MM2 and none.");
+}
+
+}  // namespace
+
+std::vector<double> numberList(const std::string& option, const std::string& text,
+                               std::size_t count) {
+  std::vector<double> values;
+  std::size_t start = 0;
+  while (start <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', start), text.size());
+    values.push_back(number(option, std::string_view(text).substr(start, comma - start)));
+    start = comma + 1;
+  }
+  if (values.size() != count) {
+    throw ArgumentError(option + " needs " + std::to_string(count) +
+                        " numbers separated by commas, not '" + text + "'.");
+  }
+  return values;
+}
+
+void addMapOptions(CLI::App& verb, MapArguments& a) {
+  verb.add_option("FILE", a.file, "Scan (PLY PCD OBJ STL XYZ ASC PTS CSV), GeoTIFF or MAP.tif")
+      ->required();
+  verb.add_option("--unit", a.unit, "Unit of the file's coordinates: mm cm m in ft us-ft");
+  verb.add_option("--view", a.view, "front back left right top bottom auto");
+  verb.add_option("--cells", a.cells, "Samples across the longer side");
+  verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm");
+  verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
+  verb.add_option("--holes", a.holes, "base, interpolate:MAX_MM2 or none");
+  verb.add_flag("--load-incomplete", a.accept_incomplete,
+                "Load the complete records of a cut file (E101)");
+}
+
+SurfaceOptions surfaceOptions(const MapArguments& a) {
+  SurfaceOptions options;
+  if (!a.unit.empty()) {
+    options.unit = lengthUnit(a.unit);
+    if (!options.unit) {
+      throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
+    }
+  }
+  if (!a.view.empty()) {
+    if (a.view != "auto" && !standardRotation(a.view)) {
+      throw ArgumentError("--view: '" + a.view +
+                          "' is none of front, back, left, right, top, bottom and auto.");
+    }
+    options.view = ViewChoice{.name = a.view, .rotation = std::nullopt};
+  }
+  if (a.engine != "cpu" && a.engine != "depthbuffer") {
+    throw ArgumentError("--engine: '" + a.engine + "' is neither cpu nor depthbuffer.");
+  }
+  if (a.cells && *a.cells < 2) throw ArgumentError("--cells must be at least 2.");
+  if (a.spacing_mm && !(*a.spacing_mm > 0)) throw ArgumentError("--spacing must be above 0 mm.");
+  if (a.cells && a.spacing_mm) throw ArgumentError("Give --cells or --spacing, not both.");
+  options.cells = a.cells;
+  options.spacing_mm = a.spacing_mm;
+  options.engine = a.engine;
+  options.holes = holeChoice(a.holes);
+  return options;
+}
+
+void addRegionOptions(CLI::App& verb, RegionArguments& a) {
+  verb.add_option("--level", a.level, "Pyramid level, 0 = finest");
+  verb.add_option("--region", a.region, "X,Y,W,H in view mm; X,Y is the lower left corner");
+  verb.add_option("--gain", a.gain, "Factor on heights; 1 is true to scale");
+  verb.add_option("--window-out", a.window_out, "Also write the 200 x 200 samples as a GeoTIFF");
+}
+
+Region chosenRegion(const Surface& surface, const RegionArguments& a) {
+  std::optional<Level> level;
+  if (a.level) level = Level{*a.level};
+  if (!a.region.empty()) {
+    const std::vector<double> r = numberList("--region", a.region, 4);
+    return regionFromRect(surface.ladder,
+                          {.x_mm = r[0], .y_mm = r[1], .width_mm = r[2], .height_mm = r[3]}, level);
+  }
+  const Region whole = wholeRegion(surface.ladder);
+  if (!level) return whole;
+  return regionFromRect(surface.ladder,
+                        {.x_mm = whole.x_mm,
+                         .y_mm = whole.y_mm,
+                         .width_mm = whole.side_mm,
+                         .height_mm = whole.side_mm},
+                        level);
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/import.h"
+#include "core/region/window.h"
+#include "core/session/surface.h"
+
+namespace CLI {
+class App;
+}
+
+namespace relievo::batch {
+
+/// Options of every verb that needs a surface; the same as the window's.
+struct MapArguments {
+  std::string file;
+  std::string unit;  ///< Empty: as the file says.
+  std::string view;  ///< Empty: default.
+  std::optional<int> cells;
+  std::optional<double> spacing_mm;
+  std::string engine = "cpu";
+  std::string holes = "base";
+  bool accept_incomplete = false;
+};
+void addMapOptions(CLI::App& verb, MapArguments& arguments);
+/// @throw ArgumentError  a value that is not of its option's form
+SurfaceOptions surfaceOptions(const MapArguments& arguments);
+
+/// Which window of which level, and the height gain.
+struct RegionArguments {
+  std::optional<int> level;
+  std::string region;  ///< "X,Y,W,H" in view mm; empty: the whole map.
+  double gain = 1;
+  std::string window_out;  ///< Empty: not written.
+};
+void addRegionOptions(CLI::App& verb, RegionArguments& arguments);
+/// @throw ArgumentError
+Region chosenRegion(const Surface& surface, const RegionArguments& arguments);
+
+/// Exactly `count` comma-separated numbers. @throw ArgumentError naming the option
+std::vector<double> numberList(const std::string& option, const std::string& text,
+                               std::size_t count);
+
+}  // namespace relievo::batch

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/batch.h"
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <thread>
+
+#include "app/batch/verb.h"
+#include "core/depth/rasterize.h"
+#include "core/io/raster.h"
+#include "core/session/load.h"
+#include "ui/vtk/depth_capture.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+namespace batch {
+namespace {
+
+std::vector<Verb> verbs() {
+  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), touchVerb()};
+}
+
+int exitCodeOf(const std::exception& error) {
+  if (dynamic_cast<const ArgumentError*>(&error) != nullptr) return 1;
+  if (dynamic_cast<const FileError*>(&error) != nullptr) return 2;
+  if (dynamic_cast<const WriteError*>(&error) != nullptr) return 3;
+  if (dynamic_cast<const DeviceError*>(&error) != nullptr) return 6;
+  if (dynamic_cast<const GraphicsError*>(&error) != nullptr) return 7;
+  if (dynamic_cast<const Cancelled*>(&error) != nullptr) return 130;
+  return 2;
+}
+
+/// Turns Ctrl+C and termination into a stop request; signals are blocked everywhere else.
+class InterruptWatch {
+ public:
+  InterruptWatch() {
+    sigemptyset(&signals_);
+    sigaddset(&signals_, SIGINT);
+    sigaddset(&signals_, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    thread_ = std::jthread([this](const std::stop_token& ended) {
+      while (!ended.stop_requested()) {
+        const timespec wait{.tv_sec = 0, .tv_nsec = 50'000'000};
+        if (sigtimedwait(&signals_, nullptr, &wait) > 0) interrupt_.request_stop();
+      }
+    });
+  }
+  std::stop_token token() const { return interrupt_.get_token(); }
+
+ private:
+  sigset_t signals_{};
+  std::stop_source interrupt_;
+  std::jthread thread_;
+};
+
+int report(const Outcome& outcome, const std::string& format) {
+  if (format == "json") {
+    std::cout << outcome.json << '\n';
+  } else {
+    for (const std::string& line : outcome.lines) std::cout << line << '\n';
+  }
+  std::cout.flush();
+  if (!std::cout) {
+    tell("The report could not be written to standard output.");
+    return 3;
+  }
+  return outcome.exit_code;
+}
+
+}  // namespace
+
+void tell(const std::string& message) {
+  std::cerr << "relievo: " << message << '\n';
+}
+
+Surface loadForVerb(const MapArguments& arguments, const Task& task) {
+  const SurfaceOptions options = surfaceOptions(arguments);
+  ImportOptions import;
+  import.accept_incomplete = arguments.accept_incomplete;
+  Surface surface;
+  if (options.engine == "depthbuffer") {
+    const DisplayGuard display;
+    surface = loadSurface(arguments.file, options, captureDepths, import, task);
+  } else {
+    surface = loadSurface(arguments.file, options, rasterize, import, task);
+  }
+  for (const std::string& message : surface.messages) tell(message);
+  return surface;
+}
+
+void warnIfAliased(const Surface& surface, const Region& region) {
+  const Level fitting = defaultLevel(surface.ladder, region.side_mm);
+  if (region.level >= fitting) return;
+  tell("Level " + std::to_string(region.level.value) +
+       " is finer than 200 samples across this region can carry; fine structure aliases. Level " +
+       std::to_string(fitting.value) + " fits, or choose a smaller region.");
+}
+
+void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
+                        const RegionWindow& window) {
+  if (arguments.window_out.empty()) return;
+  // Heights as they are under the hand: 0 outside, not NaN.
+  writeMap(arguments.window_out, windowMap(window),
+           {.view_from_file = surface.view_from_file, .outside_as_nan = false});
+}
+
+}  // namespace batch
+
+bool isVerb(std::string_view word) {
+  for (const batch::Verb& verb : batch::verbs()) {
+    if (verb.name == word) return true;
+  }
+  return false;
+}
+
+int runBatch(int argc, char** argv) {
+  CLI::App app("relievo: feel and see scanned heritage at every scale", "relievo");
+  app.require_subcommand(1);
+  std::vector<batch::Verb> verbs = batch::verbs();
+  std::string format = "text";
+  for (batch::Verb& verb : verbs) {
+    CLI::App* sub = app.add_subcommand(verb.name, verb.help);
+    verb.declare(*sub);
+    sub->add_option("--report", format, "json: one object on standard output")
+        ->check(CLI::IsMember({"json", "text"}));
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // CLI11 has its own numbers; ours are 0 for help and 1 for every misuse.
+    return app.exit(error) == 0 ? 0 : 1;
+  }
+  try {
+    const batch::InterruptWatch interrupt;
+    const Task task{.stop = interrupt.token(), .progress = {}};
+    for (const batch::Verb& verb : verbs) {
+      if (app.got_subcommand(verb.name)) return batch::report(verb.run(task), format);
+    }
+  } catch (const std::exception& error) {
+    batch::tell(error.what());
+    return batch::exitCodeOf(error);
+  }
+  return 1;
+}
+
+}  // namespace relievo

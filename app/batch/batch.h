@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+namespace relievo {
+
+/// Is this word a verb of the command line ("info", "depthmap", ...)?
+bool isVerb(std::string_view word);
+
+/// `relievo VERB ...`: same functions as the window, no window. Same input, same output bytes.
+/// @return exit code: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 finished with warnings,
+///         5 verify mismatch, 6 device, 7 no graphics, 130 interrupted; one line on stderr says why
+int runBatch(int argc, char** argv);
+
+}  // namespace relievo

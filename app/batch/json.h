@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Only for the .cpp files of app/batch: what several reports share.
+#include <nlohmann/json.hpp>
+
+#include "core/base/transform.h"
+#include "core/region/region.h"
+
+namespace relievo::batch {
+
+using Json = nlohmann::ordered_json;
+
+template <class To, class From>
+Json jsonOf(const Transform<To, From>& transform) {
+  return Json(transform.m);
+}
+
+inline Json jsonOf(const Region& region) {
+  return Json{region.x_mm, region.y_mm, region.side_mm, region.side_mm};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/batch/arguments.h"
+#include "core/base/task.h"
+
+namespace relievo::batch {
+
+/// What a verb leaves behind: a JSON object as text for `--report json`, lines for people else.
+struct Outcome {
+  std::string json;
+  std::vector<std::string> lines;
+  int exit_code = 0;
+};
+
+/// One verb: declares its options on a parser, then runs. @throw Error
+struct Verb {
+  std::string name;
+  std::string help;
+  std::function<void(CLI::App&)> declare;
+  std::function<Outcome(const Task&)> run;
+};
+
+// Each makes a verb whose options live as long as the verb does.
+Verb infoVerb();
+Verb depthmapVerb();
+Verb pyramidVerb();
+Verb renderVerb();
+Verb touchVerb();
+
+/// Loads a surface with the engine the options name, and tells its messages on stderr.
+Surface loadForVerb(const MapArguments& arguments, const Task& task);
+
+/// Says so on stderr where a level is much finer than the 200 samples across its region.
+void warnIfAliased(const Surface& surface, const Region& region);
+
+/// Writes the window's samples if asked to.
+void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
+                        const RegionWindow& window);
+
+/// One line on stderr: "relievo: message".
+void tell(const std::string& message);
+
+}  // namespace relievo::batch

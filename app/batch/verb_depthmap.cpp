@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <CLI/CLI.hpp>
+
+#include "app/batch/json.h"
+#include "app/batch/verb.h"
+#include "core/io/raster.h"
+
+namespace relievo::batch {
+namespace {
+
+struct DepthmapArguments {
+  MapArguments map;
+  std::string out;
+};
+
+Json sharesJson(const DepthMap& map) {
+  const auto shares = originShares(map);
+  const auto share = [&](Origin origin) { return shares[static_cast<std::size_t>(origin)]; };
+  return {{"measured", share(Origin::measured)},
+          {"interpolated", share(Origin::interpolated)},
+          {"hole", share(Origin::base_plane)},
+          {"steep", share(Origin::steep)},
+          {"outside", share(Origin::outside)}};
+}
+
+Json holesJson(const Surface& surface) {
+  Json holes = Json::array();
+  for (const Hole& hole : surface.holes) {
+    holes.push_back({{"cells", hole.cells},
+                     {"area_mm2", hole.area_mm2},
+                     {"centre_mm", {hole.centre_x_mm, hole.centre_y_mm}},
+                     {"filled", hole.filled}});
+  }
+  return holes;
+}
+
+Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
+  const Surface surface = loadForVerb(a.map, task);
+  const auto start = std::chrono::steady_clock::now();
+  writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file});
+  const double write_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+  const GridFrame& frame = surface.map.frame;
+  const HeightRange range = heightRange(surface.map);
+  Json json;
+  json["cells"] = {frame.size.cols, frame.size.rows};
+  json["spacing_mm"] = frame.spacing_mm;
+  json["engine"] = surface.engine;
+  json["rule"] = surface.rule;
+  json["shares"] = sharesJson(surface.map);
+  json["view_from_file"] = jsonOf(surface.view_from_file);
+  json["height_mm"] = {{"min", range.min_mm}, {"max", range.max_mm}};
+  json["seconds"] = {{"read", surface.seconds.read},
+                     {"grid", surface.seconds.grid},
+                     {"fill", surface.seconds.fill},
+                     {"write", write_s}};
+  json["view"] = surface.view_name;
+  json["unit"] = name(surface.unit);
+  json["unit_source"] = name(surface.unit_source);
+  json["holes"] = holesJson(surface);
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +
+                        std::to_string(frame.size.rows) + " cells of " + json["spacing_mm"].dump() +
+                        " mm, view " + surface.view_name + ", engine " + surface.engine,
+                    "shares " + json["shares"].dump()}};
+}
+
+}  // namespace
+
+Verb depthmapVerb() {
+  auto arguments = std::make_shared<DepthmapArguments>();
+  return {.name = "depthmap",
+          .help = "Make the depth map z = f(x, y) of a scan and write it as a GeoTIFF",
+          .declare =
+              [arguments](CLI::App& verb) {
+                addMapOptions(verb, arguments->map);
+                verb.add_option("-o,--output", arguments->out, "MAP.tif; MAP.origin.tif beside it")
+                    ->required();
+              },
+          .run = [arguments](const Task& task) { return runDepthmap(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

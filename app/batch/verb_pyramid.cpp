@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+
+#include "app/batch/json.h"
+#include "app/batch/verb.h"
+#include "core/io/raster.h"
+
+namespace relievo::batch {
+namespace {
+
+struct PyramidArguments {
+  MapArguments map;
+  std::string out;
+  int factor = 2;
+};
+
+/// OUT.tif -> OUT.L<level>.tif
+std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t level) {
+  std::filesystem::path file = out;
+  file.replace_extension(".L" + std::to_string(level) + out.extension().string());
+  return file;
+}
+
+Outcome runPyramid(const PyramidArguments& a, const Task& task) {
+  if (a.factor != 2) {
+    throw ArgumentError("--factor: this version reduces by M = 2 only. Leave the option out.");
+  }
+  const Surface surface = loadForVerb(a.map, task);
+  Json levels = Json::array();
+  Outcome outcome;
+  for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
+    const PyramidLevel& level = surface.pyramid.levels[l];
+    DepthMap map{.frame = level.frame,
+                 .heights_mm = level.heights_mm,
+                 .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
+    const std::filesystem::path file = levelFile(a.out, l);
+    writeMap(file, map, {.view_from_file = surface.view_from_file, .write_origins = false});
+    levels.push_back({{"level", l},
+                      {"cells", {level.frame.size.cols, level.frame.size.rows}},
+                      {"spacing_mm", level.frame.spacing_mm},
+                      {"file", file.string()}});
+    outcome.lines.push_back(file.string() + ": " + std::to_string(level.frame.size.cols) + " x " +
+                            std::to_string(level.frame.size.rows));
+  }
+  outcome.json = Json{{"levels", levels}, {"factor", a.factor}}.dump(2);
+  return outcome;
+}
+
+}  // namespace
+
+Verb pyramidVerb() {
+  auto arguments = std::make_shared<PyramidArguments>();
+  return {.name = "pyramid",
+          .help = "Write every level of the Gaussian pyramid, one GeoTIFF each",
+          .declare =
+              [arguments](CLI::App& verb) {
+                addMapOptions(verb, arguments->map);
+                verb.add_option("-o,--output", arguments->out, "OUT.tif becomes OUT.L0.tif, ...")
+                    ->required();
+                verb.add_option("--factor", arguments->factor, "The paper's M; 2");
+              },
+          .run = [arguments](const Task& task) { return runPyramid(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/batch/force_plot.h"
+#include "app/batch/json.h"
+#include "app/batch/verb.h"
+#include "core/region/hand.h"
+#include "haptics/record/log_writer.h"
+#include "haptics/record/stroke.h"
+
+namespace relievo::batch {
+namespace {
+
+struct TouchArguments {
+  MapArguments map;
+  RegionArguments region;
+  std::string stroke, out, plot;
+  std::string surface = "auto", proxy = "converged", frame = "view", safety = "off";
+  double stiffness_n_per_mm = 0.5;
+  double friction = 0, damping = 0;
+};
+
+ProxyKind proxyKind(const std::string& name) {
+  if (name == "converged") return ProxyKind::converged;
+  if (name == "equation") return ProxyKind::equation;
+  if (name == "successive") return ProxyKind::successive;
+  throw ArgumentError("--proxy: '" + name + "' is none of converged, equation and successive.");
+}
+
+/// What this version cannot do is refused, not passed over.
+void refuseWhatIsMissing(const TouchArguments& a) {
+  if (a.surface != "auto" && a.surface != "exact") {
+    throw ArgumentError("--surface: '" + a.surface +
+                        "' is not available; this version touches the exact bilinear surface "
+                        "(exact, or auto, which chooses it).");
+  }
+  if (a.friction != 0 || a.damping != 0) {
+    throw ArgumentError("--friction and --damping are not available in this version; only 0 is.");
+  }
+}
+
+StrokeOptions strokeOptions(const TouchArguments& a) {
+  refuseWhatIsMissing(a);
+  if (!(a.stiffness_n_per_mm > 0)) throw ArgumentError("--stiffness must be above 0 N/mm.");
+  StrokeOptions options;
+  options.proxy.kind = proxyKind(a.proxy);
+  options.stiffness_n_per_mm = a.stiffness_n_per_mm;
+  options.safety = a.safety == "on";
+  options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
+  return options;
+}
+
+/// Comment lines of the log: enough to repeat it.
+std::string logHeader(const TouchArguments& a, const Surface& surface, const Region& region) {
+  return "relievo log, schema 1\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
+         surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
+         " (" + std::string(name(surface.unit_source)) + ")\ndevice none (stroke " +
+         std::filesystem::path(a.stroke).filename().string() + ")\nregion_mm " +
+         jsonOf(region).dump() + " level " + std::to_string(region.level.value) + "\nproxy " +
+         a.proxy + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm, safety " + a.safety;
+}
+
+/// What a stroke showed, judged without the solver: by the window's own bilinear heights.
+struct StrokeFindings {
+  double largest_force_n = 0;
+  double off_surface_mm = 0;       ///< Largest distance in z of a touching proxy from the surface.
+  double force_to_normal_deg = 0;  ///< Largest angle between force and surface normal.
+  std::uint64_t contact_ticks = 0;
+
+  void add(const HapticSample& sample, const RegionWindow& window) {
+    if (!sample.contact) return;
+    ++contact_ticks;
+    const double force_n = norm(sample.force);
+    largest_force_n = std::max(largest_force_n, force_n);
+    const ViewMm& proxy = sample.proxy_view;
+    off_surface_mm =
+        std::max(off_surface_mm, std::abs(proxy.z - windowHeightMm(window, proxy.x, proxy.y)));
+    if (force_n < 1e-6) return;
+    const DeviceN along{sample.normal.x, sample.normal.y, sample.normal.z};
+    const DeviceN across = (1 / force_n) * sample.force - along;
+    // Chord to angle: exact for small angles, where the arc cosine is not.
+    const double angle = 2 * std::asin(std::min(1.0, 0.5 * norm(across)));
+    force_to_normal_deg = std::max(force_to_normal_deg, angle * 180 / 3.14159265358979323846);
+  }
+};
+
+Outcome runTouch(const TouchArguments& a, const Task& task) {
+  const StrokeOptions options = strokeOptions(a);
+  const Stroke stroke = readStroke(a.stroke);
+  const Surface surface = loadForVerb(a.map, task);
+  const Region region = chosenRegion(surface, a.region);
+  warnIfAliased(surface, region);
+  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  writeWindowIfAsked(a.region, surface, window);
+  // On the heap: 200 kB by value.
+  const auto space = std::make_unique<HapticSpace>();
+  fill(*space, window,
+       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()});
+
+  LogWriter log(a.out, logHeader(a, surface, region));
+  StrokeFindings findings;
+  std::vector<PlotRow> plot;
+  const std::uint64_t ticks = runStroke(
+      *space, options, stroke,
+      [&](const HapticSample& sample, double t_s) {
+        findings.add(sample, window);
+        if (!a.plot.empty()) {
+          plot.push_back({.t_s = t_s,
+                          .hip_z_mm = sample.hip_view.z,
+                          .proxy_z_mm = sample.proxy_view.z,
+                          .force_n = norm(sample.force)});
+        }
+        log.write(sample, t_s);
+      },
+      task);
+  log.close();
+  if (!a.plot.empty()) {
+    writeForcePlot(a.plot, plot, surface.info.file.filename().string() + ", proxy " + a.proxy);
+  }
+
+  const HandMapping hand = handMapping(window);
+  Json json;
+  json["level"] = region.level.value;
+  json["region_mm"] = jsonOf(region);
+  json["scale_device_per_view"] = hand.device_per_view;
+  json["device_from_view"] = jsonOf(hand.device_from_view);
+  json["stiffness_n_per_mm"] = a.stiffness_n_per_mm;
+  json["surface"] = "exact";
+  json["proxy"] = a.proxy;
+  json["ticks"] = ticks;
+  json["view_from_file"] = jsonOf(surface.view_from_file);
+  json["gain"] = window.gain;
+  json["safety"] = a.safety;
+  json["largest_force_n"] = findings.largest_force_n;
+  json["contact_ticks"] = findings.contact_ticks;
+  json["proxy_off_surface_mm"] = findings.off_surface_mm;
+  json["force_to_normal_deg"] = findings.force_to_normal_deg;
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
+                    json["largest_force_n"].dump() + " N, 1 mm of hand = " +
+                    Json(hand.objectMmPerHandMm()).dump() + " mm on the object"}};
+}
+
+}  // namespace
+
+Verb touchVerb() {
+  auto arguments = std::make_shared<TouchArguments>();
+  return {
+      .name = "touch",
+      .help = "Run a stroke over a region and log proxy and force at every millisecond",
+      .declare =
+          [arguments](CLI::App& verb) {
+            addMapOptions(verb, arguments->map);
+            addRegionOptions(verb, arguments->region);
+            verb.add_option("--stroke", arguments->stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
+            verb.add_option("-o,--output", arguments->out, "LOG.csv")->required();
+            verb.add_option("--plot", arguments->plot, "Also draw z and force against time, SVG");
+            verb.add_option("--surface", arguments->surface, "exact or auto");
+            verb.add_option("--proxy", arguments->proxy,
+                            "converged, equation (the paper's eq. 2) or successive");
+            verb.add_option("--stiffness", arguments->stiffness_n_per_mm, "N per mm of hand");
+            verb.add_option("--friction", arguments->friction, "0");
+            verb.add_option("--damping", arguments->damping, "0");
+            verb.add_option("--frame", arguments->frame, "Frame of the stroke: view or device")
+                ->check(CLI::IsMember({"view", "device"}));
+            verb.add_option("--safety", arguments->safety,
+                            "on: ramp, slew and limit as at a device")
+                ->check(CLI::IsMember({"on", "off"}));
+          },
+      .run = [arguments](const Task& task) { return runTouch(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/rasterize.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace relievo {
+namespace {
+
+constexpr float kEmpty = std::numeric_limits<float>::quiet_NaN();
+constexpr double kEdgeTolerance = 1e-7;  // Cells; samples on an edge belong to the triangle.
+constexpr std::size_t kCheckEvery = 1U << 16U;
+
+/// A point in grid units: sample (col, row) is at u = col, v = row; z in view mm.
+struct GridPoint {
+  double u = 0, v = 0, z = 0;
+};
+
+/// Maps stored points (file units from the scan's origin) to grid units.
+class GridFromPoint {
+ public:
+  explicit GridFromPoint(const DepthRequest& request)
+      : m_(request.view_from_file.m),
+        // The large part (UTM easting, northing) is added once, in double.
+        shift_(request.view_from_file(request.scan.origin)),
+        frame_(request.frame) {}
+
+  GridPoint operator()(const std::array<float, 3>& p) const noexcept {
+    const double x = static_cast<double>(p[0]);
+    const double y = static_cast<double>(p[1]);
+    const double z = static_cast<double>(p[2]);
+    const double view_x = m_[0] * x + m_[1] * y + m_[2] * z + shift_.x;
+    const double view_y = m_[4] * x + m_[5] * y + m_[6] * z + shift_.y;
+    return {.u = (view_x - frame_.first_x_mm) / frame_.spacing_mm,
+            .v = (view_y - frame_.first_y_mm) / frame_.spacing_mm,
+            .z = m_[8] * x + m_[9] * y + m_[10] * z + shift_.z};
+  }
+
+ private:
+  std::array<double, 16> m_;
+  ViewMm shift_;
+  GridFrame frame_;
+};
+
+void raise(float& cell, double z) {
+  const auto height = static_cast<float>(z);
+  if (!(cell >= height)) cell = height;  // Also true where the cell is still NaN.
+}
+
+/// Nearest sample, with the half cell around the grid's rim included. Out of the grid: -1.
+int nearestIndex(double u, int count) {
+  const double index = std::floor(u + 0.5);
+  if (index < 0 || index > count) return -1;
+  const int i = static_cast<int>(index);
+  // u = count - 0.5 lies on the rim itself and belongs to the last sample.
+  return i == count ? (u <= count - 0.5 + kEdgeTolerance ? count - 1 : -1) : i;
+}
+
+void scatterPoints(const DepthRequest& request, FrontDepths& depths, const Task& task) {
+  const GridFromPoint grid_from_point(request);
+  const GridSize size = request.frame.size;
+  const std::size_t count = request.scan.points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % kCheckEvery == 0) {
+      task.check();
+      task.report("Depth map", static_cast<double>(i) / static_cast<double>(count));
+    }
+    const GridPoint p = grid_from_point(request.scan.points[i]);
+    const int col = nearestIndex(p.u, size.cols);
+    const int row = nearestIndex(p.v, size.rows);
+    if (col >= 0 && row >= 0) raise(depths[size.index({.col = col, .row = row})], p.z);
+  }
+}
+
+/// The part of the line v = row that lies in the triangle; empty if low > high.
+struct Span {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void addEdge(const GridPoint& a, const GridPoint& b, double row) {
+    const double v_low = std::min(a.v, b.v);
+    const double v_high = std::max(a.v, b.v);
+    if (row < v_low - kEdgeTolerance || row > v_high + kEdgeTolerance) return;
+    if (v_high - v_low <= kEdgeTolerance) {
+      low = std::min({low, a.u, b.u});
+      high = std::max({high, a.u, b.u});
+      return;
+    }
+    const double t = std::clamp((row - a.v) / (b.v - a.v), 0.0, 1.0);
+    const double u = a.u + t * (b.u - a.u);
+    low = std::min(low, u);
+    high = std::max(high, u);
+  }
+};
+
+void drawTriangle(const GridPoint& a, const GridPoint& b, const GridPoint& c, GridSize size,
+                  FrontDepths& depths) {
+  const double area = (b.u - a.u) * (c.v - a.v) - (c.u - a.u) * (b.v - a.v);
+  if (std::abs(area) < 1e-14) return;  // Seen edge-on: no surface toward the viewer.
+  const double slope_u = ((b.z - a.z) * (c.v - a.v) - (c.z - a.z) * (b.v - a.v)) / area;
+  const double slope_v = ((c.z - a.z) * (b.u - a.u) - (b.z - a.z) * (c.u - a.u)) / area;
+  const double z_low = std::min({a.z, b.z, c.z});
+  const double z_high = std::max({a.z, b.z, c.z});
+  const auto first_row =
+      static_cast<int>(std::ceil(std::max(std::min({a.v, b.v, c.v}) - kEdgeTolerance, 0.0)));
+  const auto last_row = static_cast<int>(
+      std::floor(std::min(std::max({a.v, b.v, c.v}) + kEdgeTolerance, size.rows - 1.0)));
+  for (int row = first_row; row <= last_row; ++row) {
+    Span span;
+    span.addEdge(a, b, row);
+    span.addEdge(b, c, row);
+    span.addEdge(c, a, row);
+    const double low = std::max(span.low - kEdgeTolerance, 0.0);
+    const double high = std::min(span.high + kEdgeTolerance, size.cols - 1.0);
+    if (!(low <= high)) continue;
+    for (int col = static_cast<int>(std::ceil(low)); col <= high; ++col) {
+      // Clamped: a needle seen almost edge-on must not shoot beyond its own corners.
+      const double z =
+          std::clamp(a.z + slope_u * (col - a.u) + slope_v * (row - a.v), z_low, z_high);
+      raise(depths[size.index({.col = col, .row = row})], z);
+    }
+  }
+}
+
+void drawTriangles(const DepthRequest& request, FrontDepths& depths, const Task& task) {
+  const GridFromPoint grid_from_point(request);
+  std::vector<GridPoint> corners;
+  corners.reserve(request.scan.points.size());
+  for (const auto& point : request.scan.points) corners.push_back(grid_from_point(point));
+  const std::size_t count = request.scan.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 1024 == 0) {
+      task.check();
+      task.report("Depth map", static_cast<double>(i) / static_cast<double>(count));
+    }
+    const auto& t = request.scan.triangles[i];
+    drawTriangle(corners[t[0]], corners[t[1]], corners[t[2]], request.frame.size, depths);
+  }
+}
+
+}  // namespace
+
+FrontDepths rasterize(const DepthRequest& request, const Task& task) {
+  FrontDepths depths(request.frame.size.count(), kEmpty);
+  if (request.scan.triangles.empty()) {
+    scatterPoints(request, depths, task);
+  } else {
+    drawTriangles(request, depths, task);
+  }
+  return depths;
+}
+
+}  // namespace relievo

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/surface.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/depth/cell_size.h"
+#include "core/io/raster.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kMostCells = 268'435'456;  // 16384^2: 1 GiB of heights.
+
+class Stopwatch {
+ public:
+  /// Seconds since construction or the last call.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void chooseUnit(Surface& surface, const SurfaceOptions& options) {
+  if (options.unit) {
+    surface.unit = *options.unit;
+    surface.unit_source = options.unit_source;
+  } else if (surface.info.unit) {
+    surface.unit = *surface.info.unit;
+    surface.unit_source = UnitSource::file;
+  } else {
+    surface.unit = LengthUnit::mm;
+    surface.unit_source = UnitSource::assumed;
+    surface.messages.push_back(
+        "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
+        "another.");
+  }
+}
+
+NamedRotation chooseRotation(const Scan& scan, const std::optional<ViewChoice>& choice,
+                             const Task& task) {
+  if (!choice || choice->name == "auto") return automaticRotation(scan, task);
+  if (choice->name == "free") {
+    if (!choice->rotation) throw ArgumentError("A free view needs its rotation.");
+    return {.name = "free", .rotation = *choice->rotation};
+  }
+  if (const auto rotation = standardRotation(choice->name)) {
+    return {.name = choice->name, .rotation = *rotation};
+  }
+  throw ArgumentError("There is no view '" + choice->name +
+                      "'. Choose front, back, left, right, top, bottom or auto.");
+}
+
+/// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
+GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& options,
+                      const Rotation& rotation, const RotatedBounds& box) {
+  const double width = box.max.x - box.min.x;
+  const double height = box.max.y - box.min.y;
+  const double side = std::max(width, height);
+  if (!(side > 0) || !std::isfinite(side)) {
+    throw FileError(scan.info.file.filename().string() +
+                    ": seen from here all points lie on one spot, so there is no surface. "
+                    "Nothing was made. Choose another view or another file.");
+  }
+  if (options.cells && options.spacing_mm) {
+    throw ArgumentError("Give the number of cells or their spacing, not both.");
+  }
+  double spacing = 0;
+  if (options.spacing_mm) {
+    spacing = *options.spacing_mm;
+    if (!(spacing > 0) || !std::isfinite(spacing)) {
+      throw ArgumentError("The spacing must be above 0 mm.");
+    }
+  } else {
+    int cells = options.cells.value_or(0);
+    if (!options.cells) {
+      const CellProposal proposal = proposeCells(scan, rotation);
+      cells = proposal.cells;
+      surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
+                                 proposal.reason + ").");
+    }
+    if (cells < 2) throw ArgumentError("The grid needs at least 2 cells across.");
+    spacing = side / (cells - 1);
+  }
+  const double cols = std::floor(width / spacing + 0.5) + 1;
+  const double rows = std::floor(height / spacing + 0.5) + 1;
+  if (!(cols * rows <= kMostCells)) {
+    throw ArgumentError("A grid of " + std::to_string(static_cast<long long>(cols)) + " x " +
+                        std::to_string(static_cast<long long>(rows)) +
+                        " cells is larger than this version can hold (16384 x 16384). "
+                        "Choose fewer cells.");
+  }
+  return {.size = {.cols = static_cast<int>(cols), .rows = static_cast<int>(rows)},
+          .spacing_mm = spacing,
+          .first_x_mm = 0.5 * spacing,
+          .first_y_mm = 0.5 * spacing};
+}
+
+ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, double dz) {
+  return {.m = {mm * r[0], mm * r[1], mm * r[2], dx, mm * r[3], mm * r[4], mm * r[5], dy, mm * r[6],
+                mm * r[7], mm * r[8], dz, 0, 0, 0, 1}};
+}
+
+void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, const Task& task) {
+  task.report("Pyramid", 0.0);
+  surface.pyramid = buildPyramid(surface.map, options.pyramid, task);
+  surface.ladder = detailLadder(surface.map, surface.pyramid);
+  surface.seconds.pyramid = watch.lap();
+}
+
+/// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
+FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, double mm,
+                      const HoleChoice& choice, const Task& task) {
+  FrontDepths depths(frame.size.count(), std::numeric_limits<float>::quiet_NaN());
+  // Relative to the lowest sample before float: 8000 m above sea keep their millimetres.
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (raster.valid[i]) lowest = std::min(lowest, static_cast<double>(raster.values[i]));
+  }
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    if (!raster.valid[i]) continue;
+    depths[i] = static_cast<float>((static_cast<double>(raster.values[i]) - lowest) * mm);
+  }
+  FilledMap filled =
+      fillDepths(depths, frame, {.has_sampling_gaps = false, .base_quantile = 0}, choice, task);
+  filled.base_z_mm += lowest * mm;
+  return filled;
+}
+
+void takeOwnMap(Surface& surface, const RasterMap& raster) {
+  surface.unit = LengthUnit::mm;
+  surface.unit_source = UnitSource::file;
+  surface.view_from_file = raster.view_from_file.value_or(ViewFromFile{});
+  surface.view_name = "as stored";
+  surface.engine = "as stored";
+  surface.rule = "as stored";
+  DepthMap& map = surface.map;
+  map.frame = {.size = raster.size,
+               .spacing_mm = raster.pixel,
+               .first_x_mm = raster.first.x,
+               .first_y_mm = raster.first.y};
+  map.heights_mm = raster.values;
+  map.origins = raster.origins;
+  if (map.origins.empty()) {
+    map.origins.assign(raster.size.count(), Origin::measured);
+    surface.messages.push_back(
+        "The map's origin file is missing; every height was taken as measured.");
+  }
+  for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
+    if (raster.valid[i] && map.origins[i] != Origin::outside) continue;
+    map.heights_mm[i] = 0;
+    map.origins[i] = Origin::outside;
+  }
+}
+
+void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceOptions& options,
+                       const Task& task) {
+  chooseUnit(surface, options);
+  if (options.view && options.view->name != "top" && options.view->name != "auto") {
+    throw ArgumentError("A raster is a height map already and is seen from the top only.");
+  }
+  const double mm = mmPer(surface.unit);
+  const double spacing = raster.pixel * mm;
+  const GridFrame frame{.size = raster.size,
+                        .spacing_mm = spacing,
+                        .first_x_mm = 0.5 * spacing,
+                        .first_y_mm = 0.5 * spacing};
+  FilledMap filled = fillForeign(raster, frame, mm, options.holes, task);
+  surface.view_name = "top";
+  surface.engine = "raster";
+  surface.rule = "as stored";
+  surface.view_from_file =
+      viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
+                   frame.first_y_mm - mm * raster.first.y, -filled.base_z_mm);
+  surface.map = std::move(filled.map);
+  surface.holes = std::move(filled.holes);
+}
+
+}  // namespace
+
+Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
+                    const Task& task) {
+  Surface surface;
+  surface.info = scan.info;
+  surface.messages = scan.info.warnings;
+  chooseUnit(surface, options);
+  Stopwatch watch;
+  const NamedRotation view = chooseRotation(scan, options.view, task);
+  const double mm = mmPer(surface.unit);
+  const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
+  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box);
+  const double dx = frame.first_x_mm - box.min.x;
+  const double dy = frame.first_y_mm - box.min.y;
+  // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
+  const FrontDepths depths =
+      engine({.scan = scan,
+              .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
+              .frame = frame},
+             task);
+  surface.seconds.grid = watch.lap();
+
+  task.report("Filling gaps", 0.0);
+  FilledMap filled =
+      fillDepths(depths, frame, {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
+  surface.seconds.fill = watch.lap();
+  surface.view_name = view.name;
+  surface.engine = options.engine;
+  surface.rule = scan.triangles.empty() ? "front-most point" : "front-most triangle";
+  surface.view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z - filled.base_z_mm);
+  surface.map = std::move(filled.map);
+  surface.holes = std::move(filled.holes);
+  finish(surface, options, watch, task);
+  return surface;
+}
+
+Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, const Task& task) {
+  Surface surface;
+  surface.info = raster.info;
+  surface.is_raster = true;
+  surface.messages = raster.info.warnings;
+  Stopwatch watch;
+  if (raster.is_own_map) {
+    takeOwnMap(surface, raster);
+  } else {
+    takeForeignRaster(surface, raster, options, task);
+  }
+  surface.seconds.grid = watch.lap();
+  finish(surface, options, watch, task);
+  return surface;
+}
+
+}  // namespace relievo

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/vec3.h"
+#include "haptics/rt/realtime.h"
+#include "haptics/space/workspace.h"
+
+namespace relievo {
+
+struct DeviceInfo {
+  std::string id;    ///< Stable: "mouse", "falcon:0", "scripted".
+  std::string name;  ///< For people.
+  Workspace workspace;
+  double max_force_n = 0;  ///< 0: no actuator; forces are computed and shown only.
+  double max_stiffness_n_per_mm = 0;
+};
+
+enum class DeviceFault : std::uint8_t {
+  none,
+  timeout,       ///< No answer in time.
+  disconnected,  ///< Gone.
+  protocol,      ///< Answers nonsense.
+  overheated,
+  not_finite,  ///< A position that is no number, or kilometres away; set by the core.
+};
+std::string_view describe(DeviceFault fault) noexcept;  ///< For people; a few words.
+
+struct DeviceReading {
+  DeviceMm position;
+  std::uint32_t buttons = 0;  ///< Bit i: button i is down (0 plus, 1 forward, 2 centre, 3 minus).
+  std::int64_t time_ns = 0;   ///< Monotonic, when the position was sampled.
+  DeviceFault fault = DeviceFault::none;
+};
+
+/// One haptic device. Life: closed -> open -> running -> open -> closed.
+///   open/close        [any one thread but the loop]  may block, may throw
+///   exchange          [haptic loop, running]         one read and one write, bounded time
+class Device {
+ public:
+  Device() = default;
+  virtual ~Device() = default;  ///< Implementations close, motors at zero force.
+  Device(const Device&) = delete;
+  Device& operator=(const Device&) = delete;
+
+  virtual const DeviceInfo& info() const noexcept = 0;
+  virtual void open() = 0;  ///< Firmware, homing. @throw DeviceError
+  virtual void close() noexcept = 0;
+  /// Shows the force of the last tick and says where the hand is. `now_ns` is the monotonic time
+  /// of the tick, so that a device without a clock of its own needs none.
+  virtual DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME = 0;
+};
+
+}  // namespace relievo

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/device/device.h"
+#include "haptics/rt/triple_buffer.h"
+
+namespace relievo {
+
+/// The mouse or the keys as a hand: it follows a target that the GUI sets. Pointer events come at
+/// 60 Hz; a first-order follower makes a hand of them that does not jump. A hand at rest is not a
+/// stale hand. No actuator: the force goes nowhere.
+class MouseDevice : public Device {
+ public:
+  MouseDevice();
+  const DeviceInfo& info() const noexcept override { return info_; }
+  void open() override {}
+  void close() noexcept override {}
+  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+
+  /// [GUI thread] Where the hand is to go. A target that is not finite is passed on: the core
+  /// latches a fault.
+  void moveTo(DeviceMm target) RELIEVO_REALTIME;
+  /// [GUI thread] The hand is there at once, as after a change of window.
+  void placeAt(DeviceMm target) RELIEVO_REALTIME;
+  /// [GUI thread]
+  void setButtons(std::uint32_t buttons) RELIEVO_REALTIME;
+
+  static constexpr double kFollowSeconds = 0.008;  ///< Time constant of the follower.
+
+ private:
+  struct Target {
+    DeviceMm position;
+    std::uint32_t buttons = 0;
+    std::uint32_t jumps = 0;  ///< Counts placeAt: one that is skipped over still jumps.
+  };
+
+  DeviceInfo info_;
+  TripleBuffer<Target> targets_;
+  Target wanted_;  // [GUI thread]
+  // [haptic loop]
+  DeviceMm position_;
+  std::uint32_t jumps_ = 0;
+  std::int64_t last_ns_ = 0;
+};
+
+}  // namespace relievo

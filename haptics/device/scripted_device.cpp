@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/scripted_device.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+ScriptedDevice::ScriptedDevice(std::vector<DeviceReading> readings, double max_force_n)
+    : readings_(std::move(readings)) {
+  if (readings_.empty()) throw ArgumentError("A scripted device needs at least one reading.");
+  info_.id = "scripted";
+  info_.name = "scripted stroke";
+  info_.max_force_n = max_force_n;
+}
+
+DeviceReading ScriptedDevice::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
+  last_force_ = force;
+  DeviceReading reading = readings_[next_];
+  if (next_ + 1 < readings_.size()) ++next_;
+  reading.time_ns = now_ns - reading.time_ns;
+  return reading;
+}
+
+}  // namespace relievo

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/device/device.h"
+
+namespace relievo {
+
+/// One kind of device.
+struct DeviceDriver {
+  std::string kind;
+  std::function<std::vector<std::string>()> scan;  ///< Ids that could be opened now.
+  /// A closed device. @throw DeviceError  no such id
+  std::function<std::unique_ptr<Device>(const std::string& id)> make;
+};
+
+/// All kinds this build knows, written out in the .cpp: no static registration.
+std::vector<DeviceDriver> deviceCatalog();
+
+}  // namespace relievo

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/force/force_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace relievo {
+
+double stiffnessForDetail(int detail) RELIEVO_REALTIME {
+  if (detail <= 2) return 0.8;
+  return detail == 3 ? 0.6 : 0.5;
+}
+
+DeviceN springForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME {
+  if (!input.contact) return {};
+  const DeviceMm out = input.proxy - input.hip;
+  const double k = options.stiffness_n_per_mm;
+  return {k * out.x, k * out.y, k * out.z};
+}
+
+ForceState engage(const ForceOptions& options, const ForceInput& input, DeviceN spring,
+                  ForceState state) RELIEVO_REALTIME {
+  if (!options.forces_on || input.fault) {
+    return {state.last, EngagePhase::off, 0, 0};
+  }
+  switch (state.phase) {
+    case EngagePhase::off:
+      state.phase = EngagePhase::waiting;
+      state.quiet = 0;
+      [[fallthrough]];
+    case EngagePhase::waiting:
+      // Written so that a force that is not a number is not quiet.
+      state.quiet = norm(spring) < options.quiet_n ? state.quiet + 1 : 0;
+      state.rise = 0;
+      if (state.quiet >= options.quiet_ticks) state.phase = EngagePhase::rising;
+      break;
+    case EngagePhase::rising:
+      state.rise = std::min(1.0, state.rise + input.dt_s / options.rise_s);
+      if (state.rise >= 1) state.phase = EngagePhase::on;
+      break;
+    case EngagePhase::on:
+      state.rise = 1;
+      break;
+  }
+  return state;
+}
+
+DeviceN slewed(DeviceN wanted, DeviceN last, double step_n) RELIEVO_REALTIME {
+  const DeviceN change = wanted - last;
+  const double size = norm(change);
+  return size <= step_n ? wanted : last + (step_n / size) * change;
+}
+
+DeviceN capped(DeviceN force, double limit_n) RELIEVO_REALTIME {
+  const double size = norm(force);
+  return size <= limit_n ? force : (limit_n / size) * force;
+}
+
+double limitForAge(const ForceOptions& options, double age_s) RELIEVO_REALTIME {
+  if (!(age_s > options.stale_after_s)) return options.limit_n;
+  const double left = options.stale_zero_s - age_s;
+  return options.limit_n * std::max(0.0, left / (options.stale_zero_s - options.stale_after_s));
+}
+
+DeviceN finiteOrZero(DeviceN force) RELIEVO_REALTIME {
+  return isFinite(force) ? force : DeviceN{};
+}
+
+ForceState refade(ForceState state) RELIEVO_REALTIME {
+  if (state.phase == EngagePhase::on) state.phase = EngagePhase::rising;
+  state.rise = 0;
+  return state;
+}
+
+ForceResult force(const ForceOptions& options, const ForceInput& input,
+                  ForceState state) RELIEVO_REALTIME {
+  const DeviceN spring = springForce(options, input);
+  if (!options.safety) {
+    state.last = spring;
+    return {spring, norm(spring), false, options.limit_n, state};
+  }
+  state = engage(options, input, spring, state);
+  const DeviceN wanted = (options.strength * state.rise) * spring;
+  const DeviceN command = finiteOrZero(wanted);
+
+  // Rising is slow while forces come on; letting go is never held back by that.
+  const bool gently = state.phase == EngagePhase::rising && norm(command) > norm(state.last);
+  const double rate = gently ? options.engage_slew_n_per_s : options.contact_slew_n_per_s;
+  const double limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
+  const DeviceN sent =
+      finiteOrZero(capped(slewed(command, state.last, rate * input.dt_s), limit_n));
+  state.last = sent;
+  return {sent, norm(command), !(sent == wanted), limit_n, state};
+}
+
+}  // namespace relievo

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/vec3.h"
+#include "haptics/rt/realtime.h"
+
+namespace relievo {
+
+struct ForceOptions {
+  double stiffness_n_per_mm = 0.5;    ///< The paper's k, N per mm of hand; > 0.
+  double strength = 0.6;              ///< What people set: the spring's force times this, 0 .. 1.
+  double limit_n = 6;                 ///< Cap; never above the device's own limit.
+  double engage_slew_n_per_s = 20;    ///< Largest rise of force per second while forces come on.
+  double contact_slew_n_per_s = 200;  ///< Largest change of force per second afterwards.
+  double rise_s = 1;                  ///< Forces fade in over this time.
+  double stale_after_s = 0.010;       ///< Positions older than this lower the cap ...
+  double stale_zero_s = 0.020;        ///< ... to zero at this age.
+  double quiet_n = 0.3;               ///< Forces come on only after the spring's force was below
+  int quiet_ticks = 5;                ///< this for so many ticks in a row.
+  bool forces_on = false;             ///< Asked for; what happens then is EngagePhase.
+  bool safety =
+      true;  ///< false: F is exactly the spring's force. Only where no device is attached.
+};
+
+/// k by detail: finer levels carry texture, which only a softer surface shows cleanly.
+double stiffnessForDetail(int detail) RELIEVO_REALTIME;
+
+enum class EngagePhase : std::uint8_t { off, waiting, rising, on };
+
+struct ForceState {
+  DeviceN last;  ///< Sent in the last tick; the slew limit starts from it.
+  EngagePhase phase = EngagePhase::off;
+  double rise = 0;  ///< 0 .. 1 while rising.
+  int quiet = 0;    ///< Quiet ticks in a row while waiting.
+};
+
+struct ForceInput {
+  DeviceMm proxy, hip;
+  bool contact = false;
+  bool fault = false;   ///< Zero force at once.
+  double age_s = 0;     ///< Of the position.
+  double dt_s = 0.001;  ///< Nominal period; a late tick does not widen the slew limit.
+};
+
+struct ForceResult {
+  DeviceN force;         ///< On the hand.
+  double command_n = 0;  ///< Its norm before slew and cap.
+  bool limited = false;  ///< Slew, cap or the finite check changed it.
+  double limit_n = 0;    ///< The cap that held.
+  ForceState state;
+};
+
+// The stages, in the order in which they run. Slew, cap and finite check run on every path.
+/// F = -k d (paper sec. 4), d from the proxy to the HIP; zero in free space.
+DeviceN springForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME;
+/// Waits for quiet, then rises. Afterwards `rise` is the factor of the spring's force.
+ForceState engage(const ForceOptions& options, const ForceInput& input, DeviceN spring,
+                  ForceState state) RELIEVO_REALTIME;
+/// Moves from `last` toward `wanted` by at most `step_n`.
+DeviceN slewed(DeviceN wanted, DeviceN last, double step_n) RELIEVO_REALTIME;
+/// Shortened to at most `limit_n`, same direction.
+DeviceN capped(DeviceN force, double limit_n) RELIEVO_REALTIME;
+/// The cap for a position of this age.
+double limitForAge(const ForceOptions& options, double age_s) RELIEVO_REALTIME;
+/// Zero if a component is not a finite number.
+DeviceN finiteOrZero(DeviceN force) RELIEVO_REALTIME;
+
+/// All stages of one tick.
+ForceResult force(const ForceOptions& options, const ForceInput& input,
+                  ForceState state) RELIEVO_REALTIME;
+
+/// A new surface or the end of a fault: what was engaged fades in anew.
+ForceState refade(ForceState state) RELIEVO_REALTIME;
+
+}  // namespace relievo

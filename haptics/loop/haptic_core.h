@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "haptics/device/device.h"
+#include "haptics/force/force_model.h"
+#include "haptics/proxy/proxy.h"
+#include "haptics/rt/realtime.h"
+#include "haptics/space/haptic_space.h"
+
+namespace relievo {
+
+struct HapticOptions {
+  ProxyOptions proxy;
+  ForceOptions force;
+  bool stiffness_by_detail =
+      true;  ///< k from the window's detail; false: force.stiffness_n_per_mm.
+};
+static_assert(std::is_trivially_copyable_v<HapticOptions>);
+
+/// Everything one tick saw and did. Goes to the view, the plots, the recorder and the tests.
+struct HapticSample {
+  std::uint64_t tick = 0;    ///< From 0, without gaps at the source: a missing number was dropped.
+  std::int64_t time_ns = 0;  ///< Monotonic, of the tick.
+  std::uint64_t window_id = 0;
+  DeviceMm hip, proxy;  ///< Hand mm.
+  ViewMm hip_view, proxy_view;
+  GridPoint normal{0, 0, 1};  ///< Unit normal of the surface at the proxy.
+  DeviceN force;              ///< On the hand, after all stages.
+  double f_cmd_n = 0;         ///< Its norm before limits.
+  double limit_n = 0;         ///< The cap that held.
+  double stiffness_n_per_mm = 0;
+  double rate_hz = 0;  ///< Measured rate of the loop; 1000 on the deterministic clock.
+  std::uint32_t buttons = 0;
+  std::int32_t detail = 1;
+  std::int32_t tick_ns = 0;  ///< Time spent computing, without the device.
+  DeviceFault fault = DeviceFault::none;
+  Origin origin = Origin::outside;  ///< Of the sample under the proxy.
+  EngagePhase engaged = EngagePhase::off;
+  bool contact = false;
+  bool clamped = false;  ///< A limit changed the force.
+  bool late = false;     ///< This tick came more than half a period late.
+};
+static_assert(std::is_trivially_copyable_v<HapticSample>);
+
+/// The loop without a thread, a clock or a device: the loop's thread, tests and `touch` drive it.
+class HapticCore {
+ public:
+  /// Given where the hand is, what should it feel? `now_ns` is the time of this tick on the clock
+  /// of the readings. A window with a new id keeps the hand, places the proxy on or above the new
+  /// surface and fades the force in. A fault, or a hand that is no finite place, gives zero force
+  /// until forces_on was false for a tick.
+  HapticSample tick(const HapticSpace& space, const HapticOptions& options,
+                    const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME;
+
+  /// Next tick starts as the first one did; the tick count goes on.
+  void reset() RELIEVO_REALTIME;
+
+ private:
+  DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
+  void follow(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME;
+  HapticSample describeTick(const HapticSpace& space) const RELIEVO_REALTIME;
+
+  ProxyState proxy_;
+  ForceState force_;
+  DeviceMm hip_;  // The last hand that was a place.
+  DeviceFault fault_ = DeviceFault::none;
+  std::uint64_t tick_ = 0;
+  std::uint64_t window_id_ = 0;
+  bool placed_ = false;
+};
+
+}  // namespace relievo

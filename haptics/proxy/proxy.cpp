@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/proxy/proxy.h"
+
+#include "haptics/proxy/incident.h"
+#include "haptics/proxy/patch.h"
+
+namespace relievo {
+
+ProxyState proxyPlace(const HapticSpace& space, GridPoint hip) RELIEVO_REALTIME {
+  const double surface = surfaceHeight(space, hip.x, hip.y);
+  if (hip.z >= surface) return {hip, hip, false};
+  return {{hip.x, hip.y, surface}, hip, true};
+}
+
+ProxyState proxyTick(const HapticSpace& space, ProxyState state, GridPoint hip,
+                     const ProxyOptions& options) RELIEVO_REALTIME {
+  switch (options.kind) {
+    case ProxyKind::equation:
+      return equationTick(space, state, hip, options);
+    case ProxyKind::successive:
+      return successiveTick(space, state, hip, options);
+    case ProxyKind::converged:
+      break;
+  }
+  return convergedTick(space, state, hip);
+}
+
+GridPoint proxyNormal(const HapticSpace& space, const ProxyState& state) RELIEVO_REALTIME {
+  const GridPoint p = state.position, out = p - state.hip;
+  const IncidentCells cells = incidentCells(p.x, p.y);
+  GridPoint best;
+  double best_alignment = 0;
+  for (int i = 0; i < cells.count; ++i) {
+    const GridPoint n = patchNormal(patchAt(space, cells.col[i], cells.row[i]), p.x, p.y);
+    const double alignment = dot(n, out);
+    if (i == 0 || alignment > best_alignment) {
+      best = n;
+      best_alignment = alignment;
+    }
+  }
+  return best;
+}
+
+}  // namespace relievo

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/log_writer.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+namespace {
+constexpr std::size_t kFlushBytes = 1U << 16U;
+
+template <class Number>
+void appendNumber(std::string& to, Number value) {
+  std::array<char, 40> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc()) to.append(text.data(), end);
+  to += ',';
+}
+
+template <class Tag>
+void appendVec(std::string& to, Vec3<Tag> v) {
+  appendNumber(to, v.x);
+  appendNumber(to, v.y);
+  appendNumber(to, v.z);
+}
+
+void appendQuoted(std::string& to, std::string_view text) {
+  to += '"';
+  for (const char c : text) {
+    if (c == '"') to += '"';
+    to += (c == '\n' || c == '\r') ? ' ' : c;  // A row stays one line.
+  }
+  to += '"';
+}
+
+std::string commented(std::string_view header) {
+  std::string text;
+  while (!header.empty()) {
+    const std::size_t end = std::min(header.find('\n'), header.size());
+    text.append("# ").append(header.substr(0, end)).append("\n");
+    header.remove_prefix(std::min(end + 1, header.size()));
+  }
+  return text;
+}
+}  // namespace
+
+std::string_view logColumns() noexcept {
+  return "t_s,tick,hip_x_mm,hip_y_mm,hip_z_mm,proxy_x_mm,proxy_y_mm,proxy_z_mm,"
+         "f_x_N,f_y_N,f_z_N,f_cmd_N,clamp,contact,nx,ny,nz,k_Npm,detail,region_id,origin,buttons,"
+         "rate_Hz,event,dev_hip_x_mm,dev_hip_y_mm,dev_hip_z_mm,"
+         "dev_proxy_x_mm,dev_proxy_y_mm,dev_proxy_z_mm";
+}
+
+void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event) {
+  appendNumber(to, t_s);
+  appendNumber(to, sample.tick);
+  appendVec(to, sample.hip_view);
+  appendVec(to, sample.proxy_view);
+  appendVec(to, sample.force);
+  appendNumber(to, sample.f_cmd_n);
+  appendNumber(to, sample.clamped ? 1 : 0);
+  appendNumber(to, sample.contact ? 1 : 0);
+  appendVec(to, sample.normal);
+  appendNumber(to, 1000 * sample.stiffness_n_per_mm);
+  appendNumber(to, sample.detail);
+  appendNumber(to, sample.window_id);
+  appendNumber(to, static_cast<int>(sample.origin));
+  appendNumber(to, sample.buttons);
+  appendNumber(to, sample.rate_hz);
+  appendQuoted(to, event);
+  to += ',';
+  appendVec(to, sample.hip);
+  appendVec(to, sample.proxy);
+  to.back() = '\n';
+}
+
+LogWriter::LogWriter(std::filesystem::path file, std::string_view header)
+    : file_(std::move(file)),
+      descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+  if (descriptor_ < 0) {
+    throw WriteError("The recording \"" + file_.string() +
+                     "\" cannot be written: " + std::strerror(errno) + ". Choose another place.");
+  }
+  buffer_ = commented(header);
+  buffer_.append(logColumns()).append("\n");
+}
+
+LogWriter::~LogWriter() {
+  try {
+    close();
+  } catch (const Error&) {
+    // Said in the header: whoever wants to hear of it calls close().
+    descriptor_ = -1;
+  }
+}
+
+void LogWriter::write(const HapticSample& sample, double t_s, std::string_view event) {
+  if (descriptor_ < 0) return;
+  appendLogRow(buffer_, sample, t_s, event);
+  ++rows_;
+  if (buffer_.size() >= kFlushBytes) flush();
+}
+
+bool LogWriter::writeOut(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor_, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+    bytes_on_disk_ += count;
+  }
+  return true;
+}
+
+void LogWriter::flush() {
+  if (descriptor_ < 0) return;
+  const std::int64_t before = bytes_on_disk_;
+  if (!writeOut(buffer_)) {
+    const int error_number = errno;
+    // Keep the whole lines of what went through.
+    const auto through = static_cast<std::size_t>(bytes_on_disk_ - before);
+    const std::size_t end = buffer_.rfind('\n', through == 0 ? 0 : through - 1);
+    const std::size_t whole = (through == 0 || end == std::string::npos) ? 0 : end + 1;
+    const auto lines = static_cast<std::uint64_t>(
+        std::count(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(whole), '\n'));
+    const auto pending =
+        static_cast<std::uint64_t>(std::count(buffer_.begin(), buffer_.end(), '\n'));
+    const std::uint64_t header_lines = pending - (rows_ - rows_on_disk_);
+    rows_ = rows_on_disk_ + (lines > header_lines ? lines - header_lines : 0);
+    bytes_on_disk_ = before + static_cast<std::int64_t>(whole);
+    giveUp(error_number);
+  }
+  buffer_.clear();
+  rows_on_disk_ = rows_;
+}
+
+void LogWriter::giveUp(int error_number) {
+  // A device such as /dev/full has no length to cut; then there is nothing to keep either.
+  [[maybe_unused]] const int cut = ::ftruncate(descriptor_, bytes_on_disk_);
+  ::close(descriptor_);
+  descriptor_ = -1;
+  buffer_.clear();
+  const std::string why = error_number == ENOSPC ? "disk full" : std::strerror(error_number);
+  throw WriteError("Recording stopped: " + why + ". " + std::to_string(rows_) +
+                       " samples are saved and complete in \"" + file_.string() + "\".",
+                   "E401");
+}
+
+void LogWriter::close() {
+  if (descriptor_ < 0) return;
+  flush();
+  const int descriptor = std::exchange(descriptor_, -1);
+  // Some file systems report a full disk only here.
+  if (::close(descriptor) != 0) {
+    throw WriteError(
+        "The recording \"" + file_.string() + "\" may be incomplete: " + std::strerror(errno) + ".",
+        "E401");
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "haptics/loop/haptic_core.h"
+
+namespace relievo {
+
+/// Column names of a log, in order, without a line end.
+std::string_view logColumns() noexcept;
+
+/// Appends one CSV row with a line end: object (view) mm, newtons along device axes, doubles in
+/// round-trip form, `event` quoted. The same for recordings and for `relievo touch`.
+void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event);
+
+/// Writes a log file: lines that start with #, the columns, then rows. What is on disk is always
+/// whole rows: if the disk fills up, the file is cut after the last row that fits and stays
+/// readable. [one thread]
+class LogWriter {
+ public:
+  /// @param header  comment lines, each without "#"; "" for none. Separated by line ends.
+  /// @throw WriteError  the file cannot be made
+  explicit LogWriter(std::filesystem::path file, std::string_view header = {});
+  ~LogWriter();  ///< Closes; an error at this point is lost: call close() to hear of it.
+  LogWriter(const LogWriter&) = delete;
+  LogWriter& operator=(const LogWriter&) = delete;
+
+  /// @throw WriteError (E401)  says how many rows are saved; the file is closed, rows() is exact
+  void write(const HapticSample& sample, double t_s, std::string_view event = {});
+  /// Writes out what is buffered. @throw WriteError (E401)  as above
+  void flush();
+  /// flush() and close. Further calls do nothing. @throw WriteError (E401)
+  void close();
+
+  std::uint64_t rows() const noexcept { return rows_; }  ///< Written; after an error: saved.
+  const std::filesystem::path& file() const noexcept { return file_; }
+
+ private:
+  bool writeOut(std::string_view text);
+  [[noreturn]] void giveUp(int error_number);
+
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+  std::string buffer_;
+  std::uint64_t rows_ = 0;
+  std::uint64_t rows_on_disk_ = 0;
+  std::int64_t bytes_on_disk_ = 0;
+};
+
+}  // namespace relievo

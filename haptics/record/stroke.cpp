@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/stroke.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+namespace {
+constexpr std::string_view kHeader = "t_s,x_mm,y_mm,z_mm";
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r";
+  const std::size_t first = text.find_first_not_of(kSpace);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
+/// The numbers of one row, or what is wrong with it.
+std::string parseRow(std::string_view line, StrokePoint& point) {
+  const std::array<double*, 4> fields{&point.t_s, &point.x_mm, &point.y_mm, &point.z_mm};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const bool last = i + 1 == fields.size();
+    const std::size_t comma = line.find(',');
+    if (last != (comma == std::string_view::npos)) return "does not have 4 values";
+    const std::string_view text = trimmed(line.substr(0, comma));
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), *fields[i]);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(*fields[i])) {
+      return "has \"" + std::string(text) + "\" where a finite number is expected";
+    }
+    if (!last) line.remove_prefix(comma + 1);
+  }
+  return {};
+}
+
+/// Follows a stroke; times are asked for in increasing order.
+class StrokeCursor {
+ public:
+  explicit StrokeCursor(const Stroke& stroke) : points_(stroke.points) {}
+  std::array<double, 3> at(double t_s) {
+    while (next_ < points_.size() && points_[next_].t_s <= t_s) ++next_;
+    if (next_ == points_.size()) return {last().x_mm, last().y_mm, last().z_mm};
+    if (next_ == 0) return {points_[0].x_mm, points_[0].y_mm, points_[0].z_mm};
+    const StrokePoint& a = points_[next_ - 1];
+    const StrokePoint& b = points_[next_];
+    const double part = (t_s - a.t_s) / (b.t_s - a.t_s);
+    return {a.x_mm + part * (b.x_mm - a.x_mm), a.y_mm + part * (b.y_mm - a.y_mm),
+            a.z_mm + part * (b.z_mm - a.z_mm)};
+  }
+
+ private:
+  const StrokePoint& last() const { return points_.back(); }
+  const std::vector<StrokePoint>& points_;
+  std::size_t next_ = 0;
+};
+
+HapticOptions coreOptions(const StrokeOptions& options) {
+  HapticOptions core;
+  core.proxy = options.proxy;
+  core.stiffness_by_detail = false;
+  core.force.stiffness_n_per_mm = options.stiffness_n_per_mm;
+  core.force.strength = 1;
+  core.force.forces_on = true;
+  core.force.safety = options.safety;
+  return core;
+}
+}  // namespace
+
+Stroke readStroke(const std::filesystem::path& file) {
+  const std::string name = "The stroke \"" + file.string() + "\" ";
+  std::ifstream in(file);
+  std::string line;
+  if (!in || std::filesystem::is_directory(file)) throw FileError(name + "cannot be read.");
+  Stroke stroke;
+  bool have_header = false;
+  std::size_t row = 0;
+  while (std::getline(in, line)) {
+    std::string_view text = line;
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    text = trimmed(text);
+    if (text.empty() || text.front() == '#') continue;
+    if (!have_header) {
+      if (text != kHeader) {
+        throw FileError(name + "does not start with the line " + std::string(kHeader) + ".");
+      }
+      have_header = true;
+      continue;
+    }
+    ++row;
+    StrokePoint point;
+    const std::string wrong = parseRow(text, point);
+    if (!wrong.empty()) throw FileError(name + "row " + std::to_string(row) + " " + wrong + ".");
+    if (!stroke.points.empty() && !(point.t_s > stroke.points.back().t_s)) {
+      throw FileError(name + "row " + std::to_string(row) +
+                      " is not later than the row before it; times must increase.");
+    }
+    stroke.points.push_back(point);
+  }
+  if (in.bad()) throw FileError(name + "cannot be read to its end.");
+  if (stroke.points.empty()) throw FileError(name + "has no rows.");
+  return stroke;
+}
+
+std::uint64_t strokeTicks(const Stroke& stroke) {
+  if (stroke.points.empty()) return 0;
+  const double seconds = stroke.points.back().t_s - stroke.points.front().t_s;
+  constexpr double kLongestSeconds = 1e7;  // Four months; beyond, a time is in the wrong unit.
+  if (!(seconds <= kLongestSeconds)) {
+    throw ArgumentError("The stroke lasts " + std::to_string(seconds) +
+                        " s; are its times in seconds?");
+  }
+  return static_cast<std::uint64_t>(std::floor(seconds / 0.001 + 1e-6)) + 1;
+}
+
+std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
+                        const Stroke& stroke,
+                        const std::function<void(const HapticSample&, double t_s)>& each,
+                        const Task& task) {
+  if (stroke.points.empty()) throw ArgumentError("A stroke needs at least one point.");
+  if (!(options.stiffness_n_per_mm > 0) || !std::isfinite(options.stiffness_n_per_mm)) {
+    throw ArgumentError("The stiffness must be a finite number of N/mm above 0.");
+  }
+  const HapticOptions core_options = coreOptions(options);
+  const double start_s = stroke.points.front().t_s;
+  const std::uint64_t ticks = strokeTicks(stroke);
+  StrokeCursor cursor(stroke);
+  HapticCore core;
+  for (std::uint64_t n = 0; n < ticks; ++n) {
+    constexpr std::uint64_t kTicksPerCheck = 1024;
+    if (n % kTicksPerCheck == 0) task.check();
+    const double t_s = start_s + static_cast<double>(n) / 1000;
+    const auto [x, y, z] = cursor.at(t_s);
+    const auto now_ns = static_cast<std::int64_t>(n) * 1'000'000;
+    DeviceReading reading;
+    reading.position =
+        options.frame == StrokeFrame::device ? DeviceMm{x, y, z} : space.deviceFromView({x, y, z});
+    reading.time_ns = now_ns;
+    HapticSample sample = core.tick(space, core_options, reading, now_ns);
+    sample.rate_hz = 1000;
+    each(sample, t_s);
+  }
+  return ticks;
+}
+
+}  // namespace relievo

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/fill.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "core/depth/mask.h"
+
+namespace relievo {
+namespace {
+
+constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+
+GridFrame squareFrame(int cells, double spacing) {
+  return {.size = {.cols = cells, .rows = cells},
+          .spacing_mm = spacing,
+          .first_x_mm = 0.5 * spacing,
+          .first_y_mm = 0.5 * spacing};
+}
+
+/// A full grid of heights 10 + x / 10 with a disc and a corner missing.
+FrontDepths discMissing(const GridFrame& frame, double cx, double cy, double radius,
+                        double corner) {
+  FrontDepths depths(frame.size.count());
+  for (int row = 0; row < frame.size.rows; ++row) {
+    for (int col = 0; col < frame.size.cols; ++col) {
+      const double x = frame.xMm(col);
+      const double y = frame.yMm(row);
+      const bool missing = std::hypot(x - cx, y - cy) < radius || (x < corner && y < corner);
+      depths[frame.size.index({.col = col, .row = row})] =
+          missing ? kNothing : static_cast<float>(10 + x / 10);
+    }
+  }
+  return depths;
+}
+
+std::size_t countOf(const DepthMap& map, Origin origin) {
+  return static_cast<std::size_t>(std::count(map.origins.begin(), map.origins.end(), origin));
+}
+
+TEST(FillDepths, AHoleRestsOnTheBasePlaneAndIsRememberedWithItsArea) {
+  const GridFrame frame = squareFrame(200, 0.5);
+  const FrontDepths depths = discMissing(frame, 60, 50, 10, 0);
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  ASSERT_EQ(filled.holes.size(), 1U);
+  EXPECT_NEAR(filled.holes[0].area_mm2, M_PI * 100, 0.02 * M_PI * 100);
+  EXPECT_NEAR(filled.holes[0].centre_x_mm, 60, 0.25);
+  EXPECT_NEAR(filled.holes[0].centre_y_mm, 50, 0.25);
+  const Cell middle{.col = 120, .row = 100};
+  EXPECT_EQ(filled.map.origin(middle), Origin::base_plane);
+  EXPECT_EQ(filled.map.heightMm(middle), 0);
+  EXPECT_EQ(countOf(filled.map, Origin::outside), 0U);
+}
+
+TEST(FillDepths, AMissingCornerIsOutsideNotAHole) {
+  const GridFrame frame = squareFrame(200, 0.5);
+  const FilledMap filled = fillDepths(discMissing(frame, 60, 50, 10, 20), frame, {}, {});
+  EXPECT_EQ(filled.holes.size(), 1U);
+  EXPECT_EQ(filled.map.origin({.col = 5, .row = 5}), Origin::outside);
+  EXPECT_EQ(countOf(filled.map, Origin::outside), 40U * 40U);
+}
+
+TEST(FillDepths, SmallHolesAreInterpolatedOnRequestAndLargeOnesAreNot) {
+  const GridFrame frame = squareFrame(200, 0.5);
+  const FrontDepths depths = discMissing(frame, 60, 50, 10, 0);
+  const HoleChoice small{.rule = HoleRule::interpolate, .max_area_mm2 = 100};
+  EXPECT_FALSE(fillDepths(depths, frame, {}, small).holes[0].filled);
+  const HoleChoice large{.rule = HoleRule::interpolate, .max_area_mm2 = 400};
+  const FilledMap filled = fillDepths(depths, frame, {}, large);
+  EXPECT_TRUE(filled.holes[0].filled);
+  const Cell middle{.col = 120, .row = 100};
+  EXPECT_EQ(filled.map.origin(middle), Origin::interpolated);
+  // The rim is a plane from 15 to 17 mm; its middle lies at 16.
+  EXPECT_NEAR(filled.map.heightMm(middle) + filled.base_z_mm, 16, 0.1);
+}
+
+TEST(FillDepths, HolesLeftOpenAreOutside) {
+  const GridFrame frame = squareFrame(100, 1);
+  const HoleChoice none{.rule = HoleRule::none};
+  const FilledMap filled = fillDepths(discMissing(frame, 50, 50, 8, 0), frame, {}, none);
+  EXPECT_EQ(filled.map.origin({.col = 50, .row = 50}), Origin::outside);
+  EXPECT_EQ(countOf(filled.map, Origin::base_plane), 0U);
+}
+
+TEST(FillDepths, BasePlaneIsTheThousandthQuantileAndFlyersBelowStayNegative) {
+  const GridFrame frame = squareFrame(100, 1);
+  FrontDepths depths(frame.size.count());
+  for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i);
+  depths[5000] = -500;
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  // Sorted: -500, 0, 1, 2, ...; position 0.001 * 9999 = 9.999 lies between the values 8 and 9.
+  EXPECT_NEAR(filled.base_z_mm, 8.999, 1e-6);
+  EXPECT_LT(filled.map.heights_mm[5000], -500);
+}
+
+TEST(FillDepths, SamplingGapsOfAScatteredCloudAreFilledAndItsHoleIsKept) {
+  // 1.6 points a cell at random leave a fifth of the cells empty; a disc of radius 12 is missing.
+  const GridFrame frame = squareFrame(400, 0.25);
+  std::mt19937_64 random(20261121);
+  std::uniform_real_distribution<double> uniform(0, 100);
+  FrontDepths depths(frame.size.count(), kNothing);
+  const auto height = [](double x, double y) { return 2 * std::sin(x / 8) * std::cos(y / 9); };
+  for (int i = 0; i < 256'000; ++i) {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    if (std::hypot(x - 50, y - 50) < 12) continue;
+    const Cell cell{.col = static_cast<int>(x / 0.25), .row = static_cast<int>(y / 0.25)};
+    depths[frame.size.index(cell)] =
+        static_cast<float>(height(frame.xMm(cell.col), frame.yMm(cell.row)));
+  }
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  std::size_t open_gaps = 0;
+  std::size_t kept = 0;
+  std::size_t hole_cells = 0;
+  double worst = 0;
+  for (int row = 0; row < frame.size.rows; ++row) {
+    for (int col = 0; col < frame.size.cols; ++col) {
+      const double x = frame.xMm(col);
+      const double y = frame.yMm(row);
+      const double distance = std::hypot(x - 50, y - 50);
+      const Origin origin = filled.map.origin({.col = col, .row = row});
+      if (distance < 12) {
+        ++hole_cells;
+        kept += origin == Origin::base_plane ? 1 : 0;
+      } else if (distance > 12.5) {
+        open_gaps += origin == Origin::measured || origin == Origin::interpolated ? 0 : 1;
+        const double z = static_cast<double>(filled.map.heightMm({.col = col, .row = row}));
+        worst = std::max(worst, std::abs(z + filled.base_z_mm - height(x, y)));
+      }
+    }
+  }
+  EXPECT_GE(static_cast<double>(kept), 0.9 * static_cast<double>(hole_cells));
+  EXPECT_LE(open_gaps, 16U);  // of 142 000
+  EXPECT_LT(worst, 0.15);     // slope 0.25 mm/mm over a gap of a few 0.25 mm cells
+}
+
+TEST(FillDepths, PointsOnARegularGridNeedNoGapClosing) {
+  Mask all(10000, 1);
+  EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
+  for (int row = 40; row < 44; ++row) {
+    for (int col = 40; col < 44; ++col) all[static_cast<std::size_t>(row * 100 + col)] = 0;
+  }
+  EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
+}
+
+TEST(FillDepths, NothingHitIsRefused) {
+  const GridFrame frame = squareFrame(10, 1);
+  EXPECT_THROW(fillDepths(FrontDepths(100, kNothing), frame, {}, {}), ArgumentError);
+}
+
+TEST(OriginShares, SumToOne) {
+  const GridFrame frame = squareFrame(200, 0.5);
+  const FilledMap filled = fillDepths(discMissing(frame, 60, 50, 10, 20), frame, {}, {});
+  const auto shares = originShares(filled.map);
+  EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 1, 1e-12);
+}
+
+TEST(Closed, ClosesGapsSmallerThanTheSquareAndKeepsLargerOnes) {
+  Mask mask(400, 1);
+  const GridSize size{.cols = 20, .rows = 20};
+  for (int row = 5; row < 7; ++row) {
+    for (int col = 5; col < 7; ++col) mask[size.index({.col = col, .row = row})] = 0;
+  }
+  for (int row = 12; row < 16; ++row) {
+    for (int col = 12; col < 16; ++col) mask[size.index({.col = col, .row = row})] = 0;
+  }
+  const Mask result = closed(mask, size, 1);
+  EXPECT_EQ(result[size.index({.col = 5, .row = 5})], 1);
+  EXPECT_EQ(result[size.index({.col = 13, .row = 13})], 0);
+  EXPECT_EQ(std::count(result.begin(), result.end(), 0), 16);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/region/window.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/region/hand.h"
+
+namespace relievo {
+namespace {
+
+/// 400 x 300 samples of 0.5 mm: the plane z = 1 + 0.1 x + 0.05 y.
+DepthMap planeMap() {
+  DepthMap map;
+  map.frame = {.size = {.cols = 400, .rows = 300},
+               .spacing_mm = 0.5,
+               .first_x_mm = 0.25,
+               .first_y_mm = 0.25};
+  for (int row = 0; row < 300; ++row) {
+    for (int col = 0; col < 400; ++col) {
+      map.heights_mm.push_back(
+          static_cast<float>(1 + 0.1 * map.frame.xMm(col) + 0.05 * map.frame.yMm(row)));
+      map.origins.push_back(Origin::measured);
+    }
+  }
+  return map;
+}
+
+TEST(SampleWindow, IsExactOnAPlaneAtItsSamplePositions) {
+  const DepthMap map = planeMap();
+  const Pyramid pyramid = buildPyramid(map);
+  const Region region{.x_mm = 13.3, .y_mm = 21.7, .side_mm = 61.9, .level = {0}};
+  const RegionWindow window = sampleWindow(map, pyramid, region);
+  for (int row = 0; row < kWindowSamples; row += 7) {
+    for (int col = 0; col < kWindowSamples; col += 7) {
+      const double x = region.x_mm + (col + 0.5) * region.side_mm / 200;
+      const double y = region.y_mm + (row + 0.5) * region.side_mm / 200;
+      const auto i = static_cast<std::size_t>(row * kWindowSamples + col);
+      ASSERT_NEAR(window.heights_mm[i], 1 + 0.1 * x + 0.05 * y, 1e-5);
+      ASSERT_EQ(window.origins[i], Origin::measured);
+    }
+  }
+}
+
+TEST(SampleWindow, BeyondTheMapIsOutsideWithHeightZero) {
+  const DepthMap map = planeMap();
+  const RegionWindow window = sampleWindow(
+      map, buildPyramid(map), {.x_mm = -100, .y_mm = -100, .side_mm = 400, .level = {1}});
+  EXPECT_EQ(window.origins[0], Origin::outside);
+  EXPECT_EQ(window.heights_mm[0], 0);
+  const std::size_t middle = 100U * kWindowSamples + 100U;  // (101, 101) mm.
+  EXPECT_EQ(window.origins[middle], Origin::measured);
+  EXPECT_NEAR(window.heights_mm[middle], 1 + 10.1 + 5.05, 1e-4);
+}
+
+TEST(SampleWindow, GainScalesHeightsAndChangesTheId) {
+  const DepthMap map = planeMap();
+  const Pyramid pyramid = buildPyramid(map);
+  const Region region{.x_mm = 0, .y_mm = 0, .side_mm = 100, .level = {0}};
+  const RegionWindow one = sampleWindow(map, pyramid, region);
+  const RegionWindow three = sampleWindow(map, pyramid, region, 3);
+  EXPECT_FLOAT_EQ(three.max_mm, 3 * one.max_mm);
+  EXPECT_NE(one.id, three.id);
+  EXPECT_EQ(one.id, sampleWindow(map, pyramid, region).id);
+  EXPECT_THROW(sampleWindow(map, pyramid, region, 0), ArgumentError);
+  EXPECT_THROW(sampleWindow(map, pyramid, {.side_mm = 10, .level = {9}}), ArgumentError);
+}
+
+TEST(HandMapping, FillsTheWidthOfTheHandSpaceWithOneScale) {
+  const DepthMap map = planeMap();
+  const RegionWindow window =
+      sampleWindow(map, buildPyramid(map), {.x_mm = 0, .y_mm = 0, .side_mm = 100, .level = {0}});
+  const HandMapping hand = handMapping(window);
+  EXPECT_DOUBLE_EQ(hand.device_per_view, 0.8);
+  EXPECT_DOUBLE_EQ(hand.objectMmPerHandMm(), 1.25);
+  const double middle =
+      0.5 * (static_cast<double>(window.min_mm) + static_cast<double>(window.max_mm));
+  const DeviceMm centre = hand.device_from_view({50, 50, middle});
+  EXPECT_NEAR(norm(centre), 0, 1e-12);
+  EXPECT_NEAR(hand.device_from_view({100, 50, middle}).x, 40, 1e-12);
+  const ViewMm back = hand.device_from_view.inverseOfSimilarity()({40, -40, 10});
+  EXPECT_NEAR(back.x, 100, 1e-12);
+  EXPECT_NEAR(back.z, middle + 12.5, 1e-12);
+}
+
+TEST(HandMapping, HighReliefIsScaledToFitTheHandsHeight) {
+  DepthMap map = planeMap();
+  map.heights_mm[0] = 500;
+  const RegionWindow window =
+      sampleWindow(map, buildPyramid(map), {.x_mm = 0, .y_mm = 0, .side_mm = 100, .level = {0}});
+  const double range = static_cast<double>(window.max_mm) - static_cast<double>(window.min_mm);
+  EXPECT_GT(range, 100);
+  EXPECT_DOUBLE_EQ(handMapping(window).device_per_view, 60 / range);
+}
+
+TEST(HandOver, FloatsAboveTheSurfaceAndPressesIntoIt) {
+  const DepthMap map = planeMap();
+  const RegionWindow window =
+      sampleWindow(map, buildPyramid(map), {.x_mm = 0, .y_mm = 0, .side_mm = 100, .level = {0}});
+  const double surface = 1 + 0.1 * 40 + 0.05 * 30;
+  EXPECT_NEAR(windowHeightMm(window, 40, 30), surface, 1e-5);
+  EXPECT_NEAR(handOver(window, 40, 30, false, 2).z, surface + 0.5 * 1.25, 1e-5);
+  EXPECT_NEAR(handOver(window, 40, 30, true, 2).z, surface - 2 * 1.25, 1e-5);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <png.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "core/base/error.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+namespace {
+
+struct PngText {
+  std::vector<png_text> entries;
+  explicit PngText(const std::vector<std::pair<std::string, std::string>>& text) {
+    for (const auto& [key, value] : text) {
+      if (key.empty() || key.size() > 79) {
+        throw WriteError("A PNG text entry's name has 1 to 79 characters, not '" + key + "'.");
+      }
+      png_text entry{};
+      // Plain ASCII as tEXt, which every reader knows; anything else as UTF-8 in iTXt.
+      const bool ascii = std::all_of(value.begin(), value.end(),
+                                     [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+      entry.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
+      entry.key = const_cast<char*>(key.c_str());
+      entry.text = const_cast<char*>(value.c_str());
+      if (ascii) {
+        entry.text_length = value.size();
+      } else {
+        entry.itxt_length = value.size();
+      }
+      entries.push_back(entry);
+    }
+  }
+};
+
+// libpng leaves by longjmp: nothing with a destructor lives in this function.
+bool encode(std::FILE* file, const RgbImage& image, const png_byte* const* rows, PngText& text) {
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  if (!info || setjmp(png_jmpbuf(png))) {
+    png_destroy_write_struct(&png, &info);
+    return false;
+  }
+  png_init_io(png, file);
+  png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
+               static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  if (!text.entries.empty()) {
+    png_set_text(png, info, text.entries.data(), static_cast<int>(text.entries.size()));
+  }
+  png_write_info(png, info);
+  png_write_image(png, const_cast<png_bytepp>(rows));
+  png_write_end(png, info);
+  png_destroy_write_struct(&png, &info);
+  return true;
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& file, const RgbImage& image,
+              const std::vector<std::pair<std::string, std::string>>& text) {
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(std::max(image.width, 0));
+  if (image.width <= 0 || image.height <= 0 ||
+      image.rgb.size() != row_bytes * static_cast<std::size_t>(image.height)) {
+    throw WriteError("There is no picture to write to '" + file.string() + "'.");
+  }
+  PngText entries(text);
+  std::vector<const png_byte*> rows;
+  for (int row = 0; row < image.height; ++row) {
+    rows.push_back(image.rgb.data() + row_bytes * static_cast<std::size_t>(row));
+  }
+  // Written beside the target and renamed, so that a failure leaves nothing half done.
+  std::filesystem::path part = file;
+  part += ".part" + std::to_string(getpid());
+  std::FILE* const out = std::fopen(part.c_str(), "wb");
+  const bool opened = out != nullptr;
+  const bool encoded = opened && encode(out, image, rows.data(), entries);
+  const bool closed = opened && std::fclose(out) == 0;
+  std::error_code error;
+  if (encoded && closed) {
+    std::filesystem::rename(part, file, error);
+    if (!error) return;
+  }
+  const std::string reason = error ? error.message() : std::strerror(errno);
+  if (opened) std::filesystem::remove(part, error);
+  throw WriteError("Cannot write the picture '" + file.string() + "' (" + reason +
+                   "). Choose another folder or free some space.");
+}
+
+}  // namespace relievo

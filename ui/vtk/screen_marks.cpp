@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/vtk/screen_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkPoints.h>
+#include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace relievo {
+namespace {
+
+constexpr double kFarPx = 20000;  // Beyond any picture; keeps coordinates of a far zoom finite.
+
+PixelPlace clamped(PixelPlace p) {
+  return {std::clamp(p.x, -kFarPx, kFarPx), std::clamp(p.y, -kFarPx, kFarPx)};
+}
+
+}  // namespace
+
+ScaleLength scaleLength(double at_most_mm) {
+  const double decade = std::pow(10, std::floor(std::log10(at_most_mm) + 1e-9));
+  double mm = decade;
+  for (const double step : {2.0, 5.0}) {
+    if (step * decade <= at_most_mm * (1 + 1e-9)) mm = step * decade;
+  }
+  struct Unit {
+    double from_mm, mm;
+    const char* name;
+  };
+  constexpr std::array<Unit, 5> kUnits{
+      {{1e6, 1e6, "km"}, {1e3, 1e3, "m"}, {100, 10, "cm"}, {0.01, 1, "mm"}, {0, 1e-3, "\u00b5m"}}};
+  for (const Unit& unit : kUnits) {
+    if (mm < unit.from_mm * (1 - 1e-9)) continue;
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%.4g %s", mm / unit.mm, unit.name);
+    return {mm, text.data()};
+  }
+  return {mm, {}};
+}
+
+ScreenMarks::ScreenMarks() {
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(poly_);
+  mapper->SetScalarModeToUseCellData();
+  shapes_->SetMapper(mapper);
+  shapes_->GetProperty()->SetDisplayLocationToForeground();
+  shapes_->PickableOff();
+  label_->PickableOff();
+  label_->VisibilityOff();
+  vtkTextProperty* const text = label_->GetTextProperty();
+  text->SetFontFamilyToArial();
+  text->SetColor(0.96, 0.96, 0.96);
+  text->SetJustificationToCentered();
+  text->SetVerticalJustificationToBottom();
+}
+
+void ScreenMarks::addTo(vtkRenderer* top_layer) {
+  top_layer->AddActor2D(shapes_);
+  top_layer->AddActor2D(label_);
+}
+
+void ScreenMarks::draw(const SceneView& view, const std::vector<ViewMm>& corners, bool handles,
+                       bool scale_bar) {
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(4);
+  poly_->SetPoints(points);
+  poly_->SetPolys(cells);
+  poly_->GetCellData()->SetScalars(colours);
+  if (corners.size() == 4) pinkWindow(view, corners, handles);
+  label_->SetVisibility(scale_bar);
+  if (scale_bar) scaleBar(view);
+  poly_->Modified();
+}
+
+void ScreenMarks::quad(const std::array<PixelPlace, 4>& corners, const Colour& colour) {
+  std::array<vtkIdType, 4> ids{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    ids[i] = poly_->GetPoints()->InsertNextPoint(corners[i].x, corners[i].y, 0);
+  }
+  poly_->GetPolys()->InsertNextCell(4, ids.data());
+  vtkUnsignedCharArray::SafeDownCast(poly_->GetCellData()->GetScalars())
+      ->InsertNextTypedTuple(colour.data());
+}
+
+void ScreenMarks::box(double x0, double y0, double x1, double y1, const Colour& colour) {
+  quad({{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}}, colour);
+}
+
+void ScreenMarks::edge(PixelPlace a, PixelPlace b, double half_width, const Colour& colour) {
+  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  if (length == 0) return;
+  const double ux = half_width * (b.x - a.x) / length, uy = half_width * (b.y - a.y) / length;
+  quad({{{a.x - ux + uy, a.y - uy - ux},
+         {b.x + ux + uy, b.y + uy - ux},
+         {b.x + ux - uy, b.y + uy + ux},
+         {a.x - ux - uy, a.y - uy + ux}}},
+       colour);
+}
+
+// Two pixels of pink between one pixel of dark on either side: seen on any surface.
+void ScreenMarks::pinkWindow(const SceneView& view, const std::vector<ViewMm>& corners,
+                             bool handles) {
+  const Colour pink{kPink[0], kPink[1], kPink[2], 255}, dark{40, 12, 26, 255};
+  std::array<PixelPlace, 4> p;
+  for (std::size_t i = 0; i < 4; ++i) {
+    p[i] = clamped(view.pixelOf(corners[i]));
+    if (view.isUntilted()) p[i] = {std::round(p[i].x), std::round(p[i].y)};
+  }
+  const auto each_edge = [&](double half_width, const Colour& colour) {
+    for (std::size_t i = 0; i < 4; ++i) edge(p[i], p[(i + 1) % 4], half_width, colour);
+  };
+  each_edge(2, dark);
+  each_edge(1, pink);
+  if (!handles) return;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const PixelPlace a = p[i], b = p[(i + 1) % 4];
+    for (const PixelPlace h : {a, PixelPlace{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}}) {
+      const double x = std::round(h.x), y = std::round(h.y);
+      box(x - 5, y - 5, x + 5, y + 5, dark);
+      box(x - 4, y - 4, x + 4, y + 4, pink);
+    }
+  }
+}
+
+void ScreenMarks::scaleBar(const SceneView& view) {
+  const double scale = std::max(1.0, std::min(view.width_px, view.height_px) / 900.0);
+  const double u = std::round(scale);  // One line of the drawing, in pixels.
+  const int font_px = static_cast<int>(std::lround(14 * scale));
+  const ScaleLength length = scaleLength(0.25 * view.width_px * view.mm_per_pixel);
+  const double bar = std::round(length.mm / view.mm_per_pixel);
+  const double margin = std::round(14 * scale), pad = std::round(9 * scale);
+  const double tick = std::round(4 * scale);
+  label_->SetInput(length.label.c_str());
+  label_->GetTextProperty()->SetFontSize(font_px);
+  const double text_px = 0.62 * font_px * static_cast<double>(length.label.size());
+  const double plate = std::round(std::max(bar, text_px) + 2 * pad);
+  const double plate_height = std::round(2 * pad + tick + 4 * scale + font_px);
+  const Colour back{18, 18, 20, 150}, light{245, 245, 245, 255};
+  box(margin, margin, margin + plate, margin + plate_height, back);
+  const double x0 = std::round(margin + 0.5 * (plate - bar)), x1 = x0 + bar, y = margin + pad;
+  box(x0, y, x1, y + 2 * u, light);
+  box(x0, y - tick + u, x0 + 2 * u, y + tick + u, light);
+  box(x1 - 2 * u, y - tick + u, x1, y + tick + u, light);
+  label_->SetPosition(std::round(0.5 * (x0 + x1)), std::round(y + tick + 4 * scale));
+}
+
+}  // namespace relievo

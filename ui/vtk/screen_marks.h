@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <vtkActor2D.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+
+#include "ui/vtk/scene_view.h"
+
+namespace relievo {
+
+inline constexpr std::array<std::uint8_t, 3> kPink{0xff, 0x4f, 0xa3};
+
+/// A round length for a scale bar and its label.
+struct ScaleLength {
+  double mm = 0;
+  std::string label;  ///< "5 mm", "20 cm", "2 m".
+};
+/// The longest of 1, 2, 5 x 10^n mm that is not longer than `at_most_mm` (> 0).
+ScaleLength scaleLength(double at_most_mm);
+
+/// What is drawn flat on the picture, in whole pixels, over everything else: the pink window and
+/// the scale bar.
+class ScreenMarks {
+ public:
+  ScreenMarks();
+  void addTo(vtkRenderer* top_layer);
+
+  /// Draws anew for a picture. @param corners  of the pink window, in order; empty: none
+  void draw(const SceneView& view, const std::vector<ViewMm>& corners, bool handles,
+            bool scale_bar);
+
+ private:
+  using Colour = std::array<std::uint8_t, 4>;
+  void quad(const std::array<PixelPlace, 4>& corners, const Colour& colour);
+  void box(double x0, double y0, double x1, double y1, const Colour& colour);
+  void edge(PixelPlace a, PixelPlace b, double half_width, const Colour& colour);
+  void pinkWindow(const SceneView& view, const std::vector<ViewMm>& corners, bool handles);
+  void scaleBar(const SceneView& view);
+
+  vtkNew<vtkPolyData> poly_;
+  vtkNew<vtkActor2D> shapes_;
+  vtkNew<vtkTextActor> label_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/vtk/surface_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkTypeInt32Array.h>
+
+namespace relievo {
+
+SurfaceMesh::SurfaceMesh() {
+  vertices_->SetNumberOfComponents(3);
+  normals_->SetNumberOfComponents(3);
+  normals_->SetName("Normals");
+  origins_->SetNumberOfComponents(2);
+  origins_->SetName(kOriginArray);
+  vtkNew<vtkPoints> points;
+  points->SetData(vertices_);
+  poly_->SetPoints(points);
+  poly_->GetPointData()->SetNormals(normals_);
+  poly_->GetPointData()->AddArray(origins_);
+}
+
+void SurfaceMesh::update(const SurfaceGrid& grid) {
+  const GridSize size = grid.frame.size;
+  if (!grid.heights_mm || grid.heights_mm->size() != size.count() ||
+      (grid.origins && grid.origins->size() != size.count())) {
+    throw ArgumentError("A surface to draw needs one height and at most one origin per sample.");
+  }
+  if (size.cols < 2 || size.rows < 2 || !(grid.frame.spacing_mm > 0)) {
+    throw ArgumentError("A surface to draw needs at least 2 x 2 samples and a spacing above 0.");
+  }
+  frame_ = grid.frame;
+  classify(grid);
+  middle_ = {frame_.xMm(0) + 0.5 * (size.cols - 1) * frame_.spacing_mm,
+             frame_.yMm(0) + 0.5 * (size.rows - 1) * frame_.spacing_mm, 0.5 * (min_mm_ + max_mm_)};
+  rebuildVertices(*grid.heights_mm);
+  rebuildNormals(*grid.heights_mm);
+  rebuildOrigins(grid);
+  if (!(size_of_cells_ == size) || inside_of_cells_ != inside_) rebuildCells();
+  poly_->GetPoints()->Modified();
+  poly_->Modified();
+}
+
+void SurfaceMesh::classify(const SurfaceGrid& grid) {
+  const std::size_t count = frame_.size.count();
+  const float* const h = grid.heights_mm->data();
+  inside_.resize(count);
+  float lowest = std::numeric_limits<float>::max(), highest = std::numeric_limits<float>::lowest();
+  std::size_t inside_count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool inside =
+        std::isfinite(h[i]) && !(grid.origins && (*grid.origins)[i] == Origin::outside);
+    inside_[i] = inside ? 1 : 0;
+    if (!inside) continue;
+    ++inside_count;
+    lowest = std::min(lowest, h[i]);
+    highest = std::max(highest, h[i]);
+  }
+  all_inside_ = inside_count == count;
+  min_mm_ = inside_count ? static_cast<double>(lowest) : 0.0;
+  max_mm_ = inside_count ? static_cast<double>(highest) : 0.0;
+}
+
+void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
+  const GridSize size = frame_.size;
+  vertices_->SetNumberOfTuples(static_cast<vtkIdType>(size.count()));
+  float* out = vertices_->GetPointer(0);
+  const float z0 = static_cast<float>(middle_.z);
+  const float outside_z = static_cast<float>(std::clamp(0.0, min_mm_, max_mm_)) - z0;
+  std::size_t i = 0;
+  for (int row = 0; row < size.rows; ++row) {
+    const float y = static_cast<float>((row - 0.5 * (size.rows - 1)) * frame_.spacing_mm);
+    for (int col = 0; col < size.cols; ++col, ++i) {
+      *out++ = static_cast<float>((col - 0.5 * (size.cols - 1)) * frame_.spacing_mm);
+      *out++ = y;
+      *out++ = inside_[i] ? heights[i] - z0 : outside_z;
+    }
+  }
+  vertices_->Modified();
+}
+
+// Central differences; at the rim of the object and of the grid one-sided, so that the jump to
+// "outside" does not darken the outline.
+void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
+  const GridSize size = frame_.size;
+  normals_->SetNumberOfTuples(static_cast<vtkIdType>(size.count()));
+  float* out = normals_->GetPointer(0);
+  const auto stride = static_cast<std::size_t>(size.cols);
+  const float per_step = static_cast<float>(1 / frame_.spacing_mm);
+  const float* const h = heights.data();
+  const auto slope = [&](std::size_t here, std::size_t before, std::size_t after) {
+    if (!all_inside_) {
+      if (!inside_[here]) return 0.0F;
+      if (!inside_[before]) before = here;
+      if (!inside_[after]) after = here;
+    }
+    const std::size_t steps = (before != here ? 1U : 0U) + (after != here ? 1U : 0U);
+    if (steps == 0) return 0.0F;
+    return (h[after] - h[before]) * (steps == 2 ? 0.5F * per_step : per_step);
+  };
+  std::size_t i = 0;
+  for (int row = 0; row < size.rows; ++row) {
+    const std::size_t down = row > 0 ? stride : 0, up = row + 1 < size.rows ? stride : 0;
+    for (int col = 0; col < size.cols; ++col, ++i) {
+      const float dzdx = slope(i, col > 0 ? i - 1 : i, col + 1 < size.cols ? i + 1 : i);
+      const float dzdy = slope(i, i - down, i + up);
+      const float scale = 1.0F / std::sqrt(dzdx * dzdx + dzdy * dzdy + 1.0F);
+      *out++ = -dzdx * scale;
+      *out++ = -dzdy * scale;
+      *out++ = scale;
+    }
+  }
+  normals_->Modified();
+}
+
+void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
+  const auto count = static_cast<vtkIdType>(frame_.size.count());
+  if (!grid.origins) {
+    if (origins_are_zero_ && origins_->GetNumberOfTuples() == count) return;
+    origins_->SetNumberOfTuples(count);
+    origins_->Fill(0);
+    origins_are_zero_ = true;
+  } else {
+    origins_->SetNumberOfTuples(count);
+    float* out = origins_->GetPointer(0);
+    for (const Origin origin : *grid.origins) {
+      *out++ = origin == Origin::interpolated ? 1.0F : 0.0F;
+      *out++ = origin == Origin::base_plane ? 1.0F : 0.0F;
+    }
+    origins_are_zero_ = false;
+  }
+  origins_->Modified();
+}
+
+void SurfaceMesh::rebuildCells() {
+  const GridSize size = frame_.size;
+  const std::size_t quads_at_most =
+      static_cast<std::size_t>(size.cols - 1) * static_cast<std::size_t>(size.rows - 1);
+  vtkNew<vtkTypeInt32Array> offsets, corners;
+  corners->SetNumberOfValues(static_cast<vtkIdType>(4 * quads_at_most));
+  vtkTypeInt32* out = corners->GetPointer(0);
+  vtkIdType quads = 0;
+  for (int row = 0; row + 1 < size.rows; ++row) {
+    for (int col = 0; col + 1 < size.cols; ++col) {
+      const std::size_t a = size.index({col, row}), b = a + 1;
+      const std::size_t d = size.index({col, row + 1}), c = d + 1;
+      if (!(inside_[a] | inside_[b] | inside_[c] | inside_[d])) continue;
+      *out++ = static_cast<vtkTypeInt32>(a);
+      *out++ = static_cast<vtkTypeInt32>(b);
+      *out++ = static_cast<vtkTypeInt32>(c);
+      *out++ = static_cast<vtkTypeInt32>(d);
+      ++quads;
+    }
+  }
+  corners->SetNumberOfValues(4 * quads);
+  offsets->SetNumberOfValues(quads + 1);
+  for (vtkIdType q = 0; q <= quads; ++q) offsets->SetValue(q, static_cast<vtkTypeInt32>(4 * q));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  poly_->SetPolys(cells);
+  size_of_cells_ = size;
+  inside_of_cells_ = inside_;
+}
+
+}  // namespace relievo
