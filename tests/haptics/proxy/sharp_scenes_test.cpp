@@ -112,7 +112,11 @@ TEST(SharpScenes, AThinFinIsNeverPassedAtAnySpeed) {
 
 TEST(SharpScenes, ThePapersEquationPassesAThinFin) {
   // What the converged solver is for; also shows that the test above can fail.
-  EXPECT_TRUE(passesFin(0.0625, 500, ProxyKind::equation));
+  int passes = 0;
+  for (const double speed_mm_per_s : {20.0, 100.0, 500.0, 2000.0, 10000.0}) {
+    passes += passesFin(0.03, speed_mm_per_s, ProxyKind::equation) ? 1 : 0;
+  }
+  EXPECT_GT(passes, 0);
 }
 
 }  // namespace

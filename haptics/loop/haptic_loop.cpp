@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/loop/haptic_loop.h"
+
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <thread>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+namespace {
+/// Counts how evenly the ticks come. [haptic loop]
+class Meter {
+ public:
+  void begin(std::int64_t now_ns) RELIEVO_REALTIME { last_ns_ = mark_ns_ = now_ns; }
+
+  /// @return this tick is late
+  bool wake(std::int64_t deadline_ns, std::int64_t now_ns,
+            std::int64_t period_ns) RELIEVO_REALTIME {
+    const std::int64_t delay = now_ns - deadline_ns;
+    std::size_t bin = 0;
+    while (bin < LoopStats::kDelayEdgesNs.size() && delay > LoopStats::kDelayEdgesNs[bin]) ++bin;
+    ++stats_.delays[bin];
+    ++stats_.ticks;
+    const bool late = delay > period_ns / 2;
+    if (late) ++stats_.late_ticks;
+    if (stats_.ticks > 1) {
+      stats_.worst_period_ms =
+          std::max(stats_.worst_period_ms, 1e-6 * static_cast<double>(now_ns - last_ns_));
+    }
+    last_ns_ = now_ns;
+    constexpr std::uint64_t kTicksPerRate = 256;
+    if (stats_.ticks % kTicksPerRate == 0 && now_ns > mark_ns_) {
+      stats_.rate_hz = 1e9 * kTicksPerRate / static_cast<double>(now_ns - mark_ns_);
+      mark_ns_ = now_ns;
+    }
+    return late;
+  }
+  void computed(std::int64_t tick_ns) RELIEVO_REALTIME {
+    const double us = 1e-3 * static_cast<double>(tick_ns);
+    stats_.mean_tick_us += (us - stats_.mean_tick_us) / static_cast<double>(stats_.ticks);
+    stats_.worst_tick_us = std::max(stats_.worst_tick_us, us);
+  }
+  const LoopStats& stats() const RELIEVO_REALTIME { return stats_; }
+
+ private:
+  LoopStats stats_;
+  std::int64_t last_ns_ = 0, mark_ns_ = 0;
+};
+
+/// The first deadline after `now` on the grid of the last one: periods that were missed are gone.
+std::int64_t nextDeadline(std::int64_t deadline, std::int64_t now,
+                          std::int64_t period) RELIEVO_REALTIME {
+  const std::int64_t missed = std::max<std::int64_t>(0, (now - deadline) / period);
+  return deadline + (missed + 1) * period;
+}
+}  // namespace
+
+struct HapticLoop::Impl {
+  Impl(std::unique_ptr<Device> d, LoopOptions o) : device(std::move(d)), loop_options(o) {}
+
+  std::unique_ptr<Device> device;
+  LoopOptions loop_options;
+  RealtimeGrant grant;
+  std::thread thread;
+  std::atomic<bool> stopping{false};
+
+  TripleBuffer<HapticSpace> spaces;
+  TripleBuffer<HapticOptions> options;
+  TripleBuffer<HapticSample> latest;
+  TripleBuffer<LoopStats> stats;
+  SampleRing samples;
+  ButtonRing buttons;
+
+  HapticCore core;  // [haptic loop], as all that follows.
+  Meter meter;
+  DeviceN force;
+  std::uint32_t last_buttons = 0;
+
+  void run(std::promise<RealtimeGrant> started);
+  void tick(std::int64_t deadline_ns, std::int64_t now_ns, bool forces_allowed) RELIEVO_REALTIME;
+  void reportButtons(const HapticSample& sample) RELIEVO_REALTIME;
+};
+
+void HapticLoop::Impl::reportButtons(const HapticSample& sample) RELIEVO_REALTIME {
+  const std::uint32_t changed = sample.buttons ^ last_buttons;
+  last_buttons = sample.buttons;
+  for (std::uint8_t i = 0; i < 32; ++i) {
+    const std::uint32_t bit = std::uint32_t{1} << i;
+    if ((changed & bit) != 0) buttons.push({sample.time_ns, i, (sample.buttons & bit) != 0});
+  }
+}
+
+void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
+                            bool forces_allowed) RELIEVO_REALTIME {
+  const bool late = meter.wake(deadline_ns, now_ns, loop_options.period_ns);
+  spaces.update();
+  options.update();
+  HapticOptions now_options = options.front();
+  now_options.force.forces_on = now_options.force.forces_on && forces_allowed;
+  const DeviceReading reading = device->exchange(force, now_ns);
+  const std::int64_t before_ns = monotonicNs();
+  HapticSample sample = core.tick(spaces.front(), now_options, reading, now_ns);
+  sample.tick_ns =
+      static_cast<std::int32_t>(std::min<std::int64_t>(monotonicNs() - before_ns, 2'000'000'000));
+  meter.computed(sample.tick_ns);
+  sample.late = late;
+  sample.rate_hz = meter.stats().rate_hz;
+  force = sample.force;
+  latest.write(sample);
+  stats.write(meter.stats());
+  samples.push(sample);
+  reportButtons(sample);
+}
+
+void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
+  const std::array<MemoryRegion, 1> memory{{{this, sizeof(*this)}}};  // Buffers and rings lie inside.
+  started.set_value(requestRealtime(loop_options.fifo_priority, memory));
+
+  const std::int64_t period = loop_options.period_ns;
+  std::int64_t deadline = monotonicNs() + period;
+  meter.begin(deadline - period);
+  // Switching off fades at the slew limit: at most 40 ms from 8 N. Never waited for longer.
+  int fading_ticks_left = 100;
+  while (fading_ticks_left > 0) {
+    sleepUntil(deadline);
+    const std::int64_t now = monotonicNs();
+    const bool leaving = stopping.load(std::memory_order_acquire);
+    tick(deadline, now, !leaving);
+    deadline = nextDeadline(deadline, now, period);
+    if (leaving && force == DeviceN{}) break;
+    if (leaving) --fading_ticks_left;
+  }
+  device->exchange({}, monotonicNs());
+}
+
+HapticLoop::HapticLoop(std::unique_ptr<Device> device, LoopOptions options)
+    : impl_(std::make_unique<Impl>(std::move(device), options)) {
+  if (!impl_->device) throw ArgumentError("The haptic loop needs a device.");
+  if (options.period_ns <= 0) throw ArgumentError("The haptic loop's period must be above 0 ns.");
+}
+
+HapticLoop::~HapticLoop() {
+  stop();
+}
+
+void HapticLoop::start() {
+  if (impl_->thread.joinable()) return;
+  impl_->device->open();
+  impl_->stopping.store(false, std::memory_order_release);
+  std::promise<RealtimeGrant> started;
+  std::future<RealtimeGrant> granted = started.get_future();
+  try {
+    impl_->thread = std::thread(
+        [this, promise = std::move(started)]() mutable { impl_->run(std::move(promise)); });
+  } catch (const std::system_error& error) {
+    impl_->device->close();
+    throw Error(std::string("The force loop's thread could not be started: ") + error.what());
+  }
+  impl_->grant = granted.get();
+}
+
+void HapticLoop::stop() noexcept {
+  if (!impl_->thread.joinable()) return;
+  impl_->stopping.store(true, std::memory_order_release);
+  impl_->thread.join();
+  impl_->device->close();
+}
+
+const DeviceInfo& HapticLoop::device() const noexcept {
+  return impl_->device->info();
+}
+const RealtimeGrant& HapticLoop::realtime() const noexcept {
+  return impl_->grant;
+}
+TripleBuffer<HapticSpace>& HapticLoop::spaces() noexcept {
+  return impl_->spaces;
+}
+TripleBuffer<HapticOptions>& HapticLoop::options() noexcept {
+  return impl_->options;
+}
+TripleBuffer<HapticSample>& HapticLoop::latest() noexcept {
+  return impl_->latest;
+}
+TripleBuffer<LoopStats>& HapticLoop::stats() noexcept {
+  return impl_->stats;
+}
+SampleRing& HapticLoop::samples() noexcept {
+  return impl_->samples;
+}
+ButtonRing& HapticLoop::buttons() noexcept {
+  return impl_->buttons;
+}
+
+}  // namespace relievo

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "haptics/loop/haptic_core.h"
+#include "haptics/record/log_writer.h"
+#include "haptics/rt/spsc_ring.h"
+#include "haptics/rt/triple_buffer.h"
+
+namespace relievo {
+
+/// How a recording ended.
+struct RecordingEnd {
+  std::filesystem::path file;
+  std::uint64_t samples = 0;  ///< Saved.
+  std::string error;          ///< Empty: all is saved. Else a sentence for people (E401).
+};
+
+/// Records every sample to a CSV file (conventions.md 5.5) from the drain thread. Samples that the
+/// loop had to drop, faults and changes of window are named in the event column.
+class Recorder {
+ public:
+  Recorder() = default;
+  ~Recorder();  ///< After the drain has gone; closes what is open.
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  /// [GUI thread] Makes the file at once; recording starts with the drain's next batch.
+  /// @throw WriteError  the file cannot be made
+  /// @throw Error       a recording is running
+  void start(const std::filesystem::path& file, std::string_view header);
+  void stop();  ///< [GUI thread] Ends with the drain's next batch; see ended().
+  bool running() const noexcept { return running_; }  ///< [GUI thread] start() until ended().
+  std::uint64_t samples() noexcept;                   ///< [GUI thread] Recorded so far.
+  /// [GUI thread] Once per recording that came to its end.
+  std::optional<RecordingEnd> ended();
+
+  void take(std::span<const HapticSample> batch);  ///< [drain thread] the sink
+
+ private:
+  void switchOver();                       // [drain thread]
+  void write(const HapticSample& sample);  // [drain thread]
+  void finish(std::string error);          // [drain thread]
+
+  // GUI to drain: a file to write to, or null: stop. Drain to GUI: how it ended. The pointers own.
+  SpscRing<LogWriter*, 16> commands_;
+  SpscRing<RecordingEnd*, 16> ends_;
+  TripleBuffer<std::uint64_t> counts_;
+  bool running_ = false;  // [GUI thread]
+  // [drain thread]
+  std::unique_ptr<LogWriter> writer_;
+  HapticSample last_;
+  std::int64_t start_ns_ = 0;
+  bool first_ = true;
+};
+
+}  // namespace relievo

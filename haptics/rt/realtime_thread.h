@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "haptics/rt/realtime.h"
+
+namespace relievo {
+
+/// Memory that must not be paged out while the loop runs.
+struct MemoryRegion {
+  const void* data = nullptr;
+  std::size_t bytes = 0;
+};
+
+/// What the system granted. A refusal is no error: the loop runs, less evenly, and says so.
+struct RealtimeGrant {
+  bool realtime = false;      ///< SCHED_FIFO.
+  bool memory_locked = true;  ///< All regions.
+  std::string note;           ///< What was refused, why, and what helps; empty: nothing was.
+};
+
+/// Asks for what a 1 kHz thread needs, for the calling thread: SCHED_FIFO at `fifo_priority`
+/// (0: not asked for), timer slack of 1 ns, and locked memory. Never throws for a refusal.
+/// [the thread itself, before its loop]
+RealtimeGrant requestRealtime(int fifo_priority, std::span<const MemoryRegion> lock);
+
+/// CLOCK_MONOTONIC.
+std::int64_t monotonicNs() RELIEVO_REALTIME;
+
+/// Sleeps until an absolute time, so that lateness does not add up. Returns at once if it is past.
+void sleepUntil(std::int64_t monotonic_ns) RELIEVO_REALTIME;
+
+}  // namespace relievo
