@@ -78,6 +78,19 @@ TEST(ReliefScene, APictureOfTheRectangleShowsExactlyTheRectangle) {
   EXPECT_NEAR(down, 8 * (80.25 - 27.75), 0.4);
 }
 
+TEST(ReliefScene, ASurfaceFillsThePictureToTheLastPixel) {
+  ReliefScene scene;
+  const SyntheticRelief relief = flat(3);
+  scene.setSurface(relief.grid());
+  scene.setBackground(0, 0, 1);
+  scene.setCamera({.rect = kWhole});
+  const RgbImage image = renderOffscreen(scene, 400, 400);
+  for (const int far : {0, 399}) {
+    EXPECT_EQ(at(image, far, 200), at(image, 200, 200));
+    EXPECT_EQ(at(image, 200, far), at(image, 200, 200));
+  }
+}
+
 TEST(ReliefScene, TheLongerSideOfAPictureShowsMore) {
   ReliefScene scene;
   scene.setCamera({.rect = {20, 10, 60, 60}});

@@ -7,12 +7,18 @@
 
 #include <vtkCellArray.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 
 #include "tests/ui/vtk/synthetic_relief.h"
 #include "ui/vtk/screen_marks.h"
 
 namespace relievo {
 namespace {
+
+/// Vertex of a sample: the mesh has a ring of vertices around the samples.
+vtkIdType vertexOf(const GridFrame& frame, Cell cell) {
+  return (cell.row + 1) * (frame.size.cols + 2) + cell.col + 1;
+}
 
 TEST(SurfaceMesh, NormalsOfAParaboloidAreItsOwn) {
   // Central differences are exact on a quadratic.
@@ -26,8 +32,7 @@ TEST(SurfaceMesh, NormalsOfAParaboloidAreItsOwn) {
       const double dx = 0.4 * x + 0.3 * y, dy = -0.2 * y + 0.3 * x;
       const double length = std::sqrt(dx * dx + dy * dy + 1);
       double n[3];
-      mesh.poly()->GetPointData()->GetNormals()->GetTuple(
-          static_cast<vtkIdType>(relief.frame.size.index({col, row})), n);
+      mesh.poly()->GetPointData()->GetNormals()->GetTuple(vertexOf(relief.frame, {col, row}), n);
       ASSERT_NEAR(n[0], -dx / length, 2e-4);
       ASSERT_NEAR(n[1], -dy / length, 2e-4);
       ASSERT_NEAR(n[2], 1 / length, 2e-4);
@@ -39,7 +44,7 @@ TEST(SurfaceMesh, CellsWithNoCornerInsideAreLeftOut) {
   SyntheticRelief relief = makeRelief(5, 5, [](double, double) { return 1.0; });
   SurfaceMesh mesh;
   mesh.update(relief.grid());
-  EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 16);
+  EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 36);
   for (std::size_t i = 0; i < 25; ++i) {
     if (i != 12) relief.origins[i] = Origin::outside;
   }
@@ -49,7 +54,7 @@ TEST(SurfaceMesh, CellsWithNoCornerInsideAreLeftOut) {
   relief.heights_mm[0] = std::numeric_limits<float>::quiet_NaN();  // Not a height: outside.
   relief.heights_mm[1] = relief.heights_mm[5] = relief.heights_mm[6] = relief.heights_mm[0];
   mesh.update(relief.grid());
-  EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 15);
+  EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 32);
 }
 
 TEST(SurfaceMesh, KeepsItsCellsWhileOnlyHeightsAndPlaceChange) {
@@ -73,11 +78,24 @@ TEST(SurfaceMesh, VerticesLieOnTheSamples) {
   SurfaceMesh mesh;
   mesh.update(relief.grid());
   double p[3];
-  mesh.poly()->GetPoint(static_cast<vtkIdType>(relief.frame.size.index({3, 17})), p);
+  mesh.poly()->GetPoint(vertexOf(relief.frame, {3, 17}), p);
   EXPECT_NEAR(p[0] + mesh.middle().x, relief.frame.xMm(3), 1e-6);
   EXPECT_NEAR(p[1] + mesh.middle().y, relief.frame.yMm(17), 1e-6);
   EXPECT_NEAR(p[2] + mesh.middle().z,
               static_cast<double>(relief.heights_mm[relief.frame.size.index({3, 17})]), 1e-6);
+}
+
+TEST(SurfaceMesh, FillsTheRectangleThatTheGridCovers) {
+  SyntheticRelief relief = makeRelief(20, 10, domeWithRidges);
+  SurfaceMesh mesh;
+  mesh.update(relief.grid());
+  double bounds[6];
+  mesh.poly()->GetPoints()->ComputeBounds();
+  mesh.poly()->GetPoints()->GetBounds(bounds);
+  EXPECT_NEAR(bounds[0] + mesh.middle().x, 0, 1e-6);
+  EXPECT_NEAR(bounds[1] + mesh.middle().x, 10, 1e-6);
+  EXPECT_NEAR(bounds[2] + mesh.middle().y, 0, 1e-6);
+  EXPECT_NEAR(bounds[3] + mesh.middle().y, 10, 1e-6);
 }
 
 TEST(ScaleBar, LengthsAreRoundAndInTheUnitOneWouldSay) {
