@@ -10,8 +10,10 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include <X11/Xlib.h>
+
 #include "core/base/error.h"
-#include "ui/vtk/gl_session.h"
+#include "ui/vtk/display_connection.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
