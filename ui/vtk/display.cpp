@@ -10,9 +10,8 @@
 #include <cerrno>
 #include <cstdlib>
 
-#include <X11/Xlib.h>
-
 #include "core/base/error.h"
+#include "ui/vtk/gl_session.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -58,11 +57,21 @@ std::string readDisplayNumber(int fd) {
 
 }  // namespace
 
+DisplayConnection::DisplayConnection() : display_(XOpenDisplay(nullptr)) {
+  const char* const name = std::getenv("DISPLAY");
+  if (!name || !*name) return;
+  for (int tries = 0; !display_ && tries < 5; ++tries) {
+    poll(nullptr, 0, 40);
+    display_ = XOpenDisplay(nullptr);
+  }
+}
+
+DisplayConnection::~DisplayConnection() {
+  if (display_) XCloseDisplay(display_);
+}
+
 bool haveDisplay() {
-  Display* const display = XOpenDisplay(nullptr);
-  if (!display) return false;
-  XCloseDisplay(display);
-  return true;
+  return DisplayConnection().isOpen();
 }
 
 DisplayGuard::DisplayGuard() {

@@ -8,6 +8,20 @@
 
 namespace relievo {
 
+/// A connection to the X server, if there is one. While it is open, a server that resets when its
+/// last client leaves (Xvfb does) keeps running. A server in the middle of that is waited for.
+class DisplayConnection {
+ public:
+  DisplayConnection();
+  ~DisplayConnection();
+  DisplayConnection(const DisplayConnection&) = delete;
+  DisplayConnection& operator=(const DisplayConnection&) = delete;
+  bool isOpen() const { return display_ != nullptr; }
+
+ private:
+  Display* display_;
+};
+
 /// Remembers the OpenGL context that is current on this thread and makes it current again at the
 /// end, so that drawing off screen does not disturb a window.
 class KeepGlContext {
@@ -37,7 +51,9 @@ class OffscreenWindow {
   int sizeLimitPx();
 
  private:
-  KeepGlContext keep_;  // First member: restored after the window is gone.
+  // In this order: the window goes first, then the context is restored, then the server let go.
+  DisplayConnection connection_;
+  KeepGlContext keep_;
   vtkNew<vtkRenderWindow> window_;
 };
 

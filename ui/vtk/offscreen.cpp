@@ -37,7 +37,7 @@ RgbImage readPixels(vtkRenderWindow* window, int width, int height) {
 }  // namespace
 
 OffscreenWindow::OffscreenWindow() {
-  if (!haveDisplay()) {
+  if (!connection_.isOpen()) {
     throw GraphicsError(
         "There is no display to draw with. Set DISPLAY, or start the program on a desktop or under "
         "xvfb-run.");

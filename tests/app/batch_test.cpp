@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line's contract, tried from outside: the built program, its files and its reports.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/io/raster.h"
+#include "data/generate/relief_f.h"
+#include "tests/app/command.h"
+
+namespace relievo {
+namespace {
+
+using nlohmann::json;
+using test::CommandResult;
+using test::runRelievo;
+using testing::HasSubstr;
+
+const std::string kReliefF = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
+
+class Batch : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "relievo-batch-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name)) << text;
+    return path(name);
+  }
+  /// A plane z = 5 + x/10 as text, 101 x 101 points, 1 mm apart.
+  std::string plane() const {
+    std::ostringstream text;
+    for (int y = 0; y <= 100; ++y) {
+      for (int x = 0; x <= 100; ++x) text << x << ' ' << y << ' ' << 5 + x / 10.0 << '\n';
+    }
+    return write("plane.xyz", text.str());
+  }
+
+  std::filesystem::path folder_;
+};
+
+json reportOf(const CommandResult& result) {
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  json report = json::parse(result.out, nullptr, false);
+  EXPECT_FALSE(report.is_discarded()) << result.out;
+  return report;
+}
+
+/// Rows of a log by column name.
+struct Log {
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+
+  double number(std::size_t row, const std::string& column) const {
+    const auto at = std::find(columns.begin(), columns.end(), column);
+    if (at == columns.end()) throw std::runtime_error("no column " + column);
+    return std::stod(rows.at(row).at(static_cast<std::size_t>(at - columns.begin())));
+  }
+};
+
+Log readLog(const std::string& file) {
+  Log log;
+  std::ifstream stream(file);
+  std::string line;
+  while (std::getline(stream, line)) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> fields;
+    std::stringstream parts(line);
+    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
+    if (log.columns.empty()) {
+      log.columns = fields;
+    } else {
+      log.rows.push_back(fields);
+    }
+  }
+  return log;
+}
+
+TEST_F(Batch, InfoTellsWhatAFileHolds) {
+  const CommandResult result = runRelievo({"info", plane(), "--report", "json"});
+  const json info = reportOf(result);
+  EXPECT_EQ(info["points"], 10201);
+  EXPECT_EQ(info["finite_points"], 10201);
+  EXPECT_EQ(info["faces"], 0);
+  EXPECT_EQ(info["bounds"]["min"], json({0, 0, 5}));
+  EXPECT_EQ(info["bounds"]["max"], json({100, 100, 15}));
+  EXPECT_EQ(info["unit"], "mm");
+  EXPECT_EQ(info["unit_source"], "assumed");
+  EXPECT_THAT(result.err, HasSubstr("unit"));
+}
+
+TEST_F(Batch, AGivenUnitIsUsedAndNotWarnedAbout) {
+  const CommandResult result = runRelievo({"info", plane(), "--unit", "us-ft", "--report", "json"});
+  const json info = reportOf(result);
+  EXPECT_EQ(info["unit"], "us-ft");
+  EXPECT_EQ(info["unit_source"], "given");
+  EXPECT_EQ(result.err, "");
+}
+
+TEST_F(Batch, WrongUseIsExitOneWithOneSentence) {
+  const std::string file = plane();
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"info"},
+           {"info", file, "--unit", "furlong"},
+           {"depthmap", file},
+           {"depthmap", file, "-o", path("m.tif"), "--cells", "1"},
+           {"depthmap", file, "-o", path("m.tif"), "--cells", "9", "--spacing", "2"},
+           {"depthmap", file, "-o", path("m.tif"), "--view", "sideways"},
+           {"depthmap", file, "-o", path("m.tif"), "--holes", "interpolate:few"},
+           {"render", file, "-o", path("f.png"), "--region", "1,2,3"},
+           {"render", file, "-o", path("f.png"), "--level", "7"},
+           {"frobnicate-not-a-verb", "--report", "json"}}) {
+    const CommandResult result = runRelievo(arguments);
+    EXPECT_EQ(result.exit_code, 1) << testing::PrintToString(arguments) << result.err;
+    EXPECT_NE(result.err, "");
+    EXPECT_EQ(result.out, "");
+  }
+}
+
+TEST_F(Batch, UnreadableFilesAreExitTwoAndUnwritableOnesExitThree) {
+  EXPECT_EQ(runRelievo({"info", path("missing.ply")}).exit_code, 2);
+  EXPECT_EQ(runRelievo({"info", folder_.string()}).exit_code, 2);
+  EXPECT_EQ(runRelievo({"info", write("empty.ply", "")}).exit_code, 2);
+  const CommandResult result =
+      runRelievo({"depthmap", plane(), "-o", path("no/such/folder/map.tif")});
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("map.tif"));
+}
+
+TEST_F(Batch, DepthmapOfReliefFIsItsClosedForm) {
+  const std::string map_file = path("f.tif");
+  const json report = reportOf(
+      runRelievo({"depthmap", kReliefF, "--unit", "mm", "-o", map_file, "--report", "json"}));
+  EXPECT_EQ(report["cells"], json({1200, 800}));
+  EXPECT_DOUBLE_EQ(report["spacing_mm"], 0.25);
+  EXPECT_EQ(report["engine"], "cpu");
+  double sum = 0;
+  for (const auto& share : report["shares"]) sum += share.get<double>();
+  EXPECT_NEAR(sum, 1, 1e-12);
+  const RasterMap map = readRaster(map_file);
+  ASSERT_TRUE(map.is_own_map);
+  double worst = 0;
+  for (int row = 0; row < 800; row += 3) {
+    for (int col = 0; col < 1200; col += 3) {
+      const double x = 0.125 + 0.25 * col;
+      const double y = 0.125 + 0.25 * row;
+      const std::size_t i = map.size.index({.col = col, .row = row});
+      ASSERT_EQ(map.valid[i], !samples::isOutside(x, y));
+      if (samples::isOutside(x, y)) continue;
+      const double truth = samples::isHole(x, y) ? 0 : samples::reliefFHeightMm(x, y);
+      worst = std::max(worst, std::abs(static_cast<double>(map.values[i]) - truth));
+    }
+  }
+  EXPECT_LT(worst, 5e-6);
+}
+
+TEST_F(Batch, TheSameMapComesBackFromItsFile) {
+  const std::string first = path("first.tif");
+  const std::string second = path("second.tif");
+  reportOf(runRelievo({"depthmap", plane(), "-o", first, "--report", "json"}));
+  reportOf(runRelievo({"depthmap", first, "-o", second, "--report", "json"}));
+  const RasterMap a = readRaster(first);
+  const RasterMap b = readRaster(second);
+  EXPECT_EQ(a.values, b.values);
+  EXPECT_EQ(a.origins, b.origins);
+  EXPECT_EQ(a.view_from_file, b.view_from_file);
+}
+
+TEST_F(Batch, PyramidWritesEveryLevel) {
+  const json report = reportOf(runRelievo({"pyramid", kReliefF, "--unit", "mm", "-o", path("p.tif"),
+                                           "--factor", "2", "--report", "json"}));
+  ASSERT_EQ(report["levels"].size(), 4U);
+  EXPECT_EQ(report["levels"][3]["cells"], json({150, 100}));
+  EXPECT_DOUBLE_EQ(report["levels"][3]["spacing_mm"], 2);
+  const RasterMap level = readRaster(path("p.L3.tif"));
+  EXPECT_DOUBLE_EQ(level.pixel, 2);
+  EXPECT_DOUBLE_EQ(level.first.x, 0.125);
+}
+
+TEST_F(Batch, TouchFollowsHookesLawInEveryContactRow) {
+  // Down into the plane z = 5 + x/10 at (50, 50), along it, and up again.
+  const std::string stroke = write("s.csv",
+                                   "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.2,50,50,4\n"
+                                   "0.4,60,55,4\n0.5,60,55,9\n");
+  const std::string file = path("log.csv");
+  const json report =
+      reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", file,
+                           "--region", "25,25,50,50", "--report", "json"}));
+  EXPECT_EQ(report["ticks"], 501);
+  EXPECT_EQ(report["region_mm"], json({25, 25, 50, 50}));
+  EXPECT_DOUBLE_EQ(report["scale_device_per_view"], 1.6);
+  const Log log = readLog(file);
+  ASSERT_EQ(log.rows.size(), 501U);
+  int touched = 0;
+  for (std::size_t i = 0; i < log.rows.size(); ++i) {
+    EXPECT_EQ(log.number(i, "tick"), static_cast<double>(i));
+    EXPECT_NEAR(log.number(i, "t_s"), 0.001 * static_cast<double>(i), 1e-12);
+    const bool contact = log.number(i, "contact") == 1;
+    touched += contact ? 1 : 0;
+    for (const char* axis : {"x", "y", "z"}) {
+      const std::string a = axis;
+      const double d =
+          log.number(i, "dev_proxy_" + a + "_mm") - log.number(i, "dev_hip_" + a + "_mm");
+      const double expected = contact ? 0.5 * d : 0;
+      EXPECT_NEAR(log.number(i, "f_" + a + "_N"), expected,
+                  1e-9 * std::max(1.0, std::abs(expected)));
+    }
+  }
+  EXPECT_GT(touched, 300);
+  EXPECT_LT(touched, 500);
+}
+
+TEST_F(Batch, TouchOnAPlaneFindsTheFootOfThePerpendicular) {
+  const std::string stroke =
+      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,20\n0.1,50,50,7\n0.2,50,50,7\n");
+  const std::string file = path("log.csv");
+  reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", file, "--region",
+                       "25,25,50,50", "--report", "json"}));
+  const Log log = readLog(file);
+  const std::size_t last = log.rows.size() - 1;
+  // The base plane lies at the 0.1 % quantile of z, the map's lower left edge half a cell outside.
+  const double base = 5;
+  const double n = std::sqrt(1 + 0.01);
+  const double file_x = 49.5;
+  const double depth = (5 + file_x / 10 - base - 7) / n;
+  EXPECT_NEAR(log.number(last, "proxy_x_mm"), 50 - 0.1 * depth / n, 1e-4);
+  EXPECT_NEAR(log.number(last, "proxy_z_mm"), 7 + depth / n, 1e-4);
+  EXPECT_NEAR(log.number(last, "nx"), -0.1 / n, 1e-5);
+  EXPECT_NEAR(log.number(last, "nz"), 1 / n, 1e-5);
+}
+
+TEST_F(Batch, ThePapersEquationIsSelectableAndChatters) {
+  const std::string stroke =
+      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.1,50,50,4\n0.4,60,50,4\n");
+  for (const char* proxy : {"equation", "successive", "converged"}) {
+    const json report =
+        reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o",
+                             path("log.csv"), "--proxy", proxy, "--report", "json"}));
+    EXPECT_EQ(report["proxy"], proxy);
+    EXPECT_GT(report["largest_force_n"], 0.5);
+  }
+}
+
+TEST_F(Batch, AStrokeWhoseTimesDoNotIncreaseIsRefusedWithItsRow) {
+  const std::string stroke = write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,1,1,1\n0.1,1,1,1\n0.1,2,2,2\n");
+  const CommandResult result =
+      runRelievo({"touch", plane(), "--stroke", stroke, "-o", path("log.csv")});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr("3"));
+}
+
+TEST_F(Batch, TouchOnAMapEqualsTouchOnItsScan) {
+  const std::string map_file = path("map.tif");
+  reportOf(runRelievo({"depthmap", plane(), "--unit", "mm", "-o", map_file, "--report", "json"}));
+  const std::string stroke =
+      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.1,50,50,4\n0.2,60,50,4\n");
+  reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", path("a.csv"),
+                       "--window-out", path("wa.tif"), "--report", "json"}));
+  reportOf(runRelievo({"touch", map_file, "--stroke", stroke, "-o", path("b.csv"), "--window-out",
+                       path("wb.tif"), "--report", "json"}));
+  EXPECT_EQ(readLog(path("a.csv")).rows, readLog(path("b.csv")).rows);
+  EXPECT_EQ(readRaster(path("wa.tif")).values, readRaster(path("wb.tif")).values);
+}
+
+TEST_F(Batch, RenderDrawsExactlyTheRegionWithOrWithoutADisplay) {
+  const std::vector<std::string> arguments{"render",   plane(),       "--unit",   "mm",
+                                           "--region", "10,20,40,30", "--pixels", "200",
+                                           "-o",       path("f.png"), "--report", "json"};
+  const json report = reportOf(runRelievo(arguments));
+  EXPECT_EQ(report["pixels"], json({200, 200}));
+  EXPECT_EQ(report["region_mm"], json({10, 15, 40, 40}));
+  EXPECT_DOUBLE_EQ(report["mm_per_pixel"], 0.2);
+  std::ifstream with(path("f.png"), std::ios::binary);
+  const std::string first((std::istreambuf_iterator<char>(with)), {});
+  EXPECT_EQ(first.substr(1, 3), "PNG");
+  EXPECT_EQ(reportOf(runRelievo(arguments, {"DISPLAY"})), report);
+  std::ifstream without(path("f.png"), std::ios::binary);
+  const std::string second((std::istreambuf_iterator<char>(without)), {});
+  EXPECT_EQ(first, second) << "the same pixels whatever the display";
+}
+
+TEST_F(Batch, TheDepthBufferGivesTheSameMapOfAMesh) {
+  const std::string mesh =
+      write("mesh.obj", "v 0 0 0\nv 10 0 1\nv 10 10 3\nv 0 10 2\nf 1 2 3\nf 1 3 4\n");
+  for (const char* engine : {"cpu", "depthbuffer"}) {
+    const json report = reportOf(
+        runRelievo({"depthmap", mesh, "--unit", "mm", "--view", "top", "--cells", "101", "--engine",
+                    engine, "-o", path(std::string(engine) + ".tif"), "--report", "json"}));
+    EXPECT_EQ(report["engine"], engine);
+  }
+  const RasterMap cpu = readRaster(path("cpu.tif"));
+  const RasterMap gl = readRaster(path("depthbuffer.tif"));
+  // The base plane is a quantile of what was hit, and edges differ: compare the inner cells' shape.
+  const auto at = [](const RasterMap& map, int col, int row) {
+    return static_cast<double>(map.values[map.size.index({.col = col, .row = row})]);
+  };
+  const double shift = at(gl, 50, 50) - at(cpu, 50, 50);
+  for (int row = 3; row < 98; ++row) {
+    for (int col = 3; col < 98; ++col) {
+      ASSERT_NEAR(at(gl, col, row) - shift, at(cpu, col, row), 2e-5 * 3);
+    }
+  }
+}
+
+TEST_F(Batch, ReadsNumbersUnderACommaLocaleToo) {
+  const json report = reportOf(runRelievo({"info", plane(), "--report", "json"},
+                                          {"LC_ALL=de_DE.UTF-8", "LANG=de_DE.UTF-8"}));
+  EXPECT_EQ(report["bounds"]["max"], json({100, 100, 15}));
+}
+
+}  // namespace
+}  // namespace relievo

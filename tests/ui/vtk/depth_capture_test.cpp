@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/vtk/depth_capture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+#include "core/depth/rasterize.h"
+#include "tests/core/scan_fixtures.h"
+
+namespace relievo {
+namespace {
+
+GridFrame frameOf(int cols, int rows, double spacing) {
+  return {.size = {.cols = cols, .rows = rows},
+          .spacing_mm = spacing,
+          .first_x_mm = 0,
+          .first_y_mm = 0};
+}
+
+/// A mesh over [0, side]^2 whose inner vertices lie anywhere, without a fold: z = height(x, y) at
+/// the vertices.
+template <class Height>
+Scan scatteredMesh(int per_side, double side, Height&& height) {
+  Scan mesh = test::latticeMesh(per_side, per_side, side / (per_side - 1), height);
+  std::mt19937 random(7);
+  const auto jitter = static_cast<float>(0.2 * side / (per_side - 1));
+  std::uniform_real_distribution<float> shift(-jitter, jitter);
+  const auto inner = [&](float v) { return v > 0 && v < static_cast<float>(side) - 1e-3F; };
+  for (auto& p : mesh.points) {
+    if (inner(p[0])) p[0] += shift(random);
+    if (inner(p[1])) p[1] += shift(random);
+    p[2] = static_cast<float>(height(static_cast<double>(p[0]), static_cast<double>(p[1])));
+  }
+  return mesh;
+}
+
+/// A ball of triangles, poles along x, so that no ring of vertices lies on the grid.
+Scan ball(double radius, double cx, double cy, double cz, int rings) {
+  Scan mesh;
+  const int around = 2 * rings;
+  for (int i = 0; i <= rings; ++i) {
+    const double polar = std::numbers::pi * i / rings;
+    for (int j = 0; j < around; ++j) {
+      const double turn = 2 * std::numbers::pi * j / around + 0.01;
+      mesh.points.push_back({static_cast<float>(cx + radius * std::cos(polar)),
+                             static_cast<float>(cy + radius * std::sin(polar) * std::cos(turn)),
+                             static_cast<float>(cz + radius * std::sin(polar) * std::sin(turn))});
+    }
+  }
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < around; ++j) {
+      const auto at = [&](int ring, int k) {
+        return static_cast<std::uint32_t>(ring * around + k % around);
+      };
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return mesh;
+}
+
+struct Difference {
+  double same_mask = 0;   ///< Share of cells.
+  double largest_mm = 0;  ///< Two cells and more from a silhouette.
+  double depth_range_mm = 0;
+  std::size_t compared = 0;
+};
+
+/// A silhouette is where the surface ends or jumps by more than `jump_mm` between neighbours.
+Difference compare(const FrontDepths& a, const FrontDepths& b, GridSize size, double jump_mm) {
+  Difference result;
+  std::size_t same = 0;
+  float lowest = INFINITY, highest = -INFINITY;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    same += std::isnan(a[i]) == std::isnan(b[i]) ? 1U : 0U;
+    if (std::isnan(a[i])) continue;
+    lowest = std::min(lowest, a[i]);
+    highest = std::max(highest, a[i]);
+  }
+  result.same_mask = static_cast<double>(same) / static_cast<double>(a.size());
+  result.depth_range_mm = static_cast<double>(highest - lowest);
+  for (int row = 2; row + 2 < size.rows; ++row) {
+    for (int col = 2; col + 2 < size.cols; ++col) {
+      const auto here = static_cast<double>(a[size.index({col, row})]);
+      bool clear = true;
+      for (int dr = -2; dr <= 2 && clear; ++dr) {
+        for (int dc = -2; dc <= 2 && clear; ++dc) {
+          const std::size_t i = size.index({col + dc, row + dr});
+          clear = std::abs(static_cast<double>(a[i]) - here) < jump_mm && !std::isnan(b[i]);
+        }
+      }
+      if (!clear) continue;
+      ++result.compared;
+      result.largest_mm = std::max(result.largest_mm,
+                                   std::abs(here - static_cast<double>(b[size.index({col, row})])));
+    }
+  }
+  return result;
+}
+
+void expectEnginesAgree(const DepthRequest& request, double jump_mm, double at_least_compared) {
+  const FrontDepths cpu = rasterize(request);
+  const FrontDepths gl = captureDepths(request);
+  const Difference d = compare(cpu, gl, request.frame.size, jump_mm);
+  EXPECT_GE(d.same_mask, 0.999);
+  EXPECT_LE(d.largest_mm, 2e-5 * d.depth_range_mm) << "of " << d.depth_range_mm << " mm";
+  EXPECT_GE(static_cast<double>(d.compared),
+            at_least_compared * static_cast<double>(request.frame.size.count()));
+  if (std::getenv("RELIEVO_TEST_FIGURES")) {
+    std::printf("same mask %.6f, largest difference %.2e of the range, %zu cells\n", d.same_mask,
+                d.largest_mm / d.depth_range_mm, d.compared);
+  }
+}
+
+double waves(double x, double y) {
+  return 4 * std::sin(0.31 * x) * std::cos(0.23 * y + 0.4) + 6;
+}
+
+TEST(DepthCapture, TiltedPlaneComesBackAsThatPlaneAtEverySampleTheRimIncluded) {
+  const auto plane = [](double x, double y) { return 3 + 0.25 * x - 0.5 * y; };
+  const Scan mesh = test::latticeMesh(4, 4, 10, plane);
+  const GridFrame frame = frameOf(121, 121, 0.25);
+  const FrontDepths depths = captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame});
+  for (int row = 0; row < 121; ++row) {
+    for (int col = 0; col < 121; ++col) {
+      const bool rim = col == 0 || row == 0 || col == 120 || row == 120;
+      const float z = depths[frame.size.index({.col = col, .row = row})];
+      const double tolerance = rim ? 0.25 / 32 : 2e-5 * 22.5;
+      ASSERT_NEAR(z, plane(frame.xMm(col), frame.yMm(row)), tolerance) << col << ' ' << row;
+    }
+  }
+}
+
+TEST(DepthCapture, AFineMeshComesBackAsItsClosedForm) {
+  const Scan mesh = scatteredMesh(600, 60, waves);
+  const GridFrame frame = frameOf(301, 301, 0.2);
+  const FrontDepths depths = captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame});
+  double largest = 0;
+  for (int row = 1; row < 300; ++row) {
+    for (int col = 1; col < 300; ++col) {
+      const auto z = static_cast<double>(depths[frame.size.index({.col = col, .row = row})]);
+      largest = std::max(largest, std::abs(z - waves(frame.xMm(col), frame.yMm(row))));
+    }
+  }
+  // Triangles of 0.1 mm sag by h^2/8 times the curvature 4 x 0.31^2: 5e-4 mm, doubled by jitter.
+  EXPECT_LT(largest, 2e-3);
+}
+
+TEST(DepthCapture, AgreesWithTheCpuEngineOnARelief) {
+  const Scan mesh = scatteredMesh(160, 60, waves);
+  expectEnginesAgree({.scan = mesh, .view_from_file = {}, .frame = frameOf(400, 400, 60.0 / 399)},
+                     1.0, 0.9);
+}
+
+TEST(DepthCapture, AgreesWithTheCpuEngineOnABallInFrontOfASheet) {
+  Scan mesh = ball(10, 21.3, 20.7, 15, 120);
+  const Scan sheet = scatteredMesh(50, 45, waves);
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), sheet.points.begin(), sheet.points.end());
+  for (const auto& t : sheet.triangles) {
+    mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  }
+  expectEnginesAgree({.scan = mesh, .view_from_file = {}, .frame = frameOf(500, 500, 0.1)}, 0.8,
+                     0.7);
+}
+
+TEST(DepthCapture, AgreesWithTheCpuEngineOnAMapLargerThanOneTile) {
+  const Scan mesh = scatteredMesh(300, 60, waves);
+  expectEnginesAgree(
+      {.scan = mesh, .view_from_file = {}, .frame = frameOf(2500, 2300, 60.0 / 2499)}, 1.0, 0.8);
+}
+
+TEST(DepthCapture, KeepsMillimetresInUtmCoordinates) {
+  Scan mesh = scatteredMesh(160, 60, waves);
+  mesh.origin = {512345.25, 5412345.5, 210.75};
+  ViewFromFile view;
+  view.m = {1000, 0, 0, -512345250.0, 0, 1000, 0, -5412345500.0, 0, 0, 1000, -210750.0, 0, 0, 0, 1};
+  expectEnginesAgree(
+      {.scan = mesh, .view_from_file = view, .frame = frameOf(400, 400, 60000.0 / 399)}, 1000, 0.9);
+}
+
+TEST(DepthCapture, PointsCountForTheirNearestSampleAndTheFrontMostWins) {
+  Scan cloud;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> place(-2, 62);
+  for (int i = 0; i < 300'000; ++i) {
+    const float x = place(random), y = place(random);
+    cloud.points.push_back(
+        {x, y, static_cast<float>(waves(static_cast<double>(x), static_cast<double>(y)))});
+  }
+  const GridFrame frame = frameOf(400, 400, 0.15);
+  const DepthRequest request{.scan = cloud, .view_from_file = {}, .frame = frame};
+  const FrontDepths cpu = rasterize(request), gl = captureDepths(request);
+  std::size_t same = 0, hit = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < cpu.size(); ++i) {
+    same += std::isnan(cpu[i]) == std::isnan(gl[i]) ? 1U : 0U;
+    if (std::isnan(cpu[i]) || std::isnan(gl[i])) continue;
+    ++hit;
+    largest = std::max(largest, std::abs(static_cast<double>(cpu[i]) - static_cast<double>(gl[i])));
+  }
+  EXPECT_EQ(same, cpu.size());
+  EXPECT_GT(hit, cpu.size() / 2);
+  EXPECT_LT(hit, cpu.size());
+  EXPECT_LT(largest, 2e-5 * 8);
+}
+
+TEST(DepthCapture, CellsWithNothingInFrontAreNotNumbers) {
+  const Scan mesh = test::latticeMesh(2, 2, 10, [](double, double) { return 5.0; });
+  const GridFrame frame = frameOf(40, 20, 1);
+  const FrontDepths depths = captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame});
+  EXPECT_NEAR(depths[frame.size.index({5, 5})], 5, 1e-5);
+  EXPECT_TRUE(std::isnan(depths[frame.size.index({15, 5})]));
+  EXPECT_TRUE(std::isnan(depths[frame.size.index({5, 15})]));
+}
+
+TEST(DepthCapture, AnEmptyScanGivesNothing) {
+  const Scan nothing;
+  const FrontDepths depths =
+      captureDepths({.scan = nothing, .view_from_file = {}, .frame = frameOf(3, 2, 1)});
+  EXPECT_EQ(depths.size(), 6U);
+  EXPECT_TRUE(std::all_of(depths.begin(), depths.end(), [](float z) { return std::isnan(z); }));
+}
+
+TEST(DepthCapture, RepeatsItselfBitByBit) {
+  const Scan mesh = scatteredMesh(100, 60, waves);
+  const DepthRequest request{.scan = mesh, .view_from_file = {}, .frame = frameOf(301, 301, 0.2)};
+  const FrontDepths once = captureDepths(request), again = captureDepths(request);
+  EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(float)), 0);
+}
+
+TEST(DepthCapture, StopsWhenAsked) {
+  const Scan mesh = scatteredMesh(400, 60, waves);
+  std::stop_source stop;
+  Task task;
+  task.stop = stop.get_token();
+  task.progress = [&](std::string_view, double) { stop.request_stop(); };
+  EXPECT_THROW(
+      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frameOf(301, 301, 0.2)}, task),
+      Cancelled);
+}
+
+TEST(DepthCapture, WithoutADisplayItSaysSo) {
+  const std::string display = std::getenv("DISPLAY") ? std::getenv("DISPLAY") : "";
+  unsetenv("DISPLAY");
+  const Scan mesh = test::latticeMesh(2, 2, 10, [](double, double) { return 5.0; });
+  EXPECT_THROW(captureDepths({.scan = mesh, .view_from_file = {}, .frame = frameOf(11, 11, 1)}),
+               GraphicsError);
+  setenv("DISPLAY", display.c_str(), 1);
+}
+
+}  // namespace
+}  // namespace relievo
