@@ -145,7 +145,8 @@ std::vector<std::string> spreadLibraries(const IncludeTable& table,
             return !i.quoted && libraryOf(table, i.header) == name;
           })) {
         ++count;
-        users += " " + path;
+        users += ' ';
+        users += path;
       }
     }
     if (count > 1) found.push_back(library + " is included by more than one file:" + users);

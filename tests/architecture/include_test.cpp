@@ -11,11 +11,11 @@ namespace relievo::architecture {
 namespace {
 
 const IncludeTable& table() {
-  static const IncludeTable table = [] {
+  static const IncludeTable kTable = [] {
     std::ifstream in(RELIEVO_SOURCE_DIR "/tests/architecture/allowed_includes.txt");
     return parseTable(std::string(std::istreambuf_iterator<char>(in), {}));
   }();
-  return table;
+  return kTable;
 }
 
 std::size_t found(const std::string& path, const std::string& source) {

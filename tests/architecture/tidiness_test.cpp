@@ -31,8 +31,8 @@ bool namesAMachine(const std::string& text) {
 }
 
 bool isUnfinished(const std::string& text) {
-  static const std::string kToDo = std::string("TO") + "DO";
-  static const std::string kFixMe = std::string("FIX") + "ME";
+  static const std::string kToDo = std::string("TO").append("DO");
+  static const std::string kFixMe = std::string("FIX").append("ME");
   return text.find(kToDo) != std::string::npos || text.find(kFixMe) != std::string::npos;
 }
 
