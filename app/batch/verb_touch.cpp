@@ -2,8 +2,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "app/batch/force_plot.h"
 #include "app/batch/json.h"
 #include "app/batch/verb.h"
+#include "core/region/hand.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/stroke.h"
 
@@ -13,7 +15,7 @@ namespace {
 struct TouchArguments {
   MapArguments map;
   RegionArguments region;
-  std::string stroke, out;
+  std::string stroke, out, plot;
   std::string surface = "auto", proxy = "converged", frame = "view", safety = "off";
   double stiffness_n_per_mm = 0.5;
   double friction = 0, damping = 0;
@@ -59,6 +61,30 @@ std::string logHeader(const TouchArguments& a, const Surface& surface, const Reg
          a.proxy + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm, safety " + a.safety;
 }
 
+/// What a stroke showed, judged without the solver: by the window's own bilinear heights.
+struct StrokeFindings {
+  double largest_force_n = 0;
+  double off_surface_mm = 0;       ///< Largest distance in z of a touching proxy from the surface.
+  double force_to_normal_deg = 0;  ///< Largest angle between force and surface normal.
+  std::uint64_t contact_ticks = 0;
+
+  void add(const HapticSample& sample, const RegionWindow& window) {
+    if (!sample.contact) return;
+    ++contact_ticks;
+    const double force_n = norm(sample.force);
+    largest_force_n = std::max(largest_force_n, force_n);
+    const ViewMm& proxy = sample.proxy_view;
+    off_surface_mm =
+        std::max(off_surface_mm, std::abs(proxy.z - windowHeightMm(window, proxy.x, proxy.y)));
+    if (force_n < 1e-6) return;
+    const DeviceN along{sample.normal.x, sample.normal.y, sample.normal.z};
+    const DeviceN across = (1 / force_n) * sample.force - along;
+    // Chord to angle: exact for small angles, where the arc cosine is not.
+    const double angle = 2 * std::asin(std::min(1.0, 0.5 * norm(across)));
+    force_to_normal_deg = std::max(force_to_normal_deg, angle * 180 / 3.14159265358979323846);
+  }
+};
+
 Outcome runTouch(const TouchArguments& a, const Task& task) {
   const StrokeOptions options = strokeOptions(a);
   const Stroke stroke = readStroke(a.stroke);
@@ -73,15 +99,25 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
        {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()});
 
   LogWriter log(a.out, logHeader(a, surface, region));
-  double largest_n = 0;
+  StrokeFindings findings;
+  std::vector<PlotRow> plot;
   const std::uint64_t ticks = runStroke(
       *space, options, stroke,
       [&](const HapticSample& sample, double t_s) {
-        largest_n = std::max(largest_n, norm(sample.force));
+        findings.add(sample, window);
+        if (!a.plot.empty()) {
+          plot.push_back({.t_s = t_s,
+                          .hip_z_mm = sample.hip_view.z,
+                          .proxy_z_mm = sample.proxy_view.z,
+                          .force_n = norm(sample.force)});
+        }
         log.write(sample, t_s);
       },
       task);
   log.close();
+  if (!a.plot.empty()) {
+    writeForcePlot(a.plot, plot, surface.info.file.filename().string() + ", proxy " + a.proxy);
+  }
 
   const HandMapping hand = handMapping(window);
   Json json;
@@ -96,7 +132,10 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["view_from_file"] = jsonOf(surface.view_from_file);
   json["gain"] = window.gain;
   json["safety"] = a.safety;
-  json["largest_force_n"] = largest_n;
+  json["largest_force_n"] = findings.largest_force_n;
+  json["contact_ticks"] = findings.contact_ticks;
+  json["proxy_off_surface_mm"] = findings.off_surface_mm;
+  json["force_to_normal_deg"] = findings.force_to_normal_deg;
   return {.json = json.dump(2),
           .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
                     json["largest_force_n"].dump() + " N, 1 mm of hand = " +
@@ -116,6 +155,7 @@ Verb touchVerb() {
             addRegionOptions(verb, arguments->region);
             verb.add_option("--stroke", arguments->stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
             verb.add_option("-o,--output", arguments->out, "LOG.csv")->required();
+            verb.add_option("--plot", arguments->plot, "Also draw z and force against time, SVG");
             verb.add_option("--surface", arguments->surface, "exact or auto");
             verb.add_option("--proxy", arguments->proxy,
                             "converged, equation (the paper's eq. 2) or successive");

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/force_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+
+#include "core/base/error.h"
+
+namespace relievo::batch {
+namespace {
+
+constexpr double kWidth = 640;  // SVG units; text is 11 of them high.
+constexpr double kLeft = 64;
+constexpr double kRight = 16;
+constexpr std::size_t kMostPoints = 4000;  // Per curve; a longer stroke is thinned by min and max.
+
+struct Axis {
+  double low = 0, high = 1, step = 0.2;
+};
+
+/// Round steps (1, 2, 5 times a power of ten) and limits that are multiples of them.
+Axis axisFor(double low, double high) {
+  if (!(high - low > 1e-9)) {
+    low -= 0.5;
+    high += 0.5;
+  }
+  const double raw = (high - low) / 5;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0}) {
+    if (factor * power >= raw) step = factor * power;
+  }
+  return {
+      .low = std::floor(low / step) * step, .high = std::ceil(high / step) * step, .step = step};
+}
+
+std::string fixed(double value, int digits) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+std::string tickText(double value, double step) {
+  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  return fixed(std::abs(value) < 1e-12 ? 0 : value, digits);
+}
+
+std::string textAt(double x, double y, const std::string& anchor, const std::string& text,
+                   const std::string& more = {}) {
+  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" text-anchor=\"" + anchor +
+         "\"" + more + ">" + text + "</text>\n";
+}
+
+std::string lineAt(double x1, double y1, double x2, double y2, const std::string& colour) {
+  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
+         "\" y2=\"" + fixed(y2, 1) + "\" stroke=\"" + colour + "\"/>\n";
+}
+
+/// One diagram: a box with grid lines, labels and curves.
+class Panel {
+ public:
+  Panel(double top, double height, Axis time, Axis value)
+      : top_(top), height_(height), time_(time), value_(value) {}
+
+  double x(double t) const {
+    return kLeft + (t - time_.low) / (time_.high - time_.low) * (kWidth - kLeft - kRight);
+  }
+  double y(double v) const {
+    return top_ + height_ * (1 - (v - value_.low) / (value_.high - value_.low));
+  }
+
+  std::string frame(const std::string& label, bool with_time) const {
+    std::string svg;
+    for (double v = value_.low; v <= value_.high + 0.5 * value_.step; v += value_.step) {
+      svg += lineAt(kLeft, y(v), kWidth - kRight, y(v), "#dddddd");
+      svg += textAt(kLeft - 6, y(v) + 4, "end", tickText(v, value_.step));
+    }
+    for (double t = time_.low; t <= time_.high + 0.5 * time_.step; t += time_.step) {
+      svg += lineAt(x(t), top_, x(t), top_ + height_, "#dddddd");
+      if (with_time) svg += textAt(x(t), top_ + height_ + 16, "middle", tickText(t, time_.step));
+    }
+    const double middle = top_ + 0.5 * height_;
+    svg += textAt(16, middle, "middle", label,
+                  " transform=\"rotate(-90 16 " + fixed(middle, 1) + ")\"");
+    return svg;
+  }
+
+  std::string curve(const std::vector<PlotRow>& rows,
+                    const std::function<double(const PlotRow&)>& value,
+                    const std::string& style) const {
+    std::string svg = "<polyline fill=\"none\" " + style + " points=\"";
+    const std::size_t bin = std::max<std::size_t>(1, 2 * rows.size() / kMostPoints);
+    for (std::size_t i = 0; i < rows.size(); i += bin) {
+      const auto first = rows.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto last = rows.begin() + static_cast<std::ptrdiff_t>(std::min(i + bin, rows.size()));
+      auto [low, high] = std::minmax_element(
+          first, last, [&](const PlotRow& a, const PlotRow& b) { return value(a) < value(b); });
+      if (low->t_s > high->t_s) std::swap(low, high);
+      svg += fixed(x(low->t_s), 2) + "," + fixed(y(value(*low)), 2) + " ";
+      if (low != high) svg += fixed(x(high->t_s), 2) + "," + fixed(y(value(*high)), 2) + " ";
+    }
+    return svg + "\"/>\n";
+  }
+
+ private:
+  double top_, height_;
+  Axis time_, value_;
+};
+
+Axis rangeOf(const std::vector<PlotRow>& rows,
+             const std::vector<std::function<double(const PlotRow&)>>& values) {
+  double low = 1e300;
+  double high = -1e300;
+  for (const PlotRow& row : rows) {
+    for (const auto& value : values) {
+      low = std::min(low, value(row));
+      high = std::max(high, value(row));
+    }
+  }
+  return axisFor(low, high);
+}
+
+}  // namespace
+
+std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title) {
+  const auto hip = [](const PlotRow& row) { return row.hip_z_mm; };
+  const auto proxy = [](const PlotRow& row) { return row.proxy_z_mm; };
+  const auto force = [](const PlotRow& row) { return row.force_n; };
+  if (rows.empty()) throw ArgumentError("There is nothing to plot: the stroke has no ticks.");
+  Axis time = axisFor(rows.front().t_s, rows.back().t_s);
+  time.high = std::max(rows.back().t_s, time.low + 1e-3);
+  const Panel heights(36, 200, time, rangeOf(rows, {hip, proxy}));
+  const Panel forces(260, 140, time, rangeOf(rows, {force}));
+
+  std::string svg =
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 450\" width=\"640\" "
+      "height=\"450\" font-family=\"sans-serif\" font-size=\"11\">\n"
+      "<rect width=\"640\" height=\"450\" fill=\"white\"/>\n";
+  svg += textAt(kLeft, 22, "start", title, " font-size=\"13\"");
+  svg += heights.frame("z (mm)", false);
+  svg += forces.frame("force (N)", true);
+  svg += textAt(0.5 * (kLeft + kWidth - kRight), 438, "middle", "time (s)");
+  // Dashes and width tell the curves apart without colour, too.
+  svg += heights.curve(rows, proxy, "stroke=\"#1f5fd0\" stroke-width=\"2\"");
+  svg +=
+      heights.curve(rows, hip, "stroke=\"#d02020\" stroke-width=\"1.3\" stroke-dasharray=\"5 2\"");
+  svg += forces.curve(rows, force, "stroke=\"#222222\" stroke-width=\"1.5\"");
+  svg += textAt(kWidth - kRight - 4, 50, "end", "HIP", " fill=\"#d02020\"");
+  svg += textAt(kWidth - kRight - 34, 50, "end", "proxy", " fill=\"#1f5fd0\"");
+  return svg + "</svg>\n";
+}
+
+void writeForcePlot(const std::filesystem::path& file, const std::vector<PlotRow>& rows,
+                    const std::string& title) {
+  std::ofstream stream(file);
+  stream << forcePlotSvg(rows, title);
+  stream.close();
+  if (!stream) {
+    throw WriteError(file.string() + ": the plot could not be written. Choose another place.");
+  }
+}
+
+}  // namespace relievo::batch

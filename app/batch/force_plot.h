@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace relievo::batch {
+
+/// One row of the paper's force figure.
+struct PlotRow {
+  double t_s = 0;
+  double hip_z_mm = 0, proxy_z_mm = 0;  ///< View mm.
+  double force_n = 0;
+};
+
+/// The paper's force figure as SVG: z of HIP (red) and proxy (blue) above, force below, against
+/// time. Text stays text, lines stay lines.
+std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title);
+
+/// Writes it. @throw WriteError
+void writeForcePlot(const std::filesystem::path& file, const std::vector<PlotRow>& rows,
+                    const std::string& title);
+
+}  // namespace relievo::batch

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace relievo {
+
+/// What a file is, by its content first and its name second.
+enum class FileFormat {
+  ply,
+  pcd,
+  obj,
+  stl,
+  text,
+  tiff,
+  las,
+  laz,
+  e57,
+  three_ds,
+  ptx,
+  other_raster,
+  other,  ///< Known not to be a scan (picture, archive, web page ...).
+};
+
+struct FoundFormat {
+  FileFormat format = FileFormat::other;
+  std::string name;  ///< For messages, with its article: "a LAS file".
+};
+
+/// @param head  the first bytes, at least 64 kB or the whole file
+FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
+                       std::uint64_t file_size);
+
+/// Throws unless this version reads the format as a scan. @throw FileError
+void checkReadableAsScan(const FoundFormat& found, const std::filesystem::path& file);
+
+inline constexpr std::size_t kSniffedBytes = 64 * 1024;
+
+}  // namespace relievo

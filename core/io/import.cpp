@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/import.h"
+
+#include <signal.h>
+
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/io/format.h"
+#include "core/io/pcd_header.h"
+#include "core/io/ply_header.h"
+#include "core/io/read_scan.h"
+#include "core/io/scan_transport.h"
+#include "core/io/worker_process.h"
+
+namespace relievo {
+namespace {
+
+/// What can be seen in the first bytes is refused here, before a process is started.
+void precheck(const std::filesystem::path& file) {
+  const std::uint64_t size = checkedFileSize(file);
+  const std::string head = readHead(file, kMaxHeaderBytes);
+  const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
+  checkReadableAsScan(found, file);
+  if (found.format == FileFormat::ply) parsePlyHeader(head, file);
+  if (found.format == FileFormat::pcd) parsePcdHeader(head, file);
+}
+
+[[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
+                            const WorkerEnd& end) {
+  const std::string words = end.last_words.empty() ? "" : " (\"" + end.last_words + "\")";
+  if (!end.exited && end.number == SIGXCPU) {
+    refuseScan(file, "it takes more than " +
+                         grouped(static_cast<std::uint64_t>(options.max_cpu_s)) +
+                         " s of processor time. Thin it out or cut it into parts first.");
+  }
+  if (!end.exited && end.number == SIGBUS) {
+    refuseScan(file, "it became shorter while it was read, or its disk failed. Try again.");
+  }
+  if (!end.exited && end.number == SIGKILL) {
+    refuseScan(file,
+               "the system stopped the import, probably for lack of memory. Close other "
+               "programs, or thin the scan out first.");
+  }
+  refuseScan(file, "its reader broke down on it" + words +
+                       ". The program is unharmed; the file "
+                       "is probably damaged. Export it again.");
+}
+
+}  // namespace
+
+Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
+  task.check();
+  if (std::getenv(kWorkerMark) != nullptr) {
+    throw ArgumentError(
+        "This program was started as an import worker, but its main() does not "
+        "call runImportWorkerIfAsked first.");
+  }
+  precheck(file);
+  task.report("opening", 0);
+  WorkerProcess worker(file, options);
+  const WorkerEnd end = worker.wait(task);
+  WorkerAnswer answer;
+  if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
+  if (auto* scan = std::get_if<Scan>(&answer)) {
+    scan->info.file = file;
+    return std::move(*scan);
+  }
+  if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
+    throw FileError(refusal->message, refusal->code);
+  }
+  refuseEnd(file, options, end);
+}
+
+bool looksLikeRaster(const std::filesystem::path& file) {
+  const std::uint64_t size = checkedFileSize(file);
+  return findFormat(readHead(file, kSniffedBytes), file, size).format == FileFormat::tiff;
+}
+
+}  // namespace relievo

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies of PCD files. docs/adr/0005-readers.md says which files PCL reads and which we do.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/io/lines.h"
+#include "core/io/pcd_header.h"
+#include "core/io/read_pcl.h"
+#include "core/io/read_scan.h"
+#include "core/io/scan_builder.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kReportEvery = 1 << 16;
+
+class PcdReader {
+ public:
+  PcdReader(const ReadJob& job, const PcdHeader& header)
+      : job_(job),
+        header_(header),
+        builder_(job.file, job.options.max_points),
+        body_(job.bytes.substr(header.body_start)) {}
+
+  Scan read() {
+    constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary", "binary_compressed"};
+    builder_.info().format =
+        "PCD " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
+    switch (header_.encoding) {
+      case PcdEncoding::ascii:
+        readRows();
+        break;
+      case PcdEncoding::binary:
+        readRecords();
+        break;
+      case PcdEncoding::binary_compressed:
+        readCompressed();
+        break;
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void checkLimit() const {
+    if (header_.points > job_.options.max_points) {
+      refuseScan(job_.file, "it promises " + std::to_string(header_.points) +
+                                " points, more than the limit of " +
+                                std::to_string(job_.options.max_points) + ". Thin it out first.");
+    }
+  }
+
+  void report(std::uint64_t point) const {
+    if (point % kReportEvery != 0) return;
+    job_.task.check();
+    job_.task.report("reading points",
+                     static_cast<double>(point) / static_cast<double>(header_.points));
+  }
+
+  void shortOf(std::uint64_t found) {
+    handleShortfall({"points", header_.points, found, found}, job_, builder_.info());
+  }
+
+  void readByPcl() {
+    checkLimit();
+    if (header_.points == 0) return;
+    job_.task.report("reading points", 0);
+    builder_.expectPoints(header_.points);
+    readPcdPointsByPcl(job_.file, header_.points, builder_);
+  }
+
+  void readRecords() {
+    const std::uint64_t found = std::min(header_.points, body_.size() / header_.record_bytes);
+    // PCL knows no 64-bit whole numbers and takes complete files only.
+    if (found == header_.points && !hasWide()) return readByPcl();
+    if (found < header_.points) shortOf(found);
+    builder_.expectPoints(found);
+    for (std::uint64_t i = 0; i < found; ++i) {
+      report(i);
+      const char* const record = body_.data() + i * header_.record_bytes;
+      std::array<double, 3> p{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const PcdField& field = header_.fields[header_.xyz[axis]];
+        p[axis] = loadDouble(record + field.offset, field.type, ByteOrder::little);
+      }
+      builder_.addPoint(p[0], p[1], p[2]);
+    }
+  }
+
+  bool hasWide() const {
+    return std::any_of(header_.fields.begin(), header_.fields.end(), [](const PcdField& field) {
+      return field.type == ScalarType::i64 || field.type == ScalarType::u64;
+    });
+  }
+
+  void readCompressed() {
+    if (hasWide()) {
+      refuseScan(job_.file,
+                 "it has 64-bit whole numbers in compressed form, which are not read. "
+                 "Save it uncompressed.");
+    }
+    checkLimit();
+    if (body_.size() < 8) refuseCut();
+    const std::uint64_t packed = loadAs<std::uint32_t>(body_.data(), ByteOrder::little);
+    const std::uint64_t unpacked = loadAs<std::uint32_t>(body_.data() + 4, ByteOrder::little);
+    if (unpacked != header_.points * header_.record_bytes) {
+      refuseScan(job_.file, "its compressed data hold " + std::to_string(unpacked) +
+                                " bytes, not those of " + std::to_string(header_.points) +
+                                " points. The file is damaged; export it again.");
+    }
+    if (packed > body_.size() - 8) refuseCut();
+    readByPcl();
+  }
+
+  [[noreturn]] void refuseCut() const {
+    refuseScan(job_.file, "header promises " + std::to_string(header_.points) +
+                              " points, but the compressed data are cut, and no part of them can "
+                              "be read. Copy or export it again.");
+  }
+
+  void readRows() {
+    Lines lines(body_, header_.body_first_line);
+    std::uint64_t found = 0;
+    builder_.expectPoints(std::min<std::uint64_t>(header_.points, body_.size() / 6 + 1));
+    while (found < header_.points && lines.next()) {
+      if (trimmed(lines.line()).empty() || lines.line().starts_with('#')) continue;
+      report(found);
+      // A last line without its end may be half a row, unless it is the last one promised.
+      const bool may_be_cut = lines.rest().empty() && !lines.ended();
+      if (may_be_cut && found + 1 < header_.points) break;
+      if (!readRow(lines, may_be_cut)) break;
+      ++found;
+    }
+    if (found < header_.points) shortOf(found);
+  }
+
+  /// @return  false if the row ends too early and may do so, because the file ends there
+  bool readRow(const Lines& lines, bool may_be_cut) {
+    std::array<std::string_view, 3> words;
+    std::string_view rest = lines.line();
+    const PcdField& last_field = header_.fields.back();
+    const std::uint64_t columns = last_field.column + last_field.count;
+    for (std::uint64_t column = 0; column < columns; ++column) {
+      const std::string_view word = takeWord(rest);
+      if (word.empty()) {
+        if (may_be_cut) return false;
+        refuseRow(lines, "has fewer numbers than the header says");
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (header_.fields[header_.xyz[axis]].column == column) words[axis] = word;
+      }
+    }
+    std::array<double, 3> p{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto value = parseNumber(words[axis]);
+      if (!value) refuseRow(lines, "does not hold three coordinates");
+      p[axis] = *value;
+    }
+    builder_.addPoint(p[0], p[1], p[2]);
+    return true;
+  }
+
+  [[noreturn]] void refuseRow(const Lines& lines, const std::string& finding) const {
+    refuseScan(job_.file, "line " + std::to_string(lines.number()) + " (\"" +
+                              std::string(trimmed(lines.line()).substr(0, 60)) + "\") " + finding +
+                              ". The file is damaged; export it again.");
+  }
+
+  const ReadJob& job_;
+  const PcdHeader& header_;
+  ScanBuilder builder_;
+  std::string_view body_;
+};
+
+}  // namespace
+
+Scan readPcd(const ReadJob& job) {
+  const PcdHeader header = parsePcdHeader(job.bytes, job.file);
+  return PcdReader(job, header).read();
+}
+
+}  // namespace relievo

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bodies of PLY files. docs/adr/0005-readers.md says which files PCL reads and which we do.
+#include <algorithm>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/io/lines.h"
+#include "core/io/ply_header.h"
+#include "core/io/read_pcl.h"
+#include "core/io/read_scan.h"
+#include "core/io/scan_builder.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kReportEvery = 1 << 16;
+
+/// What one record of an element contributes; filled by the two bodies below.
+struct Record {
+  std::array<double, 3> xyz{};
+  std::vector<std::int64_t> corners;
+};
+
+class PlyReader {
+ public:
+  PlyReader(const ReadJob& job, const PlyHeader& header)
+      : job_(job),
+        header_(header),
+        builder_(job.file, job.options.max_points),
+        body_(job.bytes.substr(header.body_start)),
+        lines_(body_, header.body_first_line) {}
+
+  Scan read() {
+    constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary_little_endian",
+                                                         "binary_big_endian"};
+    builder_.info().format =
+        "PLY " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
+    const bool ascii = header_.encoding == PlyEncoding::ascii;
+    for (element_ = 0; element_ < header_.elements.size(); ++element_) {
+      const PlyElement& element = header_.elements[element_];
+      if (isVertex() && pclReadsRight() && readVerticesByPcl()) continue;
+      if (isVertex()) builder_.expectPoints(std::min(element.count, possibleRecords(element)));
+      const std::uint64_t found = ascii ? readLines(element) : readRecords(element);
+      if (found < element.count && !acceptCut(element, found)) break;
+    }
+    noteUnreadFaces();
+    return builder_.finish();
+  }
+
+ private:
+  bool isVertex() const noexcept { return element_ == header_.vertex_element; }
+  bool isFace() const noexcept { return element_ == header_.face_element; }
+
+  /// Records that the rest of the file could hold at most.
+  std::uint64_t possibleRecords(const PlyElement& element) const {
+    const bool ascii = header_.encoding == PlyEncoding::ascii;
+    const std::uint64_t rest = ascii ? lines_.rest().size() : body_.size() - at_;
+    const std::uint64_t least = ascii ? 2 * element.properties.size() : element.leastBytes();
+    return least == 0 ? element.count : rest / least + 1;
+  }
+
+  /// @return  true to go on although the element is cut
+  bool acceptCut(const PlyElement& element, std::uint64_t found) {
+    const bool needed_later = builder_.pointCount() < header_.vertices().count;
+    if (!isVertex() && !isFace() && !needed_later) {
+      builder_.info().warnings.push_back("The file ends early, within \"" + element.name +
+                                         "\"; all points were loaded.");
+      return false;
+    }
+    Shortfall shortfall;
+    if (isFace()) {
+      shortfall = {"faces", element.count, found, builder_.pointCount()};
+    } else {
+      const std::uint64_t points = builder_.pointCount();
+      shortfall = {"points", header_.vertices().count, points, points};
+    }
+    handleShortfall(shortfall, job_, builder_.info());
+    return false;
+  }
+
+  void noteUnreadFaces() {
+    for (const PlyElement& element : header_.elements) {
+      const bool faces = element.name == "face" && !header_.face_element;
+      if (element.count > 0 && (faces || element.name == "tristrips")) {
+        builder_.info().warnings.push_back("Its \"" + element.name +
+                                           "\" records are of a kind that is not read; the points "
+                                           "were loaded without faces.");
+      }
+    }
+  }
+
+  void report(std::uint64_t record, std::uint64_t count) {
+    if (record % kReportEvery != 0) return;
+    job_.task.check();
+    const auto share = static_cast<double>(record) / static_cast<double>(count);
+    job_.task.report(isFace() ? "reading faces" : "reading points", share);
+  }
+
+  void take(const Record& record) {
+    if (isVertex()) builder_.addPoint(record.xyz[0], record.xyz[1], record.xyz[2]);
+    if (isFace()) builder_.addFace(record.corners);
+  }
+
+  // ---- PCL ---------------------------------------------------------------------------------
+
+  /// Complete binary points before everything else, as float or double and without lists: what
+  /// PCL reads right. Faces must be of the one kind that its parser knows.
+  bool pclReadsRight() const {
+    const PlyElement& vertices = header_.vertices();
+    if (header_.encoding == PlyEncoding::ascii || element_ != 0 || vertices.hasList()) return false;
+    if (header_.elements.size() > (header_.face_element ? 2U : 1U)) return false;
+    if (vertices.count == 0 || vertices.count > body_.size() / vertices.leastBytes()) return false;
+    for (const std::size_t axis : header_.xyz) {
+      if (isWhole(vertices.properties[axis].type)) return false;
+    }
+    return !header_.face_element || facesAreCompleteAndPlain();
+  }
+
+  bool facesAreCompleteAndPlain() const {
+    const PlyElement& faces = header_.elements[*header_.face_element];
+    if (faces.properties.size() != 1 || faces.properties[0].list_length != ScalarType::u8) {
+      return false;
+    }
+    const ScalarType index = faces.properties[0].type;
+    if (index != ScalarType::i32 && index != ScalarType::u32) return false;
+    std::uint64_t at = header_.vertices().count * header_.vertices().leastBytes();
+    for (std::uint64_t i = 0; i < faces.count; ++i) {
+      if (at >= body_.size()) return false;
+      at += 1 + 4ULL * static_cast<unsigned char>(body_[at]);
+    }
+    return at <= body_.size();
+  }
+
+  bool readVerticesByPcl() {
+    const std::uint64_t count = header_.vertices().count;
+    if (count > job_.options.max_points) return false;  // Our reader says so, before it allocates.
+    job_.task.report("reading points", 0);
+    builder_.expectPoints(count);
+    readPlyPointsByPcl(job_.file, count, builder_);
+    at_ = count * header_.vertices().leastBytes();
+    return true;
+  }
+
+  // ---- binary ------------------------------------------------------------------------------
+
+  /// @return  complete records found
+  std::uint64_t readRecords(const PlyElement& element) {
+    if (element.properties.empty()) return element.count;
+    if (!isVertex() && !isFace() && !element.hasList()) return skipRecords(element);
+    Record record;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      report(i, element.count);
+      if (!readRecord(element, record)) return i;
+      take(record);
+    }
+    return element.count;
+  }
+
+  std::uint64_t skipRecords(const PlyElement& element) {
+    const std::uint64_t bytes = element.leastBytes();
+    const std::uint64_t found = std::min(element.count, (body_.size() - at_) / bytes);
+    at_ += found * bytes;
+    return found;
+  }
+
+  bool readRecord(const PlyElement& element, Record& record) {
+    std::size_t at = at_;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      const std::size_t first = byteSize(property.list_length.value_or(property.type));
+      if (first > body_.size() - at) return false;
+      if (!property.list_length) {
+        if (isVertex()) takeCoordinate(p, property, at, record);
+        at += first;
+        continue;
+      }
+      const auto length = static_cast<std::int64_t>(
+          loadDouble(body_.data() + at, *property.list_length, header_.byteOrder()));
+      at += first;
+      if (length < 0) {
+        refuseScan(job_.file, "a list in it has the length " + std::to_string(length) +
+                                  ". The file is damaged; export it again.");
+      }
+      const std::size_t item = byteSize(property.type);
+      if (static_cast<std::uint64_t>(length) > (body_.size() - at) / item) return false;
+      if (isFace() && p == header_.face_corners) takeCorners(property, at, length, record);
+      at += static_cast<std::size_t>(length) * item;
+    }
+    at_ = at;
+    return true;
+  }
+
+  void takeCoordinate(std::size_t p, const PlyProperty& property, std::size_t at, Record& record) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (header_.xyz[axis] == p) {
+        record.xyz[axis] = loadDouble(body_.data() + at, property.type, header_.byteOrder());
+      }
+    }
+  }
+
+  void takeCorners(const PlyProperty& property, std::size_t at, std::int64_t length,
+                   Record& record) {
+    record.corners.clear();
+    for (std::int64_t i = 0; i < length; ++i) {
+      const char* const item =
+          body_.data() + at + static_cast<std::size_t>(i) * byteSize(property.type);
+      record.corners.push_back(
+          static_cast<std::int64_t>(loadDouble(item, property.type, header_.byteOrder())));
+    }
+  }
+
+  // ---- text --------------------------------------------------------------------------------
+
+  [[noreturn]] void refuseLine(const std::string& finding) const {
+    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
+                              std::string(trimmed(lines_.line()).substr(0, 60)) + "\") " + finding +
+                              ". The file is damaged; export it again.");
+  }
+
+  std::uint64_t readLines(const PlyElement& element) {
+    if (element.properties.empty()) return element.count;
+    Record record;
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      report(i, element.count);
+      do {
+        if (!lines_.next()) return i;
+      } while (trimmed(lines_.line()).empty());
+      const bool last_of_file = lines_.rest().empty();
+      const bool may_be_cut = last_of_file && !lines_.ended();
+      // A last line without its end may be half a record, unless it is the last one promised.
+      const bool promised_more = i + 1 < element.count || element_ + 1 < header_.elements.size();
+      if (may_be_cut && promised_more) return i;
+      if (!readLine(element, may_be_cut, record)) return i;
+      take(record);
+    }
+    return element.count;
+  }
+
+  /// @return  false if the line ends too early and may do so, because the file ends there
+  bool readLine(const PlyElement& element, bool may_be_cut, Record& record) {
+    std::string_view rest = lines_.line();
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      const PlyProperty& property = element.properties[p];
+      const std::string_view word = takeWord(rest);
+      if (word.empty()) {
+        if (may_be_cut) return false;
+        refuseLine("has too few numbers");
+      }
+      if (property.list_length) {
+        if (!readList(p, word, rest, may_be_cut, record)) return false;
+        continue;
+      }
+      if (!isVertex()) continue;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (header_.xyz[axis] == p) record.xyz[axis] = coordinate(word);
+      }
+    }
+    return true;
+  }
+
+  /// The digits of the text, even if the property says float: they are what was measured.
+  double coordinate(std::string_view word) const {
+    const auto value = parseNumber(word);
+    if (!value) refuseLine("does not hold three coordinates");
+    return *value;
+  }
+
+  bool readList(std::size_t p, std::string_view length_word, std::string_view& rest,
+                bool may_be_cut, Record& record) {
+    const auto length = parseWhole<std::uint64_t>(length_word);
+    if (!length) refuseLine("has a list without a usable length");
+    const bool corners = isFace() && p == header_.face_corners;
+    if (corners) record.corners.clear();
+    for (std::uint64_t i = 0; i < *length; ++i) {
+      const std::string_view word = takeWord(rest);
+      if (word.empty()) {
+        if (may_be_cut) return false;
+        refuseLine("has a list shorter than it says");
+      }
+      if (corners) record.corners.push_back(parseWhole<std::int64_t>(word).value_or(-1));
+    }
+    return true;
+  }
+
+  const ReadJob& job_;
+  const PlyHeader& header_;
+  ScanBuilder builder_;
+  std::string_view body_;
+  std::size_t element_ = 0;
+  std::size_t at_ = 0;  ///< Binary: next byte of the body.
+  Lines lines_;         ///< Text: next line.
+};
+
+}  // namespace
+
+Scan readPly(const ReadJob& job) {
+  const PlyHeader header = parsePlyHeader(job.bytes, job.file);
+  return PlyReader(job, header).read();
+}
+
+}  // namespace relievo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/base/task.h"
+#include "core/cloud/scan.h"
+#include "core/io/import.h"
+
+namespace relievo {
+
+/// What every reader gets: the file mapped into memory, and what the caller wants of it.
+struct ReadJob {
+  const std::filesystem::path& file;
+  std::string_view bytes;
+  const ImportOptions& options;
+  const Task& task;
+};
+
+// One function per format, each in its own file; all throw FileError. They run in the worker.
+Scan readPly(const ReadJob& job);
+Scan readPcd(const ReadJob& job);
+Scan readObj(const ReadJob& job);
+Scan readStl(const ReadJob& job);
+Scan readText(const ReadJob& job);
+
+/// Chooses the reader by content and name, and reads in this process. importScan does the same in
+/// a child with limits. @throw FileError
+Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options,
+                  const Task& task);
+
+/// "Cannot read NAME: <reason>"
+[[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);
+
+/// A file that ends before what its header promises.
+struct Shortfall {
+  std::string_view records = "points";  ///< Or "faces".
+  std::uint64_t promised = 0;
+  std::uint64_t found = 0;            ///< Complete ones.
+  std::uint64_t complete_points = 0;  ///< What can be loaded with accept_incomplete.
+};
+
+/// With accept_incomplete a warning in `info`, else E101. @throw FileError
+void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& info);
+
+}  // namespace relievo

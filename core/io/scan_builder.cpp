@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/scan_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
+
+void extend(std::optional<FileBounds>& bounds, const FilePoint& p) {
+  if (!bounds) {
+    bounds = FileBounds{p, p};
+    return;
+  }
+  bounds->min = {std::min(bounds->min.x, p.x), std::min(bounds->min.y, p.y),
+                 std::min(bounds->min.z, p.z)};
+  bounds->max = {std::max(bounds->max.x, p.x), std::max(bounds->max.y, p.y),
+                 std::max(bounds->max.z, p.z)};
+}
+
+/// 0 where the coordinates are about as large as they are spread, so that floats of the file stay
+/// as they are; else their median, which a few flyers cannot move.
+double originOf(std::vector<double>& coordinates) {
+  const auto [low, high] = std::minmax_element(coordinates.begin(), coordinates.end());
+  const double spread = *high - *low;
+  auto middle = coordinates.begin() + static_cast<std::ptrdiff_t>(coordinates.size() / 2);
+  std::nth_element(coordinates.begin(), middle, coordinates.end());
+  return std::abs(*middle) <= spread ? 0 : *middle;
+}
+
+}  // namespace
+
+void ScanBuilder::expectPoints(std::uint64_t count) {
+  scan_.points.reserve(static_cast<std::size_t>(std::min(count, max_points_)));
+}
+
+void ScanBuilder::addPoint(double x, double y, double z) {
+  ScanInfo& info = scan_.info;
+  if (info.points >= max_points_) {
+    throw FileError("Cannot read " + shownName(info.file) + ": it holds more than " +
+                    grouped(max_points_) +
+                    " points, the limit. Thin it out or cut it into parts first.");
+  }
+  ++info.points;
+  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+    skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));
+    return;
+  }
+  constexpr double kFarthest = 1e38;  // Differences of two such numbers are finite in float.
+  if (std::abs(x) > kFarthest || std::abs(y) > kFarthest || std::abs(z) > kFarthest) {
+    skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));
+    ++too_far_;
+    return;
+  }
+  ++info.finite_points;
+  extend(info.bounds, {x, y, z});
+  if (origin_chosen_) {
+    store({x, y, z});
+    return;
+  }
+  sample_.push_back({x, y, z});
+  if (sample_.size() >= kSample) chooseOrigin();
+}
+
+void ScanBuilder::chooseOrigin() {
+  origin_chosen_ = true;
+  if (sample_.empty()) return;
+  std::array<double, 3> origin{};
+  std::vector<double> axis(sample_.size());
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::transform(sample_.begin(), sample_.end(), axis.begin(),
+                   [i](const std::array<double, 3>& p) { return p[i]; });
+    origin[i] = originOf(axis);
+  }
+  scan_.origin = {origin[0], origin[1], origin[2]};
+  for (const std::array<double, 3>& p : sample_) store(p);
+  sample_ = {};
+}
+
+void ScanBuilder::store(const std::array<double, 3>& p) {
+  scan_.points.push_back({static_cast<float>(p[0] - scan_.origin.x),
+                          static_cast<float>(p[1] - scan_.origin.y),
+                          static_cast<float>(p[2] - scan_.origin.z)});
+}
+
+void ScanBuilder::addFace(std::span<const std::int64_t> corners) {
+  ++scan_.info.faces;
+  corner_counts_.push_back(static_cast<std::uint32_t>(corners.size()));
+  for (const std::int64_t corner : corners) {
+    const bool possible = corner >= 0 && corner < static_cast<std::int64_t>(kNoPoint);
+    corners_.push_back(possible ? static_cast<std::uint32_t>(corner) : kNoPoint);
+  }
+}
+
+bool ScanBuilder::triangulate(std::span<const std::uint32_t> corners) {
+  if (corners.size() < 3) return false;
+  std::vector<std::uint32_t> kept;
+  kept.reserve(corners.size());
+  for (const std::uint32_t stored : corners) {
+    if (stored >= scan_.info.points) return false;
+    const auto before = std::lower_bound(skipped_.begin(), skipped_.end(), stored);
+    if (before != skipped_.end() && *before == stored) return false;
+    kept.push_back(stored - static_cast<std::uint32_t>(before - skipped_.begin()));
+  }
+  for (std::size_t i = 2; i < kept.size(); ++i) {
+    // A triangle with a corner twice has no area and hides nothing.
+    if (kept[0] == kept[i - 1] || kept[0] == kept[i] || kept[i - 1] == kept[i]) continue;
+    scan_.triangles.push_back({kept[0], kept[i - 1], kept[i]});
+  }
+  return true;
+}
+
+void ScanBuilder::makeTriangles() {
+  std::size_t start = 0;
+  for (const std::uint32_t count : corner_counts_) {
+    if (!triangulate(std::span(corners_).subspan(start, count))) ++scan_.info.dropped_faces;
+    start += count;
+  }
+}
+
+Scan ScanBuilder::finish() {
+  if (!origin_chosen_) chooseOrigin();
+  makeTriangles();
+  ScanInfo& info = scan_.info;
+  if (info.dropped_faces > 0) {
+    info.warnings.push_back(grouped(info.dropped_faces) + " of " + grouped(info.faces) +
+                            " faces were left out: they name points that are not there or not "
+                            "finite, or have fewer than three corners.");
+  }
+  if (too_far_ > 0) {
+    info.warnings.push_back(grouped(too_far_) +
+                            " points beyond 1e38 were left out; they are no measurements.");
+  }
+  if (info.finite_points == 0) {
+    throw FileError("Cannot read " + shownName(info.file) + ": it has " + grouped(info.points) +
+                    " points, none finite. Choose another file.");
+  }
+  if (info.bounds->min == info.bounds->max) {
+    info.warnings.emplace_back(info.finite_points == 1 ? "The scan has one point only."
+                                                       : "All points are the same.");
+  }
+  return std::move(scan_);
+}
+
+}  // namespace relievo

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/task.h"
+#include "core/io/import.h"
+
+namespace relievo {
+
+// What parent and child agree on.
+inline constexpr const char* kWorkerArgument = "--import-worker";
+inline constexpr const char* kWorkerMark = "RELIEVO_IMPORT_WORKER";  ///< Set in its environment.
+inline constexpr int kProgressFd = 3;                                ///< Lines "fraction step".
+inline constexpr int kAnswerFd = 4;                                  ///< scan_transport.h
+inline constexpr int kWorkerArgumentCount = 7;
+
+/// A descriptor that closes itself.
+class OwnedFd {
+ public:
+  explicit OwnedFd(int fd = -1) noexcept : fd_(fd) {}
+  ~OwnedFd() { reset(); }
+  OwnedFd(const OwnedFd&) = delete;
+  OwnedFd& operator=(const OwnedFd&) = delete;
+  void reset(int fd = -1) noexcept;
+  int get() const noexcept { return fd_; }
+
+ private:
+  int fd_;
+};
+
+/// How the child came to its end.
+struct WorkerEnd {
+  bool exited = false;     ///< Else a signal killed it.
+  int number = 0;          ///< Exit status or signal.
+  std::string last_words;  ///< Last printable line it wrote.
+};
+
+/// This program once more, as an import worker: its standard output and error are caught, its
+/// memory file and progress pipe open. Killed and reaped by the destructor, if still running.
+class WorkerProcess {
+ public:
+  /// @throw FileError  the system refuses a further process
+  WorkerProcess(const std::filesystem::path& file, const ImportOptions& options);
+  ~WorkerProcess();
+  WorkerProcess(const WorkerProcess&) = delete;
+  WorkerProcess& operator=(const WorkerProcess&) = delete;
+
+  /// Passes progress on until the child has ended. Looks at the stop token every 50 ms.
+  /// @throw Cancelled  after the child was killed and reaped
+  WorkerEnd wait(const Task& task);
+
+  int answerFd() const noexcept { return answer_.get(); }
+
+ private:
+  void spawn(const std::filesystem::path& file, const ImportOptions& options);
+  bool reap(bool block);
+  void kill();
+  void drain(const Task& task);
+  void passProgress(const Task& task);
+
+  OwnedFd answer_, progress_, words_;                    ///< Our ends.
+  OwnedFd child_answer_, child_progress_, child_words_;  ///< Closed once it runs.
+  pid_t pid_ = -1;                                       ///< -1: none, or reaped.
+  int status_ = 0;
+  std::string progress_text_, words_text_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include "core/io/import.h"
+
+/// main() of a test that imports: importScan starts this same program as its worker.
+int main(int argc, char** argv) {
+  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
+  ::testing::InitGoogleMock(&argc, argv);
+  return RUN_ALL_TESTS();
+}
