@@ -31,7 +31,7 @@ namespace relievo {
 namespace {
 
 constexpr std::array<double, 3> kStone{0.80, 0.785, 0.755};
-constexpr double kHatchPeriodPx = 9;
+constexpr double kHatchPeriodPx = 14;
 
 // Anaglyph for red (left) and cyan (right) glasses, VTK's channel masks. Saturation 0.65 keeps the
 // blue proxy and the red HIP recognisable; the grey relief has no colour to lose.
@@ -53,16 +53,17 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
                                      "  originVSOutput = reliefOrigin;\n"
                                      "  placeVSOutput = vertexMC.xy;\n",
                                      false);
-  shader->AddFragmentShaderReplacement("//VTK::Color::Dec", true,
-                                       "//VTK::Color::Dec\n"
-                                       "in vec2 originVSOutput;\n"
-                                       "in vec2 placeVSOutput;\n"
-                                       "float stripe(float s) {\n"
-                                       "  float soft = clamp(fwidth(s) * 2.0, 0.02, 0.5);\n"
-                                       "  float d = abs(fract(s) - 0.5);\n"
-                                       "  return 1.0 - smoothstep(0.11, 0.11 + soft, d);\n"
-                                       "}\n",
-                                       false);
+  shader->AddFragmentShaderReplacement(
+      "//VTK::Color::Dec", true,
+      "//VTK::Color::Dec\n"
+      "in vec2 originVSOutput;\n"
+      "in vec2 placeVSOutput;\n"
+      "float stripe(float s) {\n"
+      "  float soft = clamp(fwidth(s), 0.02, 0.4);\n"
+      "  float d = abs(fract(s) - 0.5);\n"
+      "  return 1.0 - smoothstep(0.09 - 0.5 * soft, 0.09 + 0.5 * soft, d);\n"
+      "}\n",
+      false);
   // Interpolated cells: a light diagonal hatch. Base plane: darker, crossed.
   shader->AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
@@ -70,8 +71,8 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "  float up = (placeVSOutput.x + placeVSOutput.y) / hatchPeriod;\n"
       "  float down = (placeVSOutput.x - placeVSOutput.y) / hatchPeriod;\n"
       "  float single = stripe(up), crossed = max(single, stripe(down));\n"
-      "  float amount = originVSOutput.x * (0.06 + 0.13 * single)\n"
-      "               + originVSOutput.y * (0.20 + 0.22 * crossed);\n"
+      "  float amount = originVSOutput.x * (0.05 + 0.16 * single)\n"
+      "               + originVSOutput.y * (0.16 + 0.26 * crossed);\n"
       "  vec3 tint = vec3(0.20, 0.27, 0.38);\n"
       "  diffuseColor = mix(diffuseColor, tint, amount);\n"
       "  ambientColor = mix(ambientColor, tint * ambientIntensity, amount);\n",
@@ -197,6 +198,8 @@ void ReliefScene::Impl::placeCamera(const SceneView& v) {
   vtk_camera->SetParallelScale(0.5 * v.height_px * v.mm_per_pixel);
   vtk_camera->SetClippingRange(distance - reach, distance + reach);
   vtk_camera->SetEyeAngle(stereo.eye_angle_deg);
+  // VTK keeps the last mono matrix for the left eye unless the camera itself changed.
+  vtk_camera->Modified();
 }
 
 void ReliefScene::Impl::applyStereo() {
