@@ -5,7 +5,6 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
-#include <vtkUnsignedCharArray.h>
 #include <algorithm>
 #include <QAccessible>
 #include <QAccessibleWidget>
@@ -81,17 +80,6 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     later_.stop();
     prepare();
     renderWindow()->Render();
-  }
-
-  /// Read from VTK's buffer: Qt's copy of it may be one picture behind.
-  QImage pixels() {
-    makeCurrent();
-    const int* size = renderWindow()->GetSize();
-    vtkNew<vtkUnsignedCharArray> rgb;
-    renderWindow()->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, rgb);
-    const QImage upside_down(rgb->GetPointer(0), size[0], size[1], 3 * size[0],
-                             QImage::Format_RGB888);
-    return upside_down.mirrored();
   }
 
  protected:
@@ -214,6 +202,7 @@ double SurfaceView::mmPerPixel() const {
 }
 
 QImage SurfaceView::shot() {
+  canvas_->renderIfStale();
   return canvas_->grabFramebuffer();
 }
 
