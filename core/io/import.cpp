@@ -64,6 +64,7 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
   task.report("opening", 0);
   WorkerProcess worker(file, options);
   const WorkerEnd end = worker.wait(task);
+  task.check();
   WorkerAnswer answer;
   if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
   if (auto* scan = std::get_if<Scan>(&answer)) {

@@ -51,10 +51,10 @@ class HeaderParser {
     }
     while (lines_.next()) {
       if (lines_.line().size() > 4096) refuseLine("is too long for a PLY header");
+      if (!lines_.ended()) break;
       std::string_view rest = lines_.line();
       const std::string_view word = takeWord(rest);
       if (word == "end_header") {
-        if (!lines_.ended()) break;
         header_.body_start = head_.size() - lines_.rest().size();
         header_.body_first_line = lines_.number();
         check();

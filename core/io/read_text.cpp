@@ -202,9 +202,15 @@ class TextReader {
     std::array<double, 3> p{};
     int found = 0;
     std::string_view rest = lines_.line();
+    bool last_is_empty =  // "1,2,"
+        style_.separator != 0 && trimmed(rest).ends_with(style_.separator);
     const std::size_t last = *std::max_element(place_.begin(), place_.end());
     for (std::size_t column = 0; column <= last; ++column) {
-      const auto text = takeColumn(rest, style_.separator);
+      auto text = takeColumn(rest, style_.separator);
+      if (!text && last_is_empty) {
+        text = "";
+        last_is_empty = false;
+      }
       if (!text) break;
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (place_[axis] != column) continue;

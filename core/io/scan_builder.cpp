@@ -24,14 +24,19 @@ void extend(std::optional<FileBounds>& bounds, const FilePoint& p) {
                  std::max(bounds->max.z, p.z)};
 }
 
+double medianOf(std::vector<double>& numbers) {
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
 /// 0 where the coordinates are about as large as they are spread, so that floats of the file stay
-/// as they are; else their median, which a few flyers cannot move.
+/// as they are; else their median. Medians, because a few flyers cannot move them.
 double originOf(std::vector<double>& coordinates) {
-  const auto [low, high] = std::minmax_element(coordinates.begin(), coordinates.end());
-  const double spread = *high - *low;
-  auto middle = coordinates.begin() + static_cast<std::ptrdiff_t>(coordinates.size() / 2);
-  std::nth_element(coordinates.begin(), middle, coordinates.end());
-  return std::abs(*middle) <= spread ? 0 : *middle;
+  const double middle = medianOf(coordinates);
+  for (double& c : coordinates) c = std::abs(c - middle);
+  // Evenly spread coordinates from 0 to L have the median L/2 and the deviation L/4.
+  return std::abs(middle) <= 3 * medianOf(coordinates) ? 0 : middle;
 }
 
 }  // namespace

@@ -81,6 +81,12 @@ std::string lastPrintableLine(std::string_view text) {
   return last;
 }
 
+/// Not std::to_string, which writes "600,0" in a German process.
+std::string secondsText(double seconds) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.begin(), buffer.end(), seconds).ptr};
+}
+
 class SpawnSettings {
  public:
   SpawnSettings() {
@@ -156,7 +162,7 @@ void WorkerProcess::spawn(const std::filesystem::path& file, const ImportOptions
                                      options.accept_incomplete ? "1" : "0",
                                      std::to_string(options.max_points),
                                      std::to_string(options.max_memory_bytes),
-                                     std::to_string(options.max_cpu_s)};
+                                     secondsText(options.max_cpu_s)};
   std::vector<std::string> environment;
   for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
   environment.push_back(std::string(kWorkerMark) + "=1");
