@@ -53,6 +53,8 @@ function(relievo_add_test path)
   set_tests_properties(${path} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
   if(ARG_DISPLAY)
     list(APPEND ARG_LABELS display)
+    # One at a time: they share a screen, and only one window can have the keyboard.
+    set_tests_properties(${path} PROPERTIES RESOURCE_LOCK display)
   endif()
   if(ARG_LABELS)
     set_tests_properties(${path} PROPERTIES LABELS "${ARG_LABELS}")

@@ -96,6 +96,7 @@ RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Reg
   const auto [low, high] = std::minmax_element(window.heights_mm.begin(), window.heights_mm.end());
   window.min_mm = *low;
   window.max_mm = *high;
+  window.levels = static_cast<int>(pyramid.levels.size());
   window.id = contentId(window);
   return window;
 }

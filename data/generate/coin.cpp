@@ -84,13 +84,13 @@ class HeightTable {
     heights_.reserve(static_cast<std::size_t>(kSide) * kSide);
     for (int row = 0; row < kSide; ++row) {
       for (int col = 0; col < kSide; ++col) {
-        heights_.push_back(height({(col - kSide / 2) * kStepMm, (row - kSide / 2) * kStepMm}));
+        heights_.push_back(height({(col - kMiddle) * kStepMm, (row - kMiddle) * kStepMm}));
       }
     }
   }
   double at(double x, double y) const {
-    const int col = static_cast<int>(std::lround(x / kStepMm)) + kSide / 2;
-    const int row = static_cast<int>(std::lround(y / kStepMm)) + kSide / 2;
+    const int col = static_cast<int>(std::lround(x / kStepMm)) + kMiddle;
+    const int row = static_cast<int>(std::lround(y / kStepMm)) + kMiddle;
     if (col < 0 || row < 0 || col >= kSide || row >= kSide) return 0;
     return heights_[static_cast<std::size_t>(row) * kSide + static_cast<std::size_t>(col)];
   }
@@ -98,6 +98,7 @@ class HeightTable {
  private:
   static constexpr double kStepMm = 0.025;
   static constexpr int kSide = 981;
+  static constexpr int kMiddle = kSide / 2;
   std::vector<double> heights_;
 };
 

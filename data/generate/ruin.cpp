@@ -23,8 +23,10 @@ class SiteTable {
  public:
   SiteTable() : heights_(static_cast<std::size_t>(kSide) * kSide) {
     inParallel(heights_.size(), [this](std::size_t i) {
-      heights_[i] = static_cast<float>(siteHeightM(static_cast<double>(i % kSide) * kStepM,
-                                                   static_cast<double>(i / kSide) * kStepM));
+      const std::size_t row = i / kSide;
+      const std::size_t col = i % kSide;
+      heights_[i] = static_cast<float>(
+          siteHeightM(static_cast<double>(col) * kStepM, static_cast<double>(row) * kStepM));
     });
   }
   /// Nothing blocks the view off the site.

@@ -117,7 +117,8 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
 }
 
 void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
-  const std::array<MemoryRegion, 1> memory{{{this, sizeof(*this)}}};  // Buffers and rings lie inside.
+  const std::array<MemoryRegion, 1> memory{
+      {{this, sizeof(*this)}}};  // Buffers and rings lie inside.
   started.set_value(requestRealtime(loop_options.fifo_priority, memory));
 
   const std::int64_t period = loop_options.period_ns;

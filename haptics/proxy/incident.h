@@ -18,6 +18,12 @@ inline IncidentCells incidentCells(double x, double y) RELIEVO_REALTIME {
   const int right = cellOf(x, 1), left = cellOf(x, -1);
   const int top = cellOf(y, 1), low = cellOf(y, -1);
   IncidentCells cells;
+  if (left == right && low == top) {  // The usual case: inside one cell.
+    cells.count = 1;
+    cells.col[0] = left;
+    cells.row[0] = low;
+    return cells;
+  }
   for (int row = low; row <= top; ++row) {
     for (int col = left; col <= right; ++col) {
       cells.col[cells.count] = col;

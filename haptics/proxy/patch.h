@@ -35,9 +35,8 @@ inline constexpr double kLastSample = kWindowSamples - 1;
 inline int cellOf(double x, double direction) RELIEVO_REALTIME {
   if (x < 0 || (x <= 0 && direction < 0)) return kFirstCell;
   if (x > kLastSample || (x >= kLastSample && direction >= 0)) return kLastCell;
-  const double below = std::floor(x);
-  const int cell = static_cast<int>(below);
-  return (x <= below && direction < 0) ? cell - 1 : cell;
+  const int cell = static_cast<int>(x);  // Rounds down: x is not negative here.
+  return (x <= cell && direction < 0) ? cell - 1 : cell;
 }
 
 inline Patch patchAt(const HapticSpace& space, int col, int row) RELIEVO_REALTIME {

@@ -60,7 +60,7 @@ struct HapticSpace {
   /// Height of sample (col, row) in grid units; precondition: 0 <= col, row < 200.
   double gridHeight(int col, int row) const RELIEVO_REALTIME {
     const auto i = static_cast<std::size_t>(row) * kWindowSamples + static_cast<std::size_t>(col);
-    return (static_cast<double>(heights_mm[i]) - mid_mm) / cell_mm;
+    return (static_cast<double>(heights_mm[i]) - mid_mm) * (1 / cell_mm);
   }
   /// Of the sample nearest (x, y); beyond the window that is one of its border.
   Origin originAt(GridPoint p) const RELIEVO_REALTIME;

@@ -34,8 +34,9 @@ class SquareCounts {
   std::size_t empty(const Wanted& wanted) const {
     std::size_t found = 0;
     for (std::size_t i = 0; i < counts_.size(); ++i) {
+      const std::size_t row = i / cols_;
       const double x = left_ + (static_cast<double>(i % cols_) + 0.5) * side_;
-      const double y = bottom_ + (static_cast<double>(i / cols_) + 0.5) * side_;
+      const double y = bottom_ + (static_cast<double>(row) + 0.5) * side_;
       if (counts_[i] == 0 && wanted(x, y)) ++found;
     }
     return found;

@@ -10,8 +10,10 @@
 #include <cerrno>
 #include <cstdlib>
 
+#include <X11/Xlib.h>
+
 #include "core/base/error.h"
-#include "ui/vtk/gl_session.h"
+#include "ui/vtk/display_connection.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -21,6 +23,10 @@ constexpr int kStartTimeoutMs = 20'000;
 
 // Between fork and exec only async-signal-safe calls: the process may have threads.
 [[noreturn]] void becomeXvfb(int display_fd, pid_t parent, const char* fd_text) {
+  // A blocked signal is inherited through exec: Xvfb would never hear its SIGTERM.
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(127);
   fcntl(display_fd, F_SETFD, 0);

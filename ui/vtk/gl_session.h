@@ -6,21 +6,9 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
+#include "ui/vtk/display_connection.h"
+
 namespace relievo {
-
-/// A connection to the X server, if there is one. While it is open, a server that resets when its
-/// last client leaves (Xvfb does) keeps running. A server in the middle of that is waited for.
-class DisplayConnection {
- public:
-  DisplayConnection();
-  ~DisplayConnection();
-  DisplayConnection(const DisplayConnection&) = delete;
-  DisplayConnection& operator=(const DisplayConnection&) = delete;
-  bool isOpen() const { return display_ != nullptr; }
-
- private:
-  Display* display_;
-};
 
 /// Remembers the OpenGL context that is current on this thread and makes it current again at the
 /// end, so that drawing off screen does not disturb a window.

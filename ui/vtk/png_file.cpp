@@ -37,9 +37,15 @@ struct PngText {
   }
 };
 
+// The caller says what went wrong; libpng would also print it.
+[[noreturn]] void leave(png_structp png, png_const_charp) {
+  png_longjmp(png, 1);
+}
+void beQuiet(png_structp, png_const_charp) {}
+
 // libpng leaves by longjmp: nothing with a destructor lives in this function.
 bool encode(std::FILE* file, const RgbImage& image, const png_byte* const* rows, PngText& text) {
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, beQuiet);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   if (!info || setjmp(png_jmpbuf(png))) {
     png_destroy_write_struct(&png, &info);

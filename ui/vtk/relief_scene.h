@@ -26,8 +26,9 @@ struct SurfaceGrid {
 enum class StereoMode { off, anaglyph };
 struct StereoOptions {
   StereoMode mode = StereoMode::off;
-  double eye_angle_deg = 4;             ///< Full angle between the eyes' directions, 0.5 .. 10.
-  std::optional<double> zero_plane_mm;  ///< View z of zero parallax; nothing: mid height.
+  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, 0.5 .. 10.
+  std::optional<double> zero_plane_mm =
+      std::nullopt;  ///< View z of zero parallax; nothing: mid height.
   friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
 };
 

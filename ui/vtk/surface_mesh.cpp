@@ -66,19 +66,46 @@ void SurfaceMesh::classify(const SurfaceGrid& grid) {
   max_mm_ = inside_count ? static_cast<double>(highest) : 0.0;
 }
 
+namespace {
+
+/// The mesh has one more ring of vertices than the grid, half a spacing beyond the outermost
+/// samples and as high as they are: a map covers half a cell more all round.
+GridSize withRing(GridSize size) {
+  return {size.cols + 2, size.rows + 2};
+}
+
+/// Place of mesh column or row `i` in samples from the first one, of `count`.
+double placeOf(int i, int count) {
+  if (i == 0) return -0.5;
+  return i == count + 1 ? count - 0.5 : i - 1.0;
+}
+
+int sampleOf(int i, int count) {
+  return std::clamp(i - 1, 0, count - 1);
+}
+
+}  // namespace
+
 void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
-  const GridSize size = frame_.size;
-  vertices_->SetNumberOfTuples(static_cast<vtkIdType>(size.count()));
+  const GridSize size = frame_.size, mesh = withRing(size);
+  vertices_->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
   float* out = vertices_->GetPointer(0);
   const float z0 = static_cast<float>(middle_.z);
   const float outside_z = static_cast<float>(std::clamp(0.0, min_mm_, max_mm_)) - z0;
-  std::size_t i = 0;
-  for (int row = 0; row < size.rows; ++row) {
-    const float y = static_cast<float>((row - 0.5 * (size.rows - 1)) * frame_.spacing_mm);
-    for (int col = 0; col < size.cols; ++col, ++i) {
-      *out++ = static_cast<float>((col - 0.5 * (size.cols - 1)) * frame_.spacing_mm);
+  std::vector<float> x(static_cast<std::size_t>(mesh.cols));
+  for (int i = 0; i < mesh.cols; ++i) {
+    x[static_cast<std::size_t>(i)] =
+        static_cast<float>((placeOf(i, size.cols) - 0.5 * (size.cols - 1)) * frame_.spacing_mm);
+  }
+  for (int j = 0; j < mesh.rows; ++j) {
+    const int row = sampleOf(j, size.rows);
+    const float y =
+        static_cast<float>((placeOf(j, size.rows) - 0.5 * (size.rows - 1)) * frame_.spacing_mm);
+    for (int i = 0; i < mesh.cols; ++i) {
+      const std::size_t sample = size.index({sampleOf(i, size.cols), row});
+      *out++ = x[static_cast<std::size_t>(i)];
       *out++ = y;
-      *out++ = inside_[i] ? heights[i] - z0 : outside_z;
+      *out++ = inside_[sample] ? heights[sample] - z0 : outside_z;
     }
   }
   vertices_->Modified();
@@ -87,8 +114,8 @@ void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
 // Central differences; at the rim of the object and of the grid one-sided, so that the jump to
 // "outside" does not darken the outline.
 void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
-  const GridSize size = frame_.size;
-  normals_->SetNumberOfTuples(static_cast<vtkIdType>(size.count()));
+  const GridSize size = frame_.size, mesh = withRing(size);
+  normals_->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
   float* out = normals_->GetPointer(0);
   const auto stride = static_cast<std::size_t>(size.cols);
   const float per_step = static_cast<float>(1 / frame_.spacing_mm);
@@ -103,12 +130,15 @@ void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
     if (steps == 0) return 0.0F;
     return (h[after] - h[before]) * (steps == 2 ? 0.5F * per_step : per_step);
   };
-  std::size_t i = 0;
-  for (int row = 0; row < size.rows; ++row) {
+  for (int j = 0; j < mesh.rows; ++j) {
+    const int row = sampleOf(j, size.rows);
     const std::size_t down = row > 0 ? stride : 0, up = row + 1 < size.rows ? stride : 0;
-    for (int col = 0; col < size.cols; ++col, ++i) {
-      const float dzdx = slope(i, col > 0 ? i - 1 : i, col + 1 < size.cols ? i + 1 : i);
-      const float dzdy = slope(i, i - down, i + up);
+    for (int i = 0; i < mesh.cols; ++i) {
+      const int col = sampleOf(i, size.cols);
+      const std::size_t here = size.index({col, row});
+      const float dzdx =
+          slope(here, col > 0 ? here - 1 : here, col + 1 < size.cols ? here + 1 : here);
+      const float dzdy = slope(here, here - down, here + up);
       const float scale = 1.0F / std::sqrt(dzdx * dzdx + dzdy * dzdy + 1.0F);
       *out++ = -dzdx * scale;
       *out++ = -dzdy * scale;
@@ -119,7 +149,8 @@ void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
 }
 
 void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
-  const auto count = static_cast<vtkIdType>(frame_.size.count());
+  const GridSize size = frame_.size, mesh = withRing(size);
+  const auto count = static_cast<vtkIdType>(mesh.count());
   if (!grid.origins) {
     if (origins_are_zero_ && origins_->GetNumberOfTuples() == count) return;
     origins_->SetNumberOfTuples(count);
@@ -128,9 +159,13 @@ void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
   } else {
     origins_->SetNumberOfTuples(count);
     float* out = origins_->GetPointer(0);
-    for (const Origin origin : *grid.origins) {
-      *out++ = origin == Origin::interpolated ? 1.0F : 0.0F;
-      *out++ = origin == Origin::base_plane ? 1.0F : 0.0F;
+    for (int j = 0; j < mesh.rows; ++j) {
+      const int row = sampleOf(j, size.rows);
+      for (int i = 0; i < mesh.cols; ++i) {
+        const Origin origin = (*grid.origins)[size.index({sampleOf(i, size.cols), row})];
+        *out++ = origin == Origin::interpolated ? 1.0F : 0.0F;
+        *out++ = origin == Origin::base_plane ? 1.0F : 0.0F;
+      }
     }
     origins_are_zero_ = false;
   }
@@ -138,22 +173,27 @@ void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
 }
 
 void SurfaceMesh::rebuildCells() {
-  const GridSize size = frame_.size;
+  const GridSize size = frame_.size, mesh = withRing(size);
   const std::size_t quads_at_most =
-      static_cast<std::size_t>(size.cols - 1) * static_cast<std::size_t>(size.rows - 1);
+      static_cast<std::size_t>(mesh.cols - 1) * static_cast<std::size_t>(mesh.rows - 1);
   vtkNew<vtkTypeInt32Array> offsets, corners;
   corners->SetNumberOfValues(static_cast<vtkIdType>(4 * quads_at_most));
   vtkTypeInt32* out = corners->GetPointer(0);
   vtkIdType quads = 0;
-  for (int row = 0; row + 1 < size.rows; ++row) {
-    for (int col = 0; col + 1 < size.cols; ++col) {
-      const std::size_t a = size.index({col, row}), b = a + 1;
-      const std::size_t d = size.index({col, row + 1}), c = d + 1;
-      if (!(inside_[a] | inside_[b] | inside_[c] | inside_[d])) continue;
-      *out++ = static_cast<vtkTypeInt32>(a);
-      *out++ = static_cast<vtkTypeInt32>(b);
-      *out++ = static_cast<vtkTypeInt32>(c);
-      *out++ = static_cast<vtkTypeInt32>(d);
+  for (int j = 0; j + 1 < mesh.rows; ++j) {
+    const int low = sampleOf(j, size.rows), high = sampleOf(j + 1, size.rows);
+    for (int i = 0; i + 1 < mesh.cols; ++i) {
+      const int left = sampleOf(i, size.cols), right = sampleOf(i + 1, size.cols);
+      if (!(inside_[size.index({left, low})] | inside_[size.index({right, low})] |
+            inside_[size.index({left, high})] | inside_[size.index({right, high})])) {
+        continue;
+      }
+      const auto a = static_cast<vtkTypeInt32>(mesh.index({i, j}));
+      const auto d = static_cast<vtkTypeInt32>(mesh.index({i, j + 1}));
+      *out++ = a;
+      *out++ = a + 1;
+      *out++ = d + 1;
+      *out++ = d;
       ++quads;
     }
   }

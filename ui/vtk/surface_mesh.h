@@ -14,7 +14,9 @@ namespace relievo {
 
 /// The relief as quads with per-vertex normals. Vertices are kept relative to the grid's middle, so
 /// that their float coordinates are as fine on a site of kilometres as on a coin; `middle` puts
-/// them back. Cells whose four corners are outside are left out.
+/// them back. A ring of vertices half a spacing beyond the outermost samples, as high as they are,
+/// lets the picture fill the rectangle that a grid covers. Cells whose four corners are outside are
+/// left out.
 class SurfaceMesh {
  public:
   SurfaceMesh();

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/host.h"
+
+#include <vector>
+
+namespace relievo {
+
+WindowHost::WindowHost(MainWindow& window) : window_(window) {
+  connect(&window_, &MainWindow::windowShown, this, &Host::windowShown);
+  connect(&window_, &MainWindow::closing, this, &Host::closing);
+  connect(&window_, &MainWindow::handMoved, this, [this](const ViewMm& position, bool inside) {
+    Q_EMIT handMoved({position, inside});
+  });
+}
+
+void WindowHost::addPanel(const QString& title, QWidget* panel) {
+  window_.addPanel(title, panel);
+}
+
+void WindowHost::addAction(const QString& menu, QAction* action) {
+  window_.addToMenu(menu, action);
+}
+
+void WindowHost::showProbe(const Probe& probe) {
+  window_.showProbe(probe);
+}
+
+void WindowHost::plot(std::span<const PlotSample> samples) {
+  std::vector<TouchPlotPoint> points;
+  points.reserve(samples.size());
+  for (const PlotSample& s : samples) {
+    points.push_back({s.t_s, s.hip_z_mm, s.proxy_z_mm, s.force_n});
+  }
+  window_.plot(points);
+}
+
+void WindowHost::showStatus(const TouchStatus& status) {
+  TouchReadout readout;
+  readout.device = status.device;
+  readout.rate_hz = status.rate_hz;
+  readout.worst_period_ms = status.worst_period_ms;
+  readout.late_ticks = status.late_ticks;
+  readout.realtime = status.realtime;
+  readout.realtime_note = status.realtime_note;
+  readout.forces_on = status.forces_on;
+  readout.recording = status.recording;
+  readout.recorded_samples = status.recorded_samples;
+  window_.showTouch(readout);
+}
+
+void WindowHost::announce(const QString& text) {
+  window_.announce(text);
+}
+
+bool WindowHost::run(const QString& command) {
+  return window_.runCommand(command);
+}
+
+std::shared_ptr<const RegionWindow> WindowHost::shownWindow() const {
+  return window_.document().window();
+}
+
+QString WindowHost::recordingHeader() const {
+  return window_.recordingHeader();
+}
+
+}  // namespace relievo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plugins/api/plugin.h"
+#include "ui/main_window.h"
+
+namespace relievo {
+
+/// What the window offers a plugin. Outlives no window. [GUI thread]
+class WindowHost : public Host {
+  Q_OBJECT
+ public:
+  explicit WindowHost(MainWindow& window);
+
+  void addPanel(const QString& title, QWidget* panel) override;
+  void addAction(const QString& menu, QAction* action) override;
+  void showProbe(const Probe& probe) override;
+  void plot(std::span<const PlotSample> samples) override;
+  void showStatus(const TouchStatus& status) override;
+  void announce(const QString& text) override;
+  bool run(const QString& command) override;
+  std::shared_ptr<const RegionWindow> shownWindow() const override;
+  QString recordingHeader() const override;
+
+ private:
+  MainWindow& window_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QVTKOpenGLNativeWidget.h>
+#include <clocale>
+#include <iostream>
+#include <QApplication>
+#include <QSurfaceFormat>
+
+#include "app/batch/batch.h"
+#include "app/host.h"
+#include "app/options.h"
+#include "app/plugin_loader.h"
+#include "core/io/import.h"
+#include "ui/main_window.h"
+#include "ui/surface_view.h"
+#include "ui/vtk/depth_capture.h"
+#include "ui/vtk/offscreen.h"
+
+namespace {
+
+constexpr int kUsage = 1;
+constexpr int kNoGraphics = 7;
+
+void prepareQt() {
+  // VTK draws through GLX.
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QCoreApplication::setApplicationName(QStringLiteral("relievo"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(RELIEVO_VERSION_STRING));
+}
+
+int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
+  using namespace relievo;
+  prepareQt();
+  QApplication app(argc, argv);
+  // QApplication takes the user's locale; the readers need the dot as decimal sign.
+  std::setlocale(LC_NUMERIC, "C");
+  installAccessibleViews();
+
+  MainWindow window(captureDepths,
+                    options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered);
+  WindowHost host(window);
+  PluginLoader plugins(host, window.settings());
+  QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
+  window.show();
+  plugins.load();
+  for (const QString& problem : plugins.problems()) std::cerr << problem.toStdString() << '\n';
+  if (!plugins.has(QStringLiteral("haptics"))) {
+    window.showTouchMissing(plugins.problems().isEmpty()
+                                ? MainWindow::tr("the haptics plugin was not found.")
+                                : plugins.problems().join(' '));
+  }
+  if (!options.file.empty()) {
+    OpenRequest request;
+    request.file = QString::fromLocal8Bit(options.file.c_str());
+    request.unit = options.unit;
+    request.view = options.view;
+    request.detail = options.detail;
+    request.region = options.region;
+    window.open(request);
+  }
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
+  if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
+  relievo::WindowOptions options;
+  try {
+    options = relievo::parseWindowOptions({argv + 1, argv + argc});
+  } catch (const relievo::ArgumentError& error) {
+    std::cerr << "relievo: " << error.what() << '\n';
+    return kUsage;
+  }
+  if (options.help || options.version) {
+    std::cout << (options.help ? relievo::windowHelp() : "relievo " RELIEVO_VERSION_STRING "\n");
+    return 0;
+  }
+  if (!relievo::haveDisplay()) {
+    std::cerr
+        << "relievo: There is no display to open a window on. Set DISPLAY, or use a verb such "
+           "as 'relievo render FILE -o FIG.png', which needs none.\n";
+    return kNoGraphics;
+  }
+  return runWindow(argc, argv, options);
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/unit.h"
+#include "core/depth/view.h"
+#include "core/region/region.h"
+
+namespace relievo {
+
+/// What the command line says about the window (verbs are app/batch's).
+struct WindowOptions {
+  std::string file;  ///< Empty: the start page.
+  std::optional<LengthUnit> unit;
+  std::optional<ViewChoice> view;
+  std::optional<int> detail;
+  std::optional<RectMm> region;
+  bool safe_mode = false;
+  bool help = false;
+  bool version = false;
+};
+
+/// @param arguments  without the program's name
+/// @throw ArgumentError  unknown option, missing or malformed value, or more than one file
+WindowOptions parseWindowOptions(const std::vector<std::string>& arguments);
+
+/// The text of --help.
+std::string windowHelp();
+
+}  // namespace relievo

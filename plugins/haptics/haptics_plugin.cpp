@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/haptics/haptics_plugin.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QSignalBlocker>
+
+#include "core/base/error.h"
+#include "plugins/haptics/recording_file.h"
+
+namespace relievo {
+
+HapticsPlugin::~HapticsPlugin() {
+  detach();
+}
+
+void HapticsPlugin::attach(Host& host) {
+  session_ = std::make_unique<LoopSession>();
+  host_ = &host;
+  panel_ = new HapticsPanel;  // The host owns it from addPanel on.
+  panel_->setSettings(settings_);
+  host.addPanel(tr("Touch"), panel_);
+  actions_ = addTouchActions(host);
+  connectControls();
+  connectHost();
+  applySettings();
+  if (const auto window = host.shownWindow()) session_->show(*window);
+  constexpr int kFrameMs = 16;
+  connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
+  timer_.start(kFrameMs);
+  slowReadouts();
+}
+
+void HapticsPlugin::detach() noexcept {
+  if (!session_) return;
+  timer_.stop();
+  disconnect(host_, nullptr, this, nullptr);
+  session_.reset();  // Fades out, joins, closes an open recording.
+  host_ = nullptr;
+}
+
+void HapticsPlugin::connectHost() {
+  connect(host_, &Host::windowShown, this,
+          [this](const std::shared_ptr<const RegionWindow>& window) {
+            if (window && session_) session_->show(*window);
+          });
+  connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
+    if (session_) session_->moveHand(target.position);
+  });
+  connect(host_, &Host::closing, this, [this] { setForces(false); });
+}
+
+void HapticsPlugin::connectControls() {
+  connect(actions_.forces, &QAction::toggled, this, &HapticsPlugin::setForces);
+  connect(actions_.forces_off, &QAction::triggered, this, [this] { setForces(false); });
+  connect(actions_.stronger, &QAction::triggered, this, [this] { changeStrength(kStrengthStep); });
+  connect(actions_.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
+  connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
+  connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
+  connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
+    settings_ = panel_->settings();
+    applySettings();
+  });
+}
+
+void HapticsPlugin::setForces(bool on) {
+  if (!session_) return;
+  if (on && !session_->hasWindow()) {
+    host_->announce(tr("Nothing to touch yet. Open a scan first."));
+    on = false;
+  }
+  const bool changed = on != forces_asked_;
+  forces_asked_ = on;
+  {
+    const QSignalBlocker blocker(actions_.forces);
+    actions_.forces->setChecked(on);
+  }
+  actions_.forces_off->setEnabled(on);
+  if (panel_) panel_->setForcesAsked(on);
+  applySettings();
+  if (changed) host_->announce(on ? tr("Forces on.") : tr("Forces off."));
+}
+
+void HapticsPlugin::changeStrength(int percent) {
+  settings_.strength_percent = std::clamp(settings_.strength_percent + percent, 0, 100);
+  if (panel_) panel_->setSettings(settings_);
+  applySettings();
+  host_->announce(tr("Strength %1 percent.").arg(settings_.strength_percent));
+}
+
+void HapticsPlugin::applySettings() {
+  if (!session_) return;
+  const double device_limit_n = session_->loop().device().max_force_n;
+  session_->setOptions(hapticOptions(settings_, forces_asked_, device_limit_n));
+}
+
+void HapticsPlugin::setRecording(bool on) {
+  if (!session_) return;
+  if (!on) {
+    session_->recorder().stop();
+    return;
+  }
+  try {
+    const QDateTime now = QDateTime::currentDateTime();
+    const QString file = proposedRecording(now);
+    const DeviceInfo& device = session_->loop().device();
+    const QString header =
+        recordingHeaderLines(host_->recordingHeader(), QString::fromStdString(device.name),
+                             hapticOptions(settings_, forces_asked_, device.max_force_n), now);
+    session_->recorder().start(file.toStdString(), header.toStdString());
+    host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
+  } catch (const Error& error) {
+    const QSignalBlocker blocker(actions_.record);
+    actions_.record->setChecked(false);
+    host_->announce(QString::fromStdString(error.what()));
+  }
+}
+
+void HapticsPlugin::frame() {
+  const HapticSample sample = session_->update();
+  if (session_->hasWindow() && sample.window_id != 0) host_->showProbe(probeOf(sample));
+  const std::vector<PlotSample> plot = session_->takePlot();
+  if (!plot.empty()) host_->plot(plot);
+  watchFault(sample);
+  watchRecording();
+  runButtons();
+  constexpr int kFramesPerReadout = 8;
+  if (++frames_ % kFramesPerReadout == 0) slowReadouts();
+}
+
+void HapticsPlugin::slowReadouts() {
+  LoopReport report;
+  report.sample = session_->update();
+  report.stats = session_->stats();
+  report.realtime = session_->loop().realtime();
+  const DeviceInfo& device = session_->loop().device();
+  report.device = QString::fromStdString(device.name);
+  report.actuated = device.max_force_n > 0;
+  if (panel_) panel_->show(report);
+
+  TouchStatus status;
+  status.device = report.device;
+  status.rate_hz = report.stats.rate_hz;
+  status.worst_period_ms = report.stats.worst_period_ms;
+  status.late_ticks = report.stats.late_ticks;
+  status.realtime = report.realtime.realtime;
+  status.realtime_note = QString::fromStdString(report.realtime.note);
+  status.forces_on = report.sample.engaged != EngagePhase::off;
+  status.recording = session_->recorder().running();
+  status.recorded_samples = session_->recorder().samples();
+  status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
+  host_->showStatus(status);
+}
+
+void HapticsPlugin::watchFault(const HapticSample& sample) {
+  if (sample.fault == fault_) return;
+  fault_ = sample.fault;
+  if (fault_ == DeviceFault::none) return;
+  const std::string_view words = describe(fault_);
+  setForces(false);
+  host_->announce(
+      tr("Forces off: %1.").arg(QString::fromUtf8(words.data(), static_cast<int>(words.size()))));
+}
+
+void HapticsPlugin::watchRecording() {
+  const std::optional<RecordingEnd> end = session_->recorder().ended();
+  if (!end) return;
+  const QSignalBlocker blocker(actions_.record);
+  actions_.record->setChecked(false);
+  if (!end->error.empty()) {
+    host_->announce(QString::fromStdString(end->error));
+    return;
+  }
+  host_->announce(tr("Recording saved: %1, %2 samples in %3")
+                      .arg(durationText(end->samples))
+                      .arg(end->samples)
+                      .arg(QString::fromStdString(end->file.string())));
+}
+
+void HapticsPlugin::runButtons() {
+  while (const std::optional<ButtonEvent> event = session_->takeButton()) {
+    if (!event->down) continue;
+    constexpr std::array<const char*, 4> kCommands{"finer", "", "whole", "coarser"};
+    if (event->button < kCommands.size() && *kCommands[event->button] != '\0') {
+      host_->run(QString::fromLatin1(kCommands[event->button]));
+    }
+  }
+}
+
+QByteArray HapticsPlugin::saveState() const {
+  return toJson(settings_);
+}
+
+void HapticsPlugin::restoreState(const QByteArray& state) {
+  settings_ = touchSettingsFromJson(state);
+  if (panel_) panel_->setSettings(settings_);
+  applySettings();
+}
+
+}  // namespace relievo

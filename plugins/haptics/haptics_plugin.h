@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <QObject>
+#include <QPointer>
+#include <QTimer>
+
+#include "plugins/api/plugin.h"
+#include "plugins/haptics/haptics_panel.h"
+#include "plugins/haptics/loop_session.h"
+#include "plugins/haptics/touch_actions.h"
+#include "plugins/haptics/touch_settings.h"
+
+namespace relievo {
+
+/// Joins the force loop to the application: panel, menu entries, probe, plots, recording.
+class HapticsPlugin : public QObject, public Plugin {
+  Q_OBJECT
+  Q_PLUGIN_METADATA(IID RELIEVO_PLUGIN_IID FILE "haptics_plugin.json")
+  Q_INTERFACES(relievo::Plugin)
+
+ public:
+  ~HapticsPlugin() override;
+  void attach(Host& host) override;
+  void detach() noexcept override;
+  QByteArray saveState() const override;
+  void restoreState(const QByteArray& state) override;
+
+ private:
+  void connectHost();
+  void connectControls();
+  void setForces(bool on);
+  void changeStrength(int percent);
+  void setRecording(bool on);
+  void applySettings();
+  void frame();         // 60 times a second.
+  void slowReadouts();  // About 8 times a second.
+  void watchFault(const HapticSample& sample);
+  void watchRecording();
+  void runButtons();
+
+  Host* host_ = nullptr;
+  std::unique_ptr<LoopSession> session_;
+  TouchSettings settings_;
+  TouchActions actions_;
+  QPointer<HapticsPanel> panel_;
+  QTimer timer_;
+  int frames_ = 0;
+  bool forces_asked_ = false;
+  DeviceFault fault_ = DeviceFault::none;
+};
+
+}  // namespace relievo

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/haptics/loop_session.h"
+
+#include <utility>
+
+#include "core/region/hand.h"
+
+namespace relievo {
+
+namespace {
+bool on(EngagePhase phase) {
+  return phase != EngagePhase::off;
+}
+}  // namespace
+
+LoopSession::LoopSession() : plot_start_ns_(monotonicNs()) {
+  auto mouse = std::make_unique<MouseDevice>();
+  mouse_ = mouse.get();
+  loop_ = std::make_unique<HapticLoop>(std::move(mouse));
+  loop_->start();
+  drain_ = std::make_unique<SampleDrain>(
+      loop_->samples(), std::vector<SampleSink>{
+                            [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
+                            [this](std::span<const HapticSample> batch) { plotSink(batch); }});
+}
+
+LoopSession::~LoopSession() {
+  loop_->stop();
+  drain_.reset();
+}
+
+void LoopSession::plotSink(std::span<const HapticSample> batch) {
+  for (const HapticSample& sample : batch) {
+    if (sample.tick % plot_every_ != 0 || sample.window_id == 0) continue;
+    plot_.push({1e-9 * static_cast<double>(sample.time_ns - plot_start_ns_), sample.hip_view.z,
+                sample.proxy_view.z, norm(sample.force)});
+  }
+}
+
+void LoopSession::show(const RegionWindow& window) {
+  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels});
+  loop_->spaces().publish();
+  mapping_ = handMapping(window);
+  const HapticSample& last = update();
+  ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
+  if (!has_window_) over = {window.region.centreX(), window.region.centreY(), 0};
+  const double depth = norm(last.proxy - last.hip);
+  const bool pressing = has_window_ && last.contact;
+  has_window_ = true;
+  mouse_->placeAt(mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth)));
+}
+
+void LoopSession::moveHand(ViewMm target) {
+  if (has_window_) mouse_->moveTo(mapping_.device_from_view(target));
+}
+
+void LoopSession::setOptions(const HapticOptions& options) {
+  loop_->options().write(options);
+}
+
+const HapticSample& LoopSession::update() {
+  loop_->latest().update();
+  return loop_->latest().front();
+}
+
+const LoopStats& LoopSession::stats() {
+  loop_->stats().update();
+  return loop_->stats().front();
+}
+
+std::vector<PlotSample> LoopSession::takePlot() {
+  std::vector<PlotSample> samples;
+  PlotSample sample;
+  while (plot_.pop(sample)) samples.push_back(sample);
+  return samples;
+}
+
+std::optional<ButtonEvent> LoopSession::takeButton() {
+  ButtonEvent event;
+  if (!loop_->buttons().pop(event)) return std::nullopt;
+  return event;
+}
+
+Probe probeOf(const HapticSample& sample) {
+  Probe probe;
+  probe.proxy = sample.proxy_view;
+  probe.hip = sample.hip_view;
+  probe.force = sample.force;
+  probe.force_limit_n = sample.limit_n;
+  probe.touching = sample.contact;
+  probe.forces_on = on(sample.engaged);
+  probe.origin = sample.origin;
+  probe.window_id = sample.window_id;
+  return probe;
+}
+
+}  // namespace relievo

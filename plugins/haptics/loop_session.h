@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/region/probe.h"
+#include "core/region/window.h"
+#include "haptics/device/mouse_device.h"
+#include "haptics/loop/haptic_loop.h"
+#include "haptics/record/recorder.h"
+#include "haptics/record/sample_drain.h"
+#include "plugins/api/plugin.h"
+
+namespace relievo {
+
+/// The running loop with the mouse as its hand, and the threads around it. All calls: GUI thread.
+class LoopSession {
+ public:
+  LoopSession();   ///< Starts the loop. @throw DeviceError, Error
+  ~LoopSession();  ///< Fades to zero force; all threads are joined on return.
+  LoopSession(const LoopSession&) = delete;
+  LoopSession& operator=(const LoopSession&) = delete;
+
+  /// A new surface. The hand keeps its place sideways and its depth, so that a change of detail
+  /// while touching goes on touching. @throw ArgumentError
+  void show(const RegionWindow& window);
+  bool hasWindow() const noexcept { return has_window_; }
+  /// Where the pointer wants the hand, view mm of the shown window.
+  void moveHand(ViewMm target);
+  void setOptions(const HapticOptions& options);
+
+  const HapticSample& update();  ///< The newest sample.
+  const LoopStats& stats();
+  std::vector<PlotSample> takePlot();  ///< Since the last call, every fifth sample.
+  std::optional<ButtonEvent> takeButton();
+  Recorder& recorder() noexcept { return recorder_; }
+  HapticLoop& loop() noexcept { return *loop_; }
+
+ private:
+  void plotSink(std::span<const HapticSample> batch);  // [drain thread]
+
+  // In this order: the drain goes first and still finds the recorder and the loop's ring.
+  Recorder recorder_;
+  SpscRing<PlotSample, 4096> plot_;
+  std::uint64_t plot_every_ = 5;
+  std::int64_t plot_start_ns_ = 0;
+  std::unique_ptr<HapticLoop> loop_;
+  MouseDevice* mouse_ = nullptr;  // Owned by the loop.
+  std::unique_ptr<SampleDrain> drain_;
+  HandMapping mapping_;
+  bool has_window_ = false;
+};
+
+/// For drawing and text.
+Probe probeOf(const HapticSample& sample);
+
+}  // namespace relievo

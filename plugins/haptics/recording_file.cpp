@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/haptics/recording_file.h"
+
+#include <array>
+#include <QDir>
+#include <QStandardPaths>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+QString proposedRecording(const QDateTime& now) {
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  const QDir folder(documents + QStringLiteral("/relievo"));
+  if (documents.isEmpty() || !folder.mkpath(QStringLiteral("."))) {
+    throw WriteError("The folder \"" + folder.path().toStdString() +
+                     "\" for recordings cannot be made. Nothing is recorded.");
+  }
+  const QString stem = QStringLiteral("touch-") + now.toString(QStringLiteral("yyyy-MM-dd-HHmmss"));
+  QString name = stem + QStringLiteral(".csv");
+  for (int i = 2; folder.exists(name); ++i) name = stem + QStringLiteral("-%1.csv").arg(i);
+  return folder.filePath(name);
+}
+
+QString recordingHeaderLines(const QString& from_host, const QString& device,
+                             const HapticOptions& options, const QDateTime& now) {
+  constexpr std::array<const char*, 3> kProxyNames{"converged", "equation", "successive"};
+  const QString stiffness =
+      options.stiffness_by_detail
+          ? QStringLiteral("by detail")
+          : QString::number(options.force.stiffness_n_per_mm) + QStringLiteral(" N/mm");
+  QStringList lines{
+      QStringLiteral("relievo recording, schema 1"),
+      QStringLiteral("version ") + QStringLiteral(RELIEVO_VERSION_STRING),
+      QStringLiteral("start ") + now.toUTC().toString(Qt::ISODateWithMs),
+      QStringLiteral("device ") + device,
+      QStringLiteral("units mm on the object (view), N, s; dev_* in mm of hand"),
+      QStringLiteral("proxy %1, stiffness %2, strength %3, limit %4 N")
+          .arg(QLatin1String(kProxyNames[static_cast<std::size_t>(options.proxy.kind)]), stiffness)
+          .arg(options.force.strength)
+          .arg(options.force.limit_n)};
+  if (!from_host.isEmpty()) lines += from_host.split('\n');
+  return lines.join('\n');
+}
+
+QString durationText(quint64 samples) {
+  const quint64 seconds = samples / 1000;
+  if (seconds < 60) return QStringLiteral("%1 s").arg(seconds);
+  return QStringLiteral("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
+}
+
+}  // namespace relievo

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+
+#include "haptics/loop/haptic_core.h"
+
+namespace relievo {
+
+/// Where a recording goes that nobody named: the documents folder, relievo/touch-DATE-TIME.csv,
+/// with a number if that is taken. Makes the folder. @throw WriteError
+QString proposedRecording(const QDateTime& now);
+
+/// Comment lines of a recording (conventions.md 5.5).
+QString recordingHeaderLines(const QString& from_host, const QString& device,
+                             const HapticOptions& options, const QDateTime& now);
+
+/// "2 min 14 s", from samples at 1 kHz.
+QString durationText(quint64 samples);
+
+}  // namespace relievo

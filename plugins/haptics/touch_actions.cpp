@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/haptics/touch_actions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QKeySequence>
+
+#include "plugins/api/plugin.h"
+
+namespace relievo {
+
+namespace {
+QString text(const char* source) {
+  return QCoreApplication::translate("relievo::TouchActions", source);
+}
+
+struct Words {
+  const char* name;
+  const char* label;
+  const char* tip;
+  const char* whats_this;
+};
+
+QAction* made(const Words& words, const QList<QKeySequence>& keys, bool checkable) {
+  auto* action = new QAction(text(words.label));
+  action->setObjectName(QString::fromLatin1(words.name));
+  action->setShortcuts(keys);
+  action->setCheckable(checkable);
+  action->setToolTip(text(words.tip));
+  action->setStatusTip(text(words.tip));
+  action->setWhatsThis(text(words.whats_this));
+  return action;
+}
+}  // namespace
+
+TouchActions addTouchActions(Host& host) {
+  const QString touch = QStringLiteral("Touch"), record = QStringLiteral("Record");
+  TouchActions actions;
+  actions.forces =
+      made({"forces", "&Forces on", "Switch forces on or off (F5)",
+            "Forces come on gently, once the hand is clear of the surface."},
+           {QKeySequence(QStringLiteral("F5")), QKeySequence(QStringLiteral("Ctrl+T"))}, true);
+  actions.forces_off = made({"forcesOff", "Forces &off now", "Switch forces off (Esc)",
+                             "Escape always stops the forces first."},
+                            {}, false);
+  actions.forces_off->setEnabled(false);
+  actions.stronger = made({"stronger", "&Stronger", "Raise the strength of all forces by 10 %",
+                           "Strength multiplies every force; the limit stays."},
+                          {}, false);
+  actions.weaker = made({"weaker", "&Weaker", "Lower the strength of all forces by 10 %",
+                         "Strength multiplies every force; the limit stays."},
+                        {}, false);
+  actions.record = made({"record", "&Record", "Start or stop recording every sample (Ctrl+R)",
+                         "Writes hand, proxy and force, 1000 times a second, to a table in your "
+                         "documents folder."},
+                        {QKeySequence(QStringLiteral("Ctrl+R"))}, true);
+  for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker}) {
+    host.addAction(touch, action);
+  }
+  host.addAction(record, actions.record);
+  return actions;
+}
+
+}  // namespace relievo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QByteArray>
+
+#include "haptics/loop/haptic_core.h"
+
+namespace relievo {
+
+/// What people choose about touch; remembered between sessions. Whether forces are on is not.
+struct TouchSettings {
+  int strength_percent = 60;
+  bool stiffness_by_detail = true;
+  double stiffness_n_per_mm = 0.8;  ///< If not by detail.
+  ProxyKind proxy = ProxyKind::converged;
+  friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
+};
+
+inline constexpr double kLeastStiffness = 0.05, kMostStiffness = 1.5;  ///< N per mm of hand.
+inline constexpr int kStrengthStep = 10;  ///< Percent; a smaller change of force is hardly felt.
+
+/// For the loop. `device_limit_n`: 0 where there is no actuator.
+HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on, double device_limit_n);
+
+QByteArray toJson(const TouchSettings& settings);
+/// Unknown or impossible entries keep their defaults.
+TouchSettings touchSettingsFromJson(const QByteArray& json);
+
+}  // namespace relievo

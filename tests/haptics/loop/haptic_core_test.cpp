@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/loop/haptic_core.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "tests/haptics/haptic_fixture.h"
+
+namespace relievo {
+namespace {
+
+using test::belowMm;
+using test::spaceOf;
+
+class Core : public ::testing::Test {
+ protected:
+  HapticSample tick(DeviceMm hand, DeviceFault fault = DeviceFault::none) {
+    now_ns_ += 1'000'000;
+    DeviceReading reading;
+    reading.position = hand;
+    reading.time_ns = now_ns_;
+    reading.fault = fault;
+    return core_.tick(*space_, options_, reading, now_ns_);
+  }
+  void switchOn() {
+    options_.force.forces_on = true;
+    options_.force.strength = 1;
+    for (int i = 0; i < 1100; ++i) tick({0, 0, 20});
+    ASSERT_EQ(tick({0, 0, 20}).engaged, EngagePhase::on);
+  }
+  HapticSample pressFor(int ticks, double z) {
+    HapticSample sample;
+    for (int i = 0; i < ticks; ++i) sample = tick({0, 0, z});
+    return sample;
+  }
+
+  std::unique_ptr<HapticSpace> space_ = spaceOf(
+      80, [](double, double) { return 0.0; }, 7);
+  HapticOptions options_;
+  HapticCore core_;
+  std::int64_t now_ns_ = 0;
+};
+
+TEST_F(Core, TakesTheStiffnessThatTheDetailSuggests) {
+  switchOn();
+  space_->detail = 3;
+  const HapticSample sample = pressFor(100, -2);
+  EXPECT_EQ(sample.stiffness_n_per_mm, 0.6);
+  EXPECT_NEAR(sample.force.z, 1.2, 1e-9);
+  options_.stiffness_by_detail = false;
+  options_.force.stiffness_n_per_mm = 0.25;
+  EXPECT_NEAR(pressFor(100, -2).force.z, 0.5, 1e-9);
+}
+
+TEST_F(Core, LatchesAFaultUntilForcesWereSwitchedOff) {
+  switchOn();
+  EXPECT_GT(pressFor(100, -2).force.z, 1);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  HapticSample sample = tick({0, kNan, -2});
+  EXPECT_EQ(sample.fault, DeviceFault::not_finite);
+  EXPECT_EQ(sample.force, DeviceN{});
+  EXPECT_TRUE(isFinite(sample.hip) && isFinite(sample.proxy));
+  sample = pressFor(2000, 20);
+  EXPECT_EQ(sample.fault, DeviceFault::not_finite) << "latched";
+  EXPECT_EQ(sample.engaged, EngagePhase::off);
+  options_.force.forces_on = false;
+  EXPECT_EQ(tick({0, 0, 20}).fault, DeviceFault::none);
+  switchOn();
+  EXPECT_GT(pressFor(100, -2).force.z, 1);
+}
+
+TEST_F(Core, TakesAnyBrokenHandForAFault) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const DeviceMm hand :
+       {DeviceMm{kInfinity, 0, 0}, DeviceMm{0, -kInfinity, 0}, DeviceMm{0, 0, 1e300}}) {
+    const HapticSample sample = tick(hand);
+    EXPECT_EQ(sample.fault, DeviceFault::not_finite);
+    EXPECT_TRUE(isFinite(sample.proxy) && isFinite(sample.normal));
+    EXPECT_EQ(sample.force, DeviceN{});
+  }
+  EXPECT_EQ(tick({0, 0, 1}, DeviceFault::disconnected).fault, DeviceFault::disconnected);
+}
+
+TEST_F(Core, ANewWindowKeepsTheHandAndFadesTheForceIn) {
+  switchOn();
+  const HapticSample before = pressFor(100, -2);
+  EXPECT_NEAR(before.force.z, 1.6, 1e-9);
+  // Both windows are level, so that each has its mid height at the hand's zero; a higher one is
+  // made by moving it.
+  space_ = spaceOf(
+      80, [](double, double) { return 0.0; }, 8);
+  space_->device_translation.z = 5;
+  HapticSample sample = tick({0, 0, -2});
+  EXPECT_EQ(sample.hip, before.hip);
+  EXPECT_TRUE(sample.contact);
+  EXPECT_NEAR(sample.proxy.z, 5, 1e-9) << "on the new surface, not below it";
+  EXPECT_EQ(sample.engaged, EngagePhase::rising);
+  double last = norm(sample.force);
+  EXPECT_LE(last, 1.6) << "no kick";
+  for (int i = 0; i < 1500; ++i) {
+    sample = tick({0, 0, -2});
+    const double now = norm(sample.force);
+    EXPECT_LE(std::abs(now - last), 0.2 + 1e-9);
+    last = now;
+  }
+  EXPECT_NEAR(last, 0.8 * 7, 1e-9);
+}
+
+TEST_F(Core, CountsTicksAndNamesTheWindow) {
+  space_->origins.fill(static_cast<std::uint8_t>(Origin::interpolated));
+  EXPECT_EQ(tick({0, 0, 3}).tick, 0U);
+  const HapticSample sample = tick({0, 0, -3});
+  EXPECT_EQ(sample.tick, 1U);
+  EXPECT_EQ(sample.window_id, 7U);
+  EXPECT_EQ(sample.origin, Origin::interpolated);
+  EXPECT_EQ(sample.hip_view, (ViewMm{40, 40, -3}));
+}
+
+TEST_F(Core, StaysWithinItsLimitsForAHundredThousandWildTicks) {
+  std::mt19937 random(77);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  space_ = spaceOf(
+      80, [&](double x, double) { return 5 * unit(random) + (x > 40 ? 9 : 0); }, 9);
+  options_.force.forces_on = true;
+  DeviceMm hand{0, 0, 30};
+  DeviceN last;
+  for (int i = 0; i < 100'000; ++i) {
+    if (i % 50 == 0) hand = {60 * unit(random), 60 * unit(random), 40 * unit(random)};
+    hand = hand + DeviceMm{unit(random), unit(random), unit(random)};
+    const HapticSample s = tick(hand);
+    ASSERT_TRUE(isFinite(s.force) && isFinite(s.proxy)) << i;
+    EXPECT_LE(norm(s.force), 6 + 1e-9) << i;
+    EXPECT_LE(norm(s.force - last), 0.2 + 1e-9) << i;
+    EXPECT_LE(belowMm(*space_, s.proxy_view), 1e-6) << i;
+    last = s.force;
+  }
+}
+
+}  // namespace
+}  // namespace relievo

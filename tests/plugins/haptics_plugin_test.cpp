@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plugin as the application sees it: a file, loaded; a Host, spoken to.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDeadlineTimer>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QPluginLoader>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/region/hand.h"
+#include "tests/haptics/haptic_fixture.h"
+#include "tests/plugins/test_host.h"
+
+namespace relievo {
+namespace {
+
+using test::TestHost;
+
+const QString kPlugins = QStringLiteral(RELIEVO_BINARY_DIR "/plugins/");
+
+std::shared_ptr<const RegionWindow> flatWindow(double height, std::uint64_t id) {
+  return std::make_shared<RegionWindow>(test::windowOf(
+      80, [height](double x, double) { return height + (x < 10 ? 1.0 : 0.0); }, id));
+}
+
+/// Lets events run until something holds; false after a generous while.
+bool eventually(const std::function<bool()>& holds) {
+  const QDeadlineTimer give_up(60'000);
+  while (!holds()) {
+    if (give_up.hasExpired()) return false;
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  }
+  return true;
+}
+
+class HapticsPluginTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
+    plugin_ = qobject_cast<Plugin*>(loader_.instance());
+    ASSERT_NE(plugin_, nullptr);
+  }
+  void TearDown() override {
+    if (plugin_ != nullptr) plugin_->detach();
+    loader_.unload();
+  }
+  void attach() { plugin_->attach(host_); }
+  /// Until the loop's newest sample satisfies something.
+  bool probeBecomes(const std::function<bool(const Probe&)>& holds) {
+    return eventually([&] { return !host_.probes.empty() && holds(host_.probes.back()); });
+  }
+  template <class Widget>
+  Widget* inPanel(const char* name) {
+    QWidget* panel = host_.panels.at(QStringLiteral("Touch"));
+    auto* widget = panel->findChild<Widget*>(QString::fromLatin1(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+  void press(double depth_hand_mm) {
+    Q_EMIT host_.handMoved({handOver(*host_.window, 40, 40, true, depth_hand_mm), true});
+  }
+  void hover() { Q_EMIT host_.handMoved({handOver(*host_.window, 40, 40, false, 0), true}); }
+
+  TestHost host_;
+  QPluginLoader loader_{kPlugins + QStringLiteral("haptics_plugin.so")};
+  Plugin* plugin_ = nullptr;
+};
+
+TEST_F(HapticsPluginTest, SaysWhatItIsBeforeItIsLoaded) {
+  EXPECT_EQ(loader_.metaData()["IID"].toString(), QStringLiteral(RELIEVO_PLUGIN_IID));
+  EXPECT_EQ(loader_.metaData()["MetaData"].toObject()["name"].toString(),
+            QStringLiteral("haptics"));
+}
+
+TEST_F(HapticsPluginTest, FollowsTheHandAndTouches) {
+  host_.window = flatWindow(5, 11);
+  attach();
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 11 && !p.touching; }));
+  press(2);
+  const double depth_mm = 2 / handMapping(*host_.window).device_per_view;
+  ASSERT_TRUE(probeBecomes(
+      [&](const Probe& p) { return p.touching && std::abs(p.hip.z - (5 - depth_mm)) < 0.01; }));
+  const Probe& probe = host_.probes.back();
+  EXPECT_NEAR(probe.proxy.z, 5, 1e-6);
+  EXPECT_NEAR(probe.proxy.x, probe.hip.x, 1e-6);
+  EXPECT_FALSE(probe.forces_on);
+  EXPECT_EQ(probe.force, DeviceN{}) << "forces are off";
+  EXPECT_EQ(probe.origin, Origin::measured);
+  EXPECT_TRUE(eventually([this] { return !host_.plotted.empty(); }));
+}
+
+TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
+  host_.window = flatWindow(5, 12);
+  attach();
+  press(2);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.touching; }));
+  QAction* forces = host_.actions.at("forces");
+  forces->trigger();
+  EXPECT_TRUE(host_.announcements.contains("Forces on."));
+  EXPECT_TRUE(inPanel<QCheckBox>("forcesBox")->isChecked());
+  // The hand is in the surface: forces wait.
+  ASSERT_TRUE(eventually([this] { return host_.status.forces_on; }));
+  EXPECT_EQ(host_.probes.back().force, DeviceN{});
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
+  press(2);
+  // 2 mm at 0.8 N/mm and 60 %.
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 0.9; }));
+  EXPECT_LE(norm(host_.probes.back().force), 0.97);
+  EXPECT_TRUE(host_.actions.at("forcesOff")->isEnabled());
+  host_.actions.at("forcesOff")->trigger();
+  EXPECT_FALSE(forces->isChecked());
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force == DeviceN{} && !p.forces_on; }));
+}
+
+TEST_F(HapticsPluginTest, RefusesForcesWithoutASurface) {
+  attach();
+  host_.actions.at("forces")->trigger();
+  EXPECT_FALSE(host_.actions.at("forces")->isChecked());
+  EXPECT_TRUE(host_.announcements.contains("Nothing to touch yet. Open a scan first."));
+}
+
+TEST_F(HapticsPluginTest, KeepsTouchingThroughAChangeOfWindow) {
+  host_.window = flatWindow(5, 21);
+  attach();
+  press(2);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.touching && p.hip.z < 4; }));
+  host_.showWindow(flatWindow(9, 22));
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 22 && p.touching; }));
+  EXPECT_NEAR(host_.probes.back().proxy.z, 9, 1e-3);
+  EXPECT_NEAR(host_.probes.back().proxy.x, 40, 0.5) << "sideways the hand stays";
+}
+
+TEST_F(HapticsPluginTest, ShowsHowTheLoopRunsAndWhetherRealTimeWasGranted) {
+  host_.window = flatWindow(5, 31);
+  attach();
+  ASSERT_TRUE(eventually([this] { return host_.status.rate_hz > 0; }));
+  EXPECT_EQ(host_.status.device, "mouse");
+  EXPECT_TRUE(host_.status.realtime || !host_.status.realtime_note.isEmpty());
+  ASSERT_TRUE(
+      eventually([this] { return inPanel<QLabel>("loopRate")->text().contains("per second"); }));
+  EXPECT_FALSE(inPanel<QLabel>("realtimeLine")->text().isEmpty());
+}
+
+TEST_F(HapticsPluginTest, GivesEveryControlANameForSpeech) {
+  attach();
+  QWidget* panel = host_.panels.at("Touch");
+  for (QWidget* widget : panel->findChildren<QWidget*>()) {
+    // Not the list that a combo box pops up, nor the line edit inside a spin box.
+    if (widget->window() != panel || widget->objectName().startsWith("qt_")) continue;
+    if (widget->focusPolicy() == Qt::NoFocus) continue;
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
+  }
+  EXPECT_EQ(host_.menus.at("forces"), "Touch");
+  EXPECT_EQ(host_.menus.at("record"), "Record");
+  for (const auto& [name, action] : host_.actions) {
+    EXPECT_TRUE(action->text().contains('&')) << name.toStdString();
+    EXPECT_FALSE(action->toolTip().isEmpty()) << name.toStdString();
+    EXPECT_FALSE(action->whatsThis().isEmpty()) << name.toStdString();
+  }
+}
+
+TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
+  QTemporaryDir home;
+  qputenv("HOME", home.path().toUtf8());
+  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
+  host_.window = flatWindow(5, 41);
+  attach();
+  QAction* record = host_.actions.at("record");
+  record->trigger();
+  ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 100; }));
+  EXPECT_TRUE(host_.status.recording);
+  record->trigger();
+  ASSERT_TRUE(
+      eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
+  const QDir folder(home.path() + "/Documents/relievo");
+  const QStringList files = folder.entryList({"touch-*.csv"});
+  ASSERT_EQ(files.size(), 1);
+  QFile file(folder.filePath(files[0]));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(file.readAll());
+  EXPECT_TRUE(text.startsWith("# relievo recording, schema 1\n"));
+  EXPECT_TRUE(text.contains("# input relief.ply\n"));
+  EXPECT_TRUE(text.contains("\nt_s,tick,hip_x_mm"));
+  EXPECT_TRUE(text.endsWith('\n'));
+}
+
+TEST_F(HapticsPluginTest, RemembersSettingsButNeverThatForcesWereOn) {
+  host_.window = flatWindow(5, 51);
+  attach();
+  inPanel<QComboBox>("proxyKind")->setCurrentIndex(1);
+  host_.actions.at("weaker")->trigger();
+  host_.actions.at("forces")->trigger();
+  const QByteArray state = plugin_->saveState();
+  EXPECT_FALSE(state.contains("forces"));
+  host_.actions.at("stronger")->trigger();
+  host_.actions.at("stronger")->trigger();
+  plugin_->restoreState(state);
+  EXPECT_EQ(plugin_->saveState(), state);
+  plugin_->restoreState("{\"strength_percent\": 5000, \"proxy\": 77}");
+  EXPECT_EQ(inPanel<QComboBox>("proxyKind")->currentIndex(), 0);
+  EXPECT_TRUE(plugin_->saveState().contains("\"strength_percent\":100"));
+}
+
+TEST_F(HapticsPluginTest, DetachesAndAttachesAgain) {
+  host_.window = flatWindow(5, 61);
+  attach();
+  plugin_->detach();
+  plugin_->detach();
+  TestHost second;
+  second.window = flatWindow(5, 62);
+  plugin_->attach(second);
+  EXPECT_TRUE(eventually([&] { return !second.probes.empty(); }));
+  plugin_->detach();
+}
+
+}  // namespace
+}  // namespace relievo
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

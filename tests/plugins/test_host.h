@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <map>
+#include <memory>
+#include <QAction>
+#include <QPointer>
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+#include "plugins/api/plugin.h"
+
+namespace relievo::test {
+
+/// A second Host: remembers what plugins say.
+class TestHost : public Host {
+ public:
+  ~TestHost() override {
+    for (const auto& [title, panel] : panels) delete panel;
+  }
+  void addPanel(const QString& title, QWidget* panel) override { panels[title] = panel; }
+  void addAction(const QString& menu, QAction* action) override {
+    action->setParent(this);
+    menus[action->objectName()] = menu;
+    actions[action->objectName()] = action;
+  }
+  void showProbe(const Probe& probe) override { probes.push_back(probe); }
+  void plot(std::span<const PlotSample> samples) override {
+    plotted.insert(plotted.end(), samples.begin(), samples.end());
+  }
+  void showStatus(const TouchStatus& new_status) override { status = new_status; }
+  void announce(const QString& text) override { announcements << text; }
+  bool run(const QString& command) override {
+    commands << command;
+    return true;
+  }
+  std::shared_ptr<const RegionWindow> shownWindow() const override { return window; }
+  QString recordingHeader() const override { return QStringLiteral("input relief.ply\nunit mm"); }
+
+  void showWindow(std::shared_ptr<const RegionWindow> shown) {
+    window = std::move(shown);
+    Q_EMIT windowShown(window);
+  }
+
+  std::map<QString, QPointer<QWidget>> panels;
+  std::map<QString, QString> menus;
+  std::map<QString, QAction*> actions;
+  std::vector<Probe> probes;
+  std::vector<PlotSample> plotted;
+  TouchStatus status;
+  QStringList announcements, commands;
+  std::shared_ptr<const RegionWindow> window;
+};
+
+}  // namespace relievo::test

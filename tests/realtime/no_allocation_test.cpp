@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A tick must not allocate. Every operator new and delete of this program is counted.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "haptics/device/mouse_device.h"
+#include "haptics/loop/haptic_core.h"
+#include "haptics/loop/haptic_loop.h"
+#include "tests/haptics/haptic_fixture.h"
+
+namespace {
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(size);
+}
+void* operator new[](std::size_t size) {
+  return counted(size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace relievo {
+namespace {
+
+/// Allocations while something runs.
+template <class Work>
+long allocationsIn(const Work& work) {
+  const long before = allocations.load();
+  work();
+  return allocations.load() - before;
+}
+
+TEST(NoAllocation, TheGuardSeesAPlantedAllocation) {
+  EXPECT_EQ(allocationsIn([] {
+              std::unique_ptr<int> planted(new int(3));
+              // Keeps the compiler from leaving the pair out.
+              asm volatile("" : : "g"(planted.get()) : "memory");
+            }),
+            1);
+  EXPECT_EQ(allocationsIn([] {}), 0);
+}
+
+TEST(NoAllocation, ATickAllocatesNothingWithAnyProxy) {
+  const auto space = test::spaceOf(80, [](double x, double y) {
+    return 3 * std::sin(0.9 * x) * std::cos(0.7 * y) + (x > 40 ? 6 : 0);
+  });
+  for (const ProxyKind kind : {ProxyKind::converged, ProxyKind::equation, ProxyKind::successive}) {
+    HapticOptions options;
+    options.proxy.kind = kind;
+    options.force.forces_on = true;
+    HapticCore core;
+    double sum = 0;
+    const long count = allocationsIn([&] {
+      for (int i = 0; i < 4000; ++i) {
+        DeviceReading reading;
+        reading.time_ns = i * 1'000'000LL;
+        reading.position = {39 * std::sin(0.01 * i), 39 * std::cos(0.013 * i),
+                            i < 1200 ? 20. : -3.};
+        sum += core.tick(*space, options, reading, reading.time_ns).force.z;
+      }
+    });
+    EXPECT_EQ(count, 0);
+    EXPECT_GT(sum, 0) << "and did push back";
+  }
+}
+
+TEST(NoAllocation, BuffersRingsAndTheMouseAllocateNothing) {
+  MouseDevice mouse;
+  const auto ring = std::make_unique<SampleRing>();
+  TripleBuffer<HapticSample> latest;
+  EXPECT_EQ(allocationsIn([&] {
+              for (int i = 0; i < 10000; ++i) {
+                mouse.moveTo({0.01 * i, 0, 0});
+                HapticSample sample;
+                sample.hip = mouse.exchange({}, i * 1'000'000LL).position;
+                latest.write(sample);
+                latest.update();
+                ring->push(sample);
+              }
+            }),
+            0);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/vtk/offscreen.h"
+
+#include <gtest/gtest.h>
+#include <png.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+
+#include "core/base/error.h"
+#include "tests/ui/vtk/picture.h"
+#include "tests/ui/vtk/synthetic_relief.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The environment's DISPLAY is another one, or none, while this lives.
+class OtherDisplay {
+ public:
+  explicit OtherDisplay(const char* name) {
+    if (const char* now = std::getenv("DISPLAY")) before_ = now;
+    if (name) {
+      setenv("DISPLAY", name, 1);
+    } else {
+      unsetenv("DISPLAY");
+    }
+  }
+  ~OtherDisplay() { setenv("DISPLAY", before_.c_str(), 1); }
+
+ private:
+  std::string before_;
+};
+
+bool canOpen(const std::string& display) {
+  const OtherDisplay other(display.c_str());
+  return haveDisplay();
+}
+
+class PictureFile : public ::testing::Test {
+ protected:
+  PictureFile() {
+    folder_ = fs::temp_directory_path() / ("relievo_png_" + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+  ~PictureFile() override { fs::remove_all(folder_); }
+
+  RgbImage gradient(int width, int height) const {
+    RgbImage image{width, height, {}};
+    for (int i = 0; i < 3 * width * height; ++i) {
+      image.rgb.push_back(static_cast<std::uint8_t>((i * 7 + i / 11) % 256));
+    }
+    return image;
+  }
+  fs::path folder_;
+};
+
+struct ReadBack {
+  RgbImage image;
+  std::map<std::string, std::string> text;
+};
+
+ReadBack readPng(const fs::path& file) {
+  std::FILE* in = std::fopen(file.c_str(), "rb");
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+  png_infop info = png_create_info_struct(png);
+  png_init_io(png, in);
+  png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+  ReadBack back;
+  back.image.width = static_cast<int>(png_get_image_width(png, info));
+  back.image.height = static_cast<int>(png_get_image_height(png, info));
+  for (int row = 0; row < back.image.height; ++row) {
+    const png_byte* bytes = png_get_rows(png, info)[row];
+    back.image.rgb.insert(back.image.rgb.end(), bytes, bytes + 3 * back.image.width);
+  }
+  png_textp entries = nullptr;
+  int count = 0;
+  png_get_text(png, info, &entries, &count);
+  for (int i = 0; i < count; ++i) back.text[entries[i].key] = entries[i].text;
+  png_destroy_read_struct(&png, &info, nullptr);
+  std::fclose(in);
+  return back;
+}
+
+TEST_F(PictureFile, PixelsAndTextComeBack) {
+  const RgbImage image = gradient(37, 21);
+  const fs::path file = folder_ / "figure.png";
+  writePng(file, image,
+           {{"Title", "Ganesh, detail 2 of 4"},
+            {"Author", "J\u00f6rg \u00c5ngstr\u00f6m"},
+            {"relievo:state", R"({"level": 2, "region_mm": [1, 2, 3, 4]})"}});
+  ReadBack back = readPng(file);
+  EXPECT_EQ(back.image.width, 37);
+  EXPECT_EQ(back.image.height, 21);
+  EXPECT_EQ(back.image.rgb, image.rgb);
+  EXPECT_EQ(back.text["Title"], "Ganesh, detail 2 of 4");
+  EXPECT_EQ(back.text["Author"], "J\u00f6rg \u00c5ngstr\u00f6m");
+  EXPECT_EQ(back.text["relievo:state"], R"({"level": 2, "region_mm": [1, 2, 3, 4]})");
+}
+
+TEST_F(PictureFile, AFailureLeavesNothingBehindAndTheOldFileAsItWas) {
+  EXPECT_THROW(writePng(folder_ / "missing" / "figure.png", gradient(4, 4)), WriteError);
+  const fs::path taken = folder_ / "taken.png";
+  fs::create_directories(taken / "inside");  // A folder cannot be replaced by a file.
+  EXPECT_THROW(writePng(taken, gradient(4, 4)), WriteError);
+  EXPECT_THROW(writePng(folder_ / "none.png", RgbImage{}), WriteError);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(PictureFile, AFullDiskIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "There is no /dev/full here.";
+  // The file is written beside its target, so a target in /dev cannot be used; a part file that
+  // points to the full device can.
+  const fs::path part = folder_ / ("full.png.part" + std::to_string(getpid()));
+  fs::create_symlink("/dev/full", part);
+  EXPECT_THROW(writePng(folder_ / "full.png", gradient(300, 300)), WriteError);
+  EXPECT_FALSE(fs::exists(folder_ / "full.png"));
+}
+
+TEST(Offscreen, APictureAboveTheDriversLimitIsAnErrorAndNotBlack) {
+  ReliefScene scene;
+  EXPECT_THROW(renderOffscreen(scene, 200'000, 16), GraphicsError);
+  EXPECT_THROW(renderOffscreen(scene, 16, 200'000), GraphicsError);
+  EXPECT_THROW(renderOffscreen(scene, 0, 16), ArgumentError);
+}
+
+TEST(Offscreen, ABlackPictureIsToldFromADrawnOne) {
+  RgbImage image{4, 4, std::vector<std::uint8_t>(48, 0)};
+  EXPECT_TRUE(isBlack(image));
+  image.rgb[17] = 1;
+  EXPECT_FALSE(isBlack(image));
+  ReliefScene scene;
+  EXPECT_FALSE(scene.mayBeBlack());
+  scene.setBackground(0, 0, 0);
+  EXPECT_TRUE(scene.mayBeBlack());
+  EXPECT_TRUE(isBlack(renderOffscreen(scene, 20, 10)));
+  scene.setScaleBar(true);
+  EXPECT_FALSE(scene.mayBeBlack());
+  EXPECT_FALSE(isBlack(renderOffscreen(scene, 200, 100)));
+}
+
+TEST(Offscreen, ASurfaceInBlackEverywhereIsReportedAsAFailure) {
+  // Nothing lights it and nothing is behind it: the same bytes as those of a driver that failed.
+  const SyntheticRelief relief = makeRelief(10, 10, [](double, double) { return 1.0; });
+  ReliefScene scene;
+  scene.setSurface(relief.grid());
+  scene.setBackground(0, 0, 0);
+  scene.setCamera({.rect = {1000, 1000, 10, 10}});  // Looks past the surface.
+  EXPECT_THROW(renderOffscreen(scene, 20, 20), GraphicsError);
+}
+
+TEST(Offscreen, TheSamePictureComesOutTwice) {
+  const SyntheticRelief relief = makeRelief(100, 100, domeWithRidges);
+  ReliefScene scene;
+  scene.setSurface(relief.grid());
+  scene.setCamera({.rect = {0, 0, 100, 100}});
+  scene.setScaleBar(true);
+  EXPECT_EQ(renderOffscreen(scene, 320, 200).rgb, renderOffscreen(scene, 320, 200).rgb);
+}
+
+TEST(Offscreen, WithoutADisplayItSaysSo) {
+  const OtherDisplay none(nullptr);
+  EXPECT_FALSE(haveDisplay());
+  ReliefScene scene;
+  EXPECT_THROW(renderOffscreen(scene, 20, 20), GraphicsError);
+}
+
+TEST(DisplayGuard, StartsAServerWhereThereIsNoneAndStopsItAgain) {
+  const OtherDisplay none(nullptr);
+  std::string name;
+  {
+    const DisplayGuard guard;
+    name = std::getenv("DISPLAY");
+    EXPECT_TRUE(haveDisplay());
+    ReliefScene scene;
+    EXPECT_EQ(renderOffscreen(scene, 30, 20).rgb.size(), 30U * 20U * 3U);
+  }
+  EXPECT_EQ(std::getenv("DISPLAY"), nullptr);
+  EXPECT_FALSE(canOpen(name));
+}
+
+TEST(DisplayGuard, LeavesAWorkingDisplayAlone) {
+  ASSERT_TRUE(haveDisplay());
+  const std::string before = std::getenv("DISPLAY");
+  const DisplayGuard guard;
+  EXPECT_EQ(before, std::getenv("DISPLAY"));
+}
+
+TEST(DisplayGuard, ReplacesADeadDisplay) {
+  const OtherDisplay dead(":987");
+  const DisplayGuard guard;
+  EXPECT_STRNE(std::getenv("DISPLAY"), ":987");
+  EXPECT_TRUE(haveDisplay());
+}
+
+TEST(DisplayGuard, SaysSoWhereXvfbIsMissing) {
+  const OtherDisplay none(nullptr);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  EXPECT_THROW(DisplayGuard(), GraphicsError);
+  setenv("PATH", path.c_str(), 1);
+}
+
+TEST(DisplayGuard, ItsServerEndsWithTheProcess) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("DISPLAY");
+    const DisplayGuard guard;
+    const std::string name = std::getenv("DISPLAY");
+    if (write(ends[1], name.data(), name.size()) < 0) _exit(1);
+    kill(getpid(), SIGKILL);
+  }
+  close(ends[1]);
+  char buffer[32] = {};
+  ASSERT_GT(read(ends[0], buffer, sizeof buffer - 1), 0);
+  waitpid(child, nullptr, 0);
+  bool gone = false;
+  for (int tries = 0; tries < 100 && !gone; ++tries) gone = !canOpen(buffer);
+  EXPECT_TRUE(gone);
+}
+
+}  // namespace
+}  // namespace relievo

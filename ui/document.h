@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <thread>
+
+#include "core/depth/depth_request.h"
+#include "core/io/raster.h"
+#include "core/region/region.h"
+#include "core/region/window.h"
+#include "core/session/surface.h"
+
+namespace relievo {
+
+/// What to open and how; nothing chosen means the defaults of `SurfaceOptions`.
+struct OpenRequest {
+  QString file;
+  std::optional<LengthUnit> unit;             ///< Said by the user for this file.
+  std::optional<LengthUnit> remembered_unit;  ///< Said for this folder; used if the file has none.
+  std::optional<ViewChoice> view;
+  std::optional<RectMm> region;  ///< First window, view mm.
+  std::optional<int> detail;     ///< First detail, 1 = whole.
+  bool accept_incomplete = false;
+};
+
+/// Everything that undo and redo bring back. Surfaces are shared and never change.
+struct DocumentState {
+  std::shared_ptr<const Surface> surface;
+  SurfaceOptions options;  ///< How `surface` was made.
+  Region region;
+  double gain = 1;
+  friend bool operator==(const DocumentState& a, const DocumentState& b) {
+    return a.surface == b.surface && a.region == b.region && a.gain == b.gain;
+  }
+};
+
+/// The one open object: its surface, the window on it, and the history of both. Long work runs in
+/// one worker; a newer request cancels the older one. [GUI thread]
+class Document : public QObject {
+  Q_OBJECT
+ public:
+  /// @param depth_buffer  runs for the engine "depthbuffer", on the worker
+  explicit Document(DepthEngine depth_buffer, QObject* parent = nullptr);
+  ~Document() override;
+
+  void open(const OpenRequest& request);
+  /// Ends the running work; what was shown stays.
+  void cancel();
+  bool busy() const { return request_ != 0; }
+
+  bool isOpen() const { return state_.surface != nullptr; }
+  const DocumentState& state() const { return state_; }
+  std::shared_ptr<const Surface> surface() const { return state_.surface; }
+  std::shared_ptr<const RegionWindow> window() const { return window_; }
+  QString file() const { return file_; }
+  QString fileSha256() const { return sha256_; }  ///< Of the bytes that were read, hexadecimal.
+  /// "Detail 2 of 4" numbers; 0 while nothing is open.
+  int detail() const;
+  int details() const;
+  QUndoStack& history() { return history_; }
+
+  // Made anew from the scan in memory, in the worker.
+  void setView(const ViewChoice& view);
+  void setEngine(const QString& engine);
+  void setUnit(LengthUnit unit);
+
+  // At once. Each returns false at a limit or while nothing is open.
+  bool finer(const StepAbout& about);
+  bool coarser(const StepAbout& about);
+  bool whole();
+  bool move(double dx, double dy);
+  bool setLevel(Level level);
+  /// A drawn or typed rectangle; widened to a square about its centre.
+  bool setRect(const RectMm& rect);
+  bool setGain(double gain);
+  /// Like setRect, but one zoom in several steps is one entry in the history.
+  bool zoomTo(const Region& region);
+  StepAbout aboutCentre() const;
+
+  // A gesture shows many states and leaves one entry in the history.
+  void preview(const Region& region);
+  void previewGain(double gain);
+  void commit(const QString& name);
+  void revert();
+  bool inGesture() const { return gesture_start_.has_value(); }
+
+  /// For the history's commands only: shows a state as it is.
+  void apply(const DocumentState& state);
+
+ Q_SIGNALS:
+  void opened(const QString& file);  ///< A file was read; surfaceChanged came before.
+  void surfaceChanged();
+  void windowChanged();  ///< Region, level, gain or surface: `window()` is another one.
+  void busyChanged(bool busy);
+  void progressed(const QString& step, double fraction);
+  void failed(const QString& message, const QString& code, const QString& file);
+  void cancelled();
+
+ private:
+  struct Work;
+  struct Outcome;
+
+  void start(Work work);
+  void launch(Work work);
+  void finish(const std::shared_ptr<Outcome>& outcome);
+  void remake(const SurfaceOptions& options, const QString& name);
+  void go(const std::optional<Region>& region, const QString& name);
+  void push(DocumentState after, const QString& name, int merge_id = -1);
+  static Outcome compute(const Work& work, const DepthEngine& depth_buffer, const Task& task);
+
+  DepthEngine depth_buffer_;
+  QString file_, sha256_;
+  std::shared_ptr<const Scan> scan_;
+  std::shared_ptr<const RasterMap> raster_;
+  DocumentState state_;
+  std::shared_ptr<const RegionWindow> window_;
+  std::optional<DocumentState> gesture_start_;
+  QUndoStack history_;
+
+  std::uint64_t last_request_ = 0;
+  std::uint64_t request_ = 0;  ///< The one whose result is waited for; 0: none.
+  bool running_ = false;
+  std::unique_ptr<Work> pending_;
+  std::jthread worker_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/keys_sheet.h"
+
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace relievo {
+namespace {
+
+struct Row {
+  QString keys, what;
+};
+
+QList<Row> rowsOf(const QList<QAction*>& commands) {
+  QList<Row> rows;
+  for (const QAction* command : commands) {
+    if (command->shortcuts().isEmpty() || !command->isVisible()) continue;
+    QStringList keys;
+    for (const QKeySequence& key : command->shortcuts()) {
+      keys << key.toString(QKeySequence::NativeText);
+    }
+    QString what = command->whatsThis();
+    if (what.isEmpty()) what = command->text().remove('&');
+    if (command->objectName().startsWith(QLatin1String("move_"))) {
+      what = KeysSheet::tr("%1: %2").arg(command->text().remove('&'), what);
+    }
+    rows.append({keys.join(QLatin1String(", ")), what});
+  }
+  const auto add = [&rows](const QString& keys, const QString& what) { rows.append({keys, what}); };
+  add(KeysSheet::tr("Esc"), KeysSheet::tr("Stop forces, then cancel, then leave the mode"));
+  add(KeysSheet::tr("Detail view: arrows, Shift+arrows"),
+      KeysSheet::tr("Move the hand by 1 or by 10 cells"));
+  add(KeysSheet::tr("Detail view: Page Down, Page Up"), KeysSheet::tr("Press in, lift"));
+  add(KeysSheet::tr("Detail view: left button"), KeysSheet::tr("Press the hand in"));
+  add(KeysSheet::tr("Detail view: Ctrl+wheel"), KeysSheet::tr("Change the press depth"));
+  add(KeysSheet::tr("Detail view: wheel"), KeysSheet::tr("Zoom about the pointer"));
+  add(KeysSheet::tr("Detail view: middle, right button"),
+      KeysSheet::tr("Turn the view, move the window"));
+  add(KeysSheet::tr("Reference view: drag"), KeysSheet::tr("Draw, move or resize the window"));
+  add(KeysSheet::tr("Reference view: arrows, Shift+arrows"),
+      KeysSheet::tr("Move, resize the window"));
+  add(KeysSheet::tr("Reference view: +, \u2212, wheel"), KeysSheet::tr("Finer, coarser"));
+  return rows;
+}
+
+}  // namespace
+
+KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog(parent) {
+  setObjectName(QStringLiteral("keys_sheet"));
+  setWindowTitle(tr("Keys"));
+  resize(640, 620);
+  const QList<Row> rows = rowsOf(commands);
+  auto* table = new QTableWidget(rows.size(), 2);
+  table->setAccessibleName(tr("Keys"));
+  table->setHorizontalHeaderLabels({tr("Keys"), tr("What they do")});
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setStretchLastSection(true);
+  table->verticalHeader()->hide();
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setShowGrid(false);
+  table->setAlternatingRowColors(true);
+  for (int i = 0; i < rows.size(); ++i) {
+    table->setItem(i, 0, new QTableWidgetItem(rows[i].keys));
+    table->setItem(i, 1, new QTableWidgetItem(rows[i].what));
+  }
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(table);
+  column->addWidget(buttons);
+}
+
+}  // namespace relievo

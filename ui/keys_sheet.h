@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QDialog>
+#include <QList>
+
+class QAction;
+
+namespace relievo {
+
+/// Every key that works, from the commands themselves, and what the mouse does. [GUI thread]
+class KeysSheet : public QDialog {
+  Q_OBJECT
+ public:
+  KeysSheet(const QList<QAction*>& commands, QWidget* parent);
+};
+
+}  // namespace relievo

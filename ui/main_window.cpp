@@ -1,0 +1,463 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/main_window.h"
+
+#include <algorithm>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUrl>
+
+#include "ui/detail_view.h"
+#include "ui/message_strip.h"
+#include "ui/reference_view.h"
+#include "ui/side_panels.h"
+#include "ui/start_page.h"
+#include "ui/status_fields.h"
+#include "ui/surface_panel.h"
+#include "ui/text.h"
+#include "ui/time_plot.h"
+#include "ui/view_panel.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kPlotHeight = 140;
+constexpr QSize kFirstSize(1440, 900);
+constexpr QSize kLeastSize(800, 500);
+
+QLabel* headerLabel(const QString& name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setContentsMargins(10, 4, 10, 4);
+  label->setMinimumWidth(10);
+  return label;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
+    : settings_(settings), document_(std::move(depth_buffer)) {
+  setObjectName(QStringLiteral("main_window"));
+  setWindowTitle(QStringLiteral("relievo"));
+  setAcceptDrops(true);
+  setMinimumSize(kLeastSize);
+  resize(kFirstSize);
+  status_ = new StatusFields(*statusBar());
+  layOut();
+  makeCommands();
+  makeMenus();
+  makeToolBar();
+  connectParts();
+  showSurface();
+  showWindow();
+  showHistory();
+  showRecent();
+  setTheme(static_cast<Theme>(settings_.choice(QStringLiteral("theme"), 0).toInt()));
+  restoreLayout();
+  qApp->installEventFilter(this);
+}
+
+MainWindow::~MainWindow() {
+  qApp->removeEventFilter(this);
+  // The document is older than the widgets that listen to it and must not reach them from here on.
+  document_.disconnect();
+  document_.history().disconnect();
+}
+
+QWidget* MainWindow::headed(QWidget* view, QLabel* title, QLabel* note) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  row->addWidget(title);
+  row->addStretch(1);
+  row->addWidget(note);
+  column->addLayout(row);
+  column->addWidget(view, 1);
+  return box;
+}
+
+void MainWindow::layOut() {
+  auto* centre = new QWidget(this);
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  strip_ = new MessageStrip(centre);
+  column->addWidget(strip_);
+  pages_ = new QStackedWidget(centre);
+  column->addWidget(pages_, 1);
+  start_ = new StartPage(pages_);
+  pages_->addWidget(start_);
+
+  auto* work = new QWidget(pages_);
+  auto* row = new QHBoxLayout(work);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  reference_ = new ReferenceView(document_);
+  detail_ = new DetailView(document_);
+  reference_title_ = headerLabel(QStringLiteral("reference_title"));
+  reference_note_ = headerLabel(QStringLiteral("reference_note"));
+  detail_title_ = headerLabel(QStringLiteral("detail_title"));
+  detail_note_ = headerLabel(QStringLiteral("detail_note"));
+  reference_box_ = headed(reference_, reference_title_, reference_note_);
+  views_ = new QSplitter(Qt::Horizontal);
+  views_->setChildrenCollapsible(false);
+  views_->addWidget(reference_box_);
+  views_->addWidget(headed(detail_, detail_title_, detail_note_));
+  views_->setStretchFactor(0, 1);
+  views_->setStretchFactor(1, 2);
+  views_->setSizes({1000, 2000});
+  plot_ = new TimePlot;
+  plot_->setMinimumHeight(90);
+  plot_->hide();
+  rows_ = new QSplitter(Qt::Vertical);
+  rows_->addWidget(views_);
+  rows_->addWidget(plot_);
+  rows_->setCollapsible(0, false);
+  rows_->setStretchFactor(0, 1);
+  rows_->setStretchFactor(1, 0);
+  rows_->setSizes({kFirstSize.height(), kPlotHeight});
+  row->addWidget(rows_, 1);
+
+  panels_ = new SidePanels(work);
+  surface_panel_ = new SurfacePanel(document_);
+  region_panel_ = new RegionPanel(document_);
+  view_panel_ = new ViewPanel;
+  stereo_panel_ = new StereoPanel;
+  panels_->add(tr("Surface"), surface_panel_);
+  panels_->add(tr("Window"), region_panel_);
+  panels_->add(tr("View"), view_panel_);
+  panels_->add(tr("Stereo"), stereo_panel_);
+  row->addWidget(panels_);
+  pages_->addWidget(work);
+  setCentralWidget(centre);
+}
+
+void MainWindow::connectParts() {
+  connect(start_, &StartPage::openAsked, this, &MainWindow::chooseFile);
+  connect(start_, &StartPage::fileChosen, this, qOverload<const QString&>(&MainWindow::open));
+
+  connect(&document_, &Document::surfaceChanged, this, &MainWindow::showSurface);
+  connect(&document_, &Document::windowChanged, this, &MainWindow::showWindow);
+  connect(&document_, &Document::busyChanged, this, &MainWindow::showBusy);
+  connect(&document_, &Document::failed, this, &MainWindow::showFailure);
+  connect(&document_, &Document::cancelled, this,
+          [this] { announce(tr("Cancelled. Nothing was changed.")); });
+  connect(&document_, &Document::progressed, status_, &StatusFields::showWork);
+  connect(&document_, &Document::opened, this, [this](const QString& file) {
+    settings_.addRecentFile(file);
+    showRecent();
+    announce(tr("%1 is open").arg(QFileInfo(file).fileName()));
+    askUnit();
+    detail_->setFocus();
+  });
+  connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
+  for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
+    connect(&document_.history(), signal, this, &MainWindow::showHistory);
+  }
+
+  connect(surface_panel_, &SurfacePanel::unitChosen, this, &MainWindow::chooseUnit);
+  connect(view_panel_, &ViewPanel::viewChosen, this, [this](const QString& name) {
+    document_.setView({name.toStdString(), {}});
+  });
+  connect(view_panel_, &ViewPanel::useThisViewAsked, this, &MainWindow::useThisView);
+  connect(view_panel_, &ViewPanel::straightenAsked, detail_, &DetailView::straighten);
+  connect(view_panel_, &ViewPanel::lightChanged, this, [this](const LightOptions& light) {
+    reference_->setLight(light);
+    detail_->setLight(light);
+  });
+  connect(stereo_panel_, &StereoPanel::changed, this, [this](const StereoOptions& stereo) {
+    reference_->setStereo(stereo);
+    detail_->setStereo(stereo);
+    command("stereo")->setChecked(stereo.mode == StereoMode::anaglyph);
+  });
+
+  connect(detail_, &DetailView::turned, this, [this](bool turned) {
+    view_panel_->showTurned(turned);
+    enableCommands();
+  });
+  connect(detail_, &DetailView::handMoved, this, &MainWindow::handMoved);
+  connect(detail_, &DetailView::handMoved, this, [this](const ViewMm& position, bool inside) {
+    if (inside && !probe_) showPosition(position, {});
+  });
+  connect(detail_, &DetailView::pressDepthChanged, this, [this](double depth) {
+    announce(tr("Press depth %1 mm of hand").arg(depth, 0, 'f', 2));
+  });
+  connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
+}
+
+void MainWindow::open(const QString& file) {
+  OpenRequest request;
+  request.file = file;
+  open(request);
+}
+
+void MainWindow::open(const OpenRequest& request) {
+  strip_->close();
+  OpenRequest asked = request;
+  asked.file = QFileInfo(request.file).absoluteFilePath();
+  asked.remembered_unit = settings_.unitOfFolder(asked.file);
+  document_.open(asked);
+}
+
+void MainWindow::showSurface() {
+  const bool is_open = document_.isOpen();
+  pages_->setCurrentIndex(is_open ? 1 : 0);
+  tools_->setVisible(is_open);
+  enableCommands();
+  if (!is_open) return;
+  const Surface& surface = *document_.surface();
+  const HeightRange heights = heightRange(surface.map);
+  stereo_panel_->setHeights(heights.min_mm, heights.max_mm);
+  view_panel_->showView(QString::fromStdString(surface.view_name));
+  detail_->straighten();
+  setWindowTitle(tr("%1 \u2013 relievo").arg(QFileInfo(document_.file()).fileName()));
+  reference_title_->setText(tr("REFERENCE"));
+  reference_note_->setText(sizeText({surface.map.widthMm(), surface.map.heightExtentMm()}));
+}
+
+void MainWindow::showWindow() {
+  const auto window = document_.window();
+  enableCommands();
+  if (!window) return;
+  probe_.reset();
+  const int detail = document_.detail();
+  const int details = document_.details();
+  const double side = window->region.side_mm;
+  detail_title_->setText(tr("DETAIL %1 of %2").arg(detail).arg(details));
+  const double scale = handMapping(*window).objectMmPerHandMm();
+  const QString scale_text = mmText(scale, scale / 10);
+  QString note = QStringLiteral("%1   |   %2")
+                     .arg(sizeText({side, side}), tr("1 mm of hand = %1 mm").arg(scale_text));
+  if (window->gain != 1) {
+    note.prepend(tr("heights \u00d7 %1   |   ").arg(window->gain, 0, 'f', 2));
+  }
+  detail_note_->setText(note);
+  detail_choice_->setCurrentIndex(-1);
+  if (detail_choice_->count() != details) {
+    detail_choice_->clear();
+    for (int d = 1; d <= details; ++d) {
+      detail_choice_->addItem(tr("Detail %1 of %2").arg(d).arg(details), d);
+    }
+  }
+  detail_choice_->setCurrentIndex(detail - 1);
+  status_->set(StatusField::detail, tr("Detail %1/%2").arg(detail).arg(details),
+               tr("Level %1 of the pyramid").arg(window->region.level.value));
+  status_->set(StatusField::hand, tr("hand 1 : %1").arg(scale_text),
+               tr("1 mm of hand = %1 mm on the object").arg(scale_text));
+  Q_EMIT windowShown(window);
+}
+
+void MainWindow::showBusy(bool busy) {
+  if (busy) {
+    status_->beginWork();
+  } else {
+    status_->endWork();
+  }
+}
+
+void MainWindow::showMessage(const QString& text) {
+  strip_->show(text);
+}
+
+QString MainWindow::message() const {
+  return strip_->text();
+}
+
+void MainWindow::showFailure(const QString& message, const QString& code, const QString& file) {
+  std::vector<MessageStrip::Button> buttons;
+  if (code == QLatin1String("E101") && !file.isEmpty()) {
+    buttons.push_back({tr("&Load what is there"), [this, file] {
+                         OpenRequest request;
+                         request.file = file;
+                         request.accept_incomplete = true;
+                         open(request);
+                       }});
+  }
+  if (!file.isEmpty()) buttons.push_back({tr("&Choose\u2026"), [this] { chooseFile(); }});
+  strip_->show(code.isEmpty() ? message : QStringLiteral("%1 (%2)").arg(message, code), buttons);
+}
+
+void MainWindow::askUnit() {
+  const Surface& surface = *document_.surface();
+  if (surface.unit_source != UnitSource::assumed || !surface.info.bounds) return;
+  const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
+  const auto number = [](double v) { return QLocale().toString(v, 'g', 4); };
+  std::vector<MessageStrip::Button> buttons;
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::cm, LengthUnit::m}) {
+    QString text = unitText(unit);
+    text[0] = text[0].toUpper();
+    buttons.push_back({text, [this, unit] { chooseUnit(unit); }});
+  }
+  strip_->show(
+      tr("The points carry no unit. %1 \u00d7 %2 \u00d7 %3 \u2013 millimetres, centimetres "
+         "or metres? Shown as millimetres until you say. (E103)")
+          .arg(number(size.x), number(size.y), number(size.z)),
+      buttons);
+}
+
+void MainWindow::chooseUnit(LengthUnit unit) {
+  settings_.rememberUnit(document_.file(), unit);
+  strip_->close();
+  document_.setUnit(unit);
+}
+
+void MainWindow::useThisView() {
+  if (!document_.isOpen() || !detail_->isTurned()) return;
+  const auto& m = document_.surface()->view_from_file.m;
+  const double scale = std::hypot(m[0], m[4], m[8]);
+  const Rotation camera = detail_->cameraRotation();
+  Rotation turned{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        turned[3 * i + j] += camera[3 * i + k] * m[4 * k + j] / scale;
+      }
+    }
+  }
+  document_.setView({"free", turned});
+}
+
+void MainWindow::setFullScreenDetail(bool on) {
+  if (on == isFullScreen()) return;
+  if (on) {
+    layout_before_full_screen_ = saveState();
+    showFullScreen();
+  } else {
+    showNormal();
+  }
+  menuBar()->setVisible(!on);
+  tools_->setVisible(!on && document_.isOpen());
+  reference_box_->setVisible(!on && command("show_reference")->isChecked());
+  panels_->setVisible(!on && command("show_panels")->isChecked());
+  plot_->setVisible(!on && command("show_plots")->isChecked());
+  if (!on) restoreState(layout_before_full_screen_);
+  command("full_screen")->setChecked(on);
+  detail_->setFocus();
+}
+
+void MainWindow::focusNextPart(int direction) {
+  // Order of the window: toolbar, reference, detail, panels, plot, status.
+  const std::array<QWidget*, 6> parts{tools_, reference_, detail_, panels_, plot_, statusBar()};
+  const QWidget* focused = QApplication::focusWidget();
+  int now = direction > 0 ? -1 : 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (focused != nullptr && (parts[i] == focused || parts[i]->isAncestorOf(focused))) {
+      now = static_cast<int>(i);
+    }
+  }
+  const int count = static_cast<int>(parts.size());
+  for (int step = 1; step <= count; ++step) {
+    QWidget* part = parts[static_cast<std::size_t>((now + direction * step + 2 * count) % count)];
+    if (!part->isVisible()) continue;
+    const auto inside = part->findChildren<QWidget*>();
+    QWidget* target = (part->focusPolicy() & Qt::TabFocus) != 0 ? part : nullptr;
+    for (QWidget* child : inside) {
+      if (target != nullptr) break;
+      const bool takes =
+          child->isVisible() && child->isEnabled() && (child->focusPolicy() & Qt::TabFocus) != 0;
+      if (takes) target = child;
+    }
+    if (target == nullptr) continue;
+    target->setFocus(direction > 0 ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+    return;
+  }
+}
+
+void MainWindow::setTheme(Theme theme) {
+  applyTheme(*qApp, theme);
+  settings_.setChoice(QStringLiteral("theme"), static_cast<int>(theme));
+  const ThemeColours& c = currentColours();
+  reference_->setBackground(c.viewport);
+  detail_->setBackground(c.viewport);
+  plot_->takeColours();
+  for (QLabel* label : {reference_title_, reference_note_, detail_title_, detail_note_}) {
+    QPalette quiet = label->palette();
+    quiet.setColor(QPalette::WindowText, c.quiet_text);
+    label->setPalette(quiet);
+  }
+}
+
+void MainWindow::restoreLayout() {
+  restoreGeometry(settings_.layout(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings_.layout(QStringLiteral("state")).toByteArray());
+  views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
+  rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
+  for (const char* part : {"show_panels", "show_reference"}) {
+    const QVariant shown = settings_.layout(QString::fromLatin1(part));
+    if (shown.isValid()) command(part)->setChecked(shown.toBool());
+  }
+}
+
+void MainWindow::saveLayout() {
+  if (isFullScreen()) setFullScreenDetail(false);
+  settings_.setLayout(QStringLiteral("geometry"), saveGeometry());
+  settings_.setLayout(QStringLiteral("state"), saveState());
+  settings_.setLayout(QStringLiteral("views"), views_->saveState());
+  settings_.setLayout(QStringLiteral("rows"), rows_->saveState());
+  for (const char* part : {"show_panels", "show_reference"}) {
+    settings_.setLayout(QString::fromLatin1(part), command(part)->isChecked());
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  saveLayout();
+  document_.cancel();
+  Q_EMIT closing();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.isEmpty()) return;
+  event->acceptProposedAction();
+  if (urls.size() > 1) {
+    strip_->show(
+        tr("%n files were dropped. Nothing was opened. Drop one file.", nullptr, urls.size()));
+  } else if (!urls.front().isLocalFile()) {
+    strip_->show(tr("Only files on this computer can be opened. Nothing was opened."));
+  } else {
+    open(urls.front().toLocalFile());
+  }
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress || QApplication::activeModalWidget() != nullptr ||
+      QApplication::activePopupWidget() != nullptr || !watched->isWidgetType() ||
+      static_cast<QWidget*>(watched)->window() != this) {
+    return QMainWindow::eventFilter(watched, event);
+  }
+  // Escape, wherever the focus is: first the forces, then long work, then the mode.
+  if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    if (stopForces()) return true;
+    if (document_.busy()) {
+      document_.cancel();
+      return true;
+    }
+    if (isFullScreen()) {
+      setFullScreenDetail(false);
+      return true;
+    }
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace relievo

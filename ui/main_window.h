@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <QKeySequence>
+#include <QMainWindow>
+#include <span>
+
+#include "core/region/probe.h"
+#include "ui/document.h"
+#include "ui/icons.h"
+#include "ui/palette.h"
+#include "ui/settings.h"
+#include "ui/touch_readout.h"
+
+class QComboBox;
+class QLabel;
+class QSplitter;
+class QStackedWidget;
+class QToolBar;
+
+namespace relievo {
+
+class DetailView;
+class MessageStrip;
+class ReferenceView;
+class RegionPanel;
+class SidePanels;
+class StartPage;
+class StatusFields;
+class StereoPanel;
+class SurfacePanel;
+class TimePlot;
+class ViewPanel;
+
+enum class ImageSource { reference, detail, window };
+
+/// The window: one object, two views, one hand. It shows and asks; what it shows is `document()`.
+/// [GUI thread]
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  /// @param depth_buffer  the OpenGL depth engine
+  explicit MainWindow(DepthEngine depth_buffer,
+                      Settings::Mode settings = Settings::Mode::remembered);
+  ~MainWindow() override;
+
+  Document& document() { return document_; }
+  DetailView& detailView() { return *detail_; }
+  ReferenceView& referenceView() { return *reference_; }
+  Settings& settings() { return settings_; }
+
+  void open(const OpenRequest& request);
+  void open(const QString& file);
+  /// PNG of a view or the window, exactly `pixels` large.
+  /// @throw WriteError, GraphicsError
+  void writeImage(ImageSource source, const QSize& pixels, const QString& file);
+  /// A sentence above the views.
+  void showMessage(const QString& text);
+  QString message() const;  ///< Empty while there is none.
+
+  // What a touch module offers and tells; see plugins/api.
+  void addPanel(const QString& title, QWidget* panel);
+  void addToMenu(const QString& menu, QAction* action);
+  void showProbe(const Probe& probe);
+  void plot(std::span<const TouchPlotPoint> points);
+  void showTouch(const TouchReadout& readout);
+  /// Why there is no touch; the status bar says so.
+  void showTouchMissing(const QString& reason);
+  void announce(const QString& text);
+  /// Runs a command by its object name. @return false: unknown or disabled
+  bool runCommand(const QString& name);
+  /// Comment lines about input, unit, view and region for a recording's header.
+  QString recordingHeader() const;
+
+ Q_SIGNALS:
+  void windowShown(std::shared_ptr<const relievo::RegionWindow> window);
+  void handMoved(relievo::ViewMm position, bool inside);
+  void closing();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Command {
+    const char* name;
+    QString text;
+    QList<QKeySequence> keys;
+    QString tip;
+    std::function<void()> run;
+    std::optional<Icon> icon;
+    bool checkable = false;
+  };
+  QAction* make(const Command& command);
+
+  // main_window.cpp
+  void layOut();
+  QWidget* headed(QWidget* view, QLabel* title, QLabel* note);
+  void connectParts();
+  void showSurface();
+  void showWindow();
+  void showBusy(bool busy);
+  void showFailure(const QString& message, const QString& code, const QString& file);
+  void askUnit();
+  void chooseUnit(LengthUnit unit);
+  void useThisView();
+  void setFullScreenDetail(bool on);
+  void focusNextPart(int direction);
+  void setTheme(Theme theme);
+  void restoreLayout();
+  void saveLayout();
+
+  // main_window_menus.cpp
+  void makeCommands();
+  void makeSurfaceCommands();
+  void makeWindowCommands();
+  void makeMenus();
+  void makeToolBar();
+  void makeThemeMenu(QMenu* view);
+  void showRecent();
+  void showHistory();
+  void enableCommands();
+  void chooseFile();
+  void chooseImage();
+  void showKeys();
+  void showAbout();
+  QAction* command(const char* name) const;
+  QMenu* menu(const QString& title);
+
+  // main_window_touch.cpp
+  void showPosition(const ViewMm& position, std::optional<Origin> known);
+  StepAbout about() const;
+  bool stopForces();
+
+  Settings settings_;
+  Document document_;
+  MessageStrip* strip_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  StartPage* start_ = nullptr;
+  QSplitter* views_ = nullptr;
+  QSplitter* rows_ = nullptr;
+  QWidget* reference_box_ = nullptr;
+  QLabel *reference_title_ = nullptr, *reference_note_ = nullptr;
+  QLabel *detail_title_ = nullptr, *detail_note_ = nullptr;
+  ReferenceView* reference_ = nullptr;
+  DetailView* detail_ = nullptr;
+  SidePanels* panels_ = nullptr;
+  SurfacePanel* surface_panel_ = nullptr;
+  RegionPanel* region_panel_ = nullptr;
+  ViewPanel* view_panel_ = nullptr;
+  StereoPanel* stereo_panel_ = nullptr;
+  TimePlot* plot_ = nullptr;
+  StatusFields* status_ = nullptr;
+  QToolBar* tools_ = nullptr;
+  QComboBox* detail_choice_ = nullptr;
+  QMenu* recent_menu_ = nullptr;
+
+  std::optional<Probe> probe_;
+  TouchReadout touch_;
+  bool touch_present_ = false;
+  QByteArray layout_before_full_screen_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/detail_view.h"
+#include "ui/image_dialog.h"
+#include "ui/keys_sheet.h"
+#include "ui/main_window.h"
+#include "ui/message_strip.h"
+#include "ui/side_panels.h"
+#include "ui/start_page.h"
+#include "ui/surface_panel.h"
+#include "ui/text.h"
+#include "ui/time_plot.h"
+#include "ui/view_panel.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kMoveStep = 0.25;  // Of the window's side.
+
+QString withKey(const QString& tip, const QList<QKeySequence>& keys) {
+  if (keys.isEmpty()) return tip;
+  return QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText));
+}
+
+}  // namespace
+
+QAction* MainWindow::make(const Command& c) {
+  auto* action = new QAction(c.text, this);
+  action->setObjectName(QString::fromLatin1(c.name));
+  action->setShortcuts(c.keys);
+  action->setToolTip(withKey(c.tip, c.keys));
+  action->setWhatsThis(c.tip);
+  action->setCheckable(c.checkable);
+  if (c.icon) action->setIcon(icon(*c.icon));
+  addAction(action);
+  if (c.run) connect(action, &QAction::triggered, this, [run = c.run] { run(); });
+  return action;
+}
+
+QAction* MainWindow::command(const char* name) const {
+  return findChild<QAction*>(QString::fromLatin1(name), Qt::FindDirectChildrenOnly);
+}
+
+void MainWindow::makeCommands() {
+  make({"open",
+        tr("&Open\u2026"),
+        {QKeySequence("Ctrl+O")},
+        tr("Open a scan or a height map"),
+        [this] { chooseFile(); },
+        Icon::open});
+  make({"image",
+        tr("&Image\u2026"),
+        {QKeySequence("Ctrl+Shift+E")},
+        tr("Save a picture of a view or of the window"),
+        [this] { chooseImage(); },
+        Icon::camera});
+  make({"quit",
+        tr("&Quit"),
+        {QKeySequence("Ctrl+Q")},
+        tr("Close relievo"),
+        [this] { close(); },
+        {}});
+  make({"undo",
+        tr("&Undo"),
+        {QKeySequence("Ctrl+Z")},
+        tr("Undo"),
+        [this] { document_.history().undo(); },
+        {}});
+  make({"redo",
+        tr("&Redo"),
+        {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
+        tr("Redo"),
+        [this] { document_.history().redo(); },
+        {}});
+  make({"keys",
+        tr("&Keys"),
+        {QKeySequence("F1")},
+        tr("All keys on one sheet"),
+        [this] { showKeys(); },
+        {}});
+  make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
+  makeSurfaceCommands();
+  makeWindowCommands();
+}
+
+void MainWindow::makeSurfaceCommands() {
+  const auto step = [this](bool finer) {
+    const bool done = finer ? document_.finer(about()) : document_.coarser(about());
+    if (done) {
+      announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
+    } else {
+      announce(finer ? tr("This is the finest detail") : tr("This is the whole object"));
+    }
+  };
+  make({"finer",
+        tr("&Finer"),
+        {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
+        tr("Finer detail: a smaller window"),
+        [step] { step(true); },
+        Icon::finer});
+  make({"coarser",
+        tr("&Coarser"),
+        {QKeySequence("Ctrl+-")},
+        tr("Coarser detail: a larger window"),
+        [step] { step(false); },
+        Icon::coarser});
+  make({"whole",
+        tr("&Whole object"),
+        {QKeySequence("Ctrl+0")},
+        tr("The whole object in the window"),
+        [this] {
+          if (document_.whole()) announce(tr("Whole object"));
+        },
+        Icon::whole});
+  struct Move {
+    const char* name;
+    QString text, keys;
+    double dx, dy;
+  };
+  const std::array<Move, 4> moves{{
+      {"move_left", tr("Move &left"), "Ctrl+Left", -kMoveStep, 0},
+      {"move_right", tr("Move &right"), "Ctrl+Right", kMoveStep, 0},
+      {"move_up", tr("Move &up"), "Ctrl+Up", 0, kMoveStep},
+      {"move_down", tr("Move &down"), "Ctrl+Down", 0, -kMoveStep},
+  }};
+  for (const Move& m : moves) {
+    make({m.name,
+          m.text,
+          {QKeySequence(m.keys)},
+          tr("Move the window by a quarter of its side"),
+          [this, dx = m.dx, dy = m.dy] {
+            if (!document_.move(dx, dy)) announce(tr("Edge"));
+          },
+          {}});
+  }
+  make({"type_window",
+        tr("&Type window\u2026"),
+        {QKeySequence("Ctrl+G")},
+        tr("Type the window's place and size in millimetres"),
+        [this] {
+          command("show_panels")->setChecked(true);
+          auto* x = region_panel_->findChild<QDoubleSpinBox*>(QStringLiteral("region_x"));
+          x->setFocus();
+          x->selectAll();
+        },
+        {}});
+  struct View {
+    const char* name;
+    QString text;
+  };
+  const std::array<View, 6> six{{{"front", tr("&Front")},
+                                 {"back", tr("&Back")},
+                                 {"left", tr("&Left")},
+                                 {"right", tr("&Right")},
+                                 {"top", tr("&Top")},
+                                 {"bottom", tr("Botto&m")}}};
+  for (std::size_t i = 0; i < six.size(); ++i) {
+    const QString view = QString::fromLatin1(six[i].name);
+    make({six[i].name,
+          six[i].text,
+          {QKeySequence(QStringLiteral("Alt+%1").arg(i + 1))},
+          tr("Look from this side and make the relief anew"),
+          [this, view] {
+            document_.setView({view.toStdString(), {}});
+          },
+          {}});
+  }
+  make({"auto",
+        tr("&Automatic"),
+        {},
+        tr("Look from the side that shows most"),
+        [this] {
+          document_.setView({"auto", {}});
+        },
+        {}});
+  make({"use_view",
+        tr("&Use this view"),
+        {},
+        tr("Make the relief anew from where the turned detail view looks"),
+        [this] { useThisView(); },
+        {}});
+  make({"engine_cpu",
+        tr("&Processor"),
+        {},
+        tr("Make the depth map on the processor"),
+        [this] { document_.setEngine(QStringLiteral("cpu")); },
+        {},
+        true});
+  make({"engine_depthbuffer",
+        tr("&Depth buffer"),
+        {},
+        tr("Make the depth map by the graphics card's depth buffer"),
+        [this] { document_.setEngine(QStringLiteral("depthbuffer")); },
+        {},
+        true});
+}
+
+void MainWindow::makeWindowCommands() {
+  make({"fit",
+        tr("F&it"),
+        {},
+        tr("Look straight down on the relief, fitted to the view"),
+        [this] { detail_->straighten(); },
+        Icon::fit});
+  auto* stereo = make({"stereo",
+                       tr("&Stereo (red/cyan)"),
+                       {QKeySequence("Ctrl+3")},
+                       tr("Anaglyph for red and cyan glasses"),
+                       {},
+                       Icon::stereo,
+                       true});
+  connect(stereo, &QAction::toggled, this, [this](bool on) { stereo_panel_->setOn(on); });
+  auto* panels = make(
+      {"show_panels", tr("Side &panels"), {}, tr("Show or hide the side panels"), {}, {}, true});
+  panels->setChecked(true);
+  connect(panels, &QAction::toggled, panels_, &QWidget::setVisible);
+  auto* reference = make({"show_reference",
+                          tr("Refere&nce view"),
+                          {},
+                          tr("Show or hide the whole object"),
+                          {},
+                          {},
+                          true});
+  reference->setChecked(true);
+  connect(reference, &QAction::toggled, reference_box_, &QWidget::setVisible);
+  auto* plots = make({"show_plots",
+                      tr("Pl&ots"),
+                      {},
+                      tr("Show or hide the plots of height and force"),
+                      {},
+                      {},
+                      true});
+  connect(plots, &QAction::toggled, plot_, &QWidget::setVisible);
+  make({"full_screen",
+        tr("Full s&creen detail"),
+        {QKeySequence("F11")},
+        tr("The detail view alone on the whole screen"),
+        [this] { setFullScreenDetail(!isFullScreen()); },
+        {},
+        true});
+  auto* next = make({"next_part",
+                     tr("Ne&xt part"),
+                     {QKeySequence("F6")},
+                     tr("Move the focus to the next part of the window"),
+                     [this] { focusNextPart(1); },
+                     {}});
+  auto* previous = make({"previous_part",
+                         tr("Pre&vious part"),
+                         {QKeySequence("Shift+F6")},
+                         tr("Move the focus to the part before"),
+                         [this] { focusNextPart(-1); },
+                         {}});
+  next->setAutoRepeat(false);
+  previous->setAutoRepeat(false);
+}
+
+QMenu* MainWindow::menu(const QString& title) {
+  const QString name = QString(title).remove('&');
+  if (auto* known = findChild<QMenu*>(QLatin1String("menu_") + name.toLower())) return known;
+  auto* made = menuBar()->addMenu(title);
+  made->setObjectName(QLatin1String("menu_") + name.toLower());
+  made->setToolTipsVisible(true);
+  return made;
+}
+
+void MainWindow::makeMenus() {
+  const auto add = [this](QMenu* to, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+      if (*name == '-') {
+        to->addSeparator();
+      } else {
+        to->addAction(command(name));
+      }
+    }
+  };
+  QMenu* file = menu(tr("&File"));
+  add(file, {"open"});
+  recent_menu_ = file->addMenu(tr("Open &recent"));
+  recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
+  recent_menu_->setToolTipsVisible(true);
+  add(file, {"-", "image", "-", "quit"});
+  add(menu(tr("&Edit")), {"undo", "redo"});
+  QMenu* view = menu(tr("&View"));
+  add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "use_view", "-", "fit",
+             "stereo", "-", "show_reference", "show_panels", "show_plots"});
+  makeThemeMenu(view);
+  add(view, {"full_screen", "-", "next_part", "previous_part"});
+  command("show_plots")->setVisible(false);
+  QMenu* surface = menu(tr("&Surface"));
+  add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
+                "type_window", "-"});
+  QMenu* engine = surface->addMenu(tr("Depth &engine"));
+  engine->menuAction()->setToolTip(tr("How the depth map is made"));
+  add(engine, {"engine_cpu", "engine_depthbuffer"});
+  // Present from the start so that their order is fixed; shown once somebody adds an entry.
+  for (const QString& title : {tr("&Touch"), tr("Re&cord")}) {
+    menu(title)->menuAction()->setVisible(false);
+  }
+  add(menu(tr("&Help")), {"keys", "about"});
+}
+
+void MainWindow::makeThemeMenu(QMenu* view) {
+  QMenu* themes = view->addMenu(tr("Colours (&w)"));
+  themes->menuAction()->setToolTip(tr("Light or dark window"));
+  auto* group = new QActionGroup(this);
+  struct Entry {
+    Theme theme;
+    const char* name;
+    QString text;
+  };
+  const std::array<Entry, 4> entries{{{Theme::system, "theme_system", tr("As the &system")},
+                                      {Theme::light, "theme_light", tr("&Light")},
+                                      {Theme::dark, "theme_dark", tr("&Dark")},
+                                      {Theme::contrast, "theme_contrast", tr("&High contrast")}}};
+  const int chosen = settings_.choice(QStringLiteral("theme"), 0).toInt();
+  for (const Entry& e : entries) {
+    QAction* action = make({e.name,
+                            e.text,
+                            {},
+                            tr("Colours of the window"),
+                            [this, theme = e.theme] { setTheme(theme); },
+                            {},
+                            true});
+    action->setChecked(static_cast<int>(e.theme) == chosen);
+    group->addAction(action);
+    themes->addAction(action);
+  }
+}
+
+void MainWindow::makeToolBar() {
+  tools_ = addToolBar(tr("Tools"));
+  tools_->setObjectName(QStringLiteral("tools"));
+  tools_->setAccessibleName(tr("Tools"));
+  tools_->setMovable(false);
+  tools_->setIconSize({20, 20});
+  tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  tools_->setContextMenuPolicy(Qt::PreventContextMenu);
+  tools_->addAction(command("open"));
+  tools_->addSeparator();
+  auto* views = new QToolButton;
+  views->setObjectName(QStringLiteral("view_button"));
+  views->setText(tr("View"));
+  views->setIcon(icon(Icon::view));
+  views->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  views->setPopupMode(QToolButton::InstantPopup);
+  views->setToolTip(tr("From which side the object is seen (Alt+1 to Alt+6)"));
+  views->setAccessibleName(tr("View"));
+  views->setFocusPolicy(Qt::StrongFocus);
+  auto* sides = new QMenu(views);
+  sides->setToolTipsVisible(true);
+  for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "use_view"}) {
+    sides->addAction(command(name));
+  }
+  views->setMenu(sides);
+  tools_->addWidget(views);
+  tools_->addAction(command("fit"));
+  tools_->addSeparator();
+  tools_->addAction(command("coarser"));
+  detail_choice_ = new QComboBox;
+  detail_choice_->setObjectName(QStringLiteral("detail_choice"));
+  detail_choice_->setAccessibleName(tr("Detail"));
+  detail_choice_->setToolTip(tr("Which detail feeds the window"));
+  connect(detail_choice_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    document_.setLevel({document_.details() - 1 - index});
+    detail_choice_->setCurrentIndex(document_.detail() - 1);
+  });
+  tools_->addWidget(detail_choice_);
+  tools_->addAction(command("finer"));
+  tools_->addAction(command("whole"));
+  tools_->addSeparator();
+  tools_->addAction(command("stereo"));
+  tools_->addAction(command("image"));
+  for (QToolButton* button : tools_->findChildren<QToolButton*>()) {
+    button->setFocusPolicy(Qt::StrongFocus);
+    if (button->defaultAction() == nullptr) continue;
+    button->setAccessibleName(button->defaultAction()->text().remove('&').remove(u'\u2026'));
+  }
+  for (const char* name : {"coarser", "finer"}) {
+    auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(command(name)));
+    button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  }
+}
+
+void MainWindow::showRecent() {
+  recent_menu_->clear();
+  const QStringList files = settings_.recentFiles();
+  start_->setRecent(files);
+  recent_menu_->menuAction()->setVisible(!files.isEmpty());
+  int number = 1;
+  for (const QString& file : files) {
+    const QString name = QFileInfo(file).fileName().replace('&', QLatin1String("&&"));
+    QAction* entry =
+        recent_menu_->addAction(QStringLiteral("&%1 %2").arg(number++ % kRecentFiles).arg(name),
+                                this, [this, file] { open(file); });
+    entry->setToolTip(file);
+  }
+  recent_menu_->addSeparator();
+  QAction* clear = recent_menu_->addAction(tr("&Clear this list"), this, [this] {
+    settings_.clearRecentFiles();
+    showRecent();
+  });
+  clear->setToolTip(tr("Forget these files"));
+}
+
+void MainWindow::showHistory() {
+  const QUndoStack& history = document_.history();
+  const auto show = [](QAction* action, const QString& verb, const QString& what, bool can,
+                       const QString& key) {
+    action->setEnabled(can);
+    action->setText(what.isEmpty() ? verb : verb + ' ' + what);
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(action->text().remove('&'), key));
+  };
+  show(command("undo"), tr("&Undo"), history.undoText(), history.canUndo(),
+       QStringLiteral("Ctrl+Z"));
+  show(command("redo"), tr("&Redo"), history.redoText(), history.canRedo(),
+       QStringLiteral("Ctrl+Y"));
+}
+
+void MainWindow::enableCommands() {
+  const bool is_open = document_.isOpen();
+  const bool is_raster = is_open && document_.surface()->is_raster;
+  for (const char* name : {"image", "finer", "coarser", "whole", "move_left", "move_right",
+                           "move_up", "move_down", "type_window", "fit", "stereo", "full_screen"}) {
+    command(name)->setEnabled(is_open);
+  }
+  for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",
+                           "engine_depthbuffer"}) {
+    command(name)->setEnabled(is_open && !is_raster);
+  }
+  command("use_view")->setEnabled(is_open && !is_raster && detail_->isTurned());
+  if (!is_open) return;
+  const Region& region = document_.state().region;
+  const DetailLadder& ladder = document_.surface()->ladder;
+  const StepAbout centre = document_.aboutCentre();
+  command("finer")->setEnabled(finer(ladder, region, centre).has_value());
+  command("coarser")->setEnabled(coarser(ladder, region, centre).has_value());
+  command("whole")->setEnabled(!(region == wholeRegion(ladder)));
+  command("engine_cpu")->setChecked(document_.surface()->engine == "cpu");
+  command("engine_depthbuffer")->setChecked(document_.surface()->engine == "depthbuffer");
+}
+
+void MainWindow::chooseFile() {
+  auto* dialog = new QFileDialog(this, tr("Open"));
+  dialog->setObjectName(QStringLiteral("open_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters(
+      {tr("Scans and height maps (%1)").arg(scanPatterns().join(' ')), tr("All files (*)")});
+  const QString folder = settings_.layout(QStringLiteral("folder")).toString();
+  if (!folder.isEmpty()) dialog->setDirectory(folder);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    settings_.setLayout(QStringLiteral("folder"), QFileInfo(file).absolutePath());
+    open(file);
+  });
+  dialog->open();
+}
+
+void MainWindow::chooseImage() {
+  auto* dialog =
+      new ImageDialog(QFileInfo(document_.file()).completeBaseName(), detail_->size(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ImageDialog::chosen, this, [this](const ImageChoice& choice) {
+    try {
+      writeImage(choice.source, choice.pixels, choice.file);
+      announce(tr("%1 is saved").arg(QFileInfo(choice.file).fileName()));
+    } catch (const Error& error) {
+      strip_->show(QString::fromUtf8(error.what()));
+    }
+  });
+  dialog->open();
+}
+
+void MainWindow::showKeys() {
+  auto* sheet = new KeysSheet(findChildren<QAction*>(), this);
+  sheet->setAttribute(Qt::WA_DeleteOnClose);
+  sheet->show();
+}
+
+void MainWindow::showAbout() {
+  auto* box =
+      new QMessageBox(QMessageBox::NoIcon, tr("About relievo"),
+                      tr("<b>relievo %1</b><br>See and touch scans of reliefs: a depth map, its "
+                         "pyramid, and a window "
+                         "on it that is shown in stereo and felt.<br><br>BSD-3-Clause licence.")
+                          .arg(QStringLiteral(RELIEVO_VERSION_STRING)),
+                      QMessageBox::Close, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+}  // namespace relievo

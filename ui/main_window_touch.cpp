@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <QAccessible>
+#include <QAction>
+#include <QFileInfo>
+#include <QImage>
+#include <QMenu>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/detail_view.h"
+#include "ui/main_window.h"
+#include "ui/reference_view.h"
+#include "ui/side_panels.h"
+#include "ui/status_fields.h"
+#include "ui/text.h"
+#include "ui/time_plot.h"
+
+namespace relievo {
+namespace {
+
+/// Of the window's sample nearest a view position.
+Origin originAt(const RegionWindow& window, double x_mm, double y_mm) {
+  const auto index = [&](double position, double start) {
+    const double i = std::floor((position - start) / window.spacingMm());
+    return static_cast<std::size_t>(std::clamp(i, 0.0, kWindowSamples - 1.0));
+  };
+  const std::size_t row = index(y_mm, window.region.y_mm);
+  return window.origins[row * kWindowSamples + index(x_mm, window.region.x_mm)];
+}
+
+QString originText(Origin origin) {
+  switch (origin) {
+    case Origin::measured:
+      return MainWindow::tr("measured");
+    case Origin::interpolated:
+      return MainWindow::tr("interpolated");
+    case Origin::base_plane:
+      return MainWindow::tr("hole, on base plane");
+    case Origin::steep:
+      return MainWindow::tr("steep");
+    case Origin::outside:
+      return MainWindow::tr("outside");
+  }
+  return {};
+}
+
+}  // namespace
+
+void MainWindow::addPanel(const QString& title, QWidget* panel) {
+  panels_->add(title, panel);
+}
+
+void MainWindow::addToMenu(const QString& title, QAction* action) {
+  action->setParent(this);
+  addAction(action);
+  const QList<QKeySequence> keys = action->shortcuts();
+  if (!keys.isEmpty()) {
+    const QString key = keys.front().toString(QKeySequence::NativeText);
+    if (!action->toolTip().contains(key)) {
+      action->setToolTip(QStringLiteral("%1 (%2)").arg(action->toolTip(), key));
+    }
+  }
+  QMenu* to = menu(title);
+  to->addAction(action);
+  to->menuAction()->setVisible(true);
+  const bool forces = action->objectName() == QLatin1String("forces");
+  if (!forces && action->objectName() != QLatin1String("record")) return;
+  if (action->icon().isNull()) action->setIcon(icon(forces ? Icon::forces : Icon::record));
+  QAction* before = command("image");
+  if (forces) tools_->insertAction(command("stereo"), action);
+  if (!forces) tools_->insertAction(before, action);
+  if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action))) {
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setAccessibleName(action->text().remove('&'));
+  }
+}
+
+void MainWindow::showPosition(const ViewMm& position, std::optional<Origin> known) {
+  const auto window = document_.window();
+  if (!window) return;
+  const double step = window->spacingMm();
+  const Origin origin = known.value_or(originAt(*window, position.x, position.y));
+  const double z = known ? position.z : windowHeightMm(*window, position.x, position.y);
+  const QString place =
+      tr("x %1  y %2  z %3 mm")
+          .arg(mmText(position.x, step), mmText(position.y, step), mmText(z, step / 10));
+  status_->set(StatusField::position, place);
+  status_->set(StatusField::origin, originText(origin));
+  detail_->setWhereAmI(tr("%1, %2. Detail %3 of %4")
+                           .arg(place, originText(origin))
+                           .arg(document_.detail())
+                           .arg(document_.details()));
+}
+
+StepAbout MainWindow::about() const {
+  if (probe_ && probe_->touching) return {probe_->proxy.x, probe_->proxy.y, true};
+  if (const auto hand = detail_->hand()) return {hand->x, hand->y, false};
+  return document_.aboutCentre();
+}
+
+void MainWindow::showProbe(const Probe& probe) {
+  const auto window = document_.window();
+  if (!window || probe.window_id != window->id) return;
+  probe_ = probe;
+  detail_->showProbe(probe);
+  showPosition(probe.proxy, probe.origin);
+  const double force = norm(probe.force);
+  status_->set(
+      StatusField::force,
+      probe.forces_on ? tr("%1/%2 N").arg(force, 0, 'f', 2).arg(probe.force_limit_n, 0, 'f', 1)
+                      : tr("forces off"),
+      probe.forces_on ? tr("Force on the hand and its limit") : tr("Press F5 to switch forces on"));
+}
+
+void MainWindow::plot(std::span<const TouchPlotPoint> points) {
+  plot_->add(points);
+}
+
+void MainWindow::showTouch(const TouchReadout& readout) {
+  if (!touch_present_) {
+    touch_present_ = true;
+    QAction* plots = command("show_plots");
+    plots->setVisible(true);
+    const QVariant shown = settings_.layout(QStringLiteral("show_plots"));
+    plots->setChecked(!shown.isValid() || shown.toBool());
+    connect(plots, &QAction::toggled, this, [this](bool on) {
+      if (!isFullScreen()) settings_.setLayout(QStringLiteral("show_plots"), on);
+    });
+  }
+  touch_ = readout;
+  QStringList more{tr("Device: %1").arg(readout.device),
+                   tr("Worst period: %1 ms").arg(readout.worst_period_ms, 0, 'f', 2)};
+  more << (readout.realtime ? tr("Real-time priority")
+                            : tr("No real-time priority: %1").arg(readout.realtime_note));
+  status_->set(StatusField::rate,
+               tr("%1/s, late %2").arg(readout.rate_hz, 0, 'f', 0).arg(readout.late_ticks),
+               more.join('\n'));
+  status_->set(StatusField::recording,
+               readout.recording ? tr("recording %1").arg(readout.recorded_samples) : QString());
+  if (!readout.forces_on && !probe_) {
+    status_->set(StatusField::force, tr("forces off"), tr("Press F5 to switch forces on"));
+  }
+}
+
+void MainWindow::showTouchMissing(const QString& reason) {
+  announce(tr("Touch is not available: %1 Viewing works.").arg(reason));
+}
+
+void MainWindow::announce(const QString& text) {
+  status_->set(StatusField::message, text);
+  if (!QAccessible::isActive()) return;
+  QAccessibleEvent event(status_->firstField(), QAccessible::Alert);
+  QAccessible::updateAccessibility(&event);
+}
+
+bool MainWindow::runCommand(const QString& name) {
+  auto* action = findChild<QAction*>(name, Qt::FindDirectChildrenOnly);
+  if (action == nullptr || !action->isEnabled()) return false;
+  action->trigger();
+  return true;
+}
+
+bool MainWindow::stopForces() {
+  if (!touch_.forces_on) return false;
+  QAction* forces = command("forcesOff");
+  if (forces == nullptr || !forces->isEnabled()) return false;
+  forces->trigger();
+  return true;
+}
+
+QString MainWindow::recordingHeader() const {
+  if (!document_.isOpen()) return {};
+  const Surface& s = *document_.surface();
+  const DocumentState& state = document_.state();
+  const auto word = [](std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+  };
+  const auto exact = [](double v) { return QString::number(v, 'g', 17); };
+  QStringList matrix;
+  for (const double v : s.view_from_file.m) matrix << exact(v);
+  const Region& r = state.region;
+  return QStringList{
+      QLatin1String("# application: relievo ") + QStringLiteral(RELIEVO_VERSION_STRING),
+      QLatin1String("# input: ") + QFileInfo(document_.file()).fileName(),
+      QLatin1String("# input_sha256: ") + document_.fileSha256(),
+      QLatin1String("# unit: ") + word(name(s.unit)) + QLatin1String(" (") +
+          word(name(s.unit_source)) + ')',
+      QLatin1String("# view: ") + QString::fromStdString(s.view_name),
+      QLatin1String("# view_from_file: ") + matrix.join(' '),
+      QLatin1String("# engine: ") + QString::fromStdString(s.engine),
+      QStringLiteral("# region_mm: %1 %2 %3 %3")
+          .arg(exact(r.x_mm), exact(r.y_mm), exact(r.side_mm)),
+      QStringLiteral("# level: %1").arg(r.level.value),
+      QLatin1String("# gain: ") + exact(state.gain)}
+      .join('\n');
+}
+
+void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QString& file) {
+  QImage image;
+  switch (source) {
+    case ImageSource::reference:
+      image = reference_->image(pixels);
+      break;
+    case ImageSource::detail:
+      image = detail_->image(pixels);
+      break;
+    case ImageSource::window:
+      image = grab().toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+      image.setDevicePixelRatio(1);
+      break;
+  }
+  image.setText(QStringLiteral("Software"),
+                QLatin1String("relievo ") + QStringLiteral(RELIEVO_VERSION_STRING));
+  image.setText(QStringLiteral("Title"), QFileInfo(document_.file()).fileName());
+  image.setText(QStringLiteral("Description"), recordingHeader());
+  if (!image.save(file, "PNG")) {
+    throw WriteError(tr("%1 could not be written. Nothing was saved. Choose another place.")
+                         .arg(file)
+                         .toStdString());
+  }
+}
+
+}  // namespace relievo

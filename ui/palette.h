@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+class QApplication;
+
+namespace relievo {
+
+enum class Theme { system, light, dark, contrast };
+
+/// Every colour of the window, one row per theme; nothing else names colours but the scene.
+struct ThemeColours {
+  QColor window, base, text, quiet_text, button, border, highlight, highlighted_text, link;
+  QColor viewport;  ///< Behind the surface.
+  QColor strip;     ///< Behind a message.
+  QColor hip, proxy, force;
+};
+const ThemeColours& colours(Theme theme);  ///< theme other than system.
+
+/// The theme that `system` stands for now.
+Theme resolved(Theme theme);
+/// Fusion style with our palette.
+void applyTheme(QApplication& app, Theme theme);
+/// Of the theme applied last.
+const ThemeColours& currentColours();
+
+}  // namespace relievo

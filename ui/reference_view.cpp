@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/reference_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include "ui/text.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kGripPixels = 7;
+constexpr double kClickPixels = 4;  // Shorter than this is a click, not a drag.
+constexpr int kWheelStep = 120;     // One notch, in eighths of a degree.
+constexpr int kMostSamples = 400;   // Per side; software graphics stay fluent.
+constexpr double kMargin = 0.04;    // Around the object, of its longer side.
+constexpr double kArrowStep = 0.05;
+constexpr double kResizeStep = 1.1;
+constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
+
+/// The coarsest detail that still fills the view.
+std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
+  std::size_t level = 0;
+  const auto& levels = surface.pyramid.levels;
+  while (level + 1 < levels.size() &&
+         std::max(levels[level].frame.size.cols, levels[level].frame.size.rows) > kMostSamples) {
+    ++level;
+  }
+  auto grid = std::make_shared<HeldGrid>();
+  grid->frame = levels[level].frame;
+  grid->heights_mm = levels[level].heights_mm;
+  const GridSize size = grid->frame.size;
+  const GridFrame& finest = surface.map.frame;
+  const auto nearest = [](double position, double first, double spacing, int count) {
+    return std::clamp(static_cast<int>(std::lround((position - first) / spacing)), 0, count - 1);
+  };
+  grid->origins.reserve(size.count());
+  for (int row = 0; row < size.rows; ++row) {
+    const int r =
+        nearest(grid->frame.yMm(row), finest.first_y_mm, finest.spacing_mm, finest.size.rows);
+    for (int col = 0; col < size.cols; ++col) {
+      const int c =
+          nearest(grid->frame.xMm(col), finest.first_x_mm, finest.spacing_mm, finest.size.cols);
+      grid->origins.push_back(surface.map.origin({c, r}));
+    }
+  }
+  return grid;
+}
+
+Qt::CursorShape cursorFor(PinkPart part) {
+  switch (part) {
+    case PinkPart::outside:
+      return Qt::CrossCursor;
+    case PinkPart::inside:
+      return Qt::SizeAllCursor;
+    case PinkPart::left:
+    case PinkPart::right:
+      return Qt::SizeHorCursor;
+    case PinkPart::bottom:
+    case PinkPart::top:
+      return Qt::SizeVerCursor;
+    case PinkPart::left_bottom:
+    case PinkPart::right_top:
+      return Qt::SizeBDiagCursor;
+    case PinkPart::right_bottom:
+    case PinkPart::left_top:
+      return Qt::SizeFDiagCursor;
+  }
+  return Qt::ArrowCursor;
+}
+
+QString nameOf(PinkPart part) {
+  if (part == PinkPart::outside) return ReferenceView::tr("Draw window");
+  return part == PinkPart::inside ? ReferenceView::tr("Move window")
+                                  : ReferenceView::tr("Resize window");
+}
+
+}  // namespace
+
+ReferenceView::ReferenceView(Document& document, QWidget* parent)
+    : SurfaceView(parent), document_(document) {
+  setObjectName(QStringLiteral("reference_view"));
+  setAccessibleName(tr("Reference view"));
+  setToolTip({});
+  setWhatsThis(
+      tr("The whole object. The pink window is what the detail view shows: drag inside it to move "
+         "it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the "
+         "detail. Keys: arrows, Shift+arrows, + and -."));
+  connect(&document_, &Document::surfaceChanged, this, &ReferenceView::showSurface);
+  connect(&document_, &Document::windowChanged, this, &ReferenceView::showWindow);
+  showSurface();
+  showWindow();
+}
+
+void ReferenceView::showSurface() {
+  drag_.reset();
+  if (!document_.isOpen()) {
+    setGrid(nullptr);
+    return;
+  }
+  const Surface& surface = *document_.surface();
+  const DetailLadder& map = surface.ladder;
+  const double margin = kMargin * std::max(map.width_mm, map.height_mm);
+  setGrid(referenceGrid(surface));
+  setCamera({{map.left_mm - margin, map.bottom_mm - margin, map.width_mm + 2 * margin,
+              map.height_mm + 2 * margin}});
+}
+
+void ReferenceView::showWindow() {
+  if (!document_.isOpen()) {
+    setPink({});
+    return;
+  }
+  const Region& r = document_.state().region;
+  setPink(RectMm{r.x_mm, r.y_mm, r.side_mm, r.side_mm});
+  setWhereAmI(tr("Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5")
+                  .arg(document_.detail())
+                  .arg(document_.details())
+                  .arg(lengthText(r.side_mm), lengthText(r.x_mm), lengthText(r.y_mm)));
+}
+
+QPointF ReferenceView::pointOf(double x_mm, double y_mm) const {
+  // The camera is orthographic and never tilted here: positions and points are proportional.
+  const QPointF probe(100, 100);
+  const ViewMm a = at({0, 0}, 0);
+  const ViewMm b = at(probe, 0);
+  return {(x_mm - a.x) / (b.x - a.x) * probe.x(), (y_mm - a.y) / (b.y - a.y) * probe.y()};
+}
+
+double ReferenceView::toleranceMm() const {
+  return kGripPixels * mmPerPixel();
+}
+
+void ReferenceView::mousePressEvent(QMouseEvent* event) {
+  if (!document_.isOpen() || event->button() != Qt::LeftButton) return;
+  const ViewMm p = at(event->localPos(), 0);
+  const Region& region = document_.state().region;
+  PinkPart part = pinkPartAt(region, p.x, p.y, toleranceMm());
+  // A window around the whole object cannot be moved: a drag in it draws.
+  if (part == PinkPart::inside && region.side_mm >= document_.surface()->ladder.sideMm(1)) {
+    part = PinkPart::outside;
+  }
+  drag_ = Drag{part, event->localPos(), p.x, p.y, region};
+}
+
+void ReferenceView::mouseMoveEvent(QMouseEvent* event) {
+  if (drag_ && (event->buttons() & Qt::LeftButton) != 0) {
+    dragTo(event->localPos());
+  } else {
+    showCursor(event->localPos());
+  }
+}
+
+void ReferenceView::mouseReleaseEvent(QMouseEvent* event) {
+  if (!drag_ || event->button() != Qt::LeftButton) return;
+  if (drag_->moved) dragTo(event->localPos());
+  document_.commit(nameOf(drag_->part));
+  drag_.reset();
+  showCursor(event->localPos());
+}
+
+void ReferenceView::dragTo(const QPointF& point) {
+  const QPointF way = point - drag_->pressed;
+  if (!drag_->moved && std::abs(way.x()) + std::abs(way.y()) < kClickPixels) return;
+  drag_->moved = true;
+  const ViewMm p = at(point, 0);
+  const DetailLadder& ladder = document_.surface()->ladder;
+  const double least = kLeastCells * ladder.spacings_mm.front();
+  const Region& start = drag_->start;
+  if (drag_->part == PinkPart::inside) {
+    const double dx = (p.x - drag_->x_mm) / start.side_mm;
+    const double dy = (p.y - drag_->y_mm) / start.side_mm;
+    document_.preview(moved(ladder, start, dx, dy).value_or(start));
+    return;
+  }
+  const RectMm rect = drag_->part == PinkPart::outside
+                          ? drawnSquare(drag_->x_mm, drag_->y_mm, p.x, p.y)
+                          : resizedSquare(start, drag_->part, p.x, p.y, least);
+  if (rect.width_mm < least) return;
+  document_.preview(regionFromRect(ladder, rect));
+}
+
+void ReferenceView::showCursor(const QPointF& point) {
+  if (!document_.isOpen()) {
+    unsetCursor();
+    return;
+  }
+  const ViewMm p = at(point, 0);
+  const Region& region = document_.state().region;
+  PinkPart part = pinkPartAt(region, p.x, p.y, toleranceMm());
+  if (part == PinkPart::inside && region.side_mm >= document_.surface()->ladder.sideMm(1)) {
+    part = PinkPart::outside;
+  }
+  setCursor(cursorFor(part));
+}
+
+void ReferenceView::wheelEvent(QWheelEvent* event) {
+  event->accept();
+  if (!document_.isOpen() || document_.inGesture()) return;
+  wheel_rest_ += event->angleDelta().y();
+  const ViewMm p = at(event->position(), 0);
+  for (; wheel_rest_ >= kWheelStep; wheel_rest_ -= kWheelStep) document_.finer({p.x, p.y, false});
+  for (; wheel_rest_ <= -kWheelStep; wheel_rest_ += kWheelStep) {
+    document_.coarser({p.x, p.y, false});
+  }
+}
+
+void ReferenceView::resizeBy(double factor) {
+  const DetailLadder& ladder = document_.surface()->ladder;
+  const Region& r = document_.state().region;
+  const double least = kLeastCells * ladder.spacings_mm.front();
+  const double side =
+      std::clamp(r.side_mm * factor, std::min(least, ladder.sideMm(1)), ladder.sideMm(1));
+  document_.setRect({r.centreX() - 0.5 * side, r.centreY() - 0.5 * side, side, side});
+}
+
+void ReferenceView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    if (drag_) {
+      document_.revert();
+      drag_.reset();
+    } else {
+      Q_EMIT left();
+    }
+    return;
+  }
+  if (!document_.isOpen() || (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) != 0) {
+    SurfaceView::keyPressEvent(event);
+    return;
+  }
+  const bool resize = (event->modifiers() & Qt::ShiftModifier) != 0;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      resize ? resizeBy(1 / kResizeStep) : void(document_.move(-kArrowStep, 0));
+      break;
+    case Qt::Key_Right:
+      resize ? resizeBy(kResizeStep) : void(document_.move(kArrowStep, 0));
+      break;
+    case Qt::Key_Down:
+      resize ? resizeBy(1 / kResizeStep) : void(document_.move(0, -kArrowStep));
+      break;
+    case Qt::Key_Up:
+      resize ? resizeBy(kResizeStep) : void(document_.move(0, kArrowStep));
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      document_.finer(document_.aboutCentre());
+      break;
+    case Qt::Key_Minus:
+      document_.coarser(document_.aboutCentre());
+      break;
+    default:
+      SurfaceView::keyPressEvent(event);
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "ui/document.h"
+#include "ui/pink_window.h"
+#include "ui/surface_view.h"
+
+namespace relievo {
+
+/// The whole object with the pink window. Drag outside draws a new window, inside moves it, edges
+/// and corners resize it, the wheel changes the detail about the pointer, Escape returns.
+/// Keys: arrows move, Shift+arrows resize, + and - change the detail. [GUI thread]
+class ReferenceView : public SurfaceView {
+  Q_OBJECT
+ public:
+  explicit ReferenceView(Document& document, QWidget* parent = nullptr);
+
+  /// Point of the widget over a view position; for tests and for the keyboard.
+  QPointF pointOf(double x_mm, double y_mm) const;
+
+ Q_SIGNALS:
+  void left();  ///< Escape with nothing to return from.
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Drag {
+    PinkPart part;
+    QPointF pressed;
+    double x_mm, y_mm;  ///< Where the pointer went down.
+    Region start;
+    bool moved = false;
+  };
+
+  void showSurface();
+  void showWindow();
+  void dragTo(const QPointF& point);
+  void showCursor(const QPointF& point);
+  void resizeBy(double factor);
+  double toleranceMm() const;
+
+  Document& document_;
+  std::optional<Drag> drag_;
+  int wheel_rest_ = 0;  ///< Angle not yet worth a step.
+};
+
+}  // namespace relievo

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <QByteArray>
+#include <QSettings>
+#include <QString>
+#include <QStringList>
+
+#include "core/base/unit.h"
+
+namespace relievo {
+
+/// What is remembered between runs, in the XDG places: choices in $XDG_CONFIG_HOME/relievo,
+/// recent files and the window's layout in $XDG_STATE_HOME/relievo. [GUI thread]
+class Settings {
+ public:
+  enum class Mode { remembered, safe };
+  /// safe: reads nothing and keeps nothing.
+  explicit Settings(Mode mode = Mode::remembered);
+
+  QStringList recentFiles() const;
+  void addRecentFile(const QString& file);
+  void clearRecentFiles();
+
+  /// The unit said for the files of one folder.
+  std::optional<LengthUnit> unitOfFolder(const QString& file) const;
+  void rememberUnit(const QString& file, LengthUnit unit);
+
+  QVariant choice(const QString& key, const QVariant& fallback) const;
+  void setChoice(const QString& key, const QVariant& value);
+  QVariant layout(const QString& key) const;
+  void setLayout(const QString& key, const QVariant& value);
+
+ private:
+  bool safe_;
+  mutable QSettings config_, state_;
+};
+
+inline constexpr int kRecentFiles = 10;
+
+}  // namespace relievo

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QScrollArea>
+#include <vector>
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace relievo {
+
+/// The column of panels at the right: titled sections that fold. [GUI thread]
+class SidePanels : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit SidePanels(QWidget* parent = nullptr);
+  void add(const QString& title, QWidget* panel);  ///< Takes ownership; goes to the end.
+  QStringList titles() const;
+
+ private:
+  QVBoxLayout* column_;
+  std::vector<QToolButton*> headers_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/start_page.h"
+
+#include <algorithm>
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/icons.h"
+
+namespace relievo {
+namespace {
+
+QListWidget* fileList(const QString& title, QVBoxLayout* column) {
+  auto* heading = new QLabel(title);
+  QFont font = heading->font();
+  font.setBold(true);
+  heading->setFont(font);
+  auto* list = new QListWidget;
+  list->setAccessibleName(title);
+  list->setFrameShape(QFrame::StyledPanel);
+  list->setTextElideMode(Qt::ElideMiddle);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list->setSpacing(2);
+  heading->setBuddy(list);
+  column->addWidget(heading);
+  column->addWidget(list, 1);
+  return list;
+}
+
+void fill(QListWidget* list, const QStringList& files) {
+  list->clear();
+  for (const QString& file : files) {
+    auto* item = new QListWidgetItem(QFileInfo(file).fileName(), list);
+    item->setData(Qt::UserRole, file);
+    item->setToolTip(file);
+  }
+}
+
+}  // namespace
+
+QStringList scanPatterns() {
+  return {QStringLiteral("*.ply"), QStringLiteral("*.pcd"), QStringLiteral("*.obj"),
+          QStringLiteral("*.stl"), QStringLiteral("*.xyz"), QStringLiteral("*.asc"),
+          QStringLiteral("*.pts"), QStringLiteral("*.csv"), QStringLiteral("*.txt"),
+          QStringLiteral("*.tif"), QStringLiteral("*.tiff")};
+}
+
+QStringList sampleFiles() {
+  const QString program = QCoreApplication::applicationDirPath();
+  QStringList folders;
+  const QByteArray chosen = qgetenv("RELIEVO_DATA_PATH");
+  if (!chosen.isEmpty()) folders << QString::fromLocal8Bit(chosen);
+  // Installed; then in a build tree, build/PRESET/bin.
+  for (const char* folder : {"/../share/relievo/data", "/../../../data/samples"}) {
+    folders << program + QLatin1String(folder);
+  }
+  QStringList files;
+  for (const QString& folder : folders) {
+    // The dense reference surfaces beside the samples are for measuring, not for looking.
+    const auto entries =
+        QDir(folder).entryInfoList({QStringLiteral("*.ply")}, QDir::Files, QDir::Name);
+    for (const QFileInfo& entry : entries) {
+      if (entry.fileName().contains(QLatin1String("truncated"))) continue;
+      files << entry.canonicalFilePath();
+    }
+  }
+  files.removeDuplicates();
+  return files;
+}
+
+StartPage::StartPage(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("start_page"));
+  setAccessibleName(tr("Start"));
+  auto* outer = new QHBoxLayout(this);
+  auto* content = new QWidget;
+  content->setMaximumWidth(760);
+  outer->addStretch(1);
+  outer->addWidget(content, 6);
+  outer->addStretch(1);
+  auto* column = new QVBoxLayout(content);
+  column->setContentsMargins(24, 48, 24, 32);
+  column->setSpacing(14);
+  auto* title = new QLabel(tr("Open a scan to see and touch it"));
+  QFont font = title->font();
+  font.setPointSizeF(font.pointSizeF() * 1.7);
+  title->setFont(font);
+  column->addWidget(title);
+  auto* hint = new QLabel(
+      tr("Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). "
+         "You can also drop a file on this window."));
+  hint->setWordWrap(true);
+  column->addWidget(hint);
+  auto* open = new QPushButton(icon(Icon::open), tr("&Open\u2026"));
+  open->setObjectName(QStringLiteral("start_open"));
+  open->setAccessibleName(tr("Open"));
+  open->setToolTip(tr("Open a scan (Ctrl+O)"));
+  open->setIconSize({20, 20});
+  open->setMinimumHeight(34);
+  open->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(open, &QPushButton::clicked, this, &StartPage::openAsked);
+  column->addWidget(open);
+  column->addSpacing(8);
+
+  auto* lists = new QHBoxLayout;
+  lists->setSpacing(20);
+  auto* samples_box = new QWidget;
+  auto* samples_column = new QVBoxLayout(samples_box);
+  samples_column->setContentsMargins(0, 0, 0, 0);
+  QListWidget* samples = fileList(tr("Samples"), samples_column);
+  samples->setObjectName(QStringLiteral("start_samples"));
+  recent_box_ = new QWidget;
+  auto* recent_column = new QVBoxLayout(recent_box_);
+  recent_column->setContentsMargins(0, 0, 0, 0);
+  recent_ = fileList(tr("Recent"), recent_column);
+  recent_->setObjectName(QStringLiteral("start_recent"));
+  lists->addWidget(samples_box, 1);
+  lists->addWidget(recent_box_, 1);
+  column->addLayout(lists, 1);
+
+  const QStringList files = sampleFiles();
+  fill(samples, files);
+  samples_box->setVisible(!files.isEmpty());
+  for (QListWidget* list : {samples, recent_}) {
+    connect(list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
+      Q_EMIT fileChosen(item->data(Qt::UserRole).toString());
+    });
+    connect(list, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
+      Q_EMIT fileChosen(item->data(Qt::UserRole).toString());
+    });
+  }
+  setRecent({});
+}
+
+void StartPage::setRecent(const QStringList& files) {
+  fill(recent_, files);
+  recent_box_->setVisible(!files.isEmpty());
+}
+
+}  // namespace relievo

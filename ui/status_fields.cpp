@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/status_fields.h"
+
+#include <QAccessible>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QStatusBar>
+#include <QTimer>
+#include <QToolButton>
+
+namespace relievo {
+namespace {
+
+constexpr int kWorkDelayMs = 300;
+constexpr int kBarSteps = 1000;
+
+struct FieldFact {
+  const char* name;
+  const char* widest;  ///< Text the field is made wide enough for, so that nothing jumps.
+};
+constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
+    {QT_TRANSLATE_NOOP("StatusFields", "Message"), ""},
+    {QT_TRANSLATE_NOOP("StatusFields", "Position"), "x 1234.56  y 1234.56  z 123.45 mm"},
+    {QT_TRANSLATE_NOOP("StatusFields", "Kind of surface"), "interpolated"},
+    {QT_TRANSLATE_NOOP("StatusFields", "Detail"), "Detail 10/10"},
+    {QT_TRANSLATE_NOOP("StatusFields", "Hand scale"), "hand 1 : 123.45"},
+    {QT_TRANSLATE_NOOP("StatusFields", "Force"), ""},
+    {QT_TRANSLATE_NOOP("StatusFields", "Force rate"), ""},
+    {QT_TRANSLATE_NOOP("StatusFields", "Recording"), ""},
+}};
+
+class Field : public QLabel {
+ public:
+  explicit Field(QWidget* parent) : QLabel(parent) {
+    setFocusPolicy(Qt::TabFocus);
+    setContentsMargins(6, 1, 6, 1);
+    setStyleSheet(QStringLiteral("QLabel:focus { border: 1px solid palette(highlight); }"));
+  }
+};
+
+}  // namespace
+
+StatusFields::StatusFields(QStatusBar& bar)
+    : QObject(&bar),
+      work_(new QWidget(&bar)),
+      work_step_(new QLabel(work_)),
+      work_bar_(new QProgressBar(work_)),
+      cancel_(new QToolButton(work_)),
+      work_delay_(new QTimer(this)) {
+  bar.setSizeGripEnabled(false);
+  for (std::size_t i = 0; i < kStatusFieldCount; ++i) {
+    auto* field = new Field(&bar);
+    field->setAccessibleName(tr(kFields[i].name));
+    field->setObjectName(QLatin1String("status_") +
+                         QString::fromLatin1(kFields[i].name).toLower().replace(' ', '_'));
+    const int width =
+        field->fontMetrics().horizontalAdvance(QString::fromLatin1(kFields[i].widest));
+    if (width > 0) field->setMinimumWidth(width + 16);
+    if (i == 0) {
+      field->setMinimumWidth(60);
+      field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+      bar.addWidget(field, 1);
+    } else {
+      bar.addPermanentWidget(field);
+    }
+    labels_[i] = field;
+    field->setVisible(i == 0);
+  }
+  auto* row = new QHBoxLayout(work_);
+  row->setContentsMargins(4, 0, 4, 0);
+  work_step_->setAccessibleName(tr("Running step"));
+  work_bar_->setRange(0, kBarSteps);
+  work_bar_->setTextVisible(false);
+  work_bar_->setFixedSize(140, 10);
+  work_bar_->setAccessibleName(tr("Progress"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setObjectName(QStringLiteral("cancel_work"));
+  cancel_->setToolTip(tr("Stop this work; what is shown stays (Esc)"));
+  cancel_->setAccessibleName(tr("Cancel"));
+  cancel_->setFocusPolicy(Qt::StrongFocus);
+  connect(cancel_, &QToolButton::clicked, this, &StatusFields::cancelAsked);
+  row->addWidget(work_step_);
+  row->addWidget(work_bar_);
+  row->addWidget(cancel_);
+  bar.insertWidget(0, work_);
+  work_->hide();
+  work_delay_->setSingleShot(true);
+  work_delay_->setInterval(kWorkDelayMs);
+  connect(work_delay_, &QTimer::timeout, work_, &QWidget::show);
+}
+
+void StatusFields::set(StatusField field, const QString& text, const QString& tip) {
+  QLabel* label = this->label(field);
+  if (label->text() == text && label->toolTip() == tip) return;
+  label->setText(text);
+  label->setToolTip(tip);
+  label->setAccessibleDescription(tip.isEmpty() ? text : text + QLatin1String(". ") + tip);
+  if (field != StatusField::message) label->setVisible(!text.isEmpty());
+}
+
+QString StatusFields::text(StatusField field) const {
+  return label(field)->text();
+}
+
+QWidget* StatusFields::firstField() const {
+  return labels_[0];
+}
+
+void StatusFields::beginWork() {
+  work_bar_->setValue(0);
+  work_step_->setText(tr("Working"));
+  work_delay_->start();
+}
+
+void StatusFields::showWork(const QString& step, double fraction) {
+  work_step_->setText(step);
+  work_bar_->setValue(static_cast<int>(fraction * kBarSteps));
+}
+
+void StatusFields::endWork() {
+  work_delay_->stop();
+  work_->hide();
+}
+
+}  // namespace relievo

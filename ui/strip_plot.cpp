@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/strip_plot.h"
+
+#include <qwt_legend.h>
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_scale_draw.h>
+#include <qwt_text.h>
+#include <QFont>
+#include <QPalette>
+
+namespace relievo {
+namespace {
+
+constexpr double kLabelPoints = 8;
+constexpr double kTickEveryS = 2;
+
+QwtText small(const QString& text) {
+  QwtText label(text);
+  QFont font = label.font();
+  font.setPointSizeF(kLabelPoints);
+  font.setBold(false);
+  label.setFont(font);
+  return label;
+}
+
+}  // namespace
+
+StripPlot::StripPlot(const QString& name, const QString& axis, const QStringList& curves,
+                     double seconds, QWidget* parent)
+    : plot_(new QwtPlot(parent)) {
+  plot_->setAccessibleName(name);
+  plot_->setToolTip(name);
+  plot_->setAxisTitle(QwtPlot::yLeft, small(axis));
+  plot_->setAxisScale(QwtPlot::xBottom, -seconds, 0, kTickEveryS);
+  plot_->setAxisMaxMajor(QwtPlot::yLeft, 4);
+  auto* canvas = new QwtPlotCanvas(plot_);
+  canvas->setFrameStyle(QFrame::NoFrame);
+  canvas->setFocusPolicy(Qt::NoFocus);
+  plot_->setCanvas(canvas);
+  for (const int which : {QwtPlot::xBottom, QwtPlot::yLeft}) {
+    QFont font = plot_->axisFont(which);
+    font.setPointSizeF(kLabelPoints);
+    plot_->setAxisFont(which, font);
+    plot_->axisScaleDraw(which)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
+  }
+  auto* grid = new QwtPlotGrid;
+  grid->enableX(false);
+  grid->attach(plot_);
+  for (const QString& title : curves) {
+    auto* curve = new QwtPlotCurve(small(title));
+    curve->setPaintAttribute(QwtPlotCurve::FilterPoints);
+    curve->setRenderHint(QwtPlotItem::RenderAntialiased);
+    curve->setLegendAttribute(QwtPlotCurve::LegendShowLine);
+    curve->setLegendIconSize(QSize(18, 8));
+    curve->attach(plot_);
+    curves_.append(curve);
+  }
+  auto* legend = new QwtLegend;
+  legend->setMaxColumns(1);
+  plot_->insertLegend(legend, QwtPlot::RightLegend);
+}
+
+QWidget* StripPlot::widget() const {
+  return plot_;
+}
+
+void StripPlot::setColours(const QColor& background, const QColor& grid, const QColor& text,
+                           const QVector<QPen>& pens) {
+  plot_->setCanvasBackground(background);
+  QPalette palette = plot_->palette();
+  palette.setColor(QPalette::WindowText, text);
+  palette.setColor(QPalette::Text, text);
+  plot_->setPalette(palette);
+  for (QwtPlotItem* item : plot_->itemList(QwtPlotItem::Rtti_PlotGrid)) {
+    static_cast<QwtPlotGrid*>(item)->setMajorPen(QPen(grid, 0.5));
+  }
+  for (int i = 0; i < curves_.size(); ++i) curves_[i]->setPen(pens[i]);
+  plot_->replot();
+}
+
+void StripPlot::setCurve(int index, const QVector<QPointF>& points) {
+  curves_[index]->setSamples(points);
+}
+
+void StripPlot::setRange(double low, double high) {
+  plot_->setAxisScale(QwtPlot::yLeft, low, high);
+}
+
+void StripPlot::setRangeFromCurves() {
+  plot_->setAxisAutoScale(QwtPlot::yLeft, true);
+}
+
+void StripPlot::replot() {
+  plot_->replot();
+}
+
+}  // namespace relievo

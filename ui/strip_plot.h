@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QColor>
+#include <QPen>
+#include <QPointF>
+#include <QStringList>
+#include <QVector>
+
+class QWidget;
+class QwtPlot;
+class QwtPlotCurve;
+
+namespace relievo {
+
+/// One Qwt plot of curves over the last seconds. Its .cpp is C++17: Qwt 6.1's headers are not
+/// valid C++20, and nothing newer may be seen here. [GUI thread]
+class StripPlot {
+ public:
+  /// @param parent  owns the widget
+  StripPlot(const QString& name, const QString& axis, const QStringList& curves, double seconds,
+            QWidget* parent);
+
+  QWidget* widget() const;
+  void setColours(const QColor& background, const QColor& grid, const QColor& text,
+                  const QVector<QPen>& pens);
+  /// x in seconds before now, [-seconds, 0].
+  void setCurve(int index, const QVector<QPointF>& points);
+  void setRange(double low, double high);
+  void setRangeFromCurves();
+  void replot();
+
+ private:
+  QwtPlot* plot_;
+  QVector<QwtPlotCurve*> curves_;  ///< Owned by the plot.
+};
+
+}  // namespace relievo

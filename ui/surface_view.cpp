@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/surface_view.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkRenderWindowInteractor.h>
+#include <algorithm>
+#include <QAccessible>
+#include <QAccessibleWidget>
+#include <QPainter>
+#include <QResizeEvent>
+
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kFocusFrame = 2;  // Pixels around the picture that show the focus.
+
+class AccessibleView : public QAccessibleWidget {
+ public:
+  explicit AccessibleView(SurfaceView* view) : QAccessibleWidget(view, QAccessible::Graphic) {}
+  QString text(QAccessible::Text kind) const override {
+    if (kind == QAccessible::Value) return static_cast<SurfaceView*>(widget())->whereAmI();
+    return QAccessibleWidget::text(kind);
+  }
+};
+
+QAccessibleInterface* accessibleView(const QString&, QObject* object) {
+  auto* view = qobject_cast<SurfaceView*>(object);
+  return view != nullptr ? new AccessibleView(view) : nullptr;
+}
+
+}  // namespace
+
+void installAccessibleViews() {
+  QAccessible::installFactory(accessibleView);
+}
+
+void SceneState::applyTo(ReliefScene& scene) const {
+  if (grid) {
+    scene.setSurface({grid->frame, &grid->heights_mm, &grid->origins});
+  } else {
+    scene.clearSurface();
+  }
+  scene.setBackground(background.redF(), background.greenF(), background.blueF());
+  scene.setLight(light);
+  scene.setStereo(stereo);
+  scene.setCamera(camera);
+  scene.setPinkWindow(pink, true);
+  scene.setProbe(probe, ball_radius_mm);
+  scene.setScaleBar(grid != nullptr);
+}
+
+/// The OpenGL part; sees no mouse and no keys.
+class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
+ public:
+  Canvas(SurfaceView* view, ReliefScene& scene) : QVTKOpenGLNativeWidget(view), scene_(scene) {
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+    setAcceptDrops(false);
+    setEnableHiDPI(true);
+    setDefaultCursor(Qt::ArrowCursor);
+    setRenderWindow(window_);
+    if (interactor() != nullptr) interactor()->SetInteractorStyle(nullptr);
+    scene_.attachTo(window_);
+  }
+
+ protected:
+  void paintGL() override {
+    const QSize pixels = size() * devicePixelRatioF();
+    scene_.prepare(std::max(1, pixels.width()), std::max(1, pixels.height()));
+    QVTKOpenGLNativeWidget::paintGL();
+  }
+
+ private:
+  ReliefScene& scene_;
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+};
+
+SurfaceView::SurfaceView(QWidget* parent)
+    : QWidget(parent), scene_(std::make_unique<ReliefScene>()) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(120, 120);
+  canvas_ = new Canvas(this, *scene_);
+  state_.applyTo(*scene_);
+}
+
+// The canvas draws the scene: it goes first.
+SurfaceView::~SurfaceView() {
+  delete canvas_;
+}
+
+void SurfaceView::requestRender() {
+  canvas_->renderWindow()->Modified();
+  canvas_->update();
+}
+
+void SurfaceView::setStereo(const StereoOptions& stereo) {
+  if (stereo == state_.stereo) return;
+  state_.stereo = stereo;
+  scene_->setStereo(stereo);
+  requestRender();
+}
+
+void SurfaceView::setLight(const LightOptions& light) {
+  state_.light = light;
+  scene_->setLight(light);
+  requestRender();
+}
+
+void SurfaceView::setBackground(const QColor& colour) {
+  state_.background = colour;
+  scene_->setBackground(colour.redF(), colour.greenF(), colour.blueF());
+  requestRender();
+}
+
+void SurfaceView::setWhereAmI(const QString& text) {
+  if (text == where_am_i_) return;
+  where_am_i_ = text;
+  if (!QAccessible::isActive()) return;
+  QAccessibleValueChangeEvent event(this, text);
+  QAccessible::updateAccessibility(&event);
+}
+
+void SurfaceView::setGrid(std::shared_ptr<const HeldGrid> grid) {
+  state_.grid = std::move(grid);
+  if (state_.grid) {
+    scene_->setSurface({state_.grid->frame, &state_.grid->heights_mm, &state_.grid->origins});
+  } else {
+    scene_->clearSurface();
+  }
+  scene_->setScaleBar(state_.grid != nullptr);
+  requestRender();
+}
+
+void SurfaceView::setCamera(const ReliefCamera& camera) {
+  state_.camera = camera;
+  scene_->setCamera(camera);
+  requestRender();
+}
+
+void SurfaceView::setPink(const std::optional<RectMm>& pink) {
+  state_.pink = pink;
+  scene_->setPinkWindow(pink, true);
+  requestRender();
+}
+
+void SurfaceView::setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm) {
+  state_.probe = probe;
+  state_.ball_radius_mm = ball_radius_mm;
+  scene_->setProbe(probe, ball_radius_mm);
+  requestRender();
+}
+
+ViewMm SurfaceView::at(const QPointF& point, double z_mm) const {
+  const double ratio = canvas_->devicePixelRatioF();
+  const QPointF p = (point - QPointF(canvas_->pos())) * ratio;
+  const QSize pixels = canvas_->size() * ratio;
+  return scene_->viewFromPixel(p.x(), p.y(), std::max(1, pixels.width()),
+                               std::max(1, pixels.height()), z_mm);
+}
+
+double SurfaceView::mmPerPixel() const {
+  const double shorter_x = state_.camera.rect.width_mm / std::max(1, canvas_->width());
+  const double shorter_y = state_.camera.rect.height_mm / std::max(1, canvas_->height());
+  return std::max({shorter_x, shorter_y, 1e-12});
+}
+
+QImage SurfaceView::shot() {
+  return canvas_->grabFramebuffer();
+}
+
+QImage SurfaceView::image(const QSize& pixels) const {
+  ReliefScene scene;
+  state_.applyTo(scene);
+  const RgbImage drawn = renderOffscreen(scene, pixels.width(), pixels.height());
+  return QImage(drawn.rgb.data(), drawn.width, drawn.height, 3 * drawn.width, QImage::Format_RGB888)
+      .copy();
+}
+
+void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.fillRect(rect(), hasFocus() ? palette().color(QPalette::Highlight) : state_.background);
+}
+
+void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
+  canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
+}
+
+void SurfaceView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  update();
+}
+
+void SurfaceView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  update();
+}
+
+}  // namespace relievo

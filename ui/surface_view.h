@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+
+#include "ui/scene_state.h"
+
+namespace relievo {
+
+/// A relief on screen: one scene in one OpenGL widget. Mouse and keys come to this widget as
+/// ordinary Qt events; VTK's own interaction is off. Accessible as one named object whose value is
+/// `whereAmI`. [GUI thread]
+class SurfaceView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SurfaceView(QWidget* parent = nullptr);
+  ~SurfaceView() override;
+
+  const SceneState& sceneState() const { return state_; }
+  void setStereo(const StereoOptions& stereo);
+  void setLight(const LightOptions& light);
+  void setBackground(const QColor& colour);
+
+  QString whereAmI() const { return where_am_i_; }
+  /// Where the user is in this view, in words; assistive technology hears of a change.
+  void setWhereAmI(const QString& text);
+
+  /// The view's pixels as they are on screen.
+  QImage shot();
+  /// The view drawn anew at a chosen size, independent of the screen. @throw GraphicsError
+  QImage image(const QSize& pixels) const;
+
+ protected:
+  void setGrid(std::shared_ptr<const HeldGrid> grid);
+  void setCamera(const ReliefCamera& camera);
+  void setPink(const std::optional<RectMm>& pink);
+  void setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm);
+  const ReliefCamera& camera() const { return state_.camera; }
+
+  /// View position under a point of this widget on the plane z.
+  ViewMm at(const QPointF& point, double z_mm) const;
+  double mmPerPixel() const;  ///< Of the widget, at the view's centre.
+
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+
+ private:
+  class Canvas;
+  void requestRender();
+
+  SceneState state_;
+  std::unique_ptr<ReliefScene> scene_;
+  Canvas* canvas_ = nullptr;  ///< Child; owned by Qt.
+  QString where_am_i_;
+};
+
+/// Makes the views' values readable; to be called once after QApplication.
+void installAccessibleViews();
+
+}  // namespace relievo

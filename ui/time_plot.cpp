@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/time_plot.h"
+
+#include <algorithm>
+#include <QHBoxLayout>
+#include <QPen>
+#include <QTimer>
+
+#include "ui/palette.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kShownS = 10;
+constexpr int kRedrawMs = 40;
+constexpr double kLeastForceN = 1;
+constexpr int kMostDrawn = 1500;  // Points per curve; the strip is a thousand pixels wide.
+
+}  // namespace
+
+TimePlot::TimePlot(QWidget* parent)
+    : QWidget(parent),
+      heights_(tr("Height of hand and proxy over the last ten seconds"), tr("z (mm)"),
+               {tr("hand"), tr("proxy")}, kShownS, this),
+      forces_(tr("Force over the last ten seconds"), tr("force (N)"), {tr("force")}, kShownS, this),
+      timer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("time_plot"));
+  setAccessibleName(tr("Plots of height and force"));
+  setFocusPolicy(Qt::TabFocus);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(8, 2, 8, 2);
+  row->setSpacing(12);
+  row->addWidget(heights_.widget(), 1);
+  row->addWidget(forces_.widget(), 1);
+  timer_->setInterval(kRedrawMs);
+  connect(timer_, &QTimer::timeout, this, [this] {
+    if (stale_) redraw();
+  });
+  takeColours();
+  redraw();
+}
+
+void TimePlot::takeColours() {
+  const ThemeColours& c = currentColours();
+  heights_.setColours(c.base, c.border, c.quiet_text,
+                      {QPen(c.hip, 1.5, Qt::DashLine), QPen(c.proxy, 1.8)});
+  forces_.setColours(c.base, c.border, c.quiet_text, {QPen(c.force, 1.8)});
+}
+
+void TimePlot::add(std::span<const TouchPlotPoint> points) {
+  // A loop that starts again starts its clock again.
+  if (!points.empty() && !points_.empty() && points.front().t_s < points_.back().t_s) {
+    points_.clear();
+  }
+  points_.insert(points_.end(), points.begin(), points.end());
+  while (!points_.empty() && points_.front().t_s < points_.back().t_s - kShownS) {
+    points_.pop_front();
+  }
+  stale_ = true;
+}
+
+void TimePlot::clear() {
+  points_.clear();
+  redraw();
+}
+
+void TimePlot::redraw() {
+  stale_ = false;
+  const std::size_t step = std::max<std::size_t>(1, points_.size() / kMostDrawn);
+  QVector<QPointF> hand;
+  QVector<QPointF> proxy;
+  QVector<QPointF> force;
+  double strongest = kLeastForceN;
+  for (std::size_t i = 0; i < points_.size(); i += step) {
+    const TouchPlotPoint& p = points_[i];
+    const double t = p.t_s - points_.back().t_s;
+    hand.append({t, p.hip_z_mm});
+    proxy.append({t, p.proxy_z_mm});
+    force.append({t, p.force_n});
+    strongest = std::max(strongest, p.force_n);
+  }
+  heights_.setCurve(0, hand);
+  heights_.setCurve(1, proxy);
+  forces_.setCurve(0, force);
+  forces_.setRange(0, 1.05 * strongest);
+  if (points_.empty()) {
+    heights_.setRange(0, 10);
+  } else {
+    heights_.setRangeFromCurves();
+  }
+  heights_.replot();
+  forces_.replot();
+}
+
+void TimePlot::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  timer_->start();
+}
+
+void TimePlot::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  timer_->stop();
+}
+
+}  // namespace relievo
