@@ -227,9 +227,7 @@ void MainWindow::showSurface() {
   detail_->straighten();
   setWindowTitle(tr("%1 \u2013 relievo").arg(QFileInfo(document_.file()).fileName()));
   reference_title_->setText(tr("REFERENCE"));
-  reference_note_->setText(
-      QStringLiteral("%1 \u00d7 %2")
-          .arg(lengthText(surface.map.widthMm()), lengthText(surface.map.heightExtentMm())));
+  reference_note_->setText(sizeText({surface.map.widthMm(), surface.map.heightExtentMm()}));
 }
 
 void MainWindow::showWindow() {
@@ -242,9 +240,9 @@ void MainWindow::showWindow() {
   const double side = window->region.side_mm;
   detail_title_->setText(tr("DETAIL %1 of %2").arg(detail).arg(details));
   const double scale = handMapping(*window).objectMmPerHandMm();
-  const QString scale_text = mmText(scale, scale / 100);
-  QString note = QStringLiteral("%1 \u00d7 %1   |   %2")
-                     .arg(lengthText(side), tr("1 mm of hand = %1 mm").arg(scale_text));
+  const QString scale_text = mmText(scale, scale / 10);
+  QString note = QStringLiteral("%1   |   %2")
+                     .arg(sizeText({side, side}), tr("1 mm of hand = %1 mm").arg(scale_text));
   if (window->gain != 1) {
     note.prepend(tr("heights \u00d7 %1   |   ").arg(window->gain, 0, 'f', 2));
   }

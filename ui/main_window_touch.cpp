@@ -165,7 +165,7 @@ bool MainWindow::runCommand(const QString& name) {
 
 bool MainWindow::stopForces() {
   if (!touch_.forces_on) return false;
-  QAction* forces = command("forces");
+  QAction* forces = command("forcesOff");
   if (forces == nullptr || !forces->isEnabled()) return false;
   forces->trigger();
   return true;

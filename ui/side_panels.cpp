@@ -19,7 +19,7 @@ SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
   setFocusPolicy(Qt::NoFocus);
   auto* content = new QWidget(this);
   column_ = new QVBoxLayout(content);
-  column_->setContentsMargins(10, 6, 10, 6);
+  column_->setContentsMargins(8, 6, 8, 6);
   column_->setSpacing(4);
   column_->addStretch(1);
   setWidget(content);
@@ -31,8 +31,6 @@ void SidePanels::add(const QString& title, QWidget* panel) {
   header->setToolTip(tr("Show or hide %1").arg(title));
   header->setAccessibleName(tr("%1 panel").arg(title));
   header->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  header->setCheckable(true);
-  header->setChecked(true);
   header->setAutoRaise(true);
   header->setArrowType(Qt::DownArrow);
   header->setFocusPolicy(Qt::StrongFocus);
@@ -40,7 +38,8 @@ void SidePanels::add(const QString& title, QWidget* panel) {
   font.setBold(true);
   header->setFont(font);
   header->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  connect(header, &QToolButton::toggled, panel, [header, panel](bool open) {
+  connect(header, &QToolButton::clicked, panel, [header, panel] {
+    const bool open = panel->isHidden();
     header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     panel->setVisible(open);
   });

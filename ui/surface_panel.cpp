@@ -15,6 +15,7 @@
 namespace relievo {
 namespace {
 
+constexpr int kLeastFieldWidth = 90;
 constexpr double kMostGain = 20;
 constexpr int kGainSteps = 100;  // Slider positions either side of gain 1.
 
@@ -28,7 +29,7 @@ double gainOf(int slider) {
 QFormLayout* form(QWidget* panel) {
   auto* layout = new QFormLayout(panel);
   layout->setContentsMargins(6, 0, 0, 6);
-  layout->setHorizontalSpacing(10);
+  layout->setHorizontalSpacing(8);
   layout->setVerticalSpacing(5);
   layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   return layout;
@@ -51,6 +52,7 @@ Widget* field(QFormLayout* layout, const QString& title, const QString& name, co
   widget->setObjectName(name);
   widget->setAccessibleName(QString(title).remove('&'));
   widget->setToolTip(tip);
+  widget->setMinimumWidth(kLeastFieldWidth);  // Wide ranges must not widen the panel.
   layout->addRow(title, widget);
   return widget;
 }
@@ -74,7 +76,7 @@ SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
   size_ = fact(layout, tr("Size"), QStringLiteral("surface_size"));
   cells_ = fact(layout, tr("Grid"), QStringLiteral("surface_cells"));
   holes_ = fact(layout, tr("Holes"), QStringLiteral("surface_holes"));
-  unit_ = field<QComboBox>(layout, tr("U&nit"), QStringLiteral("unit"),
+  unit_ = field<QComboBox>(layout, tr("&Unit"), QStringLiteral("unit"),
                            tr("Length unit of the file's coordinates"));
   for (const LengthUnitFact& u : kLengthUnits) {
     unit_->addItem(unitText(u.unit), static_cast<int>(u.unit));
@@ -101,9 +103,7 @@ void SurfacePanel::showSurface() {
   const GridSize grid = s.map.frame.size;
   file_->setText(QFileInfo(document_.file()).fileName());
   file_->setToolTip(document_.file());
-  size_->setText(QStringLiteral("%1 \u00d7 %2 \u00d7 %3")
-                     .arg(lengthText(s.map.widthMm()), lengthText(s.map.heightExtentMm()),
-                          lengthText(z.max_mm - z.min_mm)));
+  size_->setText(sizeText({s.map.widthMm(), s.map.heightExtentMm(), z.max_mm - z.min_mm}));
   cells_->setText(tr("%1 \u00d7 %2, %3 apart")
                       .arg(grid.cols)
                       .arg(grid.rows)
@@ -138,8 +138,9 @@ RegionPanel::RegionPanel(Document& document, QWidget* parent)
   side_->setMinimum(0.01);
   level_ = field<QComboBox>(layout, tr("&Level"), QStringLiteral("region_level"),
                             tr("Which detail feeds the window"));
-  gain_ = field<QDoubleSpinBox>(layout, tr("Heigh&t gain"), QStringLiteral("gain"),
+  gain_ = field<QDoubleSpinBox>(layout, tr("Gai&n"), QStringLiteral("gain"),
                                 tr("Heights are multiplied by this; 1 is true to scale"));
+  gain_->setAccessibleName(tr("Height gain"));
   gain_->setRange(1 / kMostGain, kMostGain);
   gain_->setDecimals(2);
   gain_->setSingleStep(0.1);
@@ -217,7 +218,7 @@ void RegionPanel::showWindow() {
   gain_->setValue(window->gain);
   if (!gain_slider_->isSliderDown()) gain_slider_->setValue(sliderOf(window->gain));
   const double scale = handMapping(*window).objectMmPerHandMm();
-  hand_scale_->setText(tr("1 mm of hand = %1 mm on the object").arg(mmText(scale, scale / 100)));
+  hand_scale_->setText(tr("1 mm of hand = %1 mm on the object").arg(mmText(scale, scale / 10)));
   showing_ = false;
 }
 

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <QCoreApplication>
 #include <QLocale>
+#include <QStringList>
 
 namespace relievo {
 namespace {
+
+constexpr double kMetresFromMm = 10000;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("Text", text);
@@ -34,12 +37,19 @@ QString mmText(double mm, double step_mm) {
   return number(mm, decimalsFor(step_mm));
 }
 
+QString sizeText(std::initializer_list<double> mm) {
+  double largest = 0;
+  for (const double value : mm) largest = std::max(largest, std::abs(value));
+  const bool metres = largest >= kMetresFromMm;
+  const double shown = metres ? largest / 1000 : largest;
+  const int decimals = shown >= 100 ? 1 : shown >= 1 ? 2 : 3;
+  QStringList numbers;
+  for (const double value : mm) numbers << number(metres ? value / 1000 : value, decimals);
+  return (metres ? tr("%1 m") : tr("%1 mm")).arg(numbers.join(QStringLiteral(" \u00d7 ")));
+}
+
 QString lengthText(double mm) {
-  const double size = std::abs(mm);
-  if (size >= 10000) return tr("%1 m").arg(number(mm / 1000, size >= 100000 ? 1 : 2));
-  if (size >= 100) return tr("%1 mm").arg(number(mm, 1));
-  if (size >= 1) return tr("%1 mm").arg(number(mm, 2));
-  return tr("%1 mm").arg(number(mm, 3));
+  return sizeText({mm});
 }
 
 QString unitText(LengthUnit unit) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <initializer_list>
 #include <QString>
 
 #include "core/base/unit.h"
@@ -9,6 +10,8 @@ namespace relievo {
 
 /// A length for people: "12.50 mm", "3.25 m"; the decimals follow the size.
 QString lengthText(double mm);
+/// Several lengths with one unit: "300.0 × 200.0 × 30.0 mm".
+QString sizeText(std::initializer_list<double> mm);
 /// The number alone, in millimetres, with decimals that follow `step_mm`.
 QString mmText(double mm, double step_mm);
 /// "millimetres", "US survey feet".

@@ -23,7 +23,7 @@ QPushButton* button(const QString& text, const QString& name, const QString& tip
   b->setObjectName(name);
   b->setAccessibleName(QString(text).remove('&'));
   b->setToolTip(tip);
-  b->setMinimumWidth(0);
+  b->setMinimumWidth(40);
   return b;
 }
 
@@ -111,8 +111,8 @@ void ViewPanel::showTurned(bool turned) {
 
 StereoPanel::StereoPanel(QWidget* parent)
     : QWidget(parent),
-      on_(new QCheckBox(tr("Red/cyan ana&glyph"))),
-      automatic_(new QCheckBox(tr("At mid &height"))),
+      on_(new QCheckBox(tr("Red/cyan &anaglyph"))),
+      automatic_(new QCheckBox(tr("At &mid height"))),
       angle_(new QDoubleSpinBox),
       plane_(new QDoubleSpinBox) {
   auto* layout = new QFormLayout(this);
@@ -140,7 +140,7 @@ StereoPanel::StereoPanel(QWidget* parent)
   plane_->setSuffix(QStringLiteral(" mm"));
   plane_->setEnabled(false);
   layout->addRow(on_);
-  layout->addRow(tr("E&ye separation"), angle_);
+  layout->addRow(tr("Eye sepa&ration"), angle_);
   layout->addRow(tr("Zero &plane"), automatic_);
   layout->addRow(QString(), plane_);
   connect(on_, &QCheckBox::toggled, this, &StereoPanel::tell);

@@ -191,8 +191,8 @@ TEST_F(Batch, PyramidWritesEveryLevel) {
 TEST_F(Batch, TouchFollowsHookesLawInEveryContactRow) {
   // Down into the plane z = 5 + x/10 at (50, 50), along it, and up again.
   const std::string stroke = write("s.csv",
-                                   "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.2,50,50,4\n"
-                                   "0.4,60,55,4\n0.5,60,55,9\n");
+                                   "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.2,50,50,2\n"
+                                   "0.4,60,55,2\n0.5,60,55,9\n");
   const std::string file = path("log.csv");
   const json report =
       reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", file,
@@ -223,19 +223,18 @@ TEST_F(Batch, TouchFollowsHookesLawInEveryContactRow) {
 
 TEST_F(Batch, TouchOnAPlaneFindsTheFootOfThePerpendicular) {
   const std::string stroke =
-      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,20\n0.1,50,50,7\n0.2,50,50,7\n");
+      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,20\n0.1,50,50,2\n0.2,50,50,2\n");
   const std::string file = path("log.csv");
   reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", file, "--region",
                        "25,25,50,50", "--report", "json"}));
   const Log log = readLog(file);
   const std::size_t last = log.rows.size() - 1;
-  // The base plane lies at the 0.1 % quantile of z, the map's lower left edge half a cell outside.
-  const double base = 5;
+  // The base plane lies at the lowest z, 5; the map's lower left edge half a cell outside, so that
+  // file x is view x - half a cell of 1 mm: the surface at view x = 50 lies at 4.95.
   const double n = std::sqrt(1 + 0.01);
-  const double file_x = 49.5;
-  const double depth = (5 + file_x / 10 - base - 7) / n;
+  const double depth = (4.95 - 2) / n;
   EXPECT_NEAR(log.number(last, "proxy_x_mm"), 50 - 0.1 * depth / n, 1e-4);
-  EXPECT_NEAR(log.number(last, "proxy_z_mm"), 7 + depth / n, 1e-4);
+  EXPECT_NEAR(log.number(last, "proxy_z_mm"), 2 + depth / n, 1e-4);
   EXPECT_NEAR(log.number(last, "nx"), -0.1 / n, 1e-5);
   EXPECT_NEAR(log.number(last, "nz"), 1 / n, 1e-5);
 }

@@ -58,8 +58,7 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "//VTK::Color::Dec\n"
       "in vec2 originVSOutput;\n"
       "in vec2 placeVSOutput;\n"
-      "float stripe(float s) {\n"
-      "  float soft = clamp(fwidth(s), 0.02, 0.4);\n"
+      "float stripe(float s, float soft) {\n"
       "  float d = abs(fract(s) - 0.5);\n"
       "  return 1.0 - smoothstep(0.09 - 0.5 * soft, 0.09 + 0.5 * soft, d);\n"
       "}\n",
@@ -68,14 +67,26 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
   shader->AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
       "//VTK::Color::Impl\n"
-      "  float up = (placeVSOutput.x + placeVSOutput.y) / hatchPeriod;\n"
-      "  float down = (placeVSOutput.x - placeVSOutput.y) / hatchPeriod;\n"
-      "  float single = stripe(up), crossed = max(single, stripe(down));\n"
-      "  float amount = originVSOutput.x * (0.05 + 0.16 * single)\n"
-      "               + originVSOutput.y * (0.16 + 0.26 * crossed);\n"
-      "  vec3 tint = vec3(0.20, 0.27, 0.38);\n"
-      "  diffuseColor = mix(diffuseColor, tint, amount);\n"
-      "  ambientColor = mix(ambientColor, tint * ambientIntensity, amount);\n",
+      "  vec2 lines = vec2(placeVSOutput.x + placeVSOutput.y,\n"
+      "                    placeVSOutput.x - placeVSOutput.y) / hatchPeriod;\n"
+      "  vec2 soft = clamp(fwidth(lines), 0.02, 0.4);\n"
+      "  if (originVSOutput.x + originVSOutput.y > 0.0) {\n"
+      "    float single = stripe(lines.x, soft.x);\n"
+      "    float crossed = max(single, stripe(lines.y, soft.y));\n"
+      "    float amount = originVSOutput.x * (0.05 + 0.16 * single)\n"
+      "                 + originVSOutput.y * (0.16 + 0.26 * crossed);\n"
+      "    vec3 tint = vec3(0.20, 0.27, 0.38);\n"
+      "    diffuseColor = mix(diffuseColor, tint, amount);\n"
+      "    ambientColor = mix(ambientColor, tint * ambientIntensity, amount);\n"
+      "  }\n",
+      false);
+  // Stone is matt: VTK's own code would compute a highlight for each lamp and multiply it by 0,
+  // which costs software OpenGL much.
+  shader->AddFragmentShaderReplacement(
+      "//VTK::Light::Impl", true,
+      "  vec3 light = max(0.0, dot(normalVCVSOutput, -lightDirectionVC0)) * lightColor0\n"
+      "             + max(0.0, dot(normalVCVSOutput, -lightDirectionVC1)) * lightColor1;\n"
+      "  fragOutput0 = vec4(ambientColor + light * diffuseColor, opacity);\n",
       false);
 }
 
@@ -114,6 +125,10 @@ struct ReliefScene::Impl {
   }
   double markPlane() const { return has_surface ? 0.5 * (mesh.minMm() + mesh.maxMm()) : 0.0; }
   SceneView view(int width, int height) const { return {camera, zeroPlane(), width, height}; }
+  void setHatchPeriod(double mm) {
+    surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("hatchPeriod",
+                                                                           static_cast<float>(mm));
+  }
   void placeLights();
   void placeCamera(const SceneView& view);
   void applyStereo();
@@ -137,6 +152,7 @@ ReliefScene::Impl::Impl() {
   stone->SetSpecular(0);
   stone->SetInterpolationToPhong();
   addHatch(surface, mapper);
+  setHatchPeriod(1);  // A window may draw itself before the first prepare().
   for (int i = 0; i < 3; ++i) {
     vtkRenderer* const layer = layers[static_cast<std::size_t>(i)];
     layer->SetLayer(i);
@@ -286,8 +302,7 @@ void ReliefScene::prepare(int width_px, int height_px) {
   const SceneView view = impl_->view(width_px, height_px);
   impl_->placeCamera(view);
   impl_->probe_actors.face(view);
-  impl_->surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf(
-      "hatchPeriod", static_cast<float>(kHatchPeriodPx * view.mm_per_pixel));
+  impl_->setHatchPeriod(kHatchPeriodPx * view.mm_per_pixel);
   std::vector<ViewMm> corners;
   if (impl_->pink) {
     const RectMm& r = *impl_->pink;

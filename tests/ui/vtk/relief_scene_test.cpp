@@ -346,6 +346,18 @@ TEST(ReliefScene, StereoMayBeSwitchedBeforeOrAfterAWindowIsThere) {
   EXPECT_EQ(pictures[0].rgb, pictures[1].rgb);
 }
 
+TEST(ReliefScene, AWindowMayDrawItselfBeforeItIsPrepared) {
+  const SyntheticRelief relief = makeRelief(200, 100, domeWithRidges);
+  const DisplayConnection connection;
+  ReliefScene scene;
+  scene.setSurface(relief.grid());
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(200, 200);
+  scene.attachTo(window);
+  EXPECT_FALSE(isBlack(pictureOf(window, 200, 200)));
+}
+
 TEST(ReliefScene, RefusesASurfaceWhoseSizesDoNotFit) {
   ReliefScene scene;
   SyntheticRelief relief = flat(1);

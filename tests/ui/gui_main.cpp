@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <QVTKOpenGLNativeWidget.h>
+#include <clocale>
+#include <iostream>
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+
+#include "core/io/import.h"
+#include "ui/surface_view.h"
+#include "ui/vtk/offscreen.h"
+
+int main(int argc, char** argv) {
+  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
+  ::testing::InitGoogleTest(&argc, argv);
+  const relievo::DisplayGuard display;
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  qputenv("QT_QPA_PLATFORM", "xcb");
+  QApplication app(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  relievo::installAccessibleViews();
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QAction>
+#include <QLabel>
+#include <QtTest/QTest>
+#include <vector>
+
+#include "tests/ui/gui_fixture.h"
+
+namespace relievo {
+namespace {
+
+class HandTest : public GuiTest {
+ protected:
+  struct Moved {
+    ViewMm position;
+    bool inside;
+  };
+
+  void SetUp() override {
+    openRelief();
+    document().setRect({60, 50, 80, 80});
+    QObject::connect(&window(), &MainWindow::handMoved, &window(),
+                     [this](const ViewMm& p, bool inside) {
+                       moves_.push_back({p, inside});
+                     });
+  }
+  DetailView& view() { return window().detailView(); }
+  QPointF middle() { return QRectF(view().rect()).center(); }
+  double surfaceAt(const ViewMm& p) { return windowHeightMm(*document().window(), p.x, p.y); }
+  double objectPerHand() { return handMapping(*document().window()).objectMmPerHandMm(); }
+  const Moved& last() { return moves_.back(); }
+
+  std::vector<Moved> moves_;
+};
+
+TEST_F(HandTest, ThePointerCarriesTheHandJustAboveTheSurface) {
+  move(view(), middle());
+  ASSERT_FALSE(moves_.empty());
+  EXPECT_TRUE(last().inside);
+  EXPECT_NEAR(last().position.x, 100, 0.5);
+  EXPECT_NEAR(last().position.y, 90, 0.5);
+  EXPECT_NEAR(last().position.z - surfaceAt(last().position), kHoverMm * objectPerHand(), 1e-9);
+}
+
+TEST_F(HandTest, TheLeftButtonPressesInToThePressDepthAndLetsGo) {
+  press(view(), middle());
+  EXPECT_NEAR(last().position.z - surfaceAt(last().position), -kPressDepthMm * objectPerHand(),
+              1e-9);
+  move(view(), middle() + QPointF(20, 0), Qt::LeftButton);
+  EXPECT_NEAR(last().position.z - surfaceAt(last().position), -kPressDepthMm * objectPerHand(),
+              1e-9);
+  release(view(), middle() + QPointF(20, 0));
+  EXPECT_GT(last().position.z, surfaceAt(last().position));
+}
+
+TEST_F(HandTest, TheWheelWhilePressingChangesTheDepthNotTheWindow) {
+  const Region before = document().state().region;
+  press(view(), middle());
+  wheel(view(), middle(), 2);
+  EXPECT_NEAR(view().pressDepthMm(), kPressDepthMm + 0.5, 1e-12);
+  EXPECT_NEAR(surfaceAt(last().position) - last().position.z,
+              view().pressDepthMm() * objectPerHand(), 1e-9);
+  release(view(), middle());
+  wheel(view(), middle(), -1, Qt::ControlModifier);
+  EXPECT_NEAR(view().pressDepthMm(), kPressDepthMm + 0.25, 1e-12);
+  EXPECT_EQ(document().state().region, before);
+}
+
+TEST_F(HandTest, ArrowsMoveTheHandByCellsAndPageKeysPressItIn) {
+  move(view(), middle());
+  const ViewMm start = last().position;
+  const double cell = document().window()->spacingMm();
+  QTest::keyClick(&view(), Qt::Key_Right);
+  EXPECT_NEAR(last().position.x, start.x + cell, 1e-9);
+  QTest::keyClick(&view(), Qt::Key_Down, Qt::ShiftModifier);
+  EXPECT_NEAR(last().position.y, start.y - 10 * cell, 1e-9);
+  QTest::keyClick(&view(), Qt::Key_PageDown);
+  QTest::keyClick(&view(), Qt::Key_PageDown);
+  EXPECT_NEAR(surfaceAt(last().position) - last().position.z, 0.5 * objectPerHand(), 1e-9);
+  QTest::keyClick(&view(), Qt::Key_PageUp);
+  QTest::keyClick(&view(), Qt::Key_PageUp);
+  EXPECT_GT(last().position.z, surfaceAt(last().position));
+}
+
+TEST_F(HandTest, TheHandIsOutsideOnceThePointerLeaves) {
+  move(view(), middle());
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(&view(), &leave);
+  EXPECT_FALSE(last().inside);
+}
+
+TEST_F(HandTest, ARightDragMovesTheWindowUnderTheHandAsOneEntry) {
+  const Region before = document().state().region;
+  const int entries = document().history().count();
+  drag(view(), middle(), middle() + QPointF(30, 0), Qt::RightButton);
+  EXPECT_LT(document().state().region.x_mm, before.x_mm);
+  EXPECT_EQ(document().state().region.side_mm, before.side_mm);
+  EXPECT_EQ(document().history().count(), entries + 1);
+}
+
+TEST_F(HandTest, TheWheelZoomsAboutThePointerByChangingTheRegion) {
+  move(view(), middle() + QPointF(40, -30));
+  const ViewMm place = last().position;
+  const Region before = document().state().region;
+  wheel(view(), middle() + QPointF(40, -30), 1);
+  EXPECT_LT(document().state().region.side_mm, before.side_mm);
+  move(view(), middle() + QPointF(40, -30));
+  EXPECT_NEAR(last().position.x, place.x, 1e-6);
+  EXPECT_NEAR(last().position.y, place.y, 1e-6);
+}
+
+TEST_F(HandTest, FinerHappensAboutTheHand) {
+  document().whole();
+  move(view(), middle());
+  while (document().detail() < 3) {
+    QTest::keyClick(&view(), Qt::Key_Plus, Qt::ControlModifier);
+  }
+  const Region& r = document().state().region;
+  EXPECT_NEAR(r.centreX(), 125, 1);
+  EXPECT_NEAR(r.centreY(), 100, 1);
+}
+
+TEST_F(HandTest, TheStatusSaysWhereTheHandIsAndOnWhat) {
+  move(view(), middle());
+  const QString place = child<QLabel>("status_position")->text();
+  EXPECT_TRUE(place.startsWith("x 100") || place.startsWith("x 99")) << place.toStdString();
+  EXPECT_EQ(child<QLabel>("status_kind_of_surface")->text(), "measured");
+  EXPECT_TRUE(view().whereAmI().contains("Detail"));
+}
+
+TEST_F(HandTest, AProbeIsDrawnOnlyOnTheWindowItBelongsTo) {
+  Probe probe;
+  probe.window_id = document().window()->id + 1;
+  probe.proxy = probe.hip = {100, 90, 20};
+  window().showProbe(probe);
+  EXPECT_FALSE(view().sceneState().probe.has_value());
+  probe.window_id = document().window()->id;
+  probe.forces_on = true;
+  probe.force = {0, 0, 0.5};
+  probe.force_limit_n = 4;
+  window().showProbe(probe);
+  ASSERT_TRUE(view().sceneState().probe.has_value());
+  EXPECT_EQ(child<QLabel>("status_force")->text(), "0.50/4.0 N");
+  document().finer(document().aboutCentre());
+  EXPECT_FALSE(view().sceneState().probe.has_value());
+}
+
+}  // namespace
+}  // namespace relievo

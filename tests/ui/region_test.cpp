@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QAction>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QtTest/QTest>
+
+#include "tests/ui/gui_fixture.h"
+
+namespace relievo {
+namespace {
+
+class RegionTest : public GuiTest {
+ protected:
+  void SetUp() override { openRelief(); }
+  ReferenceView& view() { return window().referenceView(); }
+  const Region& region() { return document().state().region; }
+  QPointF point(double x_mm, double y_mm) { return view().pointOf(x_mm, y_mm); }
+  /// One pixel of the view, in mm: as exact as a pointer can be.
+  double pixelMm() {
+    const QPointF a = point(0, 0);
+    const QPointF b = point(100, 0);
+    return 100 / (b.x() - a.x());
+  }
+};
+
+TEST_F(RegionTest, ADragOutsideDrawsANewWindowWhileTheDetailFollows) {
+  QSignalSpy shown(&document(), &Document::windowChanged);
+  drag(view(), point(60, 150), point(120, 90));
+  EXPECT_NEAR(region().x_mm, 60, 1e-6);
+  EXPECT_NEAR(region().y_mm, 90, 1e-6);
+  EXPECT_NEAR(region().side_mm, 60, 1e-6);
+  EXPECT_GE(shown.size(), 3) << "the detail view must follow live";
+  EXPECT_EQ(window().detailView().sceneState().camera.rect.width_mm, region().side_mm);
+  EXPECT_EQ(document().history().count(), 1) << "one gesture is one entry";
+}
+
+TEST_F(RegionTest, ADragInsideMovesTheWindowAndKeepsItsSize) {
+  document().setRect({40, 40, 60, 60});
+  drag(view(), point(70, 70), point(100, 90));
+  EXPECT_NEAR(region().x_mm, 70, 1e-6);
+  EXPECT_NEAR(region().y_mm, 60, 1e-6);
+  EXPECT_NEAR(region().side_mm, 60, 1e-9);
+}
+
+TEST_F(RegionTest, ACornerResizesAboutTheOppositeCorner) {
+  document().setRect({40, 40, 60, 60});
+  drag(view(), point(100, 100), point(130, 120));
+  EXPECT_NEAR(region().x_mm, 40, 1e-6);
+  EXPECT_NEAR(region().y_mm, 40, 1e-6);
+  EXPECT_NEAR(region().side_mm, 90, 1e-6);
+}
+
+TEST_F(RegionTest, EscapeDuringADragReturnsToTheWindowBefore) {
+  document().setRect({40, 40, 60, 60});
+  const DocumentState before = document().state();
+  const int entries = document().history().count();
+  press(view(), point(70, 70));
+  move(view(), point(100, 90), Qt::LeftButton);
+  ASSERT_NE(document().state(), before);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_EQ(document().state(), before);
+  release(view(), point(100, 90));
+  EXPECT_EQ(document().state(), before);
+  EXPECT_EQ(document().history().count(), entries);
+}
+
+TEST_F(RegionTest, AClickIsNotADrag) {
+  const DocumentState before = document().state();
+  drag(view(), point(60, 60), point(60, 60) + QPointF(1, 1));
+  EXPECT_EQ(document().state(), before);
+}
+
+TEST_F(RegionTest, TypedNumbersGiveTheSameWindowAsADrag) {
+  drag(view(), point(60, 90), point(120, 150));
+  const Region dragged = region();
+  document().history().undo();
+  // Field by field, as fingers do; each entry is applied.
+  child<QDoubleSpinBox>("region_side")->setValue(60);
+  child<QDoubleSpinBox>("region_x")->setValue(60);
+  child<QDoubleSpinBox>("region_y")->setValue(90);
+  EXPECT_NEAR(region().x_mm, dragged.x_mm, 1e-6);
+  EXPECT_NEAR(region().y_mm, dragged.y_mm, 1e-6);
+  EXPECT_NEAR(region().side_mm, dragged.side_mm, 1e-6);
+  EXPECT_EQ(region().level, dragged.level);
+}
+
+TEST_F(RegionTest, TheWheelChangesTheDetailAboutThePointer) {
+  wheel(view(), point(70, 120), 1);
+  EXPECT_EQ(document().detail(), 2);
+  EXPECT_NEAR(region().centreX(), 100, 1e-6) << "kept on the map: half of 200 mm from the edge";
+  wheel(view(), point(150, 100), 1);
+  EXPECT_EQ(document().detail(), 3);
+  EXPECT_NEAR(region().centreX(), 150, 1e-6);
+  EXPECT_NEAR(region().centreY(), 100, 1e-6);
+  wheel(view(), point(150, 100), -2);
+  EXPECT_EQ(document().detail(), 1);
+}
+
+TEST_F(RegionTest, KeysStepThroughTheDetailsAndBack) {
+  const DocumentState whole = document().state();
+  QTest::keyClick(&window().detailView(), Qt::Key_Plus, Qt::ControlModifier);
+  EXPECT_EQ(document().detail(), 2);
+  QTest::keyClick(&window().detailView(), Qt::Key_Equal, Qt::ControlModifier);
+  EXPECT_EQ(document().detail(), 3);
+  QTest::keyClick(&window().detailView(), Qt::Key_Minus, Qt::ControlModifier);
+  EXPECT_EQ(document().detail(), 2);
+  QTest::keyClick(&window().detailView(), Qt::Key_0, Qt::ControlModifier);
+  EXPECT_EQ(document().state(), whole);
+}
+
+TEST_F(RegionTest, TheReferenceViewHasItsOwnKeys) {
+  QTest::keyClick(&view(), Qt::Key_Plus);
+  EXPECT_EQ(document().detail(), 2);
+  QTest::keyClick(&view(), Qt::Key_Plus);
+  const Region before = region();
+  QTest::keyClick(&view(), Qt::Key_Right);
+  EXPECT_NEAR(region().x_mm, before.x_mm + 0.05 * before.side_mm, 1e-9);
+  QTest::keyClick(&view(), Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_LT(region().side_mm, before.side_mm);
+}
+
+TEST_F(RegionTest, ControlAndArrowsMoveTheWindowByAQuarter) {
+  document().setRect({80, 80, 40, 40});
+  QTest::keyClick(&window().detailView(), Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NEAR(region().x_mm, 90, 1e-9);
+  QTest::keyClick(&window().detailView(), Qt::Key_Up, Qt::ControlModifier);
+  EXPECT_NEAR(region().y_mm, 90, 1e-9);
+  QTest::keyClick(&window().detailView(), Qt::Key_Left, Qt::ControlModifier);
+  QTest::keyClick(&window().detailView(), Qt::Key_Down, Qt::ControlModifier);
+  EXPECT_NEAR(region().x_mm, 80, 1e-9);
+  EXPECT_NEAR(region().y_mm, 80, 1e-9);
+}
+
+TEST_F(RegionTest, TheLevelCanBeChosenWithoutMovingTheWindow) {
+  document().setRect({40, 40, 60, 60});
+  const Region before = region();
+  auto* level = child<QComboBox>("region_level");
+  ASSERT_EQ(level->count(), 3);
+  EXPECT_EQ(level->itemText(1), "Detail 2 of 3 (level 1)");
+  level->setFocus();
+  QTest::keyClick(level, Qt::Key_Home);
+  EXPECT_EQ(region().level.value, 2);
+  EXPECT_EQ(region().x_mm, before.x_mm);
+  EXPECT_EQ(region().side_mm, before.side_mm);
+}
+
+TEST_F(RegionTest, UndoAndRedoBringBackIdenticalStatesUnderTheirNames) {
+  const DocumentState first = document().state();
+  const std::vector<float> first_heights = document().window()->heights_mm;
+  QTest::keyClick(&window().detailView(), Qt::Key_Plus, Qt::ControlModifier);
+  drag(view(), point(60, 90), point(120, 150));
+  document().setGain(2);
+  const DocumentState last = document().state();
+  const std::vector<float> last_heights = document().window()->heights_mm;
+  EXPECT_EQ(action("undo")->text(), "&Undo Height gain");
+  for (int i = 0; i < 3; ++i) QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(document().state(), first);
+  EXPECT_EQ(document().window()->heights_mm, first_heights);
+  EXPECT_EQ(action("redo")->text(), QString::fromUtf8("&Redo Detail 1 \u2192 2"));
+  EXPECT_FALSE(action("undo")->isEnabled());
+  QTest::keyClick(&view(), Qt::Key_Y, Qt::ControlModifier);
+  QTest::keyClick(&view(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  QTest::keyClick(&view(), Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(document().state(), last);
+  EXPECT_EQ(document().window()->heights_mm, last_heights);
+}
+
+TEST_F(RegionTest, GainStepsMergeIntoOneEntryAndTheGainIsShown) {
+  auto* note = child<QLabel>("detail_note");
+  EXPECT_FALSE(note->text().contains("heights"));
+  document().setGain(1.5);
+  document().setGain(2);
+  EXPECT_EQ(document().history().count(), 1);
+  EXPECT_TRUE(note->text().contains(QString::fromUtf8("heights \u00d7 2.00")));
+  const float highest = document().window()->max_mm;
+  document().history().undo();
+  EXPECT_EQ(document().state().gain, 1);
+  EXPECT_NEAR(highest, 2 * document().window()->max_mm, 1e-3);
+}
+
+TEST_F(RegionTest, TheHandScaleIsSaid) {
+  document().setRect({40, 40, 80, 80});
+  const double scale = handMapping(*document().window()).objectMmPerHandMm();
+  const QString text = child<QLabel>("hand_scale")->text();
+  EXPECT_TRUE(text.startsWith("1 mm of hand = " + QString::number(scale, 'f', 2)))
+      << text.toStdString();
+}
+
+TEST_F(RegionTest, AtTheLimitsTheCommandsAreOff) {
+  EXPECT_FALSE(action("coarser")->isEnabled());
+  EXPECT_FALSE(action("whole")->isEnabled());
+  while (document().finer(document().aboutCentre())) {
+  }
+  EXPECT_FALSE(action("finer")->isEnabled());
+  EXPECT_TRUE(action("coarser")->isEnabled());
+}
+
+TEST_F(RegionTest, PointerShapesSayWhatADragWillDo) {
+  document().setRect({40, 40, 60, 60});
+  move(view(), point(70, 70));
+  EXPECT_EQ(view().cursor().shape(), Qt::SizeAllCursor);
+  move(view(), point(40, 70));
+  EXPECT_EQ(view().cursor().shape(), Qt::SizeHorCursor);
+  move(view(), point(100, 100));
+  EXPECT_EQ(view().cursor().shape(), Qt::SizeBDiagCursor);
+  move(view(), point(150, 150));
+  EXPECT_EQ(view().cursor().shape(), Qt::CrossCursor);
+}
+
+}  // namespace
+}  // namespace relievo

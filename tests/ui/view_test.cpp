@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QImage>
+#include <QPushButton>
+#include <QtTest/QTest>
+
+#include "tests/ui/gui_fixture.h"
+
+namespace relievo {
+namespace {
+
+class ViewTest : public GuiTest {
+ protected:
+  void SetUp() override { openRelief(); }
+  bool seenFrom(const std::string& name) {
+    return waitFor([&] { return !document().busy() && document().surface()->view_name == name; });
+  }
+};
+
+/// Share of pixels whose red, green and blue differ clearly.
+double colouredShare(const QImage& image) {
+  int coloured = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QRgb p = image.pixel(x, y);
+      if (std::abs(qRed(p) - qBlue(p)) > 40) ++coloured;
+    }
+  }
+  return static_cast<double>(coloured) / (image.width() * image.height());
+}
+
+TEST_F(ViewTest, AltAndADigitShowsEachOfTheSixSides) {
+  const std::array<std::string, 6> views{"front", "back", "left", "right", "top", "bottom"};
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    QTest::keyClick(&window().detailView(), static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i)),
+                    Qt::AltModifier);
+    EXPECT_TRUE(seenFrom(views[i])) << views[i];
+  }
+}
+
+TEST_F(ViewTest, AChangeOfViewCanBeUndone) {
+  const DocumentState top = document().state();
+  QTest::mouseClick(child<QPushButton>("view_bottom"), Qt::LeftButton);
+  ASSERT_TRUE(seenFrom("bottom"));
+  EXPECT_TRUE(action("undo")->text().contains("top"));
+  document().history().undo();
+  EXPECT_EQ(document().state(), top);
+}
+
+TEST_F(ViewTest, AMiddleDragTurnsAndUseThisViewMakesTheReliefAnewFromThere) {
+  auto& detail = window().detailView();
+  EXPECT_FALSE(action("use_view")->isEnabled());
+  drag(detail, {100, 100}, {140, 60}, Qt::MiddleButton);
+  ASSERT_TRUE(detail.isTurned());
+  const Rotation camera = detail.cameraRotation();
+  EXPECT_TRUE(action("use_view")->isEnabled());
+  QTest::mouseClick(child<QPushButton>("use_this_view"), Qt::LeftButton);
+  ASSERT_TRUE(seenFrom("free"));
+  // From the top, view axes are file axes: the camera's rotation is the new view's.
+  const auto& m = document().surface()->view_from_file.m;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_NEAR(m[4 * i + j], camera[3 * i + j], 1e-9);
+  }
+  EXPECT_FALSE(detail.isTurned()) << "the turned view is straight now";
+}
+
+TEST_F(ViewTest, FitLooksStraightDownAgain) {
+  drag(window().detailView(), {100, 100}, {140, 60}, Qt::MiddleButton);
+  ASSERT_TRUE(window().detailView().isTurned());
+  action("fit")->trigger();
+  EXPECT_FALSE(window().detailView().isTurned());
+}
+
+TEST_F(ViewTest, TheAnaglyphSwitchesOnAndOffInBothViewsAndChangesTheirPixels) {
+  auto& detail = window().detailView();
+  // A steep flank, so that the eyes see different pictures.
+  document().setRect({60, 60, 100, 100});
+  const QImage mono = detail.shot();
+  QTest::keyClick(&detail, Qt::Key_3, Qt::ControlModifier);
+  EXPECT_TRUE(child<QCheckBox>("stereo_on")->isChecked());
+  EXPECT_EQ(window().referenceView().sceneState().stereo.mode, StereoMode::anaglyph);
+  const QImage stereo = detail.shot();
+  EXPECT_NE(mono, stereo);
+  EXPECT_GT(colouredShare(stereo), colouredShare(mono) + 0.002);
+  QTest::keyClick(&detail, Qt::Key_3, Qt::ControlModifier);
+  EXPECT_FALSE(child<QCheckBox>("stereo_on")->isChecked());
+  EXPECT_EQ(detail.shot(), mono);
+}
+
+TEST_F(ViewTest, EyeSeparationAndZeroPlaneReachTheViews) {
+  child<QCheckBox>("stereo_on")->setChecked(true);
+  child<QDoubleSpinBox>("eye_angle")->setValue(7);
+  EXPECT_EQ(window().detailView().sceneState().stereo.eye_angle_deg, 7);
+  EXPECT_FALSE(window().detailView().sceneState().stereo.zero_plane_mm.has_value());
+  child<QCheckBox>("zero_plane_auto")->setChecked(false);
+  child<QDoubleSpinBox>("zero_plane")->setValue(5);
+  EXPECT_EQ(window().detailView().sceneState().stereo.zero_plane_mm, 5);
+}
+
+TEST_F(ViewTest, TheDepthBufferGivesTheSameReliefAsTheProcessor) {
+  const auto cpu = document().surface();
+  action("engine_depthbuffer")->trigger();
+  ASSERT_TRUE(waitFor([this] {
+    return !document().busy() &&
+           (document().surface()->engine == "depthbuffer" || !window().message().isEmpty());
+  })) << "depth buffer";
+  ASSERT_EQ(document().surface()->engine, "depthbuffer") << window().message().toStdString();
+  const auto gl = document().surface();
+  ASSERT_EQ(gl->map.frame, cpu->map.frame);
+  const Cell top{gl->map.frame.size.cols * 2 / 5, gl->map.frame.size.rows * 9 / 20};
+  EXPECT_NEAR(gl->map.heightMm(top), cpu->map.heightMm(top), 0.2);
+}
+
+TEST_F(ViewTest, TheLightMovesInBothViews) {
+  child<QSlider>("light_azimuth")->setValue(90);
+  child<QSlider>("light_elevation")->setValue(20);
+  EXPECT_EQ(window().detailView().sceneState().light.azimuth_deg, 90);
+  EXPECT_EQ(window().referenceView().sceneState().light.elevation_deg, 20);
+}
+
+}  // namespace
+}  // namespace relievo

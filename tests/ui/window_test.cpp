@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QSlider>
+#include <QSplitter>
+#include <QtTest/QTest>
+
+#include "tests/ui/gui_fixture.h"
+#include "ui/keys_sheet.h"
+
+namespace relievo {
+namespace {
+
+class WindowTest : public GuiTest {
+ protected:
+  /// Every entry of every menu, separators aside.
+  QList<QAction*> entries() {
+    QList<QAction*> all;
+    for (QMenu* menu : window().findChildren<QMenu*>()) {
+      for (QAction* a : menu->actions()) {
+        if (!a->isSeparator() && !a->objectName().startsWith("_q_")) all << a;
+      }
+    }
+    return all;
+  }
+};
+
+TEST_F(WindowTest, EveryMenuAndEntryHasAMnemonic) {
+  for (const QAction* a : window().menuBar()->actions()) {
+    EXPECT_TRUE(a->text().contains('&')) << a->text().toStdString();
+  }
+  for (const QAction* a : entries()) {
+    EXPECT_TRUE(a->text().contains('&')) << a->text().toStdString();
+  }
+}
+
+TEST_F(WindowTest, MnemonicsDoNotRepeatWithinAMenu) {
+  for (const QMenu* menu : window().findChildren<QMenu*>()) {
+    QString seen;
+    for (const QAction* a : menu->actions()) {
+      const int at = a->text().indexOf('&');
+      if (a->isSeparator() || at < 0) continue;
+      const QChar letter = a->text()[at + 1].toLower();
+      EXPECT_FALSE(seen.contains(letter)) << menu->title().toStdString() << ": "
+                                          << seen.toStdString() << ", " << a->text().toStdString();
+      seen += letter;
+    }
+  }
+}
+
+TEST_F(WindowTest, EveryEntryHasATooltipThatNamesItsKey) {
+  for (const QAction* a : entries()) {
+    EXPECT_FALSE(a->toolTip().isEmpty()) << a->text().toStdString();
+    if (a->shortcuts().isEmpty()) continue;
+    EXPECT_TRUE(a->toolTip().contains(a->shortcuts().front().toString(QKeySequence::NativeText)))
+        << a->toolTip().toStdString();
+  }
+}
+
+TEST_F(WindowTest, NoShortcutIsABareLetterOrTakenTwice) {
+  QStringList taken;
+  for (const QAction* a : window().findChildren<QAction*>()) {
+    for (const QKeySequence& key : a->shortcuts()) {
+      const int code = key[0];
+      const int plain = code & ~static_cast<int>(Qt::KeyboardModifierMask);
+      const bool letter = plain >= Qt::Key_Space && plain <= Qt::Key_ydiaeresis;
+      const int modifiers = code & static_cast<int>(Qt::ControlModifier | Qt::AltModifier);
+      EXPECT_TRUE(!letter || modifiers != 0) << key.toString().toStdString();
+      EXPECT_FALSE(taken.contains(key.toString())) << key.toString().toStdString();
+      taken << key.toString();
+    }
+  }
+}
+
+TEST_F(WindowTest, MenusWithoutAnEntryAreNotShown) {
+  for (const QAction* a : window().menuBar()->actions()) {
+    EXPECT_EQ(a->isVisible(), !a->menu()->actions().isEmpty()) << a->text().toStdString();
+  }
+}
+
+TEST_F(WindowTest, AnEntryOfATouchModuleAppearsInItsMenuAndKeepsItsKey) {
+  auto* forces = new QAction("&Forces on");
+  forces->setObjectName("forces");
+  forces->setShortcut(QKeySequence("F5"));
+  forces->setCheckable(true);
+  window().addToMenu("Touch", forces);
+  openRelief();
+  const auto menus = window().menuBar()->actions();
+  const auto touch = std::find_if(menus.begin(), menus.end(),
+                                  [](const QAction* a) { return a->text() == "&Touch"; });
+  ASSERT_NE(touch, menus.end());
+  EXPECT_TRUE((*touch)->isVisible());
+  QTest::keyClick(&window().detailView(), Qt::Key_F5);
+  EXPECT_TRUE(forces->isChecked());
+  EXPECT_TRUE(window().runCommand("forces"));
+  EXPECT_FALSE(forces->isChecked());
+}
+
+TEST_F(WindowTest, EscapeStopsForcesBeforeAnythingElse) {
+  auto* off = new QAction("Forces &off now");
+  off->setObjectName("forcesOff");
+  bool stopped = false;
+  QObject::connect(off, &QAction::triggered, off, [&] { stopped = true; });
+  window().addToMenu("Touch", off);
+  openRelief();
+  TouchReadout readout;
+  readout.forces_on = true;
+  window().showTouch(readout);
+  QTest::keyClick(&window().referenceView(), Qt::Key_Escape);
+  EXPECT_TRUE(stopped);
+}
+
+TEST_F(WindowTest, CommandsRunByNameUnlessTheyAreOffOrUnknown) {
+  openRelief();
+  EXPECT_TRUE(window().runCommand("finer"));
+  EXPECT_EQ(document().detail(), 2);
+  EXPECT_TRUE(window().runCommand("whole"));
+  EXPECT_FALSE(window().runCommand("coarser"));
+  EXPECT_FALSE(window().runCommand("no_such_command"));
+}
+
+TEST_F(WindowTest, WithoutATouchModuleTheWindowSaysSoAndShowsNoPlots) {
+  window().showTouchMissing("the haptics plugin was not found.");
+  openRelief();
+  EXPECT_FALSE(child<QWidget>("time_plot")->isVisible());
+  EXPECT_FALSE(action("show_plots")->isVisible());
+  window().showTouchMissing("the haptics plugin was not found.");
+  EXPECT_EQ(child<QLabel>("status_message")->text(),
+            "Touch is not available: the haptics plugin was not found. Viewing works.");
+}
+
+TEST_F(WindowTest, RateAndRecordingAreShownOnceTouchReports) {
+  openRelief();
+  TouchReadout readout;
+  readout.rate_hz = 1000;
+  readout.late_ticks = 3;
+  readout.recording = true;
+  readout.recorded_samples = 42;
+  readout.realtime_note = "not permitted";
+  window().showTouch(readout);
+  EXPECT_EQ(child<QLabel>("status_force_rate")->text(), "1000/s, late 3");
+  EXPECT_TRUE(child<QLabel>("status_force_rate")->toolTip().contains("not permitted"));
+  EXPECT_TRUE(child<QLabel>("status_recording")->text().contains("42"));
+  EXPECT_TRUE(child<QWidget>("time_plot")->isVisible());
+}
+
+TEST_F(WindowTest, EveryControlAndBothViewsHaveAnAccessibleName) {
+  openRelief();
+  window().showTouch({});
+  const auto interesting = [](const QWidget* w) {
+    return qobject_cast<const QAbstractButton*>(w) != nullptr ||
+           qobject_cast<const QComboBox*>(w) != nullptr ||
+           qobject_cast<const QAbstractSpinBox*>(w) != nullptr ||
+           qobject_cast<const QSlider*>(w) != nullptr ||
+           qobject_cast<const SurfaceView*>(w) != nullptr || (w->focusPolicy() & Qt::TabFocus) != 0;
+  };
+  for (const QWidget* w : window().findChildren<QWidget*>()) {
+    if (!interesting(w) || w->objectName().startsWith("qt_")) continue;
+    // Parts that Qt makes inside a spin box or a combo box speak for their owner.
+    const QWidget* owner = w->parentWidget();
+    if (qobject_cast<const QAbstractSpinBox*>(owner) != nullptr) continue;
+    if (w->window() != &window()) continue;
+    EXPECT_FALSE(w->accessibleName().isEmpty())
+        << w->metaObject()->className() << " " << w->objectName().toStdString();
+  }
+}
+
+TEST_F(WindowTest, AViewsAccessibleValueSaysWhereOneIs) {
+  openRelief();
+  QAccessibleInterface* view = QAccessible::queryAccessibleInterface(&window().referenceView());
+  ASSERT_NE(view, nullptr);
+  EXPECT_EQ(view->text(QAccessible::Name), "Reference view");
+  EXPECT_TRUE(view->text(QAccessible::Value).contains("Detail 1 of 3"));
+}
+
+TEST_F(WindowTest, PicturesAreWrittenAtTheChosenSize) {
+  openRelief();
+  const QSize size(321, 213);
+  for (const ImageSource source :
+       {ImageSource::reference, ImageSource::detail, ImageSource::window}) {
+    const QString file = path("picture.png");
+    QFile::remove(file);
+    window().writeImage(source, size, file);
+    const QImage image(file);
+    EXPECT_EQ(image.size(), size);
+    EXPECT_NE(image.pixel(160, 106), image.pixel(2, 2)) << "a picture, not one colour";
+  }
+}
+
+TEST_F(WindowTest, APictureThatCannotBeWrittenIsAnError) {
+  openRelief();
+  EXPECT_THROW(window().writeImage(ImageSource::detail, {64, 64}, path("no/such/folder/p.png")),
+               WriteError);
+}
+
+TEST_F(WindowTest, TheLayoutIsRememberedAcrossARestart) {
+  openRelief();
+  window().resize(900, 600);
+  action("show_panels")->setChecked(false);
+  QApplication::processEvents();
+  restart();
+  EXPECT_EQ(window().size(), QSize(900, 600));
+  EXPECT_FALSE(action("show_panels")->isChecked());
+  openRelief();
+  EXPECT_FALSE(child<QWidget>("side_panels")->isVisible());
+}
+
+TEST_F(WindowTest, TheThemeIsRememberedAndReachesTheViews) {
+  action("theme_contrast")->trigger();
+  const QColor black = window().detailView().sceneState().background;
+  restart();
+  EXPECT_TRUE(action("theme_contrast")->isChecked());
+  EXPECT_EQ(window().detailView().sceneState().background, black);
+  action("theme_light")->trigger();
+  EXPECT_NE(window().detailView().sceneState().background, black);
+}
+
+TEST_F(WindowTest, TheKeySheetListsEveryShortcut) {
+  QTest::keyClick(&window(), Qt::Key_F1);
+  auto* sheet = window().findChild<KeysSheet*>();
+  ASSERT_NE(sheet, nullptr);
+  EXPECT_TRUE(sheet->isVisible());
+  sheet->close();
+}
+
+TEST_F(WindowTest, TheRecordingHeaderNamesInputUnitViewAndRegion) {
+  openRelief();
+  const QString header = window().recordingHeader();
+  for (const QString& line : header.split('\n')) EXPECT_TRUE(line.startsWith("# "));
+  for (const char* key : {"input: relief.ply", "input_sha256", "unit: mm (given)", "view: top",
+                          "region_mm", "level: 2"}) {
+    EXPECT_TRUE(header.contains(key)) << key;
+  }
+}
+
+TEST_F(WindowTest, F6WalksThroughThePartsAndBack) {
+  openRelief();
+  window().activateWindow();
+  window().referenceView().setFocus();
+  if (!window().isActiveWindow()) GTEST_SKIP() << "no window manager gives the window the focus";
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
+  EXPECT_EQ(QApplication::focusWidget(), &window().detailView());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+  EXPECT_EQ(QApplication::focusWidget(), &window().referenceView());
+}
+
+}  // namespace
+}  // namespace relievo
