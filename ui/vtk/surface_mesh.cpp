@@ -91,7 +91,7 @@ void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
   const GridSize size = frame_.size, mesh = withRing(size);
   vertices_->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
   float* out = vertices_->GetPointer(0);
-  const float z0 = static_cast<float>(middle_.z);
+  const auto z0 = static_cast<float>(middle_.z);
   const float outside_z = static_cast<float>(std::clamp(0.0, min_mm_, max_mm_)) - z0;
   std::vector<float> x(static_cast<std::size_t>(mesh.cols));
   for (int i = 0; i < mesh.cols; ++i) {
@@ -100,7 +100,7 @@ void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
   }
   for (int j = 0; j < mesh.rows; ++j) {
     const int row = sampleOf(j, size.rows);
-    const float y =
+    const auto y =
         static_cast<float>((placeOf(j, size.rows) - 0.5 * (size.rows - 1)) * frame_.spacing_mm);
     for (int i = 0; i < mesh.cols; ++i) {
       const std::size_t sample = size.index({sampleOf(i, size.cols), row});
@@ -119,7 +119,7 @@ void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
   normals_->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
   float* out = normals_->GetPointer(0);
   const auto stride = static_cast<std::size_t>(size.cols);
-  const float per_step = static_cast<float>(1 / frame_.spacing_mm);
+  const auto per_step = static_cast<float>(1 / frame_.spacing_mm);
   const float* const h = heights.data();
   const auto slope = [&](std::size_t here, std::size_t before, std::size_t after) {
     if (!all_inside_) {
@@ -206,7 +206,7 @@ void SurfaceMesh::rebuildCells() {
   const std::size_t quads_at_most =
       static_cast<std::size_t>(mesh.cols - 1) * static_cast<std::size_t>(mesh.rows - 1);
   vtkNew<vtkTypeInt32Array> offsets, corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(4 * quads_at_most));
+  corners->SetNumberOfValues(4 * static_cast<vtkIdType>(quads_at_most));
   vtkTypeInt32* out = corners->GetPointer(0);
   vtkIdType quads = 0;
   for (int j = 0; j + 1 < mesh.rows; ++j) {
