@@ -26,6 +26,7 @@ namespace {
 
 constexpr std::uint64_t kMaxCells = 400'000'000;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
+constexpr std::string_view kOriginContent = "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 struct CloseDataset {
@@ -340,6 +341,11 @@ std::vector<Origin> readOrigins(const RasterMap& raster, std::vector<std::string
 }
 
 void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
+  const char* content = dataset.GetMetadataItem("RELIEVO_CONTENT");
+  if (content != nullptr && std::string_view(content) == kOriginContent) {
+    refuse(raster.info.file,
+           "it holds the origins of a map's cells, not heights. Open the map beside it.");
+  }
   const char* unit = dataset.GetMetadataItem("RELIEVO_UNIT");
   const char* matrix = dataset.GetMetadataItem("RELIEVO_VIEW_FROM_FILE");
   if (unit == nullptr || matrix == nullptr) return;
@@ -496,6 +502,7 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
   const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) {
     TemporaryFile origin_file(origin_name);
+    metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
     writeBand(origin_file.path(), origin_name, map.frame, {GDT_Byte, codes.data(), 1}, metadata);
     origin_file.keep();
   } else {
