@@ -8,18 +8,17 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
 #include "core/io/file_check.h"
+#include "core/io/number_text.h"
 
 namespace relievo {
 namespace {
@@ -69,34 +68,6 @@ GDALDriver& geoTiffDriver() {
 
 std::filesystem::path originFileOf(std::filesystem::path map_file) {
   return map_file.replace_extension(".origin.tif");
-}
-
-// ---- numbers in metadata -------------------------------------------------------------------
-
-std::string roundTripText(std::span<const double> numbers) {
-  std::string text;
-  std::array<char, 32> buffer{};
-  for (const double number : numbers) {
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-    if (!text.empty()) text += ' ';
-    text.append(buffer.data(), end);
-  }
-  return text;
-}
-
-template <std::size_t N>
-std::optional<std::array<double, N>> parseNumbers(const char* text) {
-  if (text == nullptr) return std::nullopt;
-  std::array<double, N> numbers{};
-  std::string_view rest(text);
-  for (double& number : numbers) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-  }
-  if (rest.find_first_not_of(' ') != std::string_view::npos) return std::nullopt;
-  return numbers;
 }
 
 // ---- reading -------------------------------------------------------------------------------
