@@ -46,6 +46,7 @@ class HapticsPlugin : public QObject, public Plugin {
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
+  Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;

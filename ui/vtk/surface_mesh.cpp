@@ -2,6 +2,7 @@
 #include "ui/vtk/surface_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -145,7 +146,35 @@ void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
       *out++ = scale;
     }
   }
+  if (!all_inside_) shadeRimCells();
   normals_->Modified();
+}
+
+// A rim cell has corners outside. With the normals of their neighbours inside it is lit like the
+// object's edge; with ones of their own it would be a bright line around every outline.
+void SurfaceMesh::shadeRimCells() {
+  const GridSize size = frame_.size, mesh = withRing(size);
+  float* const normals = normals_->GetPointer(0);
+  const auto is_inside = [&](int i, int j) {
+    return inside_[size.index({sampleOf(i, size.cols), sampleOf(j, size.rows)})] != 0;
+  };
+  for (int j = 0; j < mesh.rows; ++j) {
+    for (int i = 0; i < mesh.cols; ++i) {
+      if (is_inside(i, j)) continue;
+      std::array<float, 3> sum{};
+      for (int nj = std::max(j - 1, 0); nj <= std::min(j + 1, mesh.rows - 1); ++nj) {
+        for (int ni = std::max(i - 1, 0); ni <= std::min(i + 1, mesh.cols - 1); ++ni) {
+          if (!is_inside(ni, nj)) continue;
+          const float* const n = normals + 3 * mesh.index({ni, nj});
+          for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
+        }
+      }
+      const float length = std::hypot(sum[0], sum[1], sum[2]);
+      if (!(length > 0)) continue;
+      float* const out = normals + 3 * mesh.index({i, j});
+      for (std::size_t k = 0; k < 3; ++k) out[k] = sum[k] / length;
+    }
+  }
 }
 
 void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
