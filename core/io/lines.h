@@ -81,6 +81,15 @@ inline std::string_view firstWord(std::string_view line) noexcept {
   return takeWord(line);
 }
 
+/// A CR that no LF follows: the line end of old Macs.
+inline bool hasLoneCr(std::string_view text) noexcept {
+  for (std::size_t at = text.find('\r'); at != std::string_view::npos;
+       at = text.find('\r', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] != '\n') return true;
+  }
+  return false;
+}
+
 /// The whole of `word` as a number; nan and inf are numbers, 1e999 is infinite, 1e-999 is 0.
 /// Independent of the locale.
 inline std::optional<double> parseNumber(std::string_view word) noexcept {

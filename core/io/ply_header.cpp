@@ -57,6 +57,7 @@ class HeaderParser {
       if (word == "end_header") {
         header_.body_start = head_.size() - lines_.rest().size();
         header_.body_first_line = lines_.number();
+        checkLineEnds();
         check();
         return std::move(header_);
       }
@@ -132,6 +133,15 @@ class HeaderParser {
       if (other.name == property.name) refuseLine("names a property a second time");
     }
     element.properties.push_back(std::move(property));
+  }
+
+  void checkLineEnds() {
+    const std::string_view header = head_.substr(0, header_.body_start);
+    header_.cr_lines = hasLoneCr(header);
+    if (header_.cr_lines && header.find('\n') != std::string_view::npos) {
+      refuseScan(file_,
+                 "its header mixes kinds of line ends. The file is damaged; export it again.");
+    }
   }
 
   void check() {

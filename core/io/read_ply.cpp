@@ -107,7 +107,8 @@ class PlyReader {
   /// PCL reads right. Faces must be of the one kind that its parser knows.
   bool pclReadsRight() const {
     const PlyElement& vertices = header_.vertices();
-    if (header_.encoding == PlyEncoding::ascii || element_ != 0 || vertices.hasList()) return false;
+    if (header_.encoding == PlyEncoding::ascii || header_.cr_lines) return false;
+    if (element_ != 0 || vertices.hasList()) return false;
     if (header_.elements.size() > (header_.face_element ? 2U : 1U)) return false;
     if (vertices.count == 0 || vertices.count > body_.size() / vertices.leastBytes()) return false;
     for (const std::size_t axis : header_.xyz) {

@@ -164,7 +164,10 @@ void WorkerProcess::spawn(const std::filesystem::path& file, const ImportOptions
                                      std::to_string(options.max_memory_bytes),
                                      secondsText(options.max_cpu_s)};
   std::vector<std::string> environment;
-  for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.emplace_back(*entry);
+  }
+  environment.emplace_back("LC_ALL=C");  // For libraries that set the locale as they load.
   environment.push_back(std::string(kWorkerMark) + "=1");
   const std::vector<char*> argument_pointers = pointersTo(arguments);
   const std::vector<char*> environment_pointers = pointersTo(environment);

@@ -149,7 +149,8 @@ std::vector<std::string> spreadLibraries(const IncludeTable& table,
         users += path;
       }
     }
-    if (count > 1) found.push_back(library + " is included by more than one file:" + users);
+    if (count > 1)
+      found.push_back(std::string(library).append(" is in more than one file:").append(users));
   }
   return found;
 }

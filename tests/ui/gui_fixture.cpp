@@ -50,6 +50,8 @@ void GuiTest::restart() {
   if (!window_->settings().layout(QStringLiteral("geometry")).isValid()) window_->resize(860, 560);
   window_->show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  // Xvfb has no window manager that would; keys reach commands only in the active window.
+  QApplication::setActiveWindow(window_.get());
 }
 
 QString GuiTest::writeRelief(const QString& name) const {

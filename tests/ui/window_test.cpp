@@ -244,9 +244,7 @@ TEST_F(WindowTest, TheRecordingHeaderNamesInputUnitViewAndRegion) {
 
 TEST_F(WindowTest, F6WalksThroughThePartsAndBack) {
   openRelief();
-  window().activateWindow();
   window().referenceView().setFocus();
-  if (!window().isActiveWindow()) GTEST_SKIP() << "no window manager gives the window the focus";
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6);
   EXPECT_EQ(QApplication::focusWidget(), &window().detailView());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
