@@ -111,6 +111,8 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   EXPECT_EQ(host_.probes.back().force, DeviceN{});
   hover();
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
+  const std::size_t plotted = host_.plotted.size();  // Some quiet ticks go by.
+  ASSERT_TRUE(eventually([&] { return host_.plotted.size() > plotted + 5; }));
   press(2);
   // 2 mm at 0.8 N/mm and 60 %.
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 0.9; }));
