@@ -16,7 +16,7 @@ constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.
 constexpr double kMostDepthMm = 10;
 constexpr double kTurnDegPerPixel = 0.4;
 constexpr double kMostTiltDeg = 85;
-constexpr double kBallOfSide = 0.011;
+constexpr double kBallOfSide = 0.017;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 constexpr double kDeg = 3.14159265358979323846 / 180;
 

@@ -66,6 +66,7 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   showRecent();
   setTheme(static_cast<Theme>(settings_.choice(QStringLiteral("theme"), 0).toInt()));
   restoreLayout();
+  start_->setFocus();
   qApp->installEventFilter(this);
 }
 
@@ -161,7 +162,9 @@ void MainWindow::connectParts() {
   connect(&document_, &Document::opened, this, [this](const QString& file) {
     settings_.addRecentFile(file);
     showRecent();
-    announce(tr("%1 is open").arg(QFileInfo(file).fileName()));
+    const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
+    announce(command("forces") == nullptr ? open_now
+                                          : tr("%1 Press F5 to switch forces on.").arg(open_now));
     askUnit();
     detail_->setFocus();
   });

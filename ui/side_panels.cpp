@@ -26,6 +26,10 @@ SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
 }
 
 void SidePanels::add(const QString& title, QWidget* panel) {
+  insert(static_cast<int>(headers_.size()), title, panel);
+}
+
+void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   auto* header = new QToolButton(widget());
   header->setText(title);
   header->setToolTip(tr("Show or hide %1").arg(title));
@@ -43,10 +47,9 @@ void SidePanels::add(const QString& title, QWidget* panel) {
     header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     panel->setVisible(open);
   });
-  const int end = column_->count() - 1;  // Before the stretch.
-  column_->insertWidget(end, header);
-  column_->insertWidget(end + 1, panel);
-  headers_.push_back(header);
+  column_->insertWidget(2 * index, header);  // Headers and panels alternate.
+  column_->insertWidget(2 * index + 1, panel);
+  headers_.insert(headers_.begin() + index, header);
 }
 
 QStringList SidePanels::titles() const {

@@ -15,6 +15,7 @@ class SidePanels : public QScrollArea {
  public:
   explicit SidePanels(QWidget* parent = nullptr);
   void add(const QString& title, QWidget* panel);  ///< Takes ownership; goes to the end.
+  void insert(int index, const QString& title, QWidget* panel);
   QStringList titles() const;
 
  private:

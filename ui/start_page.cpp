@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/start_page.h"
 
-#include <algorithm>
+#include <array>
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -33,10 +33,29 @@ QListWidget* fileList(const QString& title, QVBoxLayout* column) {
   return list;
 }
 
-void fill(QListWidget* list, const QStringList& files) {
+/// What a sample is, for people; other files go by their names.
+QString captionOf(const QFileInfo& file) {
+  struct Sample {
+    const char *file, *caption;
+  };
+  constexpr std::array<Sample, 4> kSamples{{
+      {"relief_f.ply",
+       QT_TRANSLATE_NOOP("StartPage", "Acceptance relief: dome, step, ridge, grating")},
+      {"coin.ply", QT_TRANSLATE_NOOP("StartPage", "Coin, 24 mm across")},
+      {"panel.ply", QT_TRANSLATE_NOOP("StartPage", "Carved panel with undercuts")},
+      {"ruin.ply", QT_TRANSLATE_NOOP("StartPage", "Ruin, 400 m across")},
+  }};
+  for (const Sample& sample : kSamples) {
+    if (file.fileName() == QLatin1String(sample.file)) return StartPage::tr(sample.caption);
+  }
+  return file.fileName();
+}
+
+void fill(QListWidget* list, const QStringList& files, bool captions) {
   list->clear();
   for (const QString& file : files) {
-    auto* item = new QListWidgetItem(QFileInfo(file).fileName(), list);
+    auto* item = new QListWidgetItem(
+        captions ? captionOf(QFileInfo(file)) : QFileInfo(file).fileName(), list);
     item->setData(Qt::UserRole, file);
     item->setToolTip(file);
   }
@@ -80,6 +99,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* outer = new QHBoxLayout(this);
   auto* content = new QWidget;
   content->setMaximumWidth(760);
+  content->setMaximumHeight(560);
   outer->addStretch(1);
   outer->addWidget(content, 6);
   outer->addStretch(1);
@@ -104,6 +124,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   open->setMinimumHeight(34);
   open->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   connect(open, &QPushButton::clicked, this, &StartPage::openAsked);
+  setFocusProxy(open);
   column->addWidget(open);
   column->addSpacing(8);
 
@@ -124,7 +145,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   column->addLayout(lists, 1);
 
   const QStringList files = sampleFiles();
-  fill(samples, files);
+  fill(samples, files, true);
   samples_box->setVisible(!files.isEmpty());
   for (QListWidget* list : {samples, recent_}) {
     connect(list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
@@ -138,7 +159,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
 }
 
 void StartPage::setRecent(const QStringList& files) {
-  fill(recent_, files);
+  fill(recent_, files, false);
   recent_box_->setVisible(!files.isEmpty());
 }
 

@@ -34,7 +34,6 @@ constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
 class Field : public QLabel {
  public:
   explicit Field(QWidget* parent) : QLabel(parent) {
-    setFocusPolicy(Qt::TabFocus);
     setContentsMargins(6, 1, 6, 1);
     setStyleSheet(QStringLiteral("QLabel:focus { border: 1px solid palette(highlight); }"));
   }
@@ -98,6 +97,7 @@ void StatusFields::set(StatusField field, const QString& text, const QString& ti
   label->setToolTip(tip);
   label->setAccessibleDescription(tip.isEmpty() ? text : text + QLatin1String(". ") + tip);
   if (field != StatusField::message) label->setVisible(!text.isEmpty());
+  label->setFocusPolicy(text.isEmpty() ? Qt::NoFocus : Qt::TabFocus);
 }
 
 QString StatusFields::text(StatusField field) const {

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QBasicTimer>
 #include <QPainter>
 #include <QResizeEvent>
+#include <QTimerEvent>
 
 #include "ui/vtk/offscreen.h"
 
@@ -67,15 +69,46 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     scene_.attachTo(window_);
   }
 
+  /// Many changes between two frames are one picture.
+  void requestRender() {
+    stale_ = true;
+    if (!later_.isActive()) later_.start(0, this);
+  }
+  void renderIfStale() {
+    if (!stale_ || !isVisible()) return;
+    stale_ = false;
+    later_.stop();
+    prepare();
+    renderWindow()->Render();
+  }
+
  protected:
+  void timerEvent(QTimerEvent* event) override {
+    if (event->timerId() != later_.timerId()) {
+      QVTKOpenGLNativeWidget::timerEvent(event);
+      return;
+    }
+    later_.stop();
+    renderIfStale();
+  }
+  void showEvent(QShowEvent* event) override {
+    QVTKOpenGLNativeWidget::showEvent(event);
+    requestRender();
+  }
   void paintGL() override {
-    const QSize pixels = size() * devicePixelRatioF();
-    scene_.prepare(std::max(1, pixels.width()), std::max(1, pixels.height()));
+    prepare();  // After a change of size VTK draws in here.
     QVTKOpenGLNativeWidget::paintGL();
   }
 
  private:
+  void prepare() {
+    const QSize pixels = size() * devicePixelRatioF();
+    scene_.prepare(std::max(1, pixels.width()), std::max(1, pixels.height()));
+  }
+
   ReliefScene& scene_;
+  QBasicTimer later_;
+  bool stale_ = false;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
 };
 
@@ -94,8 +127,7 @@ SurfaceView::~SurfaceView() {
 }
 
 void SurfaceView::requestRender() {
-  canvas_->renderWindow()->Modified();
-  canvas_->update();
+  canvas_->requestRender();
 }
 
 void SurfaceView::setStereo(const StereoOptions& stereo) {

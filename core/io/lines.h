@@ -22,7 +22,7 @@ class Lines {
     if (rest_.empty()) return false;
     ++number_;
     findLineFeed();
-    std::size_t end = static_cast<std::size_t>(line_feed_ - rest_.data());
+    auto end = static_cast<std::size_t>(line_feed_ - rest_.data());
     ended_ = end < rest_.size();
     const auto* cr = static_cast<const char*>(std::memchr(rest_.data(), '\r', end));
     std::size_t skip = ended_ ? 1 : 0;

@@ -43,7 +43,7 @@ class PcdHeaderParser {
 
   PcdHeader parse() {
     while (lines_.next()) {
-      if (lines_.line().size() > 64 * 1024) refuse("has a line too long for a PCD file");
+      if (lines_.line().size() > 65536) refuse("has a line too long for a PCD file");
       std::string_view rest = lines_.line();
       const std::string_view word = takeWord(rest);
       if (word.empty() || word.starts_with('#')) continue;

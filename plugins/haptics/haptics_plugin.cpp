@@ -26,7 +26,7 @@ void HapticsPlugin::attach(Host& host) {
   connectControls();
   connectHost();
   applySettings();
-  if (const auto window = host.shownWindow()) session_->show(*window);
+  if (const auto window = host.shownWindow()) showWindow(*window);
   constexpr int kFrameMs = 16;
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
   timer_.start(kFrameMs);
@@ -46,14 +46,22 @@ void HapticsPlugin::detach() noexcept {
 void HapticsPlugin::connectHost() {
   connect(host_, &Host::windowShown, this,
           [this](const std::shared_ptr<const RegionWindow>& window) {
-            if (!window || !session_) return;
-            shown_ = {};  // The host may have cleared its probe.
-            session_->show(*window);
+            if (window && session_) showWindow(*window);
           });
   connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
     if (session_) session_->moveHand(target.position);
   });
   connect(host_, &Host::closing, this, [this] { setForces(false); });
+}
+
+void HapticsPlugin::showWindow(const RegionWindow& window) {
+  shown_ = {};  // The host may have cleared its probe.
+  try {
+    session_->show(window);
+  } catch (const Error& error) {
+    setForces(false);
+    host_->announce(QString::fromStdString(error.what()));
+  }
 }
 
 void HapticsPlugin::connectControls() {

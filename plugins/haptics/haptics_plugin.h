@@ -30,6 +30,7 @@ class HapticsPlugin : public QObject, public Plugin {
  private:
   void connectHost();
   void connectControls();
+  void showWindow(const RegionWindow& window);
   void setForces(bool on);
   void changeStrength(int percent);
   void setRecording(bool on);

@@ -141,7 +141,7 @@ TEST_F(HandTest, AProbeIsDrawnOnlyOnTheWindowItBelongsTo) {
   window().showProbe(probe);
   ASSERT_TRUE(view().sceneState().probe.has_value());
   EXPECT_EQ(child<QLabel>("status_force")->text(), "0.50/4.0 N");
-  document().finer(document().aboutCentre());
+  ASSERT_TRUE(document().move(0.25, 0));
   EXPECT_FALSE(view().sceneState().probe.has_value());
 }
 
