@@ -77,8 +77,14 @@ class HeaderParser {
     if (word == "format") return parseFormat(rest);
     if (word == "element") return parseElement(rest);
     if (word == "property") return parseProperty(rest);
-    if (word.empty() || word == "comment" || word == "obj_info") return;
+    if (word == "comment") return parseComment(rest);
+    if (word.empty() || word == "obj_info") return;
     refuseLine("is not understood");
+  }
+
+  /// PLY has no field for the unit; "comment unit mm" is how our samples, and others, state it.
+  void parseComment(std::string_view rest) {
+    if (takeWord(rest) == "unit") header_.unit = lengthUnit(trimmed(rest));
   }
 
   void parseFormat(std::string_view rest) {

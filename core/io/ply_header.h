@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/unit.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -40,6 +41,7 @@ struct PlyHeader {
 
   std::size_t vertex_element = 0;
   std::array<std::size_t, 3> xyz{};  ///< Properties of the vertex element.
+  std::optional<LengthUnit> unit;    ///< Stated by a line "comment unit mm".
   std::optional<std::size_t> face_element;
   std::size_t face_corners = 0;  ///< The list property of the face element.
 

@@ -33,6 +33,7 @@ class PlyReader {
   Scan read() {
     constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary_little_endian",
                                                          "binary_big_endian"};
+    builder_.info().unit = header_.unit;
     builder_.info().format =
         "PLY " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
     const bool ascii = header_.encoding == PlyEncoding::ascii;

@@ -132,6 +132,21 @@ TEST(Import, FormatsSayWhatTheyAre) {
   EXPECT_EQ(format("a.xyz", textRows(10)), "text");
 }
 
+TEST(Import, APlyMayStateItsUnitInAComment) {
+  const TemporaryFolder folder;
+  const auto ply = [](const std::string& comment) {
+    return "ply\nformat ascii 1.0\n" + comment +
+           "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+           "end_header\n1 2 3\n";
+  };
+  const auto unitOf = [&](const std::string& comment) {
+    return importScan(folder.write("unit.ply", ply(comment))).info.unit;
+  };
+  EXPECT_EQ(unitOf("comment unit m\n"), LengthUnit::m);
+  EXPECT_EQ(unitOf("comment made by hand\n"), std::nullopt);
+  EXPECT_EQ(unitOf("comment unit furlong\n"), std::nullopt);
+}
+
 TEST(Import, ContentDecidesAndTheNameDoesNot) {
   const TemporaryFolder folder;
   EXPECT_EQ(importScan(folder.write("ply.xyz", plyHeader("ascii", "3") + textRows(3))).info.format,
