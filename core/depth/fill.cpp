@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/depth/mask.h"
 #include "core/depth/push_pull.h"
+#include "core/depth/see_through.h"
 
 namespace relievo {
 namespace {
@@ -56,6 +58,24 @@ std::vector<LabelledHole> enclosedHoles(const EmptyAreas& areas, const GridFrame
   return holes;
 }
 
+Mask maskOf(const FrontDepths& depths) {
+  Mask measured(depths.size());
+  for (std::size_t i = 0; i < depths.size(); ++i) measured[i] = std::isnan(depths[i]) ? 0 : 1;
+  return measured;
+}
+
+/// @throw ArgumentError  there are none
+std::vector<float> measuredValues(const FrontDepths& depths) {
+  std::vector<float> values;
+  std::copy_if(depths.begin(), depths.end(), std::back_inserter(values),
+               [](float z) { return !std::isnan(z); });
+  if (values.empty()) {
+    throw ArgumentError(
+        "No cell of the grid was hit by the scan. Nothing was made. Choose another view.");
+  }
+  return values;
+}
+
 Origin originOfHole(const Hole& hole, HoleRule rule) {
   if (hole.filled) return Origin::interpolated;
   return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
@@ -65,22 +85,18 @@ Origin originOfHole(const Hole& hole, HoleRule rule) {
 
 FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task) {
+  FilledMap result;
   const std::size_t count = frame.size.count();
-  Mask measured(count);
-  std::vector<float> measured_z;
-  for (std::size_t i = 0; i < count; ++i) {
-    measured[i] = std::isnan(depths[i]) ? 0 : 1;
-    if (measured[i] != 0) measured_z.push_back(depths[i]);
-  }
-  if (measured_z.empty()) {
-    throw ArgumentError(
-        "No cell of the grid was hit by the scan. Nothing was made. Choose another view.");
+  FrontDepths filled = depths;
+  Mask measured = maskOf(filled);
+  int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
+  if (radius > 0) {
+    result.seen_through = dropSeenThrough(filled, frame, radius + 1, task);
+    measured = maskOf(filled);
+    radius = samplingGapRadius(measured, frame.size);
   }
   task.check();
-
-  FilledMap result;
-  result.base_z_mm = quantile(std::move(measured_z), source.base_quantile);
-  const int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
+  result.base_z_mm = quantile(measuredValues(filled), source.base_quantile);
   const Mask covered = closed(measured, frame.size, radius);
   task.check();
   const EmptyAreas areas = emptyAreas(covered, frame.size);
@@ -95,7 +111,6 @@ FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const Fi
     result.holes.push_back(labelled.hole);
   }
 
-  std::vector<float> filled = depths;
   pushPull(filled, measured, frame.size, task);
   task.check();
 

@@ -35,6 +35,7 @@ struct FilledMap {
   DepthMap map;             ///< Heights above the base plane.
   double base_z_mm = 0;     ///< View z of the base plane, to be subtracted from view_from_file.
   std::vector<Hole> holes;  ///< Largest first.
+  std::size_t seen_through = 0;  ///< Points of the back seen through the front's gaps, left out.
 };
 
 /// What the depths come from.

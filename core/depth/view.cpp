@@ -114,12 +114,14 @@ NamedRotation automaticRotation(const Scan& scan, const Task& task) {
   NamedRotation best{.name = std::string(kStandardViews[0].first),
                      .rotation = kStandardViews[0].second};
   double best_score = -1;
-  // Earlier views win ties: what is seen equally well from both sides is seen from above.
+  // What is seen about equally well from several sides is seen from above: airborne scans differ by
+  // a few flyers only.
+  constexpr double kFromAbove = 1.15;
   for (const auto& [name, rotation] : kStandardViews) {
     task.check();
     const Look look = lookFrom(scan, rotation);
     const double score = look.area * look.visible * (1 + 0.25 * facing(scan, rotation)) *
-                         (1 + 0.25 * sensorSide(scan, rotation));
+                         (1 + 0.25 * sensorSide(scan, rotation)) * (name == "top" ? kFromAbove : 1);
     if (score > best_score * 1.02) {
       best_score = score;
       best = {.name = std::string(name), .rotation = rotation};

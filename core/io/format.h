@@ -37,6 +37,6 @@ FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
 /// Throws unless this version reads the format as a scan. @throw FileError
 void checkReadableAsScan(const FoundFormat& found, const std::filesystem::path& file);
 
-inline constexpr std::size_t kSniffedBytes = 64 * 1024;
+inline constexpr std::size_t kSniffedBytes = 65536;
 
 }  // namespace relievo

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/import.h"
 
-#include <signal.h>
-
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <utility>

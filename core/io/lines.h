@@ -22,7 +22,7 @@ class Lines {
     if (rest_.empty()) return false;
     ++number_;
     findLineFeed();
-    std::size_t end = static_cast<std::size_t>(line_feed_ - rest_.data());
+    auto end = static_cast<std::size_t>(line_feed_ - rest_.data());
     ended_ = end < rest_.size();
     const auto* cr = static_cast<const char*>(std::memchr(rest_.data(), '\r', end));
     std::size_t skip = ended_ ? 1 : 0;
@@ -79,6 +79,15 @@ inline std::string_view takeWord(std::string_view& rest) noexcept {
 
 inline std::string_view firstWord(std::string_view line) noexcept {
   return takeWord(line);
+}
+
+/// A CR that no LF follows: the line end of old Macs.
+inline bool hasLoneCr(std::string_view text) noexcept {
+  for (std::size_t at = text.find('\r'); at != std::string_view::npos;
+       at = text.find('\r', at + 1)) {
+    if (at + 1 == text.size() || text[at + 1] != '\n') return true;
+  }
+  return false;
 }
 
 /// The whole of `word` as a number; nan and inf are numbers, 1e999 is infinite, 1e-999 is 0.

@@ -43,7 +43,7 @@ class PcdHeaderParser {
 
   PcdHeader parse() {
     while (lines_.next()) {
-      if (lines_.line().size() > 64 * 1024) refuse("has a line too long for a PCD file");
+      if (lines_.line().size() > 65536) refuse("has a line too long for a PCD file");
       std::string_view rest = lines_.line();
       const std::string_view word = takeWord(rest);
       if (word.empty() || word.starts_with('#')) continue;
@@ -110,6 +110,10 @@ class PcdHeaderParser {
     }
     header_.body_start = head_.size() - lines_.rest().size();
     header_.body_first_line = lines_.number();
+    // PCL takes LF only, and would find the points in another place than we do.
+    if (header_.encoding != PcdEncoding::ascii && hasLoneCr(head_.substr(0, header_.body_start))) {
+      refuse("ends its lines with CR alone");
+    }
     makeFields();
     findAxes();
     countPoints();

@@ -57,6 +57,7 @@ class HeaderParser {
       if (word == "end_header") {
         header_.body_start = head_.size() - lines_.rest().size();
         header_.body_first_line = lines_.number();
+        checkLineEnds();
         check();
         return std::move(header_);
       }
@@ -76,8 +77,14 @@ class HeaderParser {
     if (word == "format") return parseFormat(rest);
     if (word == "element") return parseElement(rest);
     if (word == "property") return parseProperty(rest);
-    if (word.empty() || word == "comment" || word == "obj_info") return;
+    if (word == "comment") return parseComment(rest);
+    if (word.empty() || word == "obj_info") return;
     refuseLine("is not understood");
+  }
+
+  /// PLY has no field for the unit; "comment unit mm" is how our samples, and others, state it.
+  void parseComment(std::string_view rest) {
+    if (takeWord(rest) == "unit") header_.unit = lengthUnit(trimmed(rest));
   }
 
   void parseFormat(std::string_view rest) {
@@ -132,6 +139,15 @@ class HeaderParser {
       if (other.name == property.name) refuseLine("names a property a second time");
     }
     element.properties.push_back(std::move(property));
+  }
+
+  void checkLineEnds() {
+    const std::string_view header = head_.substr(0, header_.body_start);
+    header_.cr_lines = hasLoneCr(header);
+    if (header_.cr_lines && header.find('\n') != std::string_view::npos) {
+      refuseScan(file_,
+                 "its header mixes kinds of line ends. The file is damaged; export it again.");
+    }
   }
 
   void check() {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/unit.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -36,9 +37,11 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t body_start = 0;         ///< Byte after the header.
   std::uint64_t body_first_line = 0;  ///< Lines of the header.
+  bool cr_lines = false;              ///< Its lines end with CR alone, which PCL does not know.
 
   std::size_t vertex_element = 0;
   std::array<std::size_t, 3> xyz{};  ///< Properties of the vertex element.
+  std::optional<LengthUnit> unit;    ///< Stated by a line "comment unit mm".
   std::optional<std::size_t> face_element;
   std::size_t face_corners = 0;  ///< The list property of the face element.
 

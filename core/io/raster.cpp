@@ -8,24 +8,24 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <string_view>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
 #include "core/io/file_check.h"
+#include "core/io/number_text.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::uint64_t kMaxCells = 400'000'000;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
+constexpr std::string_view kOriginContent = "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 struct CloseDataset {
@@ -68,34 +68,6 @@ GDALDriver& geoTiffDriver() {
 
 std::filesystem::path originFileOf(std::filesystem::path map_file) {
   return map_file.replace_extension(".origin.tif");
-}
-
-// ---- numbers in metadata -------------------------------------------------------------------
-
-std::string roundTripText(std::span<const double> numbers) {
-  std::string text;
-  std::array<char, 32> buffer{};
-  for (const double number : numbers) {
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number).ptr;
-    if (!text.empty()) text += ' ';
-    text.append(buffer.data(), end);
-  }
-  return text;
-}
-
-template <std::size_t N>
-std::optional<std::array<double, N>> parseNumbers(const char* text) {
-  if (text == nullptr) return std::nullopt;
-  std::array<double, N> numbers{};
-  std::string_view rest(text);
-  for (double& number : numbers) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
-  }
-  if (rest.find_first_not_of(' ') != std::string_view::npos) return std::nullopt;
-  return numbers;
 }
 
 // ---- reading -------------------------------------------------------------------------------
@@ -340,6 +312,11 @@ std::vector<Origin> readOrigins(const RasterMap& raster, std::vector<std::string
 }
 
 void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
+  const char* content = dataset.GetMetadataItem("RELIEVO_CONTENT");
+  if (content != nullptr && std::string_view(content) == kOriginContent) {
+    refuse(raster.info.file,
+           "it holds the origins of a map's cells, not heights. Open the map beside it.");
+  }
   const char* unit = dataset.GetMetadataItem("RELIEVO_UNIT");
   const char* matrix = dataset.GetMetadataItem("RELIEVO_VIEW_FROM_FILE");
   if (unit == nullptr || matrix == nullptr) return;
@@ -496,6 +473,7 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
   const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) {
     TemporaryFile origin_file(origin_name);
+    metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
     writeBand(origin_file.path(), origin_name, map.frame, {GDT_Byte, codes.data(), 1}, metadata);
     origin_file.keep();
   } else {

@@ -33,6 +33,7 @@ class PlyReader {
   Scan read() {
     constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary_little_endian",
                                                          "binary_big_endian"};
+    builder_.info().unit = header_.unit;
     builder_.info().format =
         "PLY " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
     const bool ascii = header_.encoding == PlyEncoding::ascii;
@@ -107,7 +108,8 @@ class PlyReader {
   /// PCL reads right. Faces must be of the one kind that its parser knows.
   bool pclReadsRight() const {
     const PlyElement& vertices = header_.vertices();
-    if (header_.encoding == PlyEncoding::ascii || element_ != 0 || vertices.hasList()) return false;
+    if (header_.encoding == PlyEncoding::ascii || header_.cr_lines) return false;
+    if (element_ != 0 || vertices.hasList()) return false;
     if (header_.elements.size() > (header_.face_element ? 2U : 1U)) return false;
     if (vertices.count == 0 || vertices.count > body_.size() / vertices.leastBytes()) return false;
     for (const std::size_t axis : header_.xyz) {

@@ -16,7 +16,7 @@ namespace relievo {
 namespace {
 
 constexpr std::uint64_t kReportEvery = 1 << 16;
-constexpr std::size_t kMaxLine = 64 * 1024;
+constexpr std::size_t kMaxLine = 65536;
 
 /// How the file separates its columns and writes its fractions.
 struct RowStyle {

@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -12,12 +11,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/io/lines.h"
+#include "core/io/number_text.h"
 
 namespace relievo {
 namespace {
@@ -81,12 +81,6 @@ std::string lastPrintableLine(std::string_view text) {
   return last;
 }
 
-/// Not std::to_string, which writes "600,0" in a German process.
-std::string secondsText(double seconds) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.begin(), buffer.end(), seconds).ptr};
-}
-
 class SpawnSettings {
  public:
   SpawnSettings() {
@@ -119,6 +113,7 @@ void setSignals(posix_spawnattr_t& attributes) {
 
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
   return pointers;
@@ -162,9 +157,12 @@ void WorkerProcess::spawn(const std::filesystem::path& file, const ImportOptions
                                      options.accept_incomplete ? "1" : "0",
                                      std::to_string(options.max_points),
                                      std::to_string(options.max_memory_bytes),
-                                     secondsText(options.max_cpu_s)};
+                                     roundTripText(std::array{options.max_cpu_s})};
   std::vector<std::string> environment;
-  for (char** entry = environ; *entry != nullptr; ++entry) environment.emplace_back(*entry);
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.emplace_back(*entry);
+  }
+  environment.emplace_back("LC_ALL=C");  // For libraries that set the locale as they load.
   environment.push_back(std::string(kWorkerMark) + "=1");
   const std::vector<char*> argument_pointers = pointersTo(arguments);
   const std::vector<char*> environment_pointers = pointersTo(environment);

@@ -209,6 +209,11 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   FilledMap filled =
       fillDepths(depths, frame, {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
   surface.seconds.fill = watch.lap();
+  if (filled.seen_through > 0) {
+    surface.messages.push_back(std::to_string(filled.seen_through) +
+                               " cells showed the object's back through gaps of its front; they "
+                               "were interpolated instead.");
+  }
   surface.view_name = view.name;
   surface.engine = options.engine;
   surface.rule = scan.triangles.empty() ? "front-most point" : "front-most triangle";

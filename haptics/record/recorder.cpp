@@ -81,7 +81,7 @@ void Recorder::write(const HapticSample& sample) {
   first_ = false;
   last_ = sample;
   try {
-    writer_->write(sample, 1e-9 * static_cast<double>(sample.time_ns - start_ns_), event);
+    writer_->write(sample, static_cast<double>(sample.time_ns - start_ns_) / 1e9, event);
   } catch (const WriteError& error) {
     finish(error.what());
   }

@@ -95,10 +95,10 @@ Stroke readStroke(const std::filesystem::path& file) {
     ++row;
     StrokePoint point;
     const std::string wrong = parseRow(text, point);
-    if (!wrong.empty()) throw FileError(name + "row " + std::to_string(row) + " " + wrong + ".");
+    const std::string row_name = name + "row " + std::to_string(row);
+    if (!wrong.empty()) throw FileError(row_name + " " + wrong + ".");
     if (!stroke.points.empty() && !(point.t_s > stroke.points.back().t_s)) {
-      throw FileError(name + "row " + std::to_string(row) +
-                      " is not later than the row before it; times must increase.");
+      throw FileError(row_name + " is not later than the row before it; times must increase.");
     }
     stroke.points.push_back(point);
   }

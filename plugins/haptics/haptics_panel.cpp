@@ -72,8 +72,8 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
     form->addRow(label, field);
   };
   labelled(tr("S&trength"), strength_, strength_row);
-  form->addRow(by_detail_);
   labelled(tr("Sti&ffness"), stiffness_, stiffness_);
+  form->addRow(QString(), by_detail_);
   labelled(tr("Pro&xy"), proxy_, proxy_);
   form->addRow(tr("Pressed in"), depth_);
   form->addRow(tr("Device"), device_);
@@ -98,7 +98,7 @@ void HapticsPanel::buildControls() {
   strength_value_ = named(new QLabel, "strengthValue", tr("Strength"));
   strength_value_->setMinimumWidth(
       strength_value_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
-  by_detail_ = named(new QCheckBox(tr("Stiffness as the &level suggests")), "stiffnessByDetail",
+  by_detail_ = named(new QCheckBox(tr("as the &level suggests")), "stiffnessByDetail",
                      tr("Stiffness as the level suggests"));
   by_detail_->setToolTip(tr("0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones."));
   stiffness_ = named(new QDoubleSpinBox, "stiffness", tr("Stiffness in newtons per millimetre"));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/haptics_plugin.h"
 
+#include <algorithm>
+#include <array>
 #include <QAction>
 #include <QDir>
-#include <QFileInfo>
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
@@ -25,7 +26,7 @@ void HapticsPlugin::attach(Host& host) {
   connectControls();
   connectHost();
   applySettings();
-  if (const auto window = host.shownWindow()) session_->show(*window);
+  if (const auto window = host.shownWindow()) showWindow(*window);
   constexpr int kFrameMs = 16;
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
   timer_.start(kFrameMs);
@@ -37,18 +38,30 @@ void HapticsPlugin::detach() noexcept {
   timer_.stop();
   disconnect(host_, nullptr, this, nullptr);
   session_.reset();  // Fades out, joins, closes an open recording.
+  forces_asked_ = false;
+  shown_ = {};
   host_ = nullptr;
 }
 
 void HapticsPlugin::connectHost() {
   connect(host_, &Host::windowShown, this,
           [this](const std::shared_ptr<const RegionWindow>& window) {
-            if (window && session_) session_->show(*window);
+            if (window && session_) showWindow(*window);
           });
   connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
     if (session_) session_->moveHand(target.position);
   });
   connect(host_, &Host::closing, this, [this] { setForces(false); });
+}
+
+void HapticsPlugin::showWindow(const RegionWindow& window) {
+  shown_ = {};  // The host may have cleared its probe.
+  try {
+    session_->show(window);
+  } catch (const Error& error) {
+    setForces(false);
+    host_->announce(QString::fromStdString(error.what()));
+  }
 }
 
 void HapticsPlugin::connectControls() {
@@ -79,10 +92,12 @@ void HapticsPlugin::setForces(bool on) {
   actions_.forces_off->setEnabled(on);
   if (panel_) panel_->setForcesAsked(on);
   applySettings();
+  if (changed) slowReadouts();  // Escape must know at once that there is something to stop.
   if (changed) host_->announce(on ? tr("Forces on.") : tr("Forces off."));
 }
 
 void HapticsPlugin::changeStrength(int percent) {
+  if (!session_) return;
   settings_.strength_percent = std::clamp(settings_.strength_percent + percent, 0, 100);
   if (panel_) panel_->setSettings(settings_);
   applySettings();
@@ -119,7 +134,13 @@ void HapticsPlugin::setRecording(bool on) {
 
 void HapticsPlugin::frame() {
   const HapticSample sample = session_->update();
-  if (session_->hasWindow() && sample.window_id != 0) host_->showProbe(probeOf(sample));
+  if (session_->hasWindow() && sample.window_id != 0) {
+    const Probe probe = probeOf(sample);
+    if (!looksTheSame(probe, shown_)) {
+      shown_ = probe;
+      host_->showProbe(probe);
+    }
+  }
   const std::vector<PlotSample> plot = session_->takePlot();
   if (!plot.empty()) host_->plot(plot);
   watchFault(sample);
@@ -146,7 +167,7 @@ void HapticsPlugin::slowReadouts() {
   status.late_ticks = report.stats.late_ticks;
   status.realtime = report.realtime.realtime;
   status.realtime_note = QString::fromStdString(report.realtime.note);
-  status.forces_on = report.sample.engaged != EngagePhase::off;
+  status.forces_on = forces_asked_;
   status.recording = session_->recorder().running();
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;

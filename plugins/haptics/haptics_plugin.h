@@ -30,6 +30,7 @@ class HapticsPlugin : public QObject, public Plugin {
  private:
   void connectHost();
   void connectControls();
+  void showWindow(const RegionWindow& window);
   void setForces(bool on);
   void changeStrength(int percent);
   void setRecording(bool on);
@@ -46,6 +47,7 @@ class HapticsPlugin : public QObject, public Plugin {
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
+  Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;

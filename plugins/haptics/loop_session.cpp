@@ -81,6 +81,16 @@ std::optional<ButtonEvent> LoopSession::takeButton() {
   return event;
 }
 
+bool looksTheSame(const Probe& a, const Probe& b) {
+  // Text shows hundredths; a pixel is far more than a ten-thousandth of what moves.
+  constexpr double kNewton = 1e-3, kPart = 1e-4;
+  const double near_mm = kPart * (1e-3 + norm(a.proxy - a.hip));
+  return a.window_id == b.window_id && a.touching == b.touching && a.forces_on == b.forces_on &&
+         a.origin == b.origin && a.force_limit_n == b.force_limit_n &&
+         norm(a.force - b.force) < kNewton && norm(a.proxy - b.proxy) < near_mm &&
+         norm(a.hip - b.hip) < near_mm;
+}
+
 Probe probeOf(const HapticSample& sample) {
   Probe probe;
   probe.proxy = sample.proxy_view;

@@ -53,6 +53,9 @@ class LoopSession {
   bool has_window_ = false;
 };
 
+/// Would a picture of the two differ? A hand at rest costs no frames.
+bool looksTheSame(const Probe& a, const Probe& b);
+
 /// For drawing and text.
 Probe probeOf(const HapticSample& sample);
 

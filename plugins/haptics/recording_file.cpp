@@ -39,7 +39,10 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
           .arg(QLatin1String(kProxyNames[static_cast<std::size_t>(options.proxy.kind)]), stiffness)
           .arg(options.force.strength)
           .arg(options.force.limit_n)};
-  if (!from_host.isEmpty()) lines += from_host.split('\n');
+  for (const QString& line : from_host.split('\n', Qt::SkipEmptyParts)) {
+    // The host's lines may be comments already; the writer adds the sign.
+    lines << (line.startsWith(QLatin1String("# ")) ? line.mid(2) : line);
+  }
   return lines.join('\n');
 }
 

@@ -47,7 +47,7 @@ bool mayIncludeProject(const IncludeTable& table, const ModuleRule& from,
   const ModuleRule* to = moduleOf(table, header);
   if (to == nullptr) return false;
   if (to == &from) return true;
-  if (contains(table.internal_headers, header)) return false;
+  if (contains(table.internal_headers, header) && from.name != "tests") return false;
   return std::any_of(from.modules.begin(), from.modules.end(),
                      [&](const auto& m) { return to->name == m || isWithin(to->name, m); });
 }
@@ -149,7 +149,8 @@ std::vector<std::string> spreadLibraries(const IncludeTable& table,
         users += path;
       }
     }
-    if (count > 1) found.push_back(library + " is included by more than one file:" + users);
+    if (count > 1)
+      found.push_back(std::string(library).append(" is in more than one file:").append(users));
   }
   return found;
 }

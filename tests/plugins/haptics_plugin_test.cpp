@@ -111,6 +111,8 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   EXPECT_EQ(host_.probes.back().force, DeviceN{});
   hover();
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
+  const std::size_t plotted = host_.plotted.size();  // Some quiet ticks go by.
+  ASSERT_TRUE(eventually([&] { return host_.plotted.size() > plotted + 5; }));
   press(2);
   // 2 mm at 0.8 N/mm and 60 %.
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 0.9; }));
@@ -126,6 +128,36 @@ TEST_F(HapticsPluginTest, RefusesForcesWithoutASurface) {
   host_.actions.at("forces")->trigger();
   EXPECT_FALSE(host_.actions.at("forces")->isChecked());
   EXPECT_TRUE(host_.announcements.contains("Nothing to touch yet. Open a scan first."));
+}
+
+TEST_F(HapticsPluginTest, SaysThatAWindowCannotBeFeltAndKeepsTheLastOne) {
+  host_.window = flatWindow(5, 15);
+  attach();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 15; }));
+  auto broken = std::make_shared<RegionWindow>(*flatWindow(5, 16));
+  broken->heights_mm[3] = std::numeric_limits<float>::quiet_NaN();
+  host_.showWindow(broken);
+  EXPECT_TRUE(host_.announcements.last().contains("not a finite number"));
+  hover();
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 15; }));
+}
+
+TEST_F(HapticsPluginTest, AHandAtRestCostsNoFrames) {
+  host_.window = flatWindow(5, 17);
+  attach();
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 17; }));
+  const Probe target = host_.probes.back();
+  std::size_t settled = 0;
+  // The follower comes to rest; from then on ticks go by without a probe.
+  EXPECT_TRUE(eventually([&] {
+    const std::size_t plotted = host_.plotted.size();
+    const std::size_t shown = host_.probes.size();
+    eventually([&] { return host_.plotted.size() > plotted + 40; });
+    settled = host_.probes.size() - shown;
+    return settled == 0;
+  }));
+  EXPECT_EQ(host_.probes.back().window_id, target.window_id);
 }
 
 TEST_F(HapticsPluginTest, KeepsTouchingThroughAChangeOfWindow) {

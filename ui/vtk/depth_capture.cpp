@@ -35,8 +35,8 @@ class ViewFromPoint {
   explicit ViewFromPoint(const DepthRequest& request)
       : m_(request.view_from_file.m), shift_(request.view_from_file(request.scan.origin)) {}
   ViewMm operator()(const std::array<float, 3>& p) const noexcept {
-    const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]),
-                 z = static_cast<double>(p[2]);
+    const auto x = static_cast<double>(p[0]), y = static_cast<double>(p[1]),
+               z = static_cast<double>(p[2]);
     return {m_[0] * x + m_[1] * y + m_[2] * z + shift_.x,
             m_[4] * x + m_[5] * y + m_[6] * z + shift_.y,
             m_[8] * x + m_[9] * y + m_[10] * z + shift_.z};
@@ -248,13 +248,13 @@ class Capture {
  private:
   void setCells(const std::vector<std::uint32_t>& indices, std::size_t from, std::size_t to) {
     vtkNew<vtkTypeInt32Array> offsets, corners;
-    corners->SetNumberOfValues(static_cast<vtkIdType>(to - from));
+    corners->SetNumberOfValues(static_cast<vtkIdType>(to) - static_cast<vtkIdType>(from));
     for (std::size_t i = from; i < to; ++i) {
       corners->SetValue(static_cast<vtkIdType>(i - from), static_cast<vtkTypeInt32>(indices[i]));
     }
     const std::size_t per_cell = corners_ == 1 ? to - from : corners_;
     const std::size_t cell_count = (to - from) / per_cell;
-    offsets->SetNumberOfValues(static_cast<vtkIdType>(cell_count + 1));
+    offsets->SetNumberOfValues(static_cast<vtkIdType>(cell_count) + 1);
     for (std::size_t c = 0; c <= cell_count; ++c) {
       offsets->SetValue(static_cast<vtkIdType>(c), static_cast<vtkTypeInt32>(c * per_cell));
     }

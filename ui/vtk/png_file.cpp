@@ -78,6 +78,7 @@ void writePng(const std::filesystem::path& file, const RgbImage& image,
   }
   PngText entries(text);
   std::vector<const png_byte*> rows;
+  rows.reserve(static_cast<std::size_t>(image.height));
   for (int row = 0; row < image.height; ++row) {
     rows.push_back(image.rgb.data() + row_bytes * static_cast<std::size_t>(row));
   }

@@ -2,6 +2,7 @@
 #include "ui/vtk/surface_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -90,7 +91,7 @@ void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
   const GridSize size = frame_.size, mesh = withRing(size);
   vertices_->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
   float* out = vertices_->GetPointer(0);
-  const float z0 = static_cast<float>(middle_.z);
+  const auto z0 = static_cast<float>(middle_.z);
   const float outside_z = static_cast<float>(std::clamp(0.0, min_mm_, max_mm_)) - z0;
   std::vector<float> x(static_cast<std::size_t>(mesh.cols));
   for (int i = 0; i < mesh.cols; ++i) {
@@ -99,7 +100,7 @@ void SurfaceMesh::rebuildVertices(const std::vector<float>& heights) {
   }
   for (int j = 0; j < mesh.rows; ++j) {
     const int row = sampleOf(j, size.rows);
-    const float y =
+    const auto y =
         static_cast<float>((placeOf(j, size.rows) - 0.5 * (size.rows - 1)) * frame_.spacing_mm);
     for (int i = 0; i < mesh.cols; ++i) {
       const std::size_t sample = size.index({sampleOf(i, size.cols), row});
@@ -118,7 +119,7 @@ void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
   normals_->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
   float* out = normals_->GetPointer(0);
   const auto stride = static_cast<std::size_t>(size.cols);
-  const float per_step = static_cast<float>(1 / frame_.spacing_mm);
+  const auto per_step = static_cast<float>(1 / frame_.spacing_mm);
   const float* const h = heights.data();
   const auto slope = [&](std::size_t here, std::size_t before, std::size_t after) {
     if (!all_inside_) {
@@ -145,7 +146,35 @@ void SurfaceMesh::rebuildNormals(const std::vector<float>& heights) {
       *out++ = scale;
     }
   }
+  if (!all_inside_) shadeRimCells();
   normals_->Modified();
+}
+
+// A rim cell has corners outside. With the normals of their neighbours inside it is lit like the
+// object's edge; with ones of their own it would be a bright line around every outline.
+void SurfaceMesh::shadeRimCells() {
+  const GridSize size = frame_.size, mesh = withRing(size);
+  float* const normals = normals_->GetPointer(0);
+  const auto is_inside = [&](int i, int j) {
+    return inside_[size.index({sampleOf(i, size.cols), sampleOf(j, size.rows)})] != 0;
+  };
+  for (int j = 0; j < mesh.rows; ++j) {
+    for (int i = 0; i < mesh.cols; ++i) {
+      if (is_inside(i, j)) continue;
+      std::array<float, 3> sum{};
+      for (int nj = std::max(j - 1, 0); nj <= std::min(j + 1, mesh.rows - 1); ++nj) {
+        for (int ni = std::max(i - 1, 0); ni <= std::min(i + 1, mesh.cols - 1); ++ni) {
+          if (!is_inside(ni, nj)) continue;
+          const float* const n = normals + 3 * mesh.index({ni, nj});
+          for (std::size_t k = 0; k < 3; ++k) sum[k] += n[k];
+        }
+      }
+      const float length = std::hypot(sum[0], sum[1], sum[2]);
+      if (!(length > 0)) continue;
+      float* const out = normals + 3 * mesh.index({i, j});
+      for (std::size_t k = 0; k < 3; ++k) out[k] = sum[k] / length;
+    }
+  }
 }
 
 void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
@@ -177,7 +206,7 @@ void SurfaceMesh::rebuildCells() {
   const std::size_t quads_at_most =
       static_cast<std::size_t>(mesh.cols - 1) * static_cast<std::size_t>(mesh.rows - 1);
   vtkNew<vtkTypeInt32Array> offsets, corners;
-  corners->SetNumberOfValues(static_cast<vtkIdType>(4 * quads_at_most));
+  corners->SetNumberOfValues(4 * static_cast<vtkIdType>(quads_at_most));
   vtkTypeInt32* out = corners->GetPointer(0);
   vtkIdType quads = 0;
   for (int j = 0; j + 1 < mesh.rows; ++j) {

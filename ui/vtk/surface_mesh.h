@@ -39,6 +39,7 @@ class SurfaceMesh {
   void rebuildCells();
   void rebuildVertices(const std::vector<float>& heights);
   void rebuildNormals(const std::vector<float>& heights);
+  void shadeRimCells();
   void rebuildOrigins(const SurfaceGrid& grid);
 
   vtkNew<vtkPolyData> poly_;

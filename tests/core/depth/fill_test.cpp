@@ -147,6 +147,39 @@ TEST(FillDepths, PointsOnARegularGridNeedNoGapClosing) {
   EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
 }
 
+TEST(FillDepths, TheBackOfASparseCloudDoesNotShowThroughItsFront) {
+  // Two sheets 30 mm apart, a point a cell each: where the front has no point the back appears.
+  const GridFrame frame = squareFrame(200, 0.5);
+  std::mt19937_64 random(12);
+  std::uniform_int_distribution<std::size_t> cell(0, frame.size.count() - 1);
+  FrontDepths depths(frame.size.count(), kNothing);
+  for (int i = 0; i < 40'000; ++i) depths[cell(random)] = 0;
+  for (int i = 0; i < 40'000; ++i) depths[cell(random)] = 30;
+  const auto back = std::count(depths.begin(), depths.end(), 0.0F);
+  ASSERT_GT(back, 5000);
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  EXPECT_GT(static_cast<double>(filled.seen_through), 0.99 * static_cast<double>(back));
+  const auto wrong = std::count_if(filled.map.heights_mm.begin(), filled.map.heights_mm.end(),
+                                   [](float z) { return z < -20; });
+  EXPECT_LT(wrong, 40);
+}
+
+TEST(FillDepths, AStraightWallInASparseCloudKeepsItsFoot) {
+  const GridFrame frame = squareFrame(200, 0.5);
+  std::mt19937_64 random(13);
+  std::uniform_int_distribution<int> along(0, 199);
+  FrontDepths depths(frame.size.count(), kNothing);
+  for (int i = 0; i < 64'000; ++i) {
+    const Cell c{.col = along(random), .row = along(random)};
+    depths[frame.size.index(c)] = c.col < 100 ? 0.0F : 30.0F;
+  }
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  for (int row = 5; row < 195; ++row) {
+    EXPECT_LT(filled.map.heightMm({.col = 97, .row = row}), 1) << row;
+    EXPECT_GT(filled.map.heightMm({.col = 102, .row = row}), 25) << row;
+  }
+}
+
 TEST(FillDepths, NothingHitIsRefused) {
   const GridFrame frame = squareFrame(10, 1);
   EXPECT_THROW(fillDepths(FrontDepths(100, kNothing), frame, {}, {}), ArgumentError);

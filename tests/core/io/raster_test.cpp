@@ -265,6 +265,12 @@ TEST(Raster, WhatIsNoHeightGridIsRefusedWithASentence) {
   EXPECT_THAT(refusal(empty.write(folder)), HasSubstr("none of its 6 cells"));
 }
 
+TEST(Raster, AnOriginMaskIsNotTakenForHeights) {
+  const TemporaryFolder folder;
+  writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), true});
+  EXPECT_THAT(refusal(folder.path() / "map.origin.tif"), HasSubstr("origins"));
+}
+
 TEST(Raster, DamagedFilesAreRefusedWithASentence) {
   const TemporaryFolder folder;
   EXPECT_THAT(refusal(folder.path() / "absent.tif"), HasSubstr("no such file"));

@@ -57,6 +57,23 @@ TEST(SurfaceMesh, CellsWithNoCornerInsideAreLeftOut) {
   EXPECT_EQ(mesh.poly()->GetNumberOfPolys(), 32);
 }
 
+TEST(SurfaceMesh, TheRimIsLitLikeTheEdgeBesideIt) {
+  SyntheticRelief relief = makeRelief(20, 20, [](double x, double) { return 2 * x; });
+  for (int row = 0; row < 20; ++row) {
+    for (int col = 12; col < 20; ++col) {
+      relief.origins[relief.frame.size.index({col, row})] = Origin::outside;
+    }
+  }
+  SurfaceMesh mesh;
+  mesh.update(relief.grid());
+  double inside[3], rim[3];
+  vtkDataArray* const normals = mesh.poly()->GetPointData()->GetNormals();
+  normals->GetTuple(vertexOf(relief.frame, {11, 10}), inside);
+  normals->GetTuple(vertexOf(relief.frame, {12, 10}), rim);
+  EXPECT_NEAR(inside[2], 1 / std::sqrt(5), 1e-6);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(rim[k], inside[k], 1e-6);
+}
+
 TEST(SurfaceMesh, KeepsItsCellsWhileOnlyHeightsAndPlaceChange) {
   SyntheticRelief relief = makeRelief(20, 10, domeWithRidges);
   SurfaceMesh mesh;

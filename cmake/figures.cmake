@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The paper's figures that can be computed, on samples of ours, by one command:
+# cmake --build --preset release --target figures. docs/paper.md says which is which.
+if(NOT TARGET relievo)
+  return()
+endif()
+
+set(figures ${CMAKE_BINARY_DIR}/figures)
+set(samples ${CMAKE_SOURCE_DIR}/data/samples)
+set(strokes ${CMAKE_SOURCE_DIR}/data/strokes)
+
+# Force against time on a flat and on a curved region.
+foreach(region IN ITEMS flat curved)
+  set(square_flat 240,60,50,50)
+  set(square_curved 65,75,50,50)
+  list(APPEND force_figures COMMAND relievo touch ${samples}/relief_f.ply --level 0
+    --region ${square_${region}} --stroke ${strokes}/${region}.csv
+    -o ${figures}/force_${region}.csv --plot ${figures}/force_${region}.svg)
+endforeach()
+
+# One object at three levels of detail, the same place each time, then in stereo.
+list(APPEND detail_figures
+  COMMAND relievo render ${samples}/panel.ply -o ${figures}/detail_1.png
+  COMMAND relievo render ${samples}/panel.ply --region 30,40,130,130 -o ${figures}/detail_2.png
+  COMMAND relievo render ${samples}/panel.ply --region 110,80,60,60 -o ${figures}/detail_3.png
+  COMMAND relievo render ${samples}/panel.ply --stereo anaglyph -o ${figures}/stereo.png)
+
+add_custom_target(figures
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${figures}
+  ${force_figures} ${detail_figures}
+  DEPENDS samples
+  COMMENT "Drawing the paper's figures into ${figures}"
+  VERBATIM)
