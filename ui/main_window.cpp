@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -21,6 +22,7 @@
 
 #include "ui/detail_view.h"
 #include "ui/message_strip.h"
+#include "ui/overview_inset.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
 #include "ui/start_page.h"
@@ -35,7 +37,7 @@ namespace {
 
 constexpr int kPlotHeight = 140;
 constexpr QSize kFirstSize(1440, 900);
-constexpr QSize kLeastSize(800, 500);
+constexpr QSize kLeastSize(760, 460);
 
 QLabel* headerLabel(const QString& name) {
   auto* label = new QLabel;
@@ -53,7 +55,7 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   setWindowTitle(QStringLiteral("relievo"));
   setAcceptDrops(true);
   setMinimumSize(kLeastSize);
-  resize(kFirstSize);
+  resize(kFirstSize.boundedTo(screen()->availableSize()));
   status_ = new StatusFields(*statusBar());
   layOut();
   makeCommands();
@@ -110,6 +112,7 @@ void MainWindow::layOut() {
   row->setSpacing(0);
   reference_ = new ReferenceView(document_);
   detail_ = new DetailView(document_);
+  inset_ = new OverviewInset(document_, detail_);
   reference_title_ = headerLabel(QStringLiteral("reference_title"));
   reference_note_ = headerLabel(QStringLiteral("reference_note"));
   detail_title_ = headerLabel(QStringLiteral("detail_title"));
@@ -348,6 +351,7 @@ void MainWindow::setFullScreenDetail(bool on) {
   reference_box_->setVisible(!on && command("show_reference")->isChecked());
   panels_->setVisible(!on && command("show_panels")->isChecked());
   plot_->setVisible(!on && command("show_plots")->isChecked());
+  inset_->setVisible(on);
   if (!on) restoreState(layout_before_full_screen_);
   command("full_screen")->setChecked(on);
   detail_->setFocus();

@@ -23,6 +23,7 @@ namespace relievo {
 
 class DetailView;
 class MessageStrip;
+class OverviewInset;
 class ReferenceView;
 class RegionPanel;
 class SidePanels;
@@ -147,6 +148,7 @@ class MainWindow : public QMainWindow {
   QLabel *detail_title_ = nullptr, *detail_note_ = nullptr;
   ReferenceView* reference_ = nullptr;
   DetailView* detail_ = nullptr;
+  OverviewInset* inset_ = nullptr;
   SidePanels* panels_ = nullptr;
   SurfacePanel* surface_panel_ = nullptr;
   RegionPanel* region_panel_ = nullptr;

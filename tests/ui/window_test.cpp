@@ -242,6 +242,18 @@ TEST_F(WindowTest, TheRecordingHeaderNamesInputUnitViewAndRegion) {
   }
 }
 
+TEST_F(WindowTest, F11ShowsTheDetailAloneWithItsPlaceAndEscapeComesBack) {
+  openRelief();
+  QTest::keyClick(&window().detailView(), Qt::Key_F11);
+  EXPECT_FALSE(window().referenceView().isVisible());
+  EXPECT_FALSE(child<QWidget>("side_panels")->isVisible());
+  EXPECT_TRUE(child<QWidget>("overview_inset")->isVisible());
+  EXPECT_TRUE(child<QLabel>("status_message")->isVisible());
+  QTest::keyClick(&window().detailView(), Qt::Key_Escape);
+  EXPECT_TRUE(window().referenceView().isVisible());
+  EXPECT_FALSE(child<QWidget>("overview_inset")->isVisible());
+}
+
 TEST_F(WindowTest, F6WalksThroughThePartsAndBack) {
   openRelief();
   window().referenceView().setFocus();

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The whole of it: window, host, loader and the haptics plugin that was built beside them.
+#include <QAction>
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QtTest/QTest>
+
+#include "app/host.h"
+#include "app/plugin_loader.h"
+#include "tests/ui/gui_fixture.h"
+
+namespace relievo {
+namespace {
+
+class TouchWindowTest : public GuiTest {
+ protected:
+  void TearDown() override { qunsetenv("RELIEVO_PLUGIN_PATH"); }
+  double forceShown() {
+    const QString text = child<QLabel>("status_force")->text();
+    return text.endsWith("N") ? text.section('/', 0, 0).toDouble() : 0;
+  }
+};
+
+TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
+  QFile module(path("broken.so"));
+  ASSERT_TRUE(module.open(QIODevice::WriteOnly));
+  module.write("this is text");
+  module.close();
+  qputenv("RELIEVO_PLUGIN_PATH", path("").toLocal8Bit());
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_EQ(plugins.problems().size(), 1);
+  EXPECT_TRUE(plugins.problems().front().contains("broken.so"));
+  EXPECT_FALSE(plugins.has("broken"));
+}
+
+TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_TRUE(plugins.has("haptics")) << plugins.problems().join(' ').toStdString();
+  openRelief();
+  auto& view = window().detailView();
+  const QPointF middle = QRectF(view.rect()).center();
+  move(view, middle);
+  QTest::keyClick(&view, Qt::Key_F5);
+  ASSERT_TRUE(waitFor([this] { return action("forces")->isChecked(); }));
+  press(view, middle);
+  EXPECT_TRUE(waitFor([this] { return forceShown() > 0.1; })) << "no force";
+  EXPECT_TRUE(waitFor([&] {
+    const auto& probe = view.sceneState().probe;
+    return probe && probe->touching && probe->hip.z < probe->proxy.z;
+  })) << "the hand must be drawn below the proxy";
+  EXPECT_TRUE(child<QWidget>("time_plot")->isVisible());
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_TRUE(waitFor([this] { return !action("forces")->isChecked(); }));
+  EXPECT_TRUE(waitFor([this] { return forceShown() == 0; }));
+  release(view, middle);
+  plugins.detachAll();
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window's commands: every one is an action with a name, found by keys, menus and plugins.
+#include <array>
+#include <QAction>
+#include <QDoubleSpinBox>
+
+#include "ui/detail_view.h"
+#include "ui/main_window.h"
+#include "ui/side_panels.h"
+#include "ui/surface_panel.h"
+#include "ui/time_plot.h"
+#include "ui/view_panel.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kMoveStep = 0.25;  // Of the window's side.
+
+QString withKey(const QString& tip, const QList<QKeySequence>& keys) {
+  if (keys.isEmpty()) return tip;
+  return QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText));
+}
+
+}  // namespace
+
+QAction* MainWindow::make(const Command& c) {
+  auto* action = new QAction(c.text, this);
+  action->setObjectName(QString::fromLatin1(c.name));
+  action->setShortcuts(c.keys);
+  action->setToolTip(withKey(c.tip, c.keys));
+  action->setWhatsThis(c.tip);
+  action->setCheckable(c.checkable);
+  if (c.icon) action->setIcon(icon(*c.icon));
+  addAction(action);
+  if (c.run) connect(action, &QAction::triggered, this, [run = c.run] { run(); });
+  return action;
+}
+
+QAction* MainWindow::command(const char* name) const {
+  return findChild<QAction*>(QString::fromLatin1(name), Qt::FindDirectChildrenOnly);
+}
+
+void MainWindow::makeCommands() {
+  make({"open",
+        tr("&Open\u2026"),
+        {QKeySequence("Ctrl+O")},
+        tr("Open a scan or a height map"),
+        [this] { chooseFile(); },
+        Icon::open});
+  make({"image",
+        tr("&Image\u2026"),
+        {QKeySequence("Ctrl+Shift+E")},
+        tr("Save a picture of a view or of the window"),
+        [this] { chooseImage(); },
+        Icon::camera});
+  make({"quit",
+        tr("&Quit"),
+        {QKeySequence("Ctrl+Q")},
+        tr("Close relievo"),
+        [this] { close(); },
+        {}});
+  make({"undo",
+        tr("&Undo"),
+        {QKeySequence("Ctrl+Z")},
+        tr("Undo"),
+        [this] { document_.history().undo(); },
+        {}});
+  make({"redo",
+        tr("&Redo"),
+        {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
+        tr("Redo"),
+        [this] { document_.history().redo(); },
+        {}});
+  make({"keys",
+        tr("&Keys"),
+        {QKeySequence("F1")},
+        tr("All keys on one sheet"),
+        [this] { showKeys(); },
+        {}});
+  make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
+  makeSurfaceCommands();
+  makeWindowCommands();
+}
+
+void MainWindow::makeSurfaceCommands() {
+  const auto step = [this](bool finer) {
+    const bool done = finer ? document_.finer(about()) : document_.coarser(about());
+    if (done) {
+      announce(tr("Detail %1 of %2").arg(document_.detail()).arg(document_.details()));
+    } else {
+      announce(finer ? tr("This is the finest detail") : tr("This is the whole object"));
+    }
+  };
+  make({"finer",
+        tr("&Finer"),
+        {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
+        tr("Finer detail: a smaller window"),
+        [step] { step(true); },
+        Icon::finer});
+  make({"coarser",
+        tr("&Coarser"),
+        {QKeySequence("Ctrl+-")},
+        tr("Coarser detail: a larger window"),
+        [step] { step(false); },
+        Icon::coarser});
+  make({"whole",
+        tr("&Whole object"),
+        {QKeySequence("Ctrl+0")},
+        tr("The whole object in the window"),
+        [this] {
+          if (document_.whole()) announce(tr("Whole object"));
+        },
+        Icon::whole});
+  struct Move {
+    const char* name;
+    QString text, keys;
+    double dx, dy;
+  };
+  const std::array<Move, 4> moves{{
+      {"move_left", tr("Move &left"), "Ctrl+Left", -kMoveStep, 0},
+      {"move_right", tr("Move &right"), "Ctrl+Right", kMoveStep, 0},
+      {"move_up", tr("Move &up"), "Ctrl+Up", 0, kMoveStep},
+      {"move_down", tr("Move &down"), "Ctrl+Down", 0, -kMoveStep},
+  }};
+  for (const Move& m : moves) {
+    make({m.name,
+          m.text,
+          {QKeySequence(m.keys)},
+          tr("Move the window by a quarter of its side"),
+          [this, dx = m.dx, dy = m.dy] {
+            if (!document_.move(dx, dy)) announce(tr("Edge"));
+          },
+          {}});
+  }
+  make({"type_window",
+        tr("&Type window\u2026"),
+        {QKeySequence("Ctrl+G")},
+        tr("Type the window's place and size in millimetres"),
+        [this] {
+          command("show_panels")->setChecked(true);
+          auto* x = region_panel_->findChild<QDoubleSpinBox*>(QStringLiteral("region_x"));
+          x->setFocus();
+          x->selectAll();
+        },
+        {}});
+  struct View {
+    const char* name;
+    QString text;
+  };
+  const std::array<View, 6> six{{{"front", tr("&Front")},
+                                 {"back", tr("&Back")},
+                                 {"left", tr("&Left")},
+                                 {"right", tr("&Right")},
+                                 {"top", tr("&Top")},
+                                 {"bottom", tr("Botto&m")}}};
+  for (std::size_t i = 0; i < six.size(); ++i) {
+    const QString view = QString::fromLatin1(six[i].name);
+    make({six[i].name,
+          six[i].text,
+          {QKeySequence(QStringLiteral("Alt+%1").arg(i + 1))},
+          tr("Look from this side and make the relief anew"),
+          [this, view] {
+            document_.setView({view.toStdString(), {}});
+          },
+          {}});
+  }
+  make({"auto",
+        tr("&Automatic"),
+        {},
+        tr("Look from the side that shows most"),
+        [this] {
+          document_.setView({"auto", {}});
+        },
+        {}});
+  make({"use_view",
+        tr("&Use this view"),
+        {},
+        tr("Make the relief anew from where the turned detail view looks"),
+        [this] { useThisView(); },
+        {}});
+  make({"engine_cpu",
+        tr("&Processor"),
+        {},
+        tr("Make the depth map on the processor"),
+        [this] { document_.setEngine(QStringLiteral("cpu")); },
+        {},
+        true});
+  make({"engine_depthbuffer",
+        tr("&Depth buffer"),
+        {},
+        tr("Make the depth map by the graphics card's depth buffer"),
+        [this] { document_.setEngine(QStringLiteral("depthbuffer")); },
+        {},
+        true});
+}
+
+void MainWindow::makeWindowCommands() {
+  make({"fit",
+        tr("F&it"),
+        {},
+        tr("Look straight down on the relief, fitted to the view"),
+        [this] { detail_->straighten(); },
+        Icon::fit});
+  auto* stereo = make({"stereo",
+                       tr("&Stereo (red/cyan)"),
+                       {QKeySequence("Ctrl+3")},
+                       tr("Anaglyph for red and cyan glasses"),
+                       {},
+                       Icon::stereo,
+                       true});
+  connect(stereo, &QAction::toggled, this, [this](bool on) { stereo_panel_->setOn(on); });
+  auto* panels = make(
+      {"show_panels", tr("Side &panels"), {}, tr("Show or hide the side panels"), {}, {}, true});
+  panels->setChecked(true);
+  connect(panels, &QAction::toggled, panels_, &QWidget::setVisible);
+  auto* reference = make({"show_reference",
+                          tr("Refere&nce view"),
+                          {},
+                          tr("Show or hide the whole object"),
+                          {},
+                          {},
+                          true});
+  reference->setChecked(true);
+  connect(reference, &QAction::toggled, reference_box_, &QWidget::setVisible);
+  auto* plots = make({"show_plots",
+                      tr("Pl&ots"),
+                      {},
+                      tr("Show or hide the plots of height and force"),
+                      {},
+                      {},
+                      true});
+  connect(plots, &QAction::toggled, plot_, &QWidget::setVisible);
+  make({"full_screen",
+        tr("Full s&creen detail"),
+        {QKeySequence("F11")},
+        tr("The detail view alone on the whole screen"),
+        [this] { setFullScreenDetail(!isFullScreen()); },
+        {},
+        true});
+  auto* next = make({"next_part",
+                     tr("Ne&xt part"),
+                     {QKeySequence("F6")},
+                     tr("Move the focus to the next part of the window"),
+                     [this] { focusNextPart(1); },
+                     {}});
+  auto* previous = make({"previous_part",
+                         tr("Pre&vious part"),
+                         {QKeySequence("Shift+F6")},
+                         tr("Move the focus to the part before"),
+                         [this] { focusNextPart(-1); },
+                         {}});
+  next->setAutoRepeat(false);
+  previous->setAutoRepeat(false);
+}
+
+}  // namespace relievo
