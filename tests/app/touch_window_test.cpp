@@ -46,7 +46,10 @@ TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
   const QPointF middle = QRectF(view.rect()).center();
   move(view, middle);
   QTest::keyClick(&view, Qt::Key_F5);
-  ASSERT_TRUE(waitFor([this] { return action("forces")->isChecked(); }));
+  // Forces begin only while the hand is clear of the surface.
+  ASSERT_TRUE(
+      waitFor([&] { return view.sceneState().probe && view.sceneState().probe->forces_on; }));
+  EXPECT_TRUE(action("forces")->isChecked());
   press(view, middle);
   EXPECT_TRUE(waitFor([this] { return forceShown() > 0.1; })) << "no force";
   EXPECT_TRUE(waitFor([&] {
