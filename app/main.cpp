@@ -3,6 +3,7 @@
 #include <clocale>
 #include <iostream>
 #include <QApplication>
+#include <QFile>
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
@@ -55,7 +56,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   }
   if (!options.file.empty()) {
     OpenRequest request;
-    request.file = QString::fromLocal8Bit(options.file.c_str());
+    request.file = QFile::decodeName(options.file.c_str());
     request.unit = options.unit;
     request.view = options.view;
     request.detail = options.detail;

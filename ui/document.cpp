@@ -198,7 +198,7 @@ Document::Outcome Document::compute(const Work& work, const DepthEngine& depth_b
   Work& w = out.work;
   try {
     if (w.reads) {
-      const std::filesystem::path file(w.open.file.toStdString());
+      const std::filesystem::path file(QFile::encodeName(w.open.file).toStdString());
       if (looksLikeRaster(file)) {
         w.raster = std::make_shared<const RasterMap>(readRaster(file));
       } else {

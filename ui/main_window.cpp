@@ -201,7 +201,7 @@ void MainWindow::connectParts() {
     if (inside && !probe_) showPosition(position, {});
   });
   connect(detail_, &DetailView::pressDepthChanged, this, [this](double depth) {
-    announce(tr("Press depth %1 mm of hand").arg(depth, 0, 'f', 2));
+    announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }
@@ -250,7 +250,7 @@ void MainWindow::showWindow() {
   QString note = QStringLiteral("%1   |   %2")
                      .arg(sizeText({side, side}), tr("1 mm of hand = %1 mm").arg(scale_text));
   if (window->gain != 1) {
-    note.prepend(tr("heights \u00d7 %1   |   ").arg(window->gain, 0, 'f', 2));
+    note.prepend(tr("heights \u00d7 %1   |   ").arg(numberText(window->gain, 2)));
   }
   detail_note_->setText(note);
   detail_choice_->setCurrentIndex(-1);
@@ -302,7 +302,9 @@ void MainWindow::askUnit() {
   const Surface& surface = *document_.surface();
   if (surface.unit_source != UnitSource::assumed || !surface.info.bounds) return;
   const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
-  const auto number = [](double v) { return QLocale().toString(v, 'g', 4); };
+  const auto number = [](double v) {
+    return QLocale().toString(v, 'g', 4).remove(QLocale().groupSeparator());
+  };
   std::vector<MessageStrip::Button> buttons;
   for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::cm, LengthUnit::m}) {
     QString text = unitText(unit);
@@ -402,6 +404,7 @@ void MainWindow::setTheme(Theme theme) {
 void MainWindow::restoreLayout() {
   restoreGeometry(settings_.layout(QStringLiteral("geometry")).toByteArray());
   restoreState(settings_.layout(QStringLiteral("state")).toByteArray());
+  tools_->setVisible(document_.isOpen());  // The state may be of a window with a file.
   views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
   rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
   for (const char* part : {"show_panels", "show_reference"}) {

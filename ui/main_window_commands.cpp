@@ -6,6 +6,7 @@
 
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
+#include "ui/reference_view.h"
 #include "ui/side_panels.h"
 #include "ui/surface_panel.h"
 #include "ui/time_plot.h"
@@ -237,6 +238,15 @@ void MainWindow::makeWindowCommands() {
         [this] { setFullScreenDetail(!isFullScreen()); },
         {},
         true});
+  make({"swap_views",
+        tr("Other vie&w"),
+        {QKeySequence("Ctrl+L")},
+        tr("Move the focus between the reference view and the detail view"),
+        [this] {
+          QWidget* to = detail_->hasFocus() ? static_cast<QWidget*>(reference_) : detail_;
+          to->setFocus(Qt::ShortcutFocusReason);
+        },
+        {}});
   auto* next = make({"next_part",
                      tr("Ne&xt part"),
                      {QKeySequence("F6")},

@@ -50,7 +50,7 @@ void MainWindow::makeMenus() {
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "use_view", "-", "fit",
              "stereo", "-", "show_reference", "show_panels", "show_plots"});
   makeThemeMenu(view);
-  add(view, {"full_screen", "-", "next_part", "previous_part"});
+  add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);
   QMenu* surface = menu(tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
@@ -66,7 +66,7 @@ void MainWindow::makeMenus() {
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {
-  QMenu* themes = view->addMenu(tr("Colours (&w)"));
+  QMenu* themes = view->addMenu(tr("Colours (&h)"));
   themes->menuAction()->setToolTip(tr("Light or dark window"));
   auto* group = new QActionGroup(this);
   struct Entry {

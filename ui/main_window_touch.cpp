@@ -111,7 +111,7 @@ void MainWindow::showProbe(const Probe& probe) {
   const double force = norm(probe.force);
   status_->set(
       StatusField::force,
-      probe.forces_on ? tr("%1/%2 N").arg(force, 0, 'f', 2).arg(probe.force_limit_n, 0, 'f', 1)
+      probe.forces_on ? tr("%1/%2 N").arg(numberText(force, 2), numberText(probe.force_limit_n, 1))
                       : tr("forces off"),
       probe.forces_on ? tr("Force on the hand and its limit") : tr("Press F5 to switch forces on"));
 }
@@ -133,11 +133,11 @@ void MainWindow::showTouch(const TouchReadout& readout) {
   }
   touch_ = readout;
   QStringList more{tr("Device: %1").arg(readout.device),
-                   tr("Worst period: %1 ms").arg(readout.worst_period_ms, 0, 'f', 2)};
+                   tr("Worst period: %1 ms").arg(numberText(readout.worst_period_ms, 2))};
   more << (readout.realtime ? tr("Real-time priority")
                             : tr("No real-time priority: %1").arg(readout.realtime_note));
   status_->set(StatusField::rate,
-               tr("%1/s, late %2").arg(readout.rate_hz, 0, 'f', 0).arg(readout.late_ticks),
+               tr("%1/s, late %2").arg(numberText(readout.rate_hz, 0)).arg(readout.late_ticks),
                more.join('\n'));
   status_->set(StatusField::recording,
                readout.recording ? tr("recording %1").arg(readout.recorded_samples) : QString());

@@ -22,19 +22,18 @@ int decimalsFor(double step) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 0, 4);
 }
 
-QString number(double value, int decimals) {
-  QString text = QLocale().toString(value, 'f', decimals);
-  // -0.0 would jump between "-0.0" and "0.0" under a resting hand.
-  if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) {
-    text = QLocale().toString(0.0, 'f', decimals);
-  }
-  return text;
-}
-
 }  // namespace
 
+QString numberText(double value, int decimals) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  // -0.0 would jump between "-0.0" and "0.0" under a resting hand.
+  const bool zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+  return locale.toString(zero ? 0.0 : value, 'f', decimals);
+}
+
 QString mmText(double mm, double step_mm) {
-  return number(mm, decimalsFor(step_mm));
+  return numberText(mm, decimalsFor(step_mm));
 }
 
 QString sizeText(std::initializer_list<double> mm) {
@@ -44,7 +43,7 @@ QString sizeText(std::initializer_list<double> mm) {
   const double shown = metres ? largest / 1000 : largest;
   const int decimals = shown >= 100 ? 1 : shown >= 1 ? 2 : 3;
   QStringList numbers;
-  for (const double value : mm) numbers << number(metres ? value / 1000 : value, decimals);
+  for (const double value : mm) numbers << numberText(metres ? value / 1000 : value, decimals);
   return (metres ? tr("%1 m") : tr("%1 mm")).arg(numbers.join(QStringLiteral(" \u00d7 ")));
 }
 

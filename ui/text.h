@@ -12,6 +12,8 @@ namespace relievo {
 QString lengthText(double mm);
 /// Several lengths with one unit: "300.0 × 200.0 × 30.0 mm".
 QString sizeText(std::initializer_list<double> mm);
+/// A plain number as the user's locale writes it, without group separators.
+QString numberText(double value, int decimals);
 /// The number alone, in millimetres, with decimals that follow `step_mm`.
 QString mmText(double mm, double step_mm);
 /// "millimetres", "US survey feet".

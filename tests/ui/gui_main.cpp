@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "xcb");
   QApplication app(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
+  QLocale::setDefault(QLocale(QLocale::English));
   relievo::installAccessibleViews();
   return RUN_ALL_TESTS();
 }

@@ -5,17 +5,22 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QSplitter>
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
 #include "ui/keys_sheet.h"
+#include "ui/time_plot.h"
 
 namespace relievo {
 namespace {
@@ -200,6 +205,40 @@ TEST_F(WindowTest, APictureThatCannotBeWrittenIsAnError) {
   openRelief();
   EXPECT_THROW(window().writeImage(ImageSource::detail, {64, 64}, path("no/such/folder/p.png")),
                WriteError);
+}
+
+TEST_F(WindowTest, TheImageDialogAsksForPictureSizeAndPlaceAndSavesIt) {
+  openRelief();
+  QTest::keyClick(&window().detailView(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  auto* dialog = child<QDialog>("image_dialog");
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_TRUE(dialog->isVisible());
+  dialog->findChild<QSpinBox*>("image_width")->setValue(200);
+  dialog->findChild<QSpinBox*>("image_height")->setValue(120);
+  dialog->findChild<QLineEdit*>("image_file")->setText(path("new folder/dome"));
+  auto* buttons = dialog->findChild<QDialogButtonBox*>();
+  QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
+  EXPECT_EQ(QImage(path("new folder/dome.png")).size(), QSize(200, 120));
+  EXPECT_TRUE(child<QLabel>("status_message")->text().contains("dome.png"));
+}
+
+TEST_F(WindowTest, ThePlotKeepsTheLastTenSeconds) {
+  TimePlot plot;
+  std::vector<TouchPlotPoint> points(15001);
+  for (std::size_t i = 0; i < points.size(); ++i) points[i].t_s = 0.001 * static_cast<double>(i);
+  plot.add(points);
+  EXPECT_NEAR(static_cast<double>(plot.points()), 10001, 2);
+  plot.add(std::span(points).first(10));
+  EXPECT_EQ(plot.points(), 10U) << "a loop that starts again begins a new plot";
+}
+
+TEST_F(WindowTest, ControlAndLGoesToTheOtherView) {
+  openRelief();
+  window().detailView().setFocus();
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::focusWidget(), &window().referenceView());
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::focusWidget(), &window().detailView());
 }
 
 TEST_F(WindowTest, TheLayoutIsRememberedAcrossARestart) {
