@@ -57,6 +57,7 @@ std::uint64_t contentId(const RegionWindow& window) {
   mix(std::bit_cast<std::uint64_t>(window.region.side_mm));
   mix(static_cast<std::uint64_t>(window.region.level.value));
   for (const float height : window.heights_mm) mix(std::bit_cast<std::uint32_t>(height));
+  hash >>= 16U;                 // 48 bits: exact in spreadsheets and JSON, which count in doubles.
   return hash == 0 ? 1 : hash;  // 0 means no window.
 }
 

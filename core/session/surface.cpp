@@ -103,8 +103,10 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
 }
 
 ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, double dz) {
-  return {.m = {mm * r[0], mm * r[1], mm * r[2], dx, mm * r[3], mm * r[4], mm * r[5], dy, mm * r[6],
-                mm * r[7], mm * r[8], dz, 0, 0, 0, 1}};
+  ViewFromFile view{.m = {mm * r[0], mm * r[1], mm * r[2], dx, mm * r[3], mm * r[4], mm * r[5], dy,
+                          mm * r[6], mm * r[7], mm * r[8], dz, 0, 0, 0, 1}};
+  for (double& value : view.m) value += 0.0;  // No negative zeros in reports and files.
+  return view;
 }
 
 void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, const Task& task) {
