@@ -50,7 +50,8 @@ QString originText(Origin origin) {
 }  // namespace
 
 void MainWindow::addPanel(const QString& title, QWidget* panel) {
-  panels_->add(title, panel);
+  constexpr int kAfterWindow = 2;  // What is touched with stands beside what is touched.
+  panels_->insert(kAfterWindow, title, panel);
 }
 
 void MainWindow::addToMenu(const QString& title, QAction* action) {

@@ -202,6 +202,7 @@ double SurfaceView::mmPerPixel() const {
 }
 
 QImage SurfaceView::shot() {
+  canvas_->renderIfStale();
   return canvas_->grabFramebuffer();
 }
 
