@@ -37,7 +37,7 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
   } else {
     surface.unit = LengthUnit::mm;
     surface.unit_source = UnitSource::assumed;
-    surface.messages.push_back(
+    surface.messages.emplace_back(
         "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
         "another.");
   }
@@ -151,7 +151,7 @@ void takeOwnMap(Surface& surface, const RasterMap& raster) {
   map.origins = raster.origins;
   if (map.origins.empty()) {
     map.origins.assign(raster.size.count(), Origin::measured);
-    surface.messages.push_back(
+    surface.messages.emplace_back(
         "The map's origin file is missing; every height was taken as measured.");
   }
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
