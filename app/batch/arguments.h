@@ -10,7 +10,7 @@
 #include "core/region/window.h"
 #include "core/session/surface.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's name.
 class App;
 }
 

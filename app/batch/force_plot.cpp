@@ -49,15 +49,30 @@ std::string tickText(double value, double step) {
   return fixed(std::abs(value) < 1e-12 ? 0 : value, digits);
 }
 
+/// Text for XML: a file may be called "a & b".
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&') {
+      safe += "&amp;";
+    } else if (c == '<') {
+      safe += "&lt;";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
 std::string textAt(double x, double y, const std::string& anchor, const std::string& text,
                    const std::string& more = {}) {
-  return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\" text-anchor=\"" + anchor +
-         "\"" + more + ">" + text + "</text>\n";
+  return "<text x='" + fixed(x, 1) + "' y='" + fixed(y, 1) + "' text-anchor='" + anchor + "'" +
+         more + ">" + text + "</text>\n";
 }
 
 std::string lineAt(double x1, double y1, double x2, double y2, const std::string& colour) {
-  return "<line x1=\"" + fixed(x1, 1) + "\" y1=\"" + fixed(y1, 1) + "\" x2=\"" + fixed(x2, 1) +
-         "\" y2=\"" + fixed(y2, 1) + "\" stroke=\"" + colour + "\"/>\n";
+  return "<line x1='" + fixed(x1, 1) + "' y1='" + fixed(y1, 1) + "' x2='" + fixed(x2, 1) +
+         "' y2='" + fixed(y2, 1) + "' stroke='" + colour + "'/>\n";
 }
 
 /// One diagram: a box with grid lines, labels and curves.
@@ -84,15 +99,15 @@ class Panel {
       if (with_time) svg += textAt(x(t), top_ + height_ + 16, "middle", tickText(t, time_.step));
     }
     const double middle = top_ + 0.5 * height_;
-    svg += textAt(16, middle, "middle", label,
-                  " transform=\"rotate(-90 16 " + fixed(middle, 1) + ")\"");
+    svg +=
+        textAt(16, middle, "middle", label, " transform='rotate(-90 16 " + fixed(middle, 1) + ")'");
     return svg;
   }
 
   std::string curve(const std::vector<PlotRow>& rows,
                     const std::function<double(const PlotRow&)>& value,
                     const std::string& style) const {
-    std::string svg = "<polyline fill=\"none\" " + style + " points=\"";
+    std::string svg = "<polyline fill='none' " + style + " points='";
     const std::size_t bin = std::max<std::size_t>(1, 2 * rows.size() / kMostPoints);
     for (std::size_t i = 0; i < rows.size(); i += bin) {
       const auto first = rows.begin() + static_cast<std::ptrdiff_t>(i);
@@ -103,7 +118,7 @@ class Panel {
       svg += fixed(x(low->t_s), 2) + "," + fixed(y(value(*low)), 2) + " ";
       if (low != high) svg += fixed(x(high->t_s), 2) + "," + fixed(y(value(*high)), 2) + " ";
     }
-    return svg + "\"/>\n";
+    return svg + "'/>\n";
   }
 
  private:
@@ -137,20 +152,19 @@ std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& ti
   const Panel forces(260, 140, time, rangeOf(rows, {force}));
 
   std::string svg =
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 450\" width=\"640\" "
-      "height=\"450\" font-family=\"sans-serif\" font-size=\"11\">\n"
-      "<rect width=\"640\" height=\"450\" fill=\"white\"/>\n";
-  svg += textAt(kLeft, 22, "start", title, " font-size=\"13\"");
+      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 450' width='640' "
+      "height='450' font-family='sans-serif' font-size='11'>\n"
+      "<rect width='640' height='450' fill='white'/>\n";
+  svg += textAt(kLeft, 22, "start", escaped(title), " font-size='13'");
   svg += heights.frame("z (mm)", false);
   svg += forces.frame("force (N)", true);
   svg += textAt(0.5 * (kLeft + kWidth - kRight), 438, "middle", "time (s)");
   // Dashes and width tell the curves apart without colour, too.
-  svg += heights.curve(rows, proxy, "stroke=\"#1f5fd0\" stroke-width=\"2\"");
-  svg +=
-      heights.curve(rows, hip, "stroke=\"#d02020\" stroke-width=\"1.3\" stroke-dasharray=\"5 2\"");
-  svg += forces.curve(rows, force, "stroke=\"#222222\" stroke-width=\"1.5\"");
-  svg += textAt(kWidth - kRight - 4, 50, "end", "HIP", " fill=\"#d02020\"");
-  svg += textAt(kWidth - kRight - 34, 50, "end", "proxy", " fill=\"#1f5fd0\"");
+  svg += heights.curve(rows, proxy, "stroke='#1f5fd0' stroke-width='2'");
+  svg += heights.curve(rows, hip, "stroke='#d02020' stroke-width='1.3' stroke-dasharray='5 2'");
+  svg += forces.curve(rows, force, "stroke='#222222' stroke-width='1.5'");
+  svg += textAt(kWidth - kRight - 4, 50, "end", "HIP", " fill='#d02020'");
+  svg += textAt(kWidth - kRight - 34, 50, "end", "proxy", " fill='#1f5fd0'");
   return svg + "</svg>\n";
 }
 

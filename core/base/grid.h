@@ -31,7 +31,7 @@ struct GridSize {
 /// with a column.
 struct Level {
   int value = 0;
-  friend auto operator<=>(Level, Level) = default;
+  friend auto operator<=>(Level, Level) = default;  // NOLINT(modernize-use-nullptr): false alarm.
 };
 
 /// Where the samples of a grid lie: sample (col, row) is at first_x_mm + col * spacing_mm,

@@ -27,9 +27,9 @@ class GridFromPoint {
         frame_(request.frame) {}
 
   GridPoint operator()(const std::array<float, 3>& p) const noexcept {
-    const double x = static_cast<double>(p[0]);
-    const double y = static_cast<double>(p[1]);
-    const double z = static_cast<double>(p[2]);
+    const auto x = static_cast<double>(p[0]);
+    const auto y = static_cast<double>(p[1]);
+    const auto z = static_cast<double>(p[2]);
     const double view_x = m_[0] * x + m_[1] * y + m_[2] * z + shift_.x;
     const double view_y = m_[4] * x + m_[5] * y + m_[6] * z + shift_.y;
     return {.u = (view_x - frame_.first_x_mm) / frame_.spacing_mm,

@@ -47,7 +47,7 @@ bool onMap(const DepthMap& map, double x_mm, double y_mm) {
 
 /// Identifies a window by what is in it (splitmix64 steps), so that no counter is shared.
 std::uint64_t contentId(const RegionWindow& window) {
-  std::uint64_t hash = std::bit_cast<std::uint64_t>(window.region.x_mm);
+  auto hash = std::bit_cast<std::uint64_t>(window.region.x_mm);
   const auto mix = [&hash](std::uint64_t value) {
     hash += 0x9e3779b97f4a7c15ULL + value;
     hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9ULL;
@@ -57,6 +57,7 @@ std::uint64_t contentId(const RegionWindow& window) {
   mix(std::bit_cast<std::uint64_t>(window.region.side_mm));
   mix(static_cast<std::uint64_t>(window.region.level.value));
   for (const float height : window.heights_mm) mix(std::bit_cast<std::uint32_t>(height));
+  hash >>= 16U;                 // 48 bits: exact in spreadsheets and JSON, which count in doubles.
   return hash == 0 ? 1 : hash;  // 0 means no window.
 }
 

@@ -24,7 +24,7 @@ struct RegionWindow {
   std::vector<float> heights_mm;  ///< kWindowCount values, view mm above the base plane.
   std::vector<Origin> origins;    ///< Of the map cell nearest each sample; outside beyond the map.
   float min_mm = 0, max_mm = 0;   ///< Of heights_mm.
-  int levels = 1;                 ///< Of the pyramid; the window is Detail levels - level of levels.
+  int levels = 1;  ///< Of the pyramid; the window is Detail levels - level of levels.
 
   double spacingMm() const noexcept { return region.side_mm / kWindowSamples; }
 };

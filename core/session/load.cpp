@@ -10,18 +10,18 @@ namespace relievo {
 Surface loadSurface(const std::filesystem::path& file, const SurfaceOptions& options,
                     const DepthEngine& engine, const ImportOptions& import, const Task& task) {
   const auto start = std::chrono::steady_clock::now();
-  const auto secondsSinceStart = [start] {
+  const auto seconds_since_start = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   if (looksLikeRaster(file)) {
     const RasterMap raster = readRaster(file);
-    const double read_s = secondsSinceStart();
+    const double read_s = seconds_since_start();
     Surface surface = makeSurface(raster, options, task);
     surface.seconds.read = read_s;
     return surface;
   }
   const Scan scan = importScan(file, import, task);
-  const double read_s = secondsSinceStart();
+  const double read_s = seconds_since_start();
   Surface surface = makeSurface(scan, options, engine, task);
   surface.seconds.read = read_s;
   return surface;

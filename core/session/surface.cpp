@@ -37,7 +37,7 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
   } else {
     surface.unit = LengthUnit::mm;
     surface.unit_source = UnitSource::assumed;
-    surface.messages.push_back(
+    surface.messages.emplace_back(
         "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
         "another.");
   }
@@ -103,8 +103,10 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
 }
 
 ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, double dz) {
-  return {.m = {mm * r[0], mm * r[1], mm * r[2], dx, mm * r[3], mm * r[4], mm * r[5], dy, mm * r[6],
-                mm * r[7], mm * r[8], dz, 0, 0, 0, 1}};
+  ViewFromFile view{.m = {mm * r[0], mm * r[1], mm * r[2], dx, mm * r[3], mm * r[4], mm * r[5], dy,
+                          mm * r[6], mm * r[7], mm * r[8], dz, 0, 0, 0, 1}};
+  for (double& value : view.m) value += 0.0;  // No negative zeros in reports and files.
+  return view;
 }
 
 void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, const Task& task) {
@@ -149,7 +151,7 @@ void takeOwnMap(Surface& surface, const RasterMap& raster) {
   map.origins = raster.origins;
   if (map.origins.empty()) {
     map.origins.assign(raster.size.count(), Origin::measured);
-    surface.messages.push_back(
+    surface.messages.emplace_back(
         "The map's origin file is missing; every height was taken as measured.");
   }
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {

@@ -95,7 +95,8 @@ Stroke readStroke(const std::filesystem::path& file) {
     ++row;
     StrokePoint point;
     const std::string wrong = parseRow(text, point);
-    const std::string row_name = name + "row " + std::to_string(row);
+    std::string row_name = name;
+    row_name.append("row ").append(std::to_string(row));
     if (!wrong.empty()) throw FileError(row_name + " " + wrong + ".");
     if (!stroke.points.empty() && !(point.t_s > stroke.points.back().t_s)) {
       throw FileError(row_name + " is not later than the row before it; times must increase.");

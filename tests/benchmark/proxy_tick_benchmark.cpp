@@ -26,7 +26,8 @@ std::unique_ptr<HapticSpace> terrain() {
   for (int row = 0; row < kWindowSamples; ++row) {
     for (int col = 0; col < kWindowSamples; ++col) {
       const double x = 0.4 * col, y = 0.4 * row;
-      space->heights_mm[static_cast<std::size_t>(row * kWindowSamples + col)] =
+      space->heights_mm[static_cast<std::size_t>(row) * kWindowSamples +
+                        static_cast<std::size_t>(col)] =
           static_cast<float>(1.5 * std::sin(0.5 * x) + 1.2 * std::cos(0.43 * y + 0.2 * x) +
                              0.3 * std::sin(1.7 * x + y) + noise(random));
     }

@@ -25,7 +25,8 @@ inline RegionWindow windowOf(double side_mm, const std::function<double(double, 
   for (int row = 0; row < kWindowSamples; ++row) {
     for (int col = 0; col < kWindowSamples; ++col) {
       const auto h = static_cast<float>(height((col + 0.5) * cell, (row + 0.5) * cell));
-      window.heights_mm[static_cast<std::size_t>(row * kWindowSamples + col)] = h;
+      window.heights_mm[static_cast<std::size_t>(row) * kWindowSamples +
+                        static_cast<std::size_t>(col)] = h;
       window.min_mm = std::min(window.min_mm, h);
       window.max_mm = std::max(window.max_mm, h);
     }

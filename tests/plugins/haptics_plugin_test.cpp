@@ -237,9 +237,9 @@ TEST_F(HapticsPluginTest, RemembersSettingsButNeverThatForcesWereOn) {
   host_.actions.at("stronger")->trigger();
   plugin_->restoreState(state);
   EXPECT_EQ(plugin_->saveState(), state);
-  plugin_->restoreState("{\"strength_percent\": 5000, \"proxy\": 77}");
+  plugin_->restoreState(R"({"strength_percent": 5000, "proxy": 77})");
   EXPECT_EQ(inPanel<QComboBox>("proxyKind")->currentIndex(), 0);
-  EXPECT_TRUE(plugin_->saveState().contains("\"strength_percent\":100"));
+  EXPECT_TRUE(plugin_->saveState().contains(R"("strength_percent":100)"));
 }
 
 TEST_F(HapticsPluginTest, DetachesAndAttachesAgain) {

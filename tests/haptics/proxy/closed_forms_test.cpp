@@ -231,7 +231,7 @@ TEST(Proxy, RepeatsItselfBitByBit) {
 
 TEST(Proxy, AsInThePaperChattersByOneStepAndConvergedDoesNot) {
   const auto space = spaceOf(80, [](double, double) { return 0.0; });
-  const auto largestChange = [&](ProxyKind kind) {
+  const auto largest_change = [&](ProxyKind kind) {
     Hand hand(*space, bare(kind));
     hand.to({20, 20, 1});
     double largest = 0, last = 0;
@@ -244,10 +244,10 @@ TEST(Proxy, AsInThePaperChattersByOneStepAndConvergedDoesNot) {
     return largest;
   };
   // Eq. (2) ends a tick up to one step of 0.1 mm above or below the surface.
-  EXPECT_GT(largestChange(ProxyKind::equation), 0.05);
-  EXPECT_LT(largestChange(ProxyKind::equation), 0.25);
-  EXPECT_LT(largestChange(ProxyKind::successive), 1e-6);
-  EXPECT_LT(largestChange(ProxyKind::converged), 1e-9);
+  EXPECT_GT(largest_change(ProxyKind::equation), 0.05);
+  EXPECT_LT(largest_change(ProxyKind::equation), 0.25);
+  EXPECT_LT(largest_change(ProxyKind::successive), 1e-6);
+  EXPECT_LT(largest_change(ProxyKind::converged), 1e-9);
 }
 
 TEST(Proxy, FollowsTheBorderBeyondTheWindow) {

@@ -38,6 +38,7 @@ TEST(SharpScenes, AgreeWithTheIndependentSolver) {
       return scene.height(static_cast<int>(std::lround(x / kCell - 0.5)));
     });
     std::vector<Point2> vertices;
+    vertices.reserve(kWindowSamples);
     for (int i = 0; i < kWindowSamples; ++i)
       vertices.push_back({(i + 0.5) * kCell, scene.height(i)});
     PolylineProxy truth(vertices);
