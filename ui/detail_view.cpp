@@ -121,8 +121,8 @@ void DetailView::setPressDepthMm(double depth_hand_mm) {
 
 ViewMm DetailView::onSurface(const QPointF& point) const {
   const auto window = document_.window();
-  const double top = static_cast<double>(window->max_mm);
-  const double bottom = static_cast<double>(window->min_mm);
+  const auto top = static_cast<double>(window->max_mm);
+  const auto bottom = static_cast<double>(window->min_mm);
   const ViewMm high = at(point, top);
   if (!isTurned() || !(top > bottom)) return high;
   const ViewMm low = at(point, bottom);

@@ -171,7 +171,7 @@ void Document::launch(Work work) {
   running_ = true;
   worker_ = std::jthread([this, work = std::move(work)](std::stop_token stop) {
     Task task;
-    task.stop = stop;
+    task.stop = std::move(stop);
     auto last = std::chrono::steady_clock::time_point{};
     task.progress = [this, id = work.id, last](std::string_view step, double fraction) mutable {
       const auto now = std::chrono::steady_clock::now();

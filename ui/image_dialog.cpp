@@ -33,7 +33,7 @@ QString freeName(const QString& model) {
   const QDir pictures(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) +
                       QLatin1String("/relievo"));
   for (int n = 1;; ++n) {
-    const QString path = pictures.filePath(QStringLiteral("%1-%2.png").arg(model).arg(n));
+    QString path = pictures.filePath(QStringLiteral("%1-%2.png").arg(model).arg(n));
     if (!QFileInfo::exists(path)) return path;
   }
 }

@@ -23,8 +23,6 @@ class MessageStrip : public QFrame {
   /// Shows a message in place of the one before; assistive technology is alerted.
   void show(const QString& text, const std::vector<Button>& buttons = {});
   QString text() const;
-
- public Q_SLOTS:
   void close();
 
  private:
