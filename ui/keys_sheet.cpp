@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/keys_sheet.h"
 
+#include <algorithm>
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QHeaderView>
@@ -24,7 +25,9 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
     }
     QString what = command->whatsThis();
     if (what.isEmpty()) what = command->text().remove('&');
-    if (command->objectName().startsWith(QLatin1String("move_"))) {
+    // Siblings share their explanation; their names tell them apart.
+    const auto shares = [&what](const QAction* other) { return other->whatsThis() == what; };
+    if (std::count_if(commands.begin(), commands.end(), shares) > 1) {
       what = KeysSheet::tr("%1: %2").arg(command->text().remove('&'), what);
     }
     rows.append({keys.join(QLatin1String(", ")), what});

@@ -20,7 +20,7 @@ const std::array<ThemeColours, 3>& table() {
       {rgb(0x26292d), rgb(0x1d2023), rgb(0xe4e6e8), rgb(0xa4abb2), rgb(0x31353a), rgb(0x43484e),
        rgb(0x3f86b8), rgb(0xffffff), rgb(0x7fb8e6), rgb(0x1b1d20), rgb(0x4a3d1c), rgb(0xff6b6b),
        rgb(0x6ea0ff), rgb(0x6cc592)},
-      {rgb(0x000000), rgb(0x000000), rgb(0xffffff), rgb(0xe8e8e8), rgb(0x101010), rgb(0xffffff),
+      {rgb(0x000000), rgb(0x1c1c1c), rgb(0xffffff), rgb(0xe8e8e8), rgb(0x101010), rgb(0xffffff),
        rgb(0xffd400), rgb(0x000000), rgb(0x6fc3ff), rgb(0x000000), rgb(0x3a3000), rgb(0xff7a7a),
        rgb(0x8ab4ff), rgb(0x7dffb0)},
   }};
@@ -85,8 +85,17 @@ void applyTheme(QApplication& app, Theme theme) {
   }
   app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   app.setPalette(p);
-  app.setStyleSheet(QStringLiteral("QToolTip { color: %1; background: %2; border: 1px solid %3; }")
-                        .arg(c.text.name(), c.base.name(), c.border.name()));
+  QString sheet = QStringLiteral("QToolTip { color: %1; background: %2; border: 1px solid %3; }")
+                      .arg(c.text.name(), c.base.name(), c.border.name());
+  if (current_theme == Theme::contrast) {
+    // Fusion draws outlines darker than the window; darker than black there is nothing.
+    sheet += QStringLiteral(
+                 "QPushButton, QListWidget { border: 1px solid %1; padding: 3px 8px; }"
+                 "QPushButton:focus, QListWidget:focus, QToolButton:focus { border: 2px solid %2; }"
+                 "QPushButton:disabled { border-color: %3; }")
+                 .arg(c.border.name(), c.highlight.name(), c.quiet_text.name());
+  }
+  app.setStyleSheet(sheet);
 }
 
 }  // namespace relievo

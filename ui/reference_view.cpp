@@ -13,10 +13,11 @@ namespace relievo {
 namespace {
 
 constexpr double kGripPixels = 7;
-constexpr double kClickPixels = 4;  // Shorter than this is a click, not a drag.
-constexpr int kWheelStep = 120;     // One notch, in eighths of a degree.
-constexpr int kMostSamples = 400;   // Per side; software graphics stay fluent.
-constexpr double kMargin = 0.04;    // Around the object, of its longer side.
+constexpr double kClickPixels = 4;      // Shorter than this is a click, not a drag.
+constexpr int kWheelStep = 120;         // One notch, in eighths of a degree.
+constexpr int kMostSamples = 400;       // Per side; software graphics stay fluent.
+constexpr double kMargin = 0.04;        // Around the object, of its longer side.
+constexpr double kLeastCovered = 0.65;  // Of the view's shorter side, by the object.
 constexpr double kArrowStep = 0.05;
 constexpr double kResizeStep = 1.1;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
@@ -48,6 +49,20 @@ std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
     }
   }
   return grid;
+}
+
+/// The map with a margin. The whole object's window is square: where that leaves the object large
+/// enough, all of the square is in view, so that its edges can be grabbed.
+RectMm fittedRect(const DetailLadder& map) {
+  RectMm rect{map.left_mm, map.bottom_mm, map.width_mm, map.height_mm};
+  const double longer = std::max(rect.width_mm, rect.height_mm);
+  if (std::min(rect.width_mm, rect.height_mm) >= kLeastCovered * longer) {
+    const Region whole = wholeRegion(map);
+    rect = {whole.x_mm, whole.y_mm, whole.side_mm, whole.side_mm};
+  }
+  const double margin = kMargin * longer;
+  return {rect.x_mm - margin, rect.y_mm - margin, rect.width_mm + 2 * margin,
+          rect.height_mm + 2 * margin};
 }
 
 Qt::CursorShape cursorFor(PinkPart part) {
@@ -102,11 +117,8 @@ void ReferenceView::showSurface() {
     return;
   }
   const Surface& surface = *document_.surface();
-  const DetailLadder& map = surface.ladder;
-  const double margin = kMargin * std::max(map.width_mm, map.height_mm);
   setGrid(referenceGrid(surface));
-  setCamera({{map.left_mm - margin, map.bottom_mm - margin, map.width_mm + 2 * margin,
-              map.height_mm + 2 * margin}});
+  setCamera({.rect = fittedRect(surface.ladder)});
 }
 
 void ReferenceView::showWindow() {
