@@ -74,9 +74,12 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
 
 MainWindow::~MainWindow() {
   qApp->removeEventFilter(this);
-  // The document is older than the widgets that listen to it and must not reach them from here on.
+  // Views that vanish under the pointer still speak; nobody must be half gone when they do.
   document_.disconnect();
   document_.history().disconnect();
+  detail_->disconnect();
+  reference_->disconnect();
+  delete takeCentralWidget();
 }
 
 QWidget* MainWindow::headed(QWidget* view, QLabel* title, QLabel* note) {
