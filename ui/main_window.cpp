@@ -55,7 +55,8 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   setWindowTitle(QStringLiteral("relievo"));
   setAcceptDrops(true);
   setMinimumSize(kLeastSize);
-  resize(kFirstSize.boundedTo(screen()->availableSize()));
+  // Room for the frame that the window manager adds: the status bar must not hang below the screen.
+  resize(kFirstSize.boundedTo(screen()->availableSize() - QSize(16, 48)).expandedTo(kLeastSize));
   status_ = new StatusFields(*statusBar());
   layOut();
   makeCommands();

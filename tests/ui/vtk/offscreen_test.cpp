@@ -3,10 +3,11 @@
 
 #include <gtest/gtest.h>
 #include <png.h>
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -78,7 +79,8 @@ ReadBack readPng(const fs::path& file) {
   back.image.height = static_cast<int>(png_get_image_height(png, info));
   for (int row = 0; row < back.image.height; ++row) {
     const png_byte* bytes = png_get_rows(png, info)[row];
-    back.image.rgb.insert(back.image.rgb.end(), bytes, bytes + 3 * back.image.width);
+    back.image.rgb.insert(back.image.rgb.end(), bytes,
+                          bytes + std::ptrdiff_t{3} * back.image.width);
   }
   png_textp entries = nullptr;
   int count = 0;
