@@ -50,7 +50,7 @@ std::vector<float> reduced(const std::vector<float>& in, GridSize size, const Ta
   std::array<int, 5> ring_row{-1, -1, -1, -1, -1};
   for (auto& line : ring) line.resize(out_cols);
 
-  const auto reducedRow = [&](int row) -> const std::vector<double>& {
+  const auto reduced_row = [&](int row) -> const std::vector<double>& {
     const auto slot = static_cast<std::size_t>(row % 5);
     if (ring_row[slot] != row) {
       reduceRow(&in[size.index({.col = 0, .row = row})], size.cols, ring[slot].data(),
@@ -65,7 +65,7 @@ std::vector<float> reduced(const std::vector<float>& in, GridSize size, const Ta
     if (j % 64 == 0) task.check();
     sum.assign(out_cols, 0.0);
     for (int n = 0; n < 5; ++n) {
-      const std::vector<double>& line = reducedRow(mirrored(2 * j - 2 + n, size.rows));
+      const std::vector<double>& line = reduced_row(mirrored(2 * j - 2 + n, size.rows));
       const double w = kKernel[static_cast<std::size_t>(n)];
       for (std::size_t i = 0; i < out_cols; ++i) sum[i] += w * line[i];
     }

@@ -26,7 +26,7 @@ constexpr double kPaperLoadS = 2.0;
 
 /// 1e6 points scattered over 100 x 100 mm of a smooth relief, a disc missing.
 const Scan& millionPoints() {
-  static const Scan scan = [] {
+  static const Scan kScan = [] {
     Scan made;
     std::mt19937_64 random(800);
     std::uniform_real_distribution<float> uniform(0, 100);
@@ -39,7 +39,7 @@ const Scan& millionPoints() {
     relievo::test::finishScan(made);
     return made;
   }();
-  return scan;
+  return kScan;
 }
 
 relievo::SurfaceOptions paperGrid() {
@@ -74,7 +74,7 @@ void measure(benchmark::State& state, double paper_s, std::size_t bytes, Work&& 
   state.counters["times_memcpy"] = each_s / secondsToCopy(bytes);
 }
 
-void DepthMapAndPyramid800(benchmark::State& state) {
+void depthMapAndPyramid800(benchmark::State& state) {
   const Scan& scan = millionPoints();
   const relievo::SurfaceOptions options = paperGrid();
   measure(state, kPaperGenerateS, scan.points.size() * sizeof(scan.points[0]), [&] {
@@ -82,9 +82,9 @@ void DepthMapAndPyramid800(benchmark::State& state) {
     benchmark::DoNotOptimize(surface.map.heights_mm.data());
   });
 }
-BENCHMARK(DepthMapAndPyramid800)->Unit(benchmark::kMillisecond);
+BENCHMARK(depthMapAndPyramid800)->Unit(benchmark::kMillisecond);
 
-void WindowSwitch800(benchmark::State& state) {
+void windowSwitch800(benchmark::State& state) {
   const relievo::Surface surface =
       relievo::makeSurface(millionPoints(), paperGrid(), relievo::rasterize);
   const auto space = std::make_unique<relievo::HapticSpace>();
@@ -97,7 +97,7 @@ void WindowSwitch800(benchmark::State& state) {
     benchmark::DoNotOptimize(space.get());
   });
 }
-BENCHMARK(WindowSwitch800)->Unit(benchmark::kMicrosecond);
+BENCHMARK(windowSwitch800)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 

@@ -15,8 +15,8 @@ namespace relievo::samples {
 namespace {
 
 const Cloud& coin() {
-  static const Cloud cloud = makeCoin();
-  return cloud;
+  static const Cloud kCloud = makeCoin();
+  return kCloud;
 }
 
 TEST(Coin, HasHalfAMillionPointsAndIs24MillimetresAcross) {

@@ -15,8 +15,8 @@ namespace relievo::samples {
 namespace {
 
 const Cloud& panel() {
-  static const Cloud cloud = makePanel();
-  return cloud;
+  static const Cloud kCloud = makePanel();
+  return kCloud;
 }
 
 TEST(Panel, HasTheStatedSize) {

@@ -18,8 +18,8 @@ namespace {
 constexpr double kCellMm2 = kReliefFSpacingMm * kReliefFSpacingMm;
 
 const Cloud& reliefF() {
-  static const Cloud cloud = makeReliefF();
-  return cloud;
+  static const Cloud kCloud = makeReliefF();
+  return kCloud;
 }
 
 /// Number of grid positions in a rectangle that carry no point.

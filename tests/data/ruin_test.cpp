@@ -15,8 +15,8 @@ namespace relievo::samples {
 namespace {
 
 const Cloud& ruin() {
-  static const Cloud cloud = makeRuin();
-  return cloud;
+  static const Cloud kCloud = makeRuin();
+  return kCloud;
 }
 
 /// Median of the absolute residuals: a tenth of a millimetre of rounding beside a wall's edge must

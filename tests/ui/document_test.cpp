@@ -11,7 +11,7 @@ namespace {
 
 class DocumentTest : public GuiTest {
  protected:
-  bool open(Document& document, OpenRequest request) {
+  bool open(Document& document, const OpenRequest& request) {
     QSignalSpy failed(&document, &Document::failed);
     document.open(request);
     return waitFor([&] { return !document.busy(); }) && failed.isEmpty() && document.isOpen();

@@ -128,7 +128,7 @@ TEST(FillDepths, SamplingGapsOfAScatteredCloudAreFilledAndItsHoleIsKept) {
         kept += origin == Origin::base_plane ? 1 : 0;
       } else if (distance > 12.5) {
         open_gaps += origin == Origin::measured || origin == Origin::interpolated ? 0 : 1;
-        const double z = static_cast<double>(filled.map.heightMm({.col = col, .row = row}));
+        const auto z = static_cast<double>(filled.map.heightMm({.col = col, .row = row}));
         worst = std::max(worst, std::abs(z + filled.base_z_mm - height(x, y)));
       }
     }
@@ -142,7 +142,8 @@ TEST(FillDepths, PointsOnARegularGridNeedNoGapClosing) {
   Mask all(10000, 1);
   EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
   for (int row = 40; row < 44; ++row) {
-    for (int col = 40; col < 44; ++col) all[static_cast<std::size_t>(row * 100 + col)] = 0;
+    for (int col = 40; col < 44; ++col)
+      all[GridSize{.cols = 100, .rows = 100}.index({.col = col, .row = row})] = 0;
   }
   EXPECT_EQ(samplingGapRadius(all, {.cols = 100, .rows = 100}), 0);
 }

@@ -6,7 +6,7 @@
 #include "core/io/import.h"
 
 /// main() of a test that imports: importScan starts this same program as its worker.
-int main(int argc, char** argv) {
+int main(int argc, char** argv) {  // NOLINT(misc-definitions-in-headers): one per program.
   if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
   ::testing::InitGoogleMock(&argc, argv);
   return RUN_ALL_TESTS();

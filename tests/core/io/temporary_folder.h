@@ -29,7 +29,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const noexcept { return path_; }
 
   std::filesystem::path write(const std::string& name, std::string_view content) const {
-    const std::filesystem::path file = path_ / name;
+    std::filesystem::path file = path_ / name;
     std::ofstream(file, std::ios::binary)
         .write(content.data(), static_cast<std::streamsize>(content.size()));
     return file;

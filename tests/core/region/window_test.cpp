@@ -37,7 +37,8 @@ TEST(SampleWindow, IsExactOnAPlaneAtItsSamplePositions) {
     for (int col = 0; col < kWindowSamples; col += 7) {
       const double x = region.x_mm + (col + 0.5) * region.side_mm / 200;
       const double y = region.y_mm + (row + 0.5) * region.side_mm / 200;
-      const auto i = static_cast<std::size_t>(row * kWindowSamples + col);
+      const auto i =
+          GridSize{.cols = kWindowSamples, .rows = kWindowSamples}.index({.col = col, .row = row});
       ASSERT_NEAR(window.heights_mm[i], 1 + 0.1 * x + 0.05 * y, 1e-5);
       ASSERT_EQ(window.origins[i], Origin::measured);
     }
