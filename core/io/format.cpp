@@ -33,7 +33,7 @@ constexpr std::array<FormatFact, 13> kFormats{{
     {FileFormat::las, false, "a LAS file"},
     {FileFormat::laz, false, "a LAZ file"},
     {FileFormat::e57, false, "an E57 file"},
-    {FileFormat::three_ds, false, "a 3DS file"},
+    {FileFormat::three_ds, true, "a 3DS file"},
     {FileFormat::ptx, false, "a PTX file"},
     {FileFormat::other_raster, false, "a raster other than TIFF"},
     {FileFormat::other, false, "no scan that this program knows"},
@@ -219,7 +219,7 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
                     " as a scan: it is a TIFF raster. Open it as a raster.");
   }
   throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
-                  "; this version reads PLY, PCD, OBJ, STL, XYZ/ASC/PTS/CSV text and GeoTIFF. "
+                  "; this version reads PLY, PCD, OBJ, STL, 3DS, XYZ/ASC/PTS/CSV text and GeoTIFF. "
                   "Convert it to one of these, or choose another file.");
 }
 
