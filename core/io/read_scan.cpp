@@ -49,6 +49,8 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
       return readStl(job);
     case FileFormat::three_ds:
       return read3ds(job);
+    case FileFormat::las:
+      return readLas(job);
     default:
       return readText(job);
   }

@@ -25,6 +25,7 @@ Scan readObj(const ReadJob& job);
 Scan readStl(const ReadJob& job);
 Scan readText(const ReadJob& job);
 Scan read3ds(const ReadJob& job);
+Scan readLas(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError

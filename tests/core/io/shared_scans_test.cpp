@@ -42,7 +42,7 @@ std::vector<Expected> readTable(const std::filesystem::path& table) {
 }
 
 bool isReadable(const std::string& file) {
-  for (const char* folder : {"3ds/", "obj/", "pcd/", "ply/", "stl/", "text/"}) {
+  for (const char* folder : {"3ds/", "las/", "obj/", "pcd/", "ply/", "stl/", "text/"}) {
     if (file.starts_with(folder)) return true;
   }
   return false;
@@ -80,7 +80,7 @@ TEST(SharedScans, PointsAndBoxAreThoseOfIndependentPrograms) {
   if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
   int read = 0;
   for (const Expected& row : readTable(data / "EXPECTED.tsv")) {
-    if (!isReadable(row.file)) continue;
+    if (!isReadable(row.file) || row.file.ends_with(".laz")) continue;
     SCOPED_TRACE(row.file);
     Scan scan;
     ASSERT_NO_THROW(scan = importScan(data / row.file));
@@ -92,15 +92,15 @@ TEST(SharedScans, PointsAndBoxAreThoseOfIndependentPrograms) {
     expectSameBox(boxOfPoints(scan), row.bounds);
     ++read;
   }
-  EXPECT_GE(read, 25);
+  EXPECT_GE(read, 27);
 }
 
 TEST(SharedScans, FormatsOfLaterVersionsAreNamedAndRefused) {
   const std::filesystem::path data = test::sharedData();
   if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"las/autzen_trim.las", "LAS file"},
-      {"las/autzen_trim.laz", "LAZ file"},
+
+      {"las/autzen_trim.laz", "pdal translate"},
       {"e57/bunnyDouble.e57", "E57 file"},
       {"text/1.2-with-color.ptx", "PTX file"},
       {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
