@@ -32,7 +32,7 @@ constexpr std::array<FormatFact, 13> kFormats{{
     {FileFormat::tiff, false, "a TIFF raster"},
     {FileFormat::las, true, "a LAS file"},
     {FileFormat::laz, false, "a compressed LAS file (LAZ or COPC)"},
-    {FileFormat::e57, false, "an E57 file"},
+    {FileFormat::e57, true, "an E57 file"},
     {FileFormat::three_ds, true, "a 3DS file"},
     {FileFormat::ptx, false, "a PTX file"},
     {FileFormat::other_raster, false, "a raster other than TIFF"},
@@ -226,7 +226,7 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
   }
   throw FileError(
       "Cannot read " + shownName(file) + ": it is " + found_format.name +
-      "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, XYZ/ASC/PTS/CSV text and GeoTIFF. "
+      "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, XYZ/ASC/PTS/CSV text and GeoTIFF. "
       "Convert it to one of these, or choose another file.");
 }
 

@@ -51,6 +51,8 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
       return read3ds(job);
     case FileFormat::las:
       return readLas(job);
+    case FileFormat::e57:
+      return readE57(job);
     default:
       return readText(job);
   }

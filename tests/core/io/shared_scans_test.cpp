@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ namespace {
 struct Expected {
   std::string file;
   std::uint64_t points = 0, finite = 0;
-  FileBounds bounds;
+  std::optional<FileBounds> bounds;  ///< Nothing: not compared.
 };
 
 std::vector<Expected> readTable(const std::filesystem::path& table) {
@@ -32,17 +33,20 @@ std::vector<Expected> readTable(const std::filesystem::path& table) {
     Expected row;
     std::string x0;
     words >> row.file >> row.points >> row.finite >> x0;
-    if (x0 == "nan") continue;
-    row.bounds.min.x = std::stod(x0);
-    words >> row.bounds.min.y >> row.bounds.min.z >> row.bounds.max.x >> row.bounds.max.y >>
-        row.bounds.max.z;
+    if (x0 == "nan") {
+      rows.push_back(row);
+      continue;
+    }
+    row.bounds.emplace().min.x = std::stod(x0);
+    words >> row.bounds->min.y >> row.bounds->min.z >> row.bounds->max.x >> row.bounds->max.y >>
+        row.bounds->max.z;
     rows.push_back(row);
   }
   return rows;
 }
 
 bool isReadable(const std::string& file) {
-  for (const char* folder : {"3ds/", "las/", "obj/", "pcd/", "ply/", "stl/", "text/"}) {
+  for (const char* folder : {"3ds/", "e57/", "las/", "obj/", "pcd/", "ply/", "stl/", "text/"}) {
     if (file.starts_with(folder)) return true;
   }
   return false;
@@ -88,11 +92,12 @@ TEST(SharedScans, PointsAndBoxAreThoseOfIndependentPrograms) {
     EXPECT_EQ(scan.info.finite_points, row.finite);
     EXPECT_EQ(scan.points.size(), row.finite);
     ASSERT_TRUE(scan.info.bounds.has_value());
-    expectSameBox(*scan.info.bounds, row.bounds);
-    expectSameBox(boxOfPoints(scan), row.bounds);
     ++read;
+    if (!row.bounds) continue;
+    expectSameBox(*scan.info.bounds, *row.bounds);
+    expectSameBox(boxOfPoints(scan), *row.bounds);
   }
-  EXPECT_GE(read, 27);
+  EXPECT_GE(read, 29);
 }
 
 TEST(SharedScans, FormatsOfLaterVersionsAreNamedAndRefused) {
@@ -101,7 +106,6 @@ TEST(SharedScans, FormatsOfLaterVersionsAreNamedAndRefused) {
   const std::vector<std::pair<std::string, std::string>> cases{
 
       {"las/autzen_trim.laz", "pdal translate"},
-      {"e57/bunnyDouble.e57", "E57 file"},
       {"text/1.2-with-color.ptx", "PTX file"},
       {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
   for (const auto& [file, name] : cases) {
