@@ -34,7 +34,7 @@ constexpr std::array<FormatFact, 13> kFormats{{
     {FileFormat::laz, false, "a compressed LAS file (LAZ or COPC)"},
     {FileFormat::e57, true, "an E57 file"},
     {FileFormat::three_ds, true, "a 3DS file"},
-    {FileFormat::ptx, false, "a PTX file"},
+    {FileFormat::ptx, true, "a PTX file"},
     {FileFormat::other_raster, false, "a raster other than TIFF"},
     {FileFormat::other, false, "no scan that this program knows"},
 }};
@@ -224,10 +224,10 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
                     shownName(file) + " NAME.las, or run laszip -i " + shownName(file) +
                     " -o NAME.las, then open NAME.las.");
   }
-  throw FileError(
-      "Cannot read " + shownName(file) + ": it is " + found_format.name +
-      "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, XYZ/ASC/PTS/CSV text and GeoTIFF. "
-      "Convert it to one of these, or choose another file.");
+  throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
+                  "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, PTX, XYZ/ASC/PTS/CSV "
+                  "text and GeoTIFF. "
+                  "Convert it to one of these, or choose another file.");
 }
 
 }  // namespace relievo

@@ -53,6 +53,8 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
       return readLas(job);
     case FileFormat::e57:
       return readE57(job);
+    case FileFormat::ptx:
+      return readPtx(job);
     default:
       return readText(job);
   }

@@ -27,6 +27,7 @@ Scan readText(const ReadJob& job);
 Scan read3ds(const ReadJob& job);
 Scan readLas(const ReadJob& job);
 Scan readE57(const ReadJob& job);
+Scan readPtx(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError

@@ -268,7 +268,6 @@ TEST_F(HostileFiles, ThingsThatAreNoScan) {
       refused("page.xyz", "<!DOCTYPE html><html><body>404</body></html>", "web page"),
       refused("map.tif", "II*\0\x08\0\0\0"s + std::string(60, '\0'), "TIFF raster"),
       refused("grid.asc", "ncols 4\nnrows 4\n1 2 3 4\n", "ESRI ASCII grid"),
-      refused("scan.ptx", "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n", "PTX file"),
       refused("archive.xyz", "PK\x03\x04"s + binary, "ZIP archive"),
       refused("wide.xyz", "\xFF\xFE"s + "1\0 \0"s, "UTF-16"),
       refused("noise.xyz", binary + binary, "neither text"),

@@ -100,14 +100,22 @@ TEST(SharedScans, PointsAndBoxAreThoseOfIndependentPrograms) {
   EXPECT_GE(read, 29);
 }
 
+TEST(SharedScans, ThePtxHoldsThePointsOfTheLasItWasMadeFrom) {
+  const std::filesystem::path data = test::sharedData();
+  if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
+  const Scan ptx = importScan(data / "text" / "1.2-with-color.ptx");
+  const Scan las = importScan(data / "las" / "1.2-with-color.las");
+  EXPECT_EQ(ptx.info.points, las.info.points);
+  EXPECT_EQ(ptx.info.finite_points, las.info.finite_points);
+  expectSameBox(*ptx.info.bounds, *las.info.bounds);
+}
+
 TEST(SharedScans, FormatsOfLaterVersionsAreNamedAndRefused) {
   const std::filesystem::path data = test::sharedData();
   if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
   const std::vector<std::pair<std::string, std::string>> cases{
 
-      {"las/autzen_trim.laz", "pdal translate"},
-      {"text/1.2-with-color.ptx", "PTX file"},
-      {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
+      {"las/autzen_trim.laz", "pdal translate"}, {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
   for (const auto& [file, name] : cases) {
     try {
       importScan(data / file);
