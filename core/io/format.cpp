@@ -30,11 +30,11 @@ constexpr std::array<FormatFact, 13> kFormats{{
     {FileFormat::stl, true, "an STL file"},
     {FileFormat::text, true, "a text file"},
     {FileFormat::tiff, false, "a TIFF raster"},
-    {FileFormat::las, false, "a LAS file"},
-    {FileFormat::laz, false, "a LAZ file"},
-    {FileFormat::e57, false, "an E57 file"},
-    {FileFormat::three_ds, false, "a 3DS file"},
-    {FileFormat::ptx, false, "a PTX file"},
+    {FileFormat::las, true, "a LAS file"},
+    {FileFormat::laz, false, "a compressed LAS file (LAZ or COPC)"},
+    {FileFormat::e57, true, "an E57 file"},
+    {FileFormat::three_ds, true, "a 3DS file"},
+    {FileFormat::ptx, true, "a PTX file"},
     {FileFormat::other_raster, false, "a raster other than TIFF"},
     {FileFormat::other, false, "no scan that this program knows"},
 }};
@@ -173,7 +173,7 @@ std::optional<FoundFormat> findMagic(std::string_view head) {
     if (!head.starts_with(magic.bytes)) continue;
     if (magic.bytes == "BM" && isPlainText(head)) continue;
     if (magic.format == FileFormat::las && head.size() > 104 &&
-        (static_cast<unsigned char>(head[104]) & 0x80U) != 0) {
+        (static_cast<unsigned char>(head[104]) & 0xC0U) != 0) {
       return found(FileFormat::laz);
     }
     return magic.name.empty() ? found(magic.format)
@@ -218,8 +218,15 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
     throw FileError("Cannot read " + shownName(file) +
                     " as a scan: it is a TIFF raster. Open it as a raster.");
   }
+  if (found_format.format == FileFormat::laz) {
+    throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
+                    ", which this version cannot unpack. Install pdal and run pdal translate " +
+                    shownName(file) + " NAME.las, or run laszip -i " + shownName(file) +
+                    " -o NAME.las, then open NAME.las.");
+  }
   throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
-                  "; this version reads PLY, PCD, OBJ, STL, XYZ/ASC/PTS/CSV text and GeoTIFF. "
+                  "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, PTX, XYZ/ASC/PTS/CSV "
+                  "text and GeoTIFF. "
                   "Convert it to one of these, or choose another file.");
 }
 

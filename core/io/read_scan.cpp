@@ -28,8 +28,7 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
                         ". Nothing was loaded. ";
   if (shortfall.complete_points == 0) throw FileError(message + "Choose another file.");
   message += "Load the " + grouped(shortfall.complete_points) + " ";
-  message +=
-      records == "points" ? "complete points" : "points and " + found + " complete " + records;
+  message += records == "faces" ? "points and " + found + " complete faces" : "complete points";
   throw FileError(message + ", or choose another file.", "E101");
 }
 
@@ -48,6 +47,14 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
       return readObj(job);
     case FileFormat::stl:
       return readStl(job);
+    case FileFormat::three_ds:
+      return read3ds(job);
+    case FileFormat::las:
+      return readLas(job);
+    case FileFormat::e57:
+      return readE57(job);
+    case FileFormat::ptx:
+      return readPtx(job);
     default:
       return readText(job);
   }

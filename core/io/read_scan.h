@@ -24,6 +24,10 @@ Scan readPcd(const ReadJob& job);
 Scan readObj(const ReadJob& job);
 Scan readStl(const ReadJob& job);
 Scan readText(const ReadJob& job);
+Scan read3ds(const ReadJob& job);
+Scan readLas(const ReadJob& job);
+Scan readE57(const ReadJob& job);
+Scan readPtx(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError
@@ -35,7 +39,7 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
 
 /// A file that ends before what its header promises.
 struct Shortfall {
-  std::string_view records = "points";  ///< Or "faces".
+  std::string_view records = "points";  ///< Or "faces", or "bytes".
   std::uint64_t promised = 0;
   std::uint64_t found = 0;            ///< Complete ones.
   std::uint64_t complete_points = 0;  ///< What can be loaded with accept_incomplete.

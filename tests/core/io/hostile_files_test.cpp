@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "tests/core/io/file_cases.h"
 #include "tests/core/io/import_main.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/core/io/temporary_folder.h"
@@ -20,44 +21,7 @@ namespace {
 using namespace test;
 using namespace std::string_literals;
 
-/// What a file must come to: a number of points, or a refusal that holds these words.
-struct Case {
-  std::string file;
-  std::string content;
-  int points = -1;
-  std::string refusal;
-};
-
-Case loads(const std::string& file, const std::string& content, int points) {
-  return {file, content, points, {}};
-}
-Case refused(const std::string& file, const std::string& content, const std::string& words) {
-  return {file, content, -1, words};
-}
-
-class HostileFiles : public ::testing::Test {
- protected:
-  void check(const std::vector<Case>& cases) {
-    for (const Case& c : cases) {
-      SCOPED_TRACE(c.file);
-      const std::filesystem::path file = folder_.write(c.file, c.content);
-      try {
-        const Scan scan = importScan(file);
-        EXPECT_EQ(static_cast<int>(scan.info.points), c.points) << "wanted: " << c.refusal;
-        for (const auto& triangle : scan.triangles) {
-          for (const std::uint32_t corner : triangle) EXPECT_LT(corner, scan.points.size());
-        }
-      } catch (const FileError& error) {
-        EXPECT_EQ(c.points, -1) << error.what();
-        EXPECT_THAT(error.what(), ::testing::HasSubstr(c.refusal));
-        EXPECT_THAT(error.what(), ::testing::HasSubstr(c.file));
-        EXPECT_THAT(error.what(), ::testing::Not(::testing::HasSubstr("broke down")));
-      }
-    }
-  }
-
-  TemporaryFolder folder_;
-};
+class HostileFiles : public FileCases {};
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos;
@@ -304,10 +268,6 @@ TEST_F(HostileFiles, ThingsThatAreNoScan) {
       refused("page.xyz", "<!DOCTYPE html><html><body>404</body></html>", "web page"),
       refused("map.tif", "II*\0\x08\0\0\0"s + std::string(60, '\0'), "TIFF raster"),
       refused("grid.asc", "ncols 4\nnrows 4\n1 2 3 4\n", "ESRI ASCII grid"),
-      refused("cloud.las", "LASF"s + std::string(300, '\0'), "LAS file"),
-      refused("cloud.e57", "ASTM-E57"s + std::string(300, '\0'), "E57 file"),
-      refused("scan.ptx", "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n", "PTX file"),
-      refused("model.3ds", "MM"s + bytesOf(std::uint32_t{40}) + std::string(34, '\0'), "3DS file"),
       refused("archive.xyz", "PK\x03\x04"s + binary, "ZIP archive"),
       refused("wide.xyz", "\xFF\xFE"s + "1\0 \0"s, "UTF-16"),
       refused("noise.xyz", binary + binary, "neither text"),

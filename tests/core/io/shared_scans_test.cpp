@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ namespace {
 struct Expected {
   std::string file;
   std::uint64_t points = 0, finite = 0;
-  FileBounds bounds;
+  std::optional<FileBounds> bounds;  ///< Nothing: not compared.
 };
 
 std::vector<Expected> readTable(const std::filesystem::path& table) {
@@ -32,17 +33,20 @@ std::vector<Expected> readTable(const std::filesystem::path& table) {
     Expected row;
     std::string x0;
     words >> row.file >> row.points >> row.finite >> x0;
-    if (x0 == "nan") continue;
-    row.bounds.min.x = std::stod(x0);
-    words >> row.bounds.min.y >> row.bounds.min.z >> row.bounds.max.x >> row.bounds.max.y >>
-        row.bounds.max.z;
+    if (x0 == "nan") {
+      rows.push_back(row);
+      continue;
+    }
+    row.bounds.emplace().min.x = std::stod(x0);
+    words >> row.bounds->min.y >> row.bounds->min.z >> row.bounds->max.x >> row.bounds->max.y >>
+        row.bounds->max.z;
     rows.push_back(row);
   }
   return rows;
 }
 
 bool isReadable(const std::string& file) {
-  for (const char* folder : {"obj/", "pcd/", "ply/", "stl/", "text/"}) {
+  for (const char* folder : {"3ds/", "e57/", "las/", "obj/", "pcd/", "ply/", "stl/", "text/"}) {
     if (file.starts_with(folder)) return true;
   }
   return false;
@@ -80,7 +84,7 @@ TEST(SharedScans, PointsAndBoxAreThoseOfIndependentPrograms) {
   if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
   int read = 0;
   for (const Expected& row : readTable(data / "EXPECTED.tsv")) {
-    if (!isReadable(row.file)) continue;
+    if (!isReadable(row.file) || row.file.ends_with(".laz")) continue;
     SCOPED_TRACE(row.file);
     Scan scan;
     ASSERT_NO_THROW(scan = importScan(data / row.file));
@@ -88,20 +92,30 @@ TEST(SharedScans, PointsAndBoxAreThoseOfIndependentPrograms) {
     EXPECT_EQ(scan.info.finite_points, row.finite);
     EXPECT_EQ(scan.points.size(), row.finite);
     ASSERT_TRUE(scan.info.bounds.has_value());
-    expectSameBox(*scan.info.bounds, row.bounds);
-    expectSameBox(boxOfPoints(scan), row.bounds);
     ++read;
+    if (!row.bounds) continue;
+    expectSameBox(*scan.info.bounds, *row.bounds);
+    expectSameBox(boxOfPoints(scan), *row.bounds);
   }
-  EXPECT_GE(read, 22);
+  EXPECT_GE(read, 29);
+}
+
+TEST(SharedScans, ThePtxHoldsThePointsOfTheLasItWasMadeFrom) {
+  const std::filesystem::path data = test::sharedData();
+  if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
+  const Scan ptx = importScan(data / "text" / "1.2-with-color.ptx");
+  const Scan las = importScan(data / "las" / "1.2-with-color.las");
+  EXPECT_EQ(ptx.info.points, las.info.points);
+  EXPECT_EQ(ptx.info.finite_points, las.info.finite_points);
+  expectSameBox(*ptx.info.bounds, *las.info.bounds);
 }
 
 TEST(SharedScans, FormatsOfLaterVersionsAreNamedAndRefused) {
   const std::filesystem::path data = test::sharedData();
   if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"las/autzen_trim.las", "LAS file"},     {"las/autzen_trim.laz", "LAZ file"},
-      {"e57/bunnyDouble.e57", "E57 file"},     {"3ds/fels.3ds", "3DS file"},
-      {"text/1.2-with-color.ptx", "PTX file"}, {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
+
+      {"las/autzen_trim.laz", "pdal translate"}, {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
   for (const auto& [file, name] : cases) {
     try {
       importScan(data / file);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/read_scan.h"
+
+namespace relievo {
+
+/// One number of every record, stored in a byte stream of its own.
+struct E57Field {
+  enum class Kind : std::uint8_t { f32, f64, whole, other };
+  std::string name;
+  Kind kind = Kind::other;
+  unsigned bits = 0;         ///< Of each number; 0: all records have the minimum.
+  std::int64_t minimum = 0;  ///< Added to the stored bits.
+  double scale = 1, offset = 0;
+};
+
+/// From the scanner's axes to those of the file.
+struct E57Pose {
+  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< Row-major.
+  std::array<double, 3> translation{};
+
+  std::array<double, 3> operator()(const std::array<double, 3>& p) const noexcept {
+    std::array<double, 3> moved = translation;
+    for (std::size_t row = 0; row < 3; ++row) {
+      moved[row] = rotation[3 * row] * p[0] + rotation[3 * row + 1] * p[1] +
+                   rotation[3 * row + 2] * p[2] + translation[row];
+    }
+    return moved;
+  }
+};
+
+struct E57Scan {
+  std::uint64_t records = 0;
+  std::uint64_t section_at = 0;  ///< Physical place of its binary section.
+  std::vector<E57Field> fields;  ///< In the order of their byte streams.
+  E57Pose pose;
+
+  std::optional<std::size_t> find(std::string_view field_name) const noexcept;
+};
+
+/// The scans that the file's XML lists. @throw FileError
+std::vector<E57Scan> listE57Scans(const std::string& xml, const ReadJob& job);
+
+}  // namespace relievo

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace relievo {
+
+/// What the public header of a LAS 1.0 to 1.4 file says about its points.
+struct LasHeader {
+  int minor = 0;         ///< Version 1.minor.
+  int point_format = 0;  ///< 0 to 10; all start with x, y, z as 32-bit whole numbers.
+  std::size_t header_bytes = 0;
+  std::uint64_t points_at = 0;  ///< Byte of the first record; may lie beyond a cut file.
+  std::size_t record_bytes = 0;
+  std::uint32_t variable_records = 0;
+  std::uint64_t points = 0;
+  std::array<double, 3> scale{}, offset{};
+};
+
+/// @param bytes  the file, or at least its first 375 bytes
+/// @throw FileError  too short, another version, compressed, or numbers that cannot be
+LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& file);
+
+}  // namespace relievo

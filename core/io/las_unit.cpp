@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/las_unit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "core/io/lines.h"
+#include "core/io/scalar.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kRecordHead = 54;
+constexpr std::uint16_t kGeoKeys = 34735;
+constexpr std::uint16_t kWellKnownText = 2112;
+
+constexpr std::uint16_t kModelType = 1024;  ///< 2: coordinates are degrees.
+constexpr std::uint16_t kLinearUnits = 3076;
+constexpr std::uint16_t kVerticalUnits = 4099;
+
+std::uint16_t u16At(std::string_view bytes, std::size_t at) {
+  return loadAs<std::uint16_t>(bytes.data() + at, ByteOrder::little);
+}
+
+/// What the file says; a later record wins over an earlier one.
+struct StatedUnits {
+  std::optional<LengthUnit> horizontal, vertical;
+  bool degrees = false;
+};
+
+/// EPSG codes of units.
+std::optional<LengthUnit> unitOfCode(std::uint16_t code) {
+  switch (code) {
+    case 9001:
+      return LengthUnit::m;
+    case 9002:
+      return LengthUnit::ft;
+    case 9003:
+      return LengthUnit::us_ft;
+    default:
+      return std::nullopt;
+  }
+}
+
+void readGeoKeys(std::string_view record, StatedUnits& units) {
+  constexpr std::size_t kKey = 8;  // Key, place of its value (0: here), count, value.
+  for (std::size_t at = kKey; at + kKey <= record.size(); at += kKey) {
+    if (u16At(record, at + 2) != 0) continue;
+    const std::uint16_t value = u16At(record, at + 6);
+    switch (u16At(record, at)) {
+      case kModelType:
+        units.degrees = value == 2;
+        break;
+      case kLinearUnits:
+        units.horizontal = unitOfCode(value);
+        break;
+      case kVerticalUnits:
+        units.vertical = unitOfCode(value);
+        break;
+      default:
+        break;
+    }
+  }
+}
+
+/// The last length unit that the text names: UNIT["foot",0.3048] or LENGTHUNIT["metre",1].
+std::optional<LengthUnit> lastUnit(std::string_view text) {
+  const std::size_t at = text.rfind("UNIT[\"");
+  if (at == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(at + 6);
+  const std::size_t quote = text.find('"');
+  if (quote == std::string_view::npos || quote + 1 >= text.size()) return std::nullopt;
+  std::string unit_name(text.substr(0, quote));
+  std::transform(unit_name.begin(), unit_name.end(), unit_name.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  const bool is_length =
+      unit_name.find("met") != std::string::npos || unit_name.find("f") != std::string::npos;
+  std::string_view number = text.substr(quote + 1);
+  number.remove_prefix(std::min(number.find_first_not_of(", "), number.size()));
+  const auto metres = parseNumber(number.substr(0, number.find_first_of(",] ")));
+  if (!is_length || !metres) return std::nullopt;
+  for (const LengthUnitFact& fact : kLengthUnits) {
+    if (std::abs(*metres * 1000 - fact.mm) <= 1e-7 * fact.mm) return fact.unit;
+  }
+  return std::nullopt;
+}
+
+/// Only projected systems of the older form of well-known text (the one LAS 1.4 asks for).
+void readText(std::string_view text, StatedUnits& units) {
+  text = text.substr(0, text.find('\0'));
+  const std::size_t vertical = text.find("VERT_CS[");
+  const std::string_view horizontal = text.substr(0, vertical);
+  if (horizontal.find("PROJCS[") == std::string_view::npos) {
+    units.degrees = units.degrees || horizontal.starts_with("GEOGCS[");
+    return;
+  }
+  units.horizontal = lastUnit(horizontal);
+  if (vertical != std::string_view::npos) units.vertical = lastUnit(text.substr(vertical));
+}
+
+StatedUnits readRecords(std::string_view bytes, const LasHeader& header) {
+  StatedUnits units;
+  const auto end =
+      static_cast<std::size_t>(std::min<std::uint64_t>(header.points_at, bytes.size()));
+  std::size_t at = header.header_bytes;
+  for (std::uint32_t i = 0; i < header.variable_records && at + kRecordHead <= end; ++i) {
+    const std::string_view user = bytes.substr(at + 2, 16);
+    const std::uint16_t kind = u16At(bytes, at + 18);
+    const std::size_t length = u16At(bytes, at + 20);
+    if (length > end - at - kRecordHead) break;
+    const std::string_view record = bytes.substr(at + kRecordHead, length);
+    if (user.starts_with("LASF_Projection")) {
+      if (kind == kGeoKeys) readGeoKeys(record, units);
+      if (kind == kWellKnownText) readText(record, units);
+    }
+    at += kRecordHead + length;
+  }
+  return units;
+}
+
+}  // namespace
+
+void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
+  const StatedUnits units = readRecords(bytes, header);
+  if (units.degrees) {
+    info.warnings.emplace_back(
+        "Its x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres, "
+        "for example with pdal translate and filters.reprojection.");
+    return;
+  }
+  info.unit = units.horizontal;
+  if (units.horizontal && units.vertical && units.horizontal != units.vertical) {
+    info.warnings.push_back("Its heights are in " + std::string(name(*units.vertical)) +
+                            ", its x and y in " + std::string(name(*units.horizontal)) +
+                            "; heights were loaded as stored and will look too flat or too steep.");
+  }
+}
+
+}  // namespace relievo

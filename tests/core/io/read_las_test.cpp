@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "tests/core/io/file_cases.h"
+#include "tests/core/io/import_main.h"
+#include "tests/core/io/sample_files.h"
+
+namespace relievo {
+namespace {
+
+using namespace test;
+using namespace std::string_literals;
+using ::testing::HasSubstr;
+
+constexpr std::array<int, 11> kRecordBytes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
+
+/// What goes into a LAS file; the defaults make a good one of ten points (i, i / 2, i / 4).
+struct Las {
+  int minor = 2;
+  int format = 0;
+  int count = 10;       ///< Records written.
+  int extra_bytes = 0;  ///< Behind each record's own.
+  std::uint64_t promised = 10;
+  std::uint32_t legacy_promised = 10;
+  std::array<double, 3> scale{0.25, 0.25, 0.25};
+  std::array<double, 3> offset{0, 0, 0};
+  std::vector<std::array<std::int32_t, 3>> raw;  ///< Instead of the ten points.
+  std::string variable_records;
+  std::uint32_t variable_count = 0;
+};
+
+std::string lasFile(const Las& las) {
+  const std::size_t header_bytes = las.minor == 4 ? 375 : las.minor == 3 ? 235 : 227;
+  const auto record_bytes = static_cast<std::uint16_t>(
+      kRecordBytes[static_cast<std::size_t>(las.format)] + las.extra_bytes);
+  std::string bytes(header_bytes, '\0');
+  const auto put = [&bytes](std::size_t at, const std::string& value) {
+    bytes.replace(at, value.size(), value);
+  };
+  put(0, "LASF");
+  put(24, "\1"s + static_cast<char>(las.minor));
+  put(94, bytesOf(static_cast<std::uint16_t>(header_bytes)));
+  put(96, bytesOf(static_cast<std::uint32_t>(header_bytes + las.variable_records.size())));
+  put(100, bytesOf(las.variable_count));
+  put(104, std::string(1, static_cast<char>(las.format)));
+  put(105, bytesOf(record_bytes));
+  put(107, bytesOf(las.legacy_promised));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    put(131 + 8 * axis, bytesOf(las.scale[axis]));
+    put(155 + 8 * axis, bytesOf(las.offset[axis]));
+  }
+  if (las.minor == 4) put(247, bytesOf(las.promised));
+  bytes += las.variable_records;
+  const int count = las.raw.empty() ? las.count : static_cast<int>(las.raw.size());
+  for (int i = 0; i < count; ++i) {
+    const auto point = las.raw.empty() ? std::array<std::int32_t, 3>{4 * i, 2 * i, i}
+                                       : las.raw[static_cast<std::size_t>(i)];
+    for (const std::int32_t stored : point) bytes += bytesOf(stored);
+    bytes += std::string(record_bytes - 12U, '\xEE');
+  }
+  return bytes;
+}
+
+std::string variableRecord(std::uint16_t kind, const std::string& content) {
+  std::string user = "LASF_Projection";
+  user.resize(16, '\0');
+  return bytesOf(std::uint16_t{0}) + user + bytesOf(kind) +
+         bytesOf(static_cast<std::uint16_t>(content.size())) + std::string(32, '\0') + content;
+}
+
+std::string geoKeys(const std::vector<std::array<std::uint16_t, 4>>& keys) {
+  std::string content;
+  const auto add = [&content](const std::array<std::uint16_t, 4>& key) {
+    for (const std::uint16_t part : key) content += bytesOf(part);
+  };
+  add({1, 1, 0, static_cast<std::uint16_t>(keys.size())});
+  for (const auto& key : keys) add(key);
+  return variableRecord(34735, content);
+}
+
+Las withRecord(const std::string& record) {
+  Las las;
+  las.variable_records = record;
+  las.variable_count = 1;
+  return las;
+}
+
+class ReadLas : public FileCases {
+ protected:
+  Scan load(const Las& las, const ImportOptions& options = {}) {
+    return importScan(folder_.write("cloud.las", lasFile(las)), options);
+  }
+};
+
+TEST_F(ReadLas, EveryVersionAndPointFormatGivesTheSamePoints) {
+  for (int minor = 0; minor <= 4; ++minor) {
+    for (int format = 0; format <= 10; ++format) {
+      SCOPED_TRACE("1." + std::to_string(minor) + " format " + std::to_string(format));
+      Las las;
+      las.minor = minor;
+      las.format = format;
+      las.extra_bytes = format % 3;
+      if (minor == 4 && format >= 6) las.legacy_promised = 0;
+      const Scan scan = load(las);
+      ASSERT_EQ(scan.points.size(), 10U);
+      EXPECT_EQ(scan.info.points, 10U);
+      EXPECT_EQ(scan.info.unit, std::nullopt);
+      EXPECT_TRUE(scan.info.warnings.empty());
+      for (int i = 0; i < 10; ++i) {
+        EXPECT_EQ(scan.point(static_cast<std::size_t>(i)), (FilePoint{i + 0.0, i / 2.0, i / 4.0}));
+      }
+    }
+  }
+}
+
+TEST_F(ReadLas, CoordinatesAreStoredTimesScalePlusOffsetToTheLastBit) {
+  Las las;
+  las.scale = {0.01, 0.001, 1e-7};
+  las.offset = {600000.1, 5400000.3, -0.7};
+  las.raw = {{{std::numeric_limits<std::int32_t>::min(), -1, 3},
+              {1234567, 7654321, -2147483647},
+              {std::numeric_limits<std::int32_t>::max(), 0, 2000000011}}};
+  las.legacy_promised = 3;
+  FileBounds wanted;
+  const auto coordinate = [&](std::size_t i, std::size_t axis) {
+    return static_cast<double>(las.raw[i][axis]) * las.scale[axis] + las.offset[axis];
+  };
+  wanted.min = {coordinate(0, 0), coordinate(0, 1), coordinate(1, 2)};
+  wanted.max = {coordinate(2, 0), coordinate(1, 1), coordinate(2, 2)};
+  EXPECT_EQ(*load(las).info.bounds, wanted);
+}
+
+TEST_F(ReadLas, TheUnitComesFromTheProjectionRecords) {
+  const auto unitOf = [this](const std::string& record) {
+    return load(withRecord(record)).info.unit;
+  };
+  EXPECT_EQ(unitOf(geoKeys({{1024, 0, 1, 1}, {3076, 0, 1, 9001}})), LengthUnit::m);
+  EXPECT_EQ(unitOf(geoKeys({{3076, 0, 1, 9002}})), LengthUnit::ft);
+  EXPECT_EQ(unitOf(geoKeys({{3076, 0, 1, 9003}})), LengthUnit::us_ft);
+  EXPECT_EQ(unitOf(geoKeys({{3076, 0, 1, 9084}})), std::nullopt);
+  EXPECT_EQ(unitOf(geoKeys({{3076, 34736, 1, 9001}})), std::nullopt);
+  const std::string projected =
+      "PROJCS[\"a\",GEOGCS[\"b\",UNIT[\"degree\",0.0174532925199433]],PARAMETER[\"c\",1]";
+  EXPECT_EQ(unitOf(variableRecord(2112, projected + ",UNIT[\"metre\",1]]")), LengthUnit::m);
+  EXPECT_EQ(
+      unitOf(variableRecord(2112, projected + ",UNIT[\"US survey foot\",0.3048006096012192]]\0"s)),
+      LengthUnit::us_ft);
+  EXPECT_EQ(
+      unitOf(variableRecord(2112, "COMPD_CS[\"d\"," + projected +
+                                      ",UNIT[\"metre\",1]],VERT_CS[\"e\",UNIT[\"metre\",1]]]")),
+      LengthUnit::m);
+  EXPECT_EQ(unitOf(variableRecord(2112, projected + "]")), std::nullopt);
+  EXPECT_EQ(unitOf(variableRecord(2112, "PROJCS[UNIT[\"")), std::nullopt);
+}
+
+TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
+  const auto warningOf = [this](const std::string& record) {
+    const Scan scan = load(withRecord(record));
+    return scan.info.warnings.empty() ? std::string() : scan.info.warnings.front();
+  };
+  EXPECT_THAT(warningOf(geoKeys({{1024, 0, 1, 2}})), HasSubstr("degrees"));
+  EXPECT_THAT(warningOf(variableRecord(2112, "GEOGCS[\"b\",UNIT[\"degree\",0.01745]]")),
+              HasSubstr("degrees"));
+  EXPECT_THAT(warningOf(geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
+              HasSubstr("heights are in m"));
+  EXPECT_EQ(warningOf(geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9001}})), "");
+}
+
+TEST_F(ReadLas, ACutFileLoadsItsCompletePointsOnRequest) {
+  const std::string whole = lasFile({});
+  const auto file = folder_.write("cut.las", whole.substr(0, whole.size() - 30));
+  try {
+    importScan(file);
+    ADD_FAILURE() << "a cut file was loaded";
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.code, "E101");
+    EXPECT_THAT(error.what(), HasSubstr("promises 10 points, file ends at 8"));
+  }
+  ImportOptions options;
+  options.accept_incomplete = true;
+  const Scan scan = importScan(file, options);
+  EXPECT_EQ(scan.points.size(), 8U);
+  EXPECT_EQ(scan.info.warnings.size(), 1U);
+}
+
+TEST_F(ReadLas, OddFilesLoadOrAreRefused) {
+  const std::string good = lasFile({});
+  const auto with = [](auto change) {
+    Las las;
+    change(las);
+    return lasFile(las);
+  };
+  const auto patched = [](std::string bytes, std::size_t at, const std::string& value) {
+    return bytes.replace(at, value.size(), value);
+  };
+  const std::string las14 = with([](Las& las) { las.minor = 4; });
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  check({
+      loads("good.bin", good, 10),
+      refused("magic_only.las", "LASF", "shorter than the header"),
+      refused("cut_header.las", good.substr(0, 200), "shorter than the header"),
+      refused("cut_header14.las", las14.substr(0, 300), "shorter than the header"),
+      refused("zeros.las", "LASF"s + std::string(300, '\0'), "LAS version 0.0"),
+      refused("version_2.las", patched(good, 24, "\2\0"s), "LAS version 2.0"),
+      refused("version_5.las", patched(good, 25, "\5"), "LAS version 1.5"),
+      refused("short_header.las", patched(good, 94, bytesOf(std::uint16_t{100})), "227"),
+      refused("short_header14.las", patched(las14, 94, bytesOf(std::uint16_t{227})), "375"),
+      refused("points_in_header.las", patched(good, 96, bytesOf(10U)), "within itself"),
+      refused("points_beyond.las", patched(good, 96, bytesOf(0xFFFFFFF0U)), "file ends at 0"),
+      refused("format_11.las", patched(good, 104, "\x0B"), "format 11"),
+      refused("compressed.las", patched(good, 104, "\x83"), "pdal translate"),
+      refused("compressed_6.laz", patched(good, 104, "\x46"), "pdal translate"),
+      refused("short_records.las", patched(good, 105, bytesOf(std::uint16_t{12})), "they need 20"),
+      refused("zero_records.las", patched(good, 105, bytesOf(std::uint16_t{0})), "they need 20"),
+      refused("huge_count.las", patched(good, 107, bytesOf(0xFFFFFFFFU)), "file ends at 10"),
+      refused("huge_count14.las", patched(las14, 247, bytesOf(~std::uint64_t{0})),
+              "promises 18 446 744 073 709 551 615 points, file ends at 10"),
+      refused("no_points.las", patched(good, 107, bytesOf(0U)), "0 points, none finite"),
+      refused("nan_scale.las", with([&](Las& las) { las.scale[1] = nan; }), "scale and offset"),
+      refused("zero_scale.las", with([](Las& las) { las.scale[2] = 0; }), "scale and offset"),
+      refused("nan_offset.las", with([&](Las& las) { las.offset[0] = nan; }), "scale and offset"),
+      refused("far_offset.las", with([](Las& las) { las.offset[0] = 1e300; }), "none finite"),
+      loads("records_lie.las", patched(good, 100, bytesOf(0xFFFFFFFFU)), 10),
+      loads("record_too_long.las",
+            lasFile(withRecord(
+                patched(variableRecord(34735, "1234"), 20, bytesOf(std::uint16_t{65535})))),
+            10),
+      loads("odd_keys.las", lasFile(withRecord(variableRecord(34735, "12345"))), 10),
+      loads("bytes_behind.las", good + std::string(1000, 'w'), 10),
+      loads("count_of_14_wins.las", with([](Las& las) {
+              las.minor = 4;
+              las.legacy_promised = 7;
+            }),
+            10),
+  });
+}
+
+}  // namespace
+}  // namespace relievo
