@@ -58,6 +58,7 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm");
   verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
   verb.add_option("--holes", a.holes, "base, interpolate:MAX_MM2 or none");
+  verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
   verb.add_flag("--load-incomplete", a.accept_incomplete,
                 "Load the complete records of a cut file (E101)");
 }
@@ -83,10 +84,14 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
   if (a.cells && *a.cells < 2) throw ArgumentError("--cells must be at least 2.");
   if (a.spacing_mm && !(*a.spacing_mm > 0)) throw ArgumentError("--spacing must be above 0 mm.");
   if (a.cells && a.spacing_mm) throw ArgumentError("Give --cells or --spacing, not both.");
+  if (!(a.factor > 1) || !(a.factor <= kMostFactor)) {
+    throw ArgumentError("--factor must be above 1 and at most 8.");
+  }
   options.cells = a.cells;
   options.spacing_mm = a.spacing_mm;
   options.engine = a.engine;
   options.holes = holeChoice(a.holes);
+  options.pyramid.factor = a.factor;
   return options;
 }
 

@@ -25,6 +25,7 @@ struct MapArguments {
   std::optional<double> spacing_mm;
   std::string engine = "cpu";
   std::string holes = "base";
+  double factor = 2;  ///< The paper's M.
   bool accept_incomplete = false;
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);

@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pyramid/pyramid.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+
+#include "core/base/error.h"
+#include "core/pyramid/kernel.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::array<double, 5> kKernel{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
-
-/// Mirrored without repeating the edge sample: -1 -> 1, n -> n - 2.
-int mirrored(int i, int count) {
-  if (count == 1) return 0;
-  const int period = 2 * (count - 1);
-  i = ((i % period) + period) % period;
-  return i < count ? i : period - i;
-}
-
-GridSize halved(GridSize size) {
-  return {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
-}
+constexpr double kMostCellsInAll = 536'870'912;  // Twice the largest map: 4 GiB with the shares.
 
 /// One row filtered and decimated along x.
 void reduceRow(const float* in, int cols, double* out, int out_cols) {
@@ -42,8 +36,8 @@ void reduceRow(const float* in, int cols, double* out, int out_cols) {
 
 /// g_l(i, j) = sum_m sum_n w(m, n) g_{l-1}(2i + m, 2j + n)   (paper, sec. 5)
 /// w is separable: rows first, then columns over a ring of five reduced rows.
-std::vector<float> reduced(const std::vector<float>& in, GridSize size, const Task& task) {
-  const GridSize out_size = halved(size);
+std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize out_size,
+                          const Task& task) {
   const auto out_cols = static_cast<std::size_t>(out_size.cols);
   std::vector<float> out(out_size.count());
   std::array<std::vector<double>, 5> ring;
@@ -75,6 +69,74 @@ std::vector<float> reduced(const std::vector<float>& in, GridSize size, const Ta
   return out;
 }
 
+/// The same for any M: columns first, whole rows at a time, then along the row that is left.
+std::vector<float> reducedBy(double factor, const std::vector<float>& in, GridSize size,
+                             GridSize out_size, const Task& task) {
+  const std::vector<Taps> rows = tapsOfAxis(size.rows, factor);
+  const std::vector<Taps> cols = tapsOfAxis(size.cols, factor);
+  const int before = -cols.front().first;
+  const auto& end = cols.back();
+  const int after = std::max(0, end.first + static_cast<int>(end.weights.size()) - size.cols);
+  std::vector<double> sum(static_cast<std::size_t>(before + size.cols + after));
+  std::vector<float> out(out_size.count());
+  for (int j = 0; j < out_size.rows; ++j) {
+    if (j % 16 == 0) task.check();
+    const auto begin = sum.begin() + before;
+    std::fill(begin, begin + size.cols, 0.0);
+    const Taps& taps = rows[static_cast<std::size_t>(j)];
+    for (std::size_t k = 0; k < taps.weights.size(); ++k) {
+      const int row = mirrored(taps.first + static_cast<int>(k), size.rows);
+      const float* from = &in[size.index({.col = 0, .row = row})];
+      const double weight = taps.weights[k];
+      for (int i = 0; i < size.cols; ++i) begin[i] += weight * static_cast<double>(from[i]);
+    }
+    for (int i = 1; i <= before; ++i) begin[-i] = begin[mirrored(-i, size.cols)];
+    for (int i = 0; i < after; ++i)
+      begin[size.cols + i] = begin[mirrored(size.cols + i, size.cols)];
+    for (int i = 0; i < out_size.cols; ++i) {
+      const Taps& at = cols[static_cast<std::size_t>(i)];
+      double value = 0;
+      for (std::size_t k = 0; k < at.weights.size(); ++k) {
+        value += at.weights[k] * begin[at.first + static_cast<int>(k)];
+      }
+      out[out_size.index({.col = i, .row = j})] = static_cast<float>(value);
+    }
+  }
+  return out;
+}
+
+std::vector<float> reduced(double factor, const std::vector<float>& in, GridSize size,
+                           GridSize out_size, const Task& task) {
+  if (factor == 2) return halved(in, size, out_size, task);
+  return reducedBy(factor, in, size, out_size, task);
+}
+
+GridSize reducedSize(GridSize size, double factor) {
+  return {.cols = reducedCount(size.cols, factor), .rows = reducedCount(size.rows, factor)};
+}
+
+bool isCoarsest(GridSize size, const PyramidOptions& options) {
+  return size.cols <= options.coarsest_samples && size.rows <= options.coarsest_samples;
+}
+
+/// @throw ArgumentError
+void requireFactor(GridSize size, const PyramidOptions& options) {
+  if (!(options.factor > 1) || !(options.factor <= kMostFactor)) {
+    throw ArgumentError(
+        "The pyramid's factor M must be above 1 and at most 8. Nothing was made; 2 is the "
+        "paper's.");
+  }
+  auto cells = static_cast<double>(size.count());
+  for (; !isCoarsest(size, options); cells += static_cast<double>(size.count())) {
+    size = reducedSize(size, options.factor);
+    if (cells > kMostCellsInAll) {
+      throw ArgumentError(
+          "The pyramid's factor M is so near to 1 that its levels do not fit into memory. Nothing "
+          "was made; choose a larger one.");
+    }
+  }
+}
+
 PyramidLevel baseLevel(const DepthMap& map) {
   PyramidLevel level{.frame = map.frame, .heights_mm = map.heights_mm, .measured = {}};
   level.measured.reserve(map.origins.size());
@@ -91,17 +153,20 @@ PyramidLevel baseLevel(const DepthMap& map) {
 }  // namespace
 
 Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options, const Task& task) {
-  Pyramid pyramid;
+  const double factor = options.factor;
+  requireFactor(map.frame.size, options);
+  Pyramid pyramid{.factor = factor, .levels = {}};
   pyramid.levels.push_back(baseLevel(map));
-  while (pyramid.levels.back().frame.size.cols > options.coarsest_samples ||
-         pyramid.levels.back().frame.size.rows > options.coarsest_samples) {
+  while (!isCoarsest(pyramid.levels.back().frame.size, options)) {
     const PyramidLevel& fine = pyramid.levels.back();
+    const GridSize size = fine.frame.size;
     PyramidLevel coarse;
     coarse.frame = fine.frame;
-    coarse.frame.size = halved(fine.frame.size);
-    coarse.frame.spacing_mm = fine.frame.spacing_mm * pyramid.factor;
-    coarse.heights_mm = reduced(fine.heights_mm, fine.frame.size, task);
-    coarse.measured = reduced(fine.measured, fine.frame.size, task);
+    coarse.frame.size = reducedSize(size, factor);
+    coarse.frame.spacing_mm =
+        map.frame.spacing_mm * std::pow(factor, static_cast<double>(pyramid.levels.size()));
+    coarse.heights_mm = reduced(factor, fine.heights_mm, size, coarse.frame.size, task);
+    coarse.measured = reduced(factor, fine.measured, size, coarse.frame.size, task);
     pyramid.levels.push_back(std::move(coarse));
   }
   return pyramid;

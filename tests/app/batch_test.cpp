@@ -188,6 +188,29 @@ TEST_F(Batch, PyramidWritesEveryLevel) {
   EXPECT_DOUBLE_EQ(level.first.x, 0.125);
 }
 
+TEST_F(Batch, PyramidTakesAnyFactorAndSaysWhatPassesAtItsLimit) {
+  for (const char* factor : {"1.5", "1.41421356", "3"}) {
+    const json report =
+        reportOf(runRelievo({"pyramid", kReliefF, "--unit", "mm", "-o", path("p.tif"), "--factor",
+                             factor, "--report", "json"}));
+    const double m = std::stod(factor);
+    EXPECT_DOUBLE_EQ(report["factor"], m);
+    EXPECT_LE(report["gain_at_nyquist"], 0.3);
+    EXPECT_GT(report["gain_at_nyquist"], 0.1);
+    EXPECT_DOUBLE_EQ(report["levels"][1]["spacing_mm"], 0.25 * m);
+    EXPECT_DOUBLE_EQ(readRaster(path("p.L1.tif")).pixel, 0.25 * m);
+  }
+}
+
+TEST_F(Batch, PyramidRefusesAFactorThatIsNone) {
+  for (const char* factor : {"1", "8.5", "nan", "-2"}) {
+    const CommandResult result = runRelievo({"pyramid", kReliefF, "--unit", "mm", "-o",
+                                             path("p.tif"), std::string("--factor=") + factor});
+    EXPECT_EQ(result.exit_code, 1) << factor;
+    EXPECT_THAT(result.err, HasSubstr("--factor"));
+  }
+}
+
 TEST_F(Batch, TouchFollowsHookesLawInEveryContactRow) {
   // Down into the plane z = 5 + x/10 at (50, 50), along it, and up again.
   const std::string stroke = write("s.csv",
