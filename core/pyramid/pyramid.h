@@ -13,6 +13,7 @@ inline constexpr double kMostFactor = 8;  ///< Beyond, too little is left betwee
 struct PyramidOptions {
   double factor = 2;           ///< The paper's M: 1 < M <= 8, integer or not.
   int coarsest_samples = 200;  ///< Stop once both sides fit into this many samples.
+  int threads = 0;             ///< 0: as many as pay. The bytes are the same for every number.
 };
 
 /// One level g_l of the pyramid. Heights in true millimetres at every level.

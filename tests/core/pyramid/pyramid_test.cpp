@@ -298,6 +298,31 @@ TEST(PyramidOfAnyFactor, AWaveAboveTheNewNyquistFrequencyIsSuppressed) {
   }
 }
 
+TEST(PyramidOfAnyFactor, GivesTheSameBytesForEveryNumberOfThreads) {
+  const DepthMap map = randomMap(1301, 1207, 8);
+  for (const double factor : {1.5, 2.0, 3.0}) {
+    const Pyramid one = buildPyramid(map, {.factor = factor, .threads = 1});
+    for (const int threads : {0, 2, 3}) {
+      const Pyramid more = buildPyramid(map, {.factor = factor, .threads = threads});
+      ASSERT_EQ(more.levels.size(), one.levels.size());
+      for (std::size_t l = 0; l < one.levels.size(); ++l) {
+        EXPECT_EQ(more.levels[l].heights_mm, one.levels[l].heights_mm) << factor << ' ' << threads;
+        EXPECT_EQ(more.levels[l].measured, one.levels[l].measured) << factor << ' ' << threads;
+      }
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, StopsWhenAskedOnEveryThread) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Task task{.stop = stop.get_token(), .progress = {}};
+  for (const double factor : {2.0, 3.0}) {
+    EXPECT_THROW(buildPyramid(mapOf(900, 900, 1), {.factor = factor, .threads = 2}, task),
+                 Cancelled);
+  }
+}
+
 TEST(PyramidOfAnyFactor, RefusesFactorsThatMakeNoPyramid) {
   const DepthMap map = mapOf(300, 300, 1);
   for (const double factor : {-2.0, 0.0, 1.0, 8.001, std::nan(""), HUGE_VAL}) {
