@@ -24,6 +24,7 @@ struct MapArguments {
   std::optional<int> cells;
   std::optional<double> spacing_mm;
   std::string engine = "cpu";
+  std::string rule;  ///< Empty: from the data.
   std::string holes = "base";
   double factor = 2;  ///< The paper's M.
   bool accept_incomplete = false;
