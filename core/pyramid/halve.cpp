@@ -4,6 +4,7 @@
 #include "core/pyramid/halve.h"
 
 #include <array>
+#include <cstddef>
 
 #include "core/pyramid/bands.h"
 #include "core/pyramid/kernel.h"
@@ -12,7 +13,7 @@
 // sanitizer is ready.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx2", "default")))
+#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define RELIEVO_WIDE_VECTORS
 #endif
@@ -36,7 +37,7 @@ void sumRows(const FiveRows& rows, int cols, float* __restrict out) {
 /// Sorted into samples 0, 2, 4 ... and 1, 3, 5 ..., so that the taps below are contiguous.
 RELIEVO_WIDE_VECTORS
 void split(const float* __restrict in, int pairs, float* __restrict even, float* __restrict odd) {
-  for (int i = 0; i < pairs; ++i) {
+  for (std::ptrdiff_t i = 0; i < pairs; ++i) {
     even[i] = in[2 * i];
     odd[i] = in[2 * i + 1];
   }
