@@ -97,9 +97,10 @@ Stroke readStroke(const std::filesystem::path& file) {
     const std::string wrong = parseRow(text, point);
     std::string row_name = name;
     row_name.append("row ").append(std::to_string(row));
-    if (!wrong.empty()) throw FileError(row_name + " " + wrong + ".");
+    if (!wrong.empty()) throw FileError(row_name.append(" ").append(wrong).append("."));
     if (!stroke.points.empty() && !(point.t_s > stroke.points.back().t_s)) {
-      throw FileError(row_name + " is not later than the row before it; times must increase.");
+      throw FileError(
+          row_name.append(" is not later than the row before it; times must increase."));
     }
     stroke.points.push_back(point);
   }

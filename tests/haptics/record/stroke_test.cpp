@@ -14,7 +14,7 @@ namespace {
 using test::spaceOf;
 
 std::filesystem::path written(const std::string& text) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "stroke.csv";
+  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "stroke.csv";
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }
