@@ -14,7 +14,7 @@
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/depth_capture.h"
-#include "ui/vtk/offscreen.h"
+#include "ui/vtk/display_connection.h"
 
 namespace {
 
@@ -82,7 +82,10 @@ int main(int argc, char** argv) {
     std::cout << (options.help ? relievo::windowHelp() : "relievo " RELIEVO_VERSION_STRING "\n");
     return 0;
   }
-  if (!relievo::haveDisplay()) {
+  // Held until the window is there: a server without other clients would reset when this one
+  // leaves, and refuse Qt meanwhile.
+  const relievo::DisplayConnection display;
+  if (!display.isOpen()) {
     std::cerr
         << "relievo: There is no display to open a window on. Set DISPLAY, or use a verb such "
            "as 'relievo render FILE -o FIG.png', which needs none.\n";

@@ -16,6 +16,7 @@ namespace relievo {
 namespace {
 
 constexpr double kMoveStep = 0.25;  // Of the window's side.
+constexpr double kTurnStepDeg = 15;
 
 QString withKey(const QString& tip, const QList<QKeySequence>& keys) {
   if (keys.isEmpty()) return tip;
@@ -173,6 +174,28 @@ void MainWindow::makeSurfaceCommands() {
           document_.setView({"auto", {}});
         },
         {}});
+  struct Turn {
+    const char* name;
+    QString text, keys;
+    double azimuth_deg, elevation_deg;
+  };
+  // Named after where the near side goes, as under a middle drag.
+  const std::array<Turn, 4> turns{{
+      {"turn_left", tr("Turn &left"), "Ctrl+Shift+Left", kTurnStepDeg, 0},
+      {"turn_right", tr("Turn &right"), "Ctrl+Shift+Right", -kTurnStepDeg, 0},
+      {"turn_up", tr("Turn &up"), "Ctrl+Shift+Up", 0, -kTurnStepDeg},
+      {"turn_down", tr("Turn &down"), "Ctrl+Shift+Down", 0, kTurnStepDeg},
+  }};
+  for (const Turn& t : turns) {
+    make({t.name,
+          t.text,
+          {QKeySequence(t.keys)},
+          tr("Turn the detail view by 15 degrees"),
+          [this, azimuth_deg = t.azimuth_deg, elevation_deg = t.elevation_deg] {
+            detail_->turnBy(azimuth_deg, elevation_deg);
+          },
+          {}});
+  }
   make({"use_view",
         tr("&Use this view"),
         {},

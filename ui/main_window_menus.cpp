@@ -47,8 +47,12 @@ void MainWindow::makeMenus() {
   add(file, {"-", "image", "-", "quit"});
   add(menu(tr("&Edit")), {"undo", "redo"});
   QMenu* view = menu(tr("&View"));
-  add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "use_view", "-", "fit",
-             "stereo", "-", "show_reference", "show_panels", "show_plots"});
+  add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
+  QMenu* turn = view->addMenu(tr("Tur&n"));
+  turn->menuAction()->setToolTip(tr("Turn the detail view"));
+  turn->setToolTipsVisible(true);
+  add(turn, {"turn_left", "turn_right", "turn_up", "turn_down"});
+  add(view, {"use_view", "fit", "-", "stereo", "-", "show_reference", "show_panels", "show_plots"});
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);
@@ -188,7 +192,8 @@ void MainWindow::enableCommands() {
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
   for (const char* name : {"image", "finer", "coarser", "whole", "move_left", "move_right",
-                           "move_up", "move_down", "type_window", "fit", "stereo", "full_screen"}) {
+                           "move_up", "move_down", "turn_left", "turn_right", "turn_up",
+                           "turn_down", "type_window", "fit", "stereo", "full_screen"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",

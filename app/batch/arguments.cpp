@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/depth/point_rule.h"
 
 namespace relievo::batch {
 namespace {
@@ -59,7 +60,10 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("--cells", a.cells, "Samples across the longer side");
   verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm");
   verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
+  verb.add_option("--rule", a.rule,
+                  "A cell's height from its points: front second topmean median mean");
   verb.add_option("--holes", a.holes, "base, interpolate:MAX_MM2 or none");
+  verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
   verb.add_flag("--load-incomplete", a.accept_incomplete,
                 "Load the complete records of a cut file (E101)");
 }
@@ -82,13 +86,24 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
   if (a.engine != "cpu" && a.engine != "depthbuffer") {
     throw ArgumentError("--engine: '" + a.engine + "' is neither cpu nor depthbuffer.");
   }
+  if (!a.rule.empty()) {
+    options.rule = pointRule(a.rule);
+    if (!options.rule) {
+      throw ArgumentError("--rule: '" + a.rule +
+                          "' is none of front, second, topmean, median and mean.");
+    }
+  }
   if (a.cells && *a.cells < 2) throw ArgumentError("--cells must be at least 2.");
   if (a.spacing_mm && !(*a.spacing_mm > 0)) throw ArgumentError("--spacing must be above 0 mm.");
   if (a.cells && a.spacing_mm) throw ArgumentError("Give --cells or --spacing, not both.");
+  if (!(a.factor > 1) || !(a.factor <= kMostFactor)) {
+    throw ArgumentError("--factor must be above 1 and at most 8.");
+  }
   options.cells = a.cells;
   options.spacing_mm = a.spacing_mm;
   options.engine = a.engine;
   options.holes = holeChoice(a.holes);
+  options.pyramid.factor = a.factor;
   return options;
 }
 

@@ -24,7 +24,9 @@ struct MapArguments {
   std::optional<int> cells;
   std::optional<double> spacing_mm;
   std::string engine = "cpu";
+  std::string rule;  ///< Empty: from the data.
   std::string holes = "base";
+  double factor = 2;  ///< The paper's M.
   bool accept_incomplete = false;
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);

@@ -11,7 +11,6 @@ namespace {
 struct PyramidArguments {
   MapArguments map;
   std::string out;
-  int factor = 2;
 };
 
 /// OUT.tif -> OUT.L<level>.tif
@@ -22,9 +21,6 @@ std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t le
 }
 
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
-  if (a.factor != 2) {
-    throw ArgumentError("--factor: this version reduces by M = 2 only. Leave the option out.");
-  }
   const Surface surface = loadForVerb(a.map, task);
   Json levels = Json::array();
   Outcome outcome;
@@ -42,7 +38,10 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
     outcome.lines.push_back(file.string() + ": " + std::to_string(level.frame.size.cols) + " x " +
                             std::to_string(level.frame.size.rows));
   }
-  outcome.json = Json{{"levels", levels}, {"factor", a.factor}}.dump(2);
+  const double factor = surface.pyramid.factor;
+  outcome.json =
+      Json{{"levels", levels}, {"factor", factor}, {"gain_at_nyquist", gainAtNyquist(factor)}}.dump(
+          2);
   return outcome;
 }
 
@@ -57,7 +56,6 @@ Verb pyramidVerb() {
                 addMapOptions(verb, arguments->map);
                 verb.add_option("-o,--output", arguments->out, "OUT.tif becomes OUT.L0.tif, ...")
                     ->required();
-                verb.add_option("--factor", arguments->factor, "The paper's M; 2");
               },
           .run = [arguments](const Task& task) { return runPyramid(*arguments, task); }};
 }

@@ -6,7 +6,7 @@
 namespace relievo {
 
 /// The CPU depth engine, in double precision: triangles by z-buffer at the sample points, edges
-/// included; points by the front-most rule. Deterministic. [worker]
+/// included; points by the request's rule. Deterministic. [worker]
 /// @throw Cancelled
 FrontDepths rasterize(const DepthRequest& request, const Task& task = {});
 

@@ -1,89 +1,101 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pyramid/pyramid.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/pyramid/bands.h"
+#include "core/pyramid/halve.h"
+#include "core/pyramid/kernel.h"
 
 namespace relievo {
 namespace {
 
-constexpr std::array<double, 5> kKernel{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
+constexpr double kMostCellsInAll = 536'870'912;  // Twice the largest map: 4 GiB with the shares.
 
-/// Mirrored without repeating the edge sample: -1 -> 1, n -> n - 2.
-int mirrored(int i, int count) {
-  if (count == 1) return 0;
-  const int period = 2 * (count - 1);
-  i = ((i % period) + period) % period;
-  return i < count ? i : period - i;
-}
-
-GridSize halved(GridSize size) {
-  return {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
-}
-
-/// One row filtered and decimated along x.
-void reduceRow(const float* in, int cols, double* out, int out_cols) {
-  for (int i = 0; i < out_cols; ++i) {
-    const int c = 2 * i;
-    double sum = 0;
-    if (c >= 2 && c + 2 < cols) {
-      for (int m = 0; m < 5; ++m) {
-        sum += kKernel[static_cast<std::size_t>(m)] * static_cast<double>(in[c - 2 + m]);
-      }
-    } else {
-      for (int m = 0; m < 5; ++m) {
-        sum += kKernel[static_cast<std::size_t>(m)] *
-               static_cast<double>(in[mirrored(c - 2 + m, cols)]);
-      }
-    }
-    out[i] = sum;
+void sumRows(const Taps& taps, const std::vector<float>& in, GridSize size, double* out) {
+  std::fill(out, out + size.cols, 0.0);
+  for (std::size_t k = 0; k < taps.weights.size(); ++k) {
+    const int row = mirrored(taps.first + static_cast<int>(k), size.rows);
+    const float* from = &in[size.index({.col = 0, .row = row})];
+    const double weight = taps.weights[k];
+    for (int i = 0; i < size.cols; ++i) out[i] += weight * static_cast<double>(from[i]);
   }
 }
 
-/// g_l(i, j) = sum_m sum_n w(m, n) g_{l-1}(2i + m, 2j + n)   (paper, sec. 5)
-/// w is separable: rows first, then columns over a ring of five reduced rows.
-std::vector<float> reduced(const std::vector<float>& in, GridSize size, const Task& task) {
-  const GridSize out_size = halved(size);
-  const auto out_cols = static_cast<std::size_t>(out_size.cols);
+/// The paper's equation (sec. 5) for any M. The kernel is separable: first down the columns, whole
+/// rows at a time, then along the one row that is left.
+std::vector<float> reducedBy(const PyramidOptions& options, const std::vector<float>& in,
+                             GridSize size, GridSize out_size, const Task& task) {
+  const std::vector<Taps> rows = tapsOfAxis(size.rows, options.factor);
+  const std::vector<Taps> cols = tapsOfAxis(size.cols, options.factor);
+  const int before = -cols.front().first;
+  const Taps& end = cols.back();
+  const int after = std::max(0, end.first + static_cast<int>(end.weights.size()) - size.cols);
   std::vector<float> out(out_size.count());
-  std::array<std::vector<double>, 5> ring;
-  std::array<int, 5> ring_row{-1, -1, -1, -1, -1};
-  for (auto& line : ring) line.resize(out_cols);
-
-  const auto reduced_row = [&](int row) -> const std::vector<double>& {
-    const auto slot = static_cast<std::size_t>(row % 5);
-    if (ring_row[slot] != row) {
-      reduceRow(&in[size.index({.col = 0, .row = row})], size.cols, ring[slot].data(),
-                out_size.cols);
-      ring_row[slot] = row;
+  inBands(out_size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
+    std::vector<double> padded(static_cast<std::size_t>(before + size.cols + after));
+    double* sum = padded.data() + before;
+    for (int j = first; j < last; ++j) {
+      if (j % 16 == 0) task.check();
+      sumRows(rows[static_cast<std::size_t>(j)], in, size, sum);
+      for (int i = 1; i <= before; ++i) sum[-i] = sum[mirrored(-i, size.cols)];
+      for (int i = size.cols; i < size.cols + after; ++i) sum[i] = sum[mirrored(i, size.cols)];
+      for (int i = 0; i < out_size.cols; ++i) {
+        const Taps& at = cols[static_cast<std::size_t>(i)];
+        const double value =
+            std::inner_product(at.weights.begin(), at.weights.end(), sum + at.first, 0.0);
+        out[out_size.index({.col = i, .row = j})] = static_cast<float>(value);
+      }
     }
-    return ring[slot];
-  };
-
-  std::vector<double> sum(out_cols);
-  for (int j = 0; j < out_size.rows; ++j) {
-    if (j % 64 == 0) task.check();
-    sum.assign(out_cols, 0.0);
-    for (int n = 0; n < 5; ++n) {
-      const std::vector<double>& line = reduced_row(mirrored(2 * j - 2 + n, size.rows));
-      const double w = kKernel[static_cast<std::size_t>(n)];
-      for (std::size_t i = 0; i < out_cols; ++i) sum[i] += w * line[i];
-    }
-    float* to = &out[out_size.index({.col = 0, .row = j})];
-    for (std::size_t i = 0; i < out_cols; ++i) to[i] = static_cast<float>(sum[i]);
-  }
+  });
   return out;
+}
+
+std::vector<float> reduced(const PyramidOptions& options, const std::vector<float>& in,
+                           GridSize size, GridSize out_size, const Task& task) {
+  if (options.factor == 2) return halved(in, size, out_size, options.threads, task);
+  return reducedBy(options, in, size, out_size, task);
+}
+
+GridSize reducedSize(GridSize size, double factor) {
+  return {.cols = reducedCount(size.cols, factor), .rows = reducedCount(size.rows, factor)};
+}
+
+bool isCoarsest(GridSize size, const PyramidOptions& options) {
+  return size.cols <= options.coarsest_samples && size.rows <= options.coarsest_samples;
+}
+
+/// @throw ArgumentError
+void requireFactor(GridSize size, const PyramidOptions& options) {
+  if (!(options.factor > 1) || !(options.factor <= kMostFactor)) {
+    throw ArgumentError(
+        "The pyramid's factor M must be above 1 and at most 8. Nothing was made; 2 is the "
+        "paper's.");
+  }
+  auto cells = static_cast<double>(size.count());
+  for (; !isCoarsest(size, options); cells += static_cast<double>(size.count())) {
+    size = reducedSize(size, options.factor);
+    if (cells > kMostCellsInAll) {
+      throw ArgumentError(
+          "The pyramid's factor M is so near to 1 that its levels do not fit into memory. Nothing "
+          "was made; choose a larger one.");
+    }
+  }
 }
 
 PyramidLevel baseLevel(const DepthMap& map) {
   PyramidLevel level{.frame = map.frame, .heights_mm = map.heights_mm, .measured = {}};
-  level.measured.reserve(map.origins.size());
+  level.measured.resize(map.origins.size());
   for (std::size_t i = 0; i < map.origins.size(); ++i) {
-    level.measured.push_back(map.origins[i] == Origin::measured ? 1.0F : 0.0F);
+    const Origin origin = map.origins[i];
+    level.measured[i] = origin == Origin::measured ? 1.0F : 0.0F;
     // Holes and outside take part with the base plane's height, also in maps from elsewhere.
-    if (map.origins[i] == Origin::base_plane || map.origins[i] == Origin::outside) {
-      level.heights_mm[i] = 0;
-    }
+    const bool on_base = origin == Origin::base_plane || origin == Origin::outside;
+    level.heights_mm[i] = on_base ? 0.0F : level.heights_mm[i];
   }
   return level;
 }
@@ -91,17 +103,20 @@ PyramidLevel baseLevel(const DepthMap& map) {
 }  // namespace
 
 Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options, const Task& task) {
-  Pyramid pyramid;
+  const double factor = options.factor;
+  requireFactor(map.frame.size, options);
+  Pyramid pyramid{.factor = factor, .levels = {}};
   pyramid.levels.push_back(baseLevel(map));
-  while (pyramid.levels.back().frame.size.cols > options.coarsest_samples ||
-         pyramid.levels.back().frame.size.rows > options.coarsest_samples) {
+  while (!isCoarsest(pyramid.levels.back().frame.size, options)) {
     const PyramidLevel& fine = pyramid.levels.back();
+    const GridSize size = fine.frame.size;
     PyramidLevel coarse;
     coarse.frame = fine.frame;
-    coarse.frame.size = halved(fine.frame.size);
-    coarse.frame.spacing_mm = fine.frame.spacing_mm * pyramid.factor;
-    coarse.heights_mm = reduced(fine.heights_mm, fine.frame.size, task);
-    coarse.measured = reduced(fine.measured, fine.frame.size, task);
+    coarse.frame.size = reducedSize(size, factor);
+    coarse.frame.spacing_mm =
+        map.frame.spacing_mm * std::pow(factor, static_cast<double>(pyramid.levels.size()));
+    coarse.heights_mm = reduced(options, fine.heights_mm, size, coarse.frame.size, task);
+    coarse.measured = reduced(options, fine.measured, size, coarse.frame.size, task);
     pyramid.levels.push_back(std::move(coarse));
   }
   return pyramid;

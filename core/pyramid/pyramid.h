@@ -8,8 +8,12 @@
 
 namespace relievo {
 
+inline constexpr double kMostFactor = 8;  ///< Beyond, too little is left between two levels.
+
 struct PyramidOptions {
+  double factor = 2;           ///< The paper's M: 1 < M <= 8, integer or not.
   int coarsest_samples = 200;  ///< Stop once both sides fit into this many samples.
+  int threads = 0;             ///< 0: as many as pay. The bytes are the same for every number.
 };
 
 /// One level g_l of the pyramid. Heights in true millimetres at every level.
@@ -19,15 +23,22 @@ struct PyramidLevel {
   std::vector<float> measured;    ///< Share of measured cells under the kernel, [0, 1].
 };
 
-/// Gaussian pyramid g_0 ... g_N of a depth map; paper sec. 5, its equation for g_l(i, j), M = 2.
-/// Separable (1 4 6 4 1)/16, g_l(i) centred on g_(l-1)(2i), size ceil(n/2), borders mirrored
-/// without repeating the edge sample. Holes and outside take part with height 0.
+/// Gaussian pyramid g_0 ... g_N of a depth map; paper sec. 5, its equation for g_l(i, j).
+/// Separable; g_l(i) centred on position i M of g_(l-1), size floor((n-1)/M) + 1, borders mirrored
+/// without repeating the edge sample. M = 2: (1 4 6 4 1)/16; other M: a Gaussian of the variance
+/// in core/pyramid/kernel.h. Holes and outside take part with height 0.
 struct Pyramid {
-  int factor = 2;                    ///< The paper's M.
+  double factor = 2;                 ///< The paper's M.
   std::vector<PyramidLevel> levels;  ///< Finest first; at least one.
 };
 
-/// [worker] @throw Cancelled
+/// How much of a wave at a coarser level's limit, pi/M of the finer grid, passes the kernel and
+/// could fold back as vibration; at most 0.3 for every M. @param factor  in (1, 8]
+double gainAtNyquist(double factor);
+
+/// [worker]
+/// @throw ArgumentError  factor outside (1, 8], or so near to 1 that the levels outgrow memory
+/// @throw Cancelled
 Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options = {},
                      const Task& task = {});
 

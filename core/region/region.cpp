@@ -76,8 +76,7 @@ Region wholeRegion(const DetailLadder& ladder) {
 }
 
 Level defaultLevel(const DetailLadder& ladder, double side_mm) {
-  const double wanted =
-      side_mm / kWindowSamples / std::sqrt(static_cast<double>(ladder.factor)) * (1 - kSameSide);
+  const double wanted = side_mm / kWindowSamples / std::sqrt(ladder.factor) * (1 - kSameSide);
   for (int level = 0; level < ladder.levels(); ++level) {
     if (ladder.spacings_mm[static_cast<std::size_t>(level)] >= wanted) return {level};
   }

@@ -28,7 +28,7 @@ struct Region {
 struct DetailLadder {
   double left_mm = 0, bottom_mm = 0, width_mm = 0, height_mm = 0;  ///< The map, view mm.
   std::vector<double> spacings_mm;                                 ///< Per level, finest first.
-  int factor = 2;                                                  ///< The paper's M.
+  double factor = 2;                                               ///< The paper's M.
 
   int levels() const noexcept { return static_cast<int>(spacings_mm.size()); }
   /// Side of detail k, 1 <= k <= levels().

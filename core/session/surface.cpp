@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/depth/cell_size.h"
+#include "core/depth/point_rule.h"
 #include "core/io/raster.h"
 
 namespace relievo {
@@ -100,6 +101,26 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
           .spacing_mm = spacing,
           .first_x_mm = 0.5 * spacing,
           .first_y_mm = 0.5 * spacing};
+}
+
+/// Decides request.rule and says so.
+void chooseRule(Surface& surface, DepthRequest& request, const SurfaceOptions& options,
+                const Task& task) {
+  const bool any = options.engine == "cpu" && request.scan.triangles.empty();
+  if (!any && options.rule && *options.rule != PointRule::front) {
+    throw ArgumentError(
+        "Rules other than front are for point clouds in the cpu engine. Nothing was made.");
+  }
+  if (!request.scan.triangles.empty()) {
+    surface.rule = "front-most triangle";
+    return;
+  }
+  RuleProposal chosen{.rule = options.rule.value_or(PointRule::front), .reason = "as chosen"};
+  if (any && !options.rule) chosen = proposeRule(request, task);
+  if (!any) chosen.reason = "depth buffer";
+  request.rule = chosen.rule;
+  surface.rule = chosen.reason + ": " + std::string(describe(chosen.rule));
+  surface.messages.push_back("Heights: " + surface.rule + ".");
 }
 
 ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, double dz) {
@@ -200,11 +221,11 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
-  const FrontDepths depths =
-      engine({.scan = scan,
-              .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
-              .frame = frame},
-             task);
+  DepthRequest request{.scan = scan,
+                       .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
+                       .frame = frame};
+  chooseRule(surface, request, options, task);
+  const FrontDepths depths = engine(request, task);
   surface.seconds.grid = watch.lap();
 
   task.report("Filling gaps", 0.0);
@@ -218,7 +239,6 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   }
   surface.view_name = view.name;
   surface.engine = options.engine;
-  surface.rule = scan.triangles.empty() ? "front-most point" : "front-most triangle";
   surface.view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z - filled.base_z_mm);
   surface.map = std::move(filled.map);
   surface.holes = std::move(filled.holes);

@@ -28,6 +28,7 @@ struct SurfaceOptions {
   std::optional<int> cells;                    ///< Samples across the longer side, >= 2.
   std::optional<double> spacing_mm;            ///< Or their distance; excludes `cells`.
   std::string engine = "cpu";                  ///< "cpu" or "depthbuffer".
+  std::optional<PointRule> rule;               ///< For clouds. Nothing: from the data.
   HoleChoice holes;
   PyramidOptions pyramid;
 };

@@ -188,6 +188,51 @@ TEST_F(Batch, PyramidWritesEveryLevel) {
   EXPECT_DOUBLE_EQ(level.first.x, 0.125);
 }
 
+TEST_F(Batch, DepthmapTakesAPointRuleAndSaysWhichWasUsed) {
+  const std::string cloud = write("rule.xyz", "0 0 1\n0 0 2\n0 0 6\n10 0 0\n0 10 0\n10 10 0\n");
+  const auto rule_and_highest = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"depthmap", cloud,         "--unit",   "mm",
+                                       "--view",   "top",         "--cells",  "2",
+                                       "-o",       path("r.tif"), "--report", "json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const json report = reportOf(runRelievo(arguments));
+    return std::pair{report["rule"].get<std::string>(), report["height_mm"]["max"].get<double>()};
+  };
+  using Said = std::pair<std::string, double>;
+  EXPECT_EQ(rule_and_highest({}), Said("1.5 points per cell: front-most point", 6));
+  EXPECT_EQ(rule_and_highest({"--rule", "median"}), Said("as chosen: median of the points", 2));
+  EXPECT_EQ(rule_and_highest({"--rule", "mean"}), Said("as chosen: mean of the points", 3));
+  EXPECT_EQ(rule_and_highest({"--rule", "second"}),
+            Said("as chosen: second point from the front", 2));
+  const CommandResult wrong =
+      runRelievo({"depthmap", cloud, "-o", path("r.tif"), "--rule", "highest"});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_THAT(wrong.err, HasSubstr("--rule"));
+}
+
+TEST_F(Batch, PyramidTakesAnyFactorAndSaysWhatPassesAtItsLimit) {
+  for (const char* factor : {"1.5", "1.41421356", "3"}) {
+    const json report =
+        reportOf(runRelievo({"pyramid", kReliefF, "--unit", "mm", "-o", path("p.tif"), "--factor",
+                             factor, "--report", "json"}));
+    const double m = std::stod(factor);
+    EXPECT_DOUBLE_EQ(report["factor"], m);
+    EXPECT_LE(report["gain_at_nyquist"], 0.3);
+    EXPECT_GT(report["gain_at_nyquist"], 0.1);
+    EXPECT_DOUBLE_EQ(report["levels"][1]["spacing_mm"], 0.25 * m);
+    EXPECT_DOUBLE_EQ(readRaster(path("p.L1.tif")).pixel, 0.25 * m);
+  }
+}
+
+TEST_F(Batch, PyramidRefusesAFactorThatIsNone) {
+  for (const char* factor : {"1", "8.5", "nan", "-2"}) {
+    const CommandResult result = runRelievo({"pyramid", kReliefF, "--unit", "mm", "-o",
+                                             path("p.tif"), std::string("--factor=") + factor});
+    EXPECT_EQ(result.exit_code, 1) << factor;
+    EXPECT_THAT(result.err, HasSubstr("--factor"));
+  }
+}
+
 TEST_F(Batch, TouchFollowsHookesLawInEveryContactRow) {
   // Down into the plane z = 5 + x/10 at (50, 50), along it, and up again.
   const std::string stroke = write("s.csv",

@@ -38,6 +38,7 @@ CommandResult runRelievo(const std::vector<std::string>& arguments,
   std::vector<std::string> words{RELIEVO_BINARY_DIR "/bin/relievo"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 

@@ -67,6 +67,20 @@ TEST_F(ViewTest, AMiddleDragTurnsAndUseThisViewMakesTheReliefAnewFromThere) {
   EXPECT_FALSE(detail.isTurned()) << "the turned view is straight now";
 }
 
+TEST_F(ViewTest, KeysTurnTheDetailViewAsADragDoes) {
+  auto& detail = window().detailView();
+  QTest::keyClick(&detail, Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(detail.sceneState().camera.azimuth_deg, -15);
+  QTest::keyClick(&detail, Qt::Key_Up, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_DOUBLE_EQ(detail.sceneState().camera.elevation_deg, -15);
+  QTest::keyClick(&detail, Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+  QTest::keyClick(&detail, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_FALSE(detail.isTurned());
+  drag(detail, {100, 100}, {140, 60}, Qt::MiddleButton);
+  EXPECT_LT(detail.sceneState().camera.azimuth_deg, 0) << "to the right by drag is to the right by key";
+  EXPECT_LT(detail.sceneState().camera.elevation_deg, 0);
+}
+
 TEST_F(ViewTest, FitLooksStraightDownAgain) {
   drag(window().detailView(), {100, 100}, {140, 60}, Qt::MiddleButton);
   ASSERT_TRUE(window().detailView().isTurned());

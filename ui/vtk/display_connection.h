@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-struct _XDisplay;  // Xlib's Display, without its macros.
+struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): Xlib's Display, without its macros.
 
 namespace relievo {
 

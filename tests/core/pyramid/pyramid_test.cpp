@@ -4,8 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <random>
+
+#include "core/base/error.h"
+#include "core/pyramid/kernel.h"
 
 namespace relievo {
 namespace {
@@ -135,6 +140,195 @@ TEST(Pyramid, TheShareOfMeasuredCellsIsCarriedThroughTheSameKernel) {
   EXPECT_FLOAT_EQ(share(20), 1);
   EXPECT_FLOAT_EQ(share(180), 0);
   EXPECT_FLOAT_EQ(share(100), 5.0F / 16);  // Cells 198 and 199 of 198..202.
+}
+
+constexpr double kFactors[] = {1.1, std::numbers::sqrt2, 1.5, 1.9, 2, 2.5, 3, 4, 5, 8};
+
+DepthMap mapOfFunction(int cols, int rows, double (*height)(double, double)) {
+  DepthMap map = mapOf(cols, rows, 1);
+  for (int row = 0; row < rows; ++row) {
+    for (int col = 0; col < cols; ++col) {
+      map.heights_mm[map.frame.size.index({.col = col, .row = row})] =
+          static_cast<float>(height(col, row));
+    }
+  }
+  return map;
+}
+
+TEST(PyramidOfAnyFactor, AConstantAndItsMeasuredShareStay) {
+  DepthMap map = mapOf(533, 420, 0.1);
+  std::fill(map.heights_mm.begin(), map.heights_mm.end(), 12.5F);
+  for (const double factor : kFactors) {
+    for (const PyramidLevel& level : buildPyramid(map, {.factor = factor}).levels) {
+      for (const float z : level.heights_mm) ASSERT_FLOAT_EQ(z, 12.5F) << factor;
+      for (const float share : level.measured) ASSERT_FLOAT_EQ(share, 1) << factor;
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, NodesLieAtFirstPlusIMlSpacingWithinTheMap) {
+  for (const double factor : kFactors) {
+    const Pyramid pyramid = buildPyramid(randomMap(701, 512, 4), {.factor = factor});
+    EXPECT_EQ(pyramid.factor, factor);
+    ASSERT_GT(pyramid.levels.size(), 1U);
+    const GridFrame& base = pyramid.levels[0].frame;
+    for (std::size_t l = 1; l < pyramid.levels.size(); ++l) {
+      const GridFrame& fine = pyramid.levels[l - 1].frame;
+      const GridFrame& frame = pyramid.levels[l].frame;
+      EXPECT_EQ(frame.spacing_mm, base.spacing_mm * std::pow(factor, static_cast<double>(l)));
+      EXPECT_EQ(frame.first_x_mm, base.first_x_mm);
+      EXPECT_EQ(frame.first_y_mm, base.first_y_mm);
+      EXPECT_LE(frame.xMm(frame.size.cols - 1), fine.xMm(fine.size.cols - 1) + 1e-6);
+      EXPECT_GT(frame.xMm(frame.size.cols), fine.xMm(fine.size.cols - 1));
+      if (factor == std::floor(factor)) {
+        EXPECT_EQ(frame.size.rows, std::ceil(fine.size.rows / factor));
+      }
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, APlaneStaysThatPlaneAtTheNodesAwayFromTheBorder) {
+  // Holds only if the kernel is centred on the node's own place between the samples.
+  const DepthMap map =
+      mapOfFunction(430, 410, [](double x, double y) { return 0.125 * x - 0.25 * y; });
+  for (const double factor : kFactors) {
+    const PyramidLevel level = buildPyramid(map, {.factor = factor}).levels[1];
+    const double tolerance = factor < 1.6 ? 2e-3 : 1e-4;  // Narrow kernels meet few samples.
+    for (int row = 20; row < level.frame.size.rows - 20; ++row) {
+      for (int col = 20; col < level.frame.size.cols - 20; ++col) {
+        ASSERT_NEAR(level.heights_mm[level.frame.size.index({.col = col, .row = row})],
+                    factor * (0.125 * col - 0.25 * row), tolerance)
+            << factor << ' ' << col << ' ' << row;
+      }
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, IsTheDoubleSumOverTheMirroredMap) {
+  const DepthMap map = randomMap(251, 230, 6);
+  for (const double factor : {1.5, 3.0}) {
+    const PyramidLevel level = buildPyramid(map, {.factor = factor}).levels[1];
+    const double variance = kernelVariance(factor);
+    const auto mirror = [](int i, int n) { return i < 0 ? -i : (i >= n ? 2 * (n - 1) - i : i); };
+    const Cell last{.col = level.frame.size.cols - 1, .row = level.frame.size.rows - 1};
+    for (const Cell node : {Cell{}, {.col = 40, .row = 31}, last}) {
+      double sum = 0;
+      double weights = 0;
+      for (int n = -9; n <= 9; ++n) {
+        for (int m = -9; m <= 9; ++m) {
+          const int x = static_cast<int>(std::floor(node.col * factor)) + m;
+          const int y = static_cast<int>(std::floor(node.row * factor)) + n;
+          const double dx = x - node.col * factor;
+          const double dy = y - node.row * factor;
+          const double w = std::exp(-0.5 * (dx * dx + dy * dy) / variance);
+          const Cell cell{.col = mirror(x, 251), .row = mirror(y, 230)};
+          sum += w * static_cast<double>(map.heightMm(cell));
+          weights += w;
+        }
+      }
+      // The sum here ends elsewhere in the tails than the kernel's five standard deviations.
+      EXPECT_NEAR(level.heights_mm[level.frame.size.index(node)], sum / weights, 1e-3);
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, LessThanThreeTenthsPassAtTheNewNyquistFrequency) {
+  for (const double factor :
+       {1.0001, 1.2, std::numbers::sqrt2, 1.5, 1.93, 2.0, 2.01, 3.0, 4.0, 5.0, 6.7, 8.0}) {
+    EXPECT_LE(gainAtNyquist(factor), kMostNyquistGain + 1e-12) << factor;
+    EXPECT_GT(gainAtNyquist(factor), 0.15) << factor << ": smoother than it need be";
+  }
+  EXPECT_DOUBLE_EQ(gainAtNyquist(2), 0.25);
+}
+
+TEST(PyramidOfAnyFactor, TheVarianceIsThatOfTheLawWhereTheGainAllows) {
+  for (const double factor : {1.95, 2.0, 2.5, 3.0, 4.0, 8.0}) {
+    EXPECT_DOUBLE_EQ(kernelVariance(factor), (factor * factor - 1) / 3);
+  }
+  for (const double factor : {1.95, 2.0, 3.0, 4.0, 8.0}) {
+    const Taps taps = tapsAt(100, factor);
+    double variance = 0;
+    for (std::size_t k = 0; k < taps.weights.size(); ++k) {
+      const double distance = taps.first + static_cast<double>(k) - 100;
+      variance += taps.weights[k] * distance * distance;
+    }
+    EXPECT_NEAR(variance, (factor * factor - 1) / 3, 2e-3 * variance);
+  }
+  EXPECT_GT(kernelVariance(std::numbers::sqrt2), 1.0 / 3);
+}
+
+TEST(PyramidOfAnyFactor, FourAtOnceIsTwoTwice) {
+  const DepthMap map = mapOfFunction(
+      801, 801, [](double x, double y) { return 5 * std::sin(x / 9) * std::cos(y / 12); });
+  const PyramidLevel once = buildPyramid(map, {.factor = 4}).levels[1];
+  const PyramidLevel twice = buildPyramid(map, {.factor = 2}).levels[2];
+  ASSERT_EQ(once.frame, twice.frame);
+  double least = 0;
+  double smoothed = 0;
+  for (int row = 5; row < once.frame.size.rows - 5; ++row) {
+    for (int col = 5; col < once.frame.size.cols - 5; ++col) {
+      const std::size_t i = once.frame.size.index({.col = col, .row = row});
+      least = std::max(least, std::abs(static_cast<double>(once.heights_mm[i]) -
+                                       static_cast<double>(twice.heights_mm[i])));
+      smoothed = std::max(
+          smoothed, std::abs(static_cast<double>(once.heights_mm[i]) -
+                             static_cast<double>(map.heightMm({.col = 4 * col, .row = 4 * row}))));
+    }
+  }
+  EXPECT_GT(smoothed, 0.1);  // Equal because of equal smoothing, not for want of it.
+  EXPECT_LT(least, 0.005);
+}
+
+TEST(PyramidOfAnyFactor, AWaveAboveTheNewNyquistFrequencyIsSuppressed) {
+  for (const double factor : kFactors) {
+    DepthMap map = mapOf(601, 30, 1);
+    // A quarter above the new limit, where the fine grid still holds it.
+    const double omega = std::min(1.25 * std::numbers::pi / factor, 0.98 * std::numbers::pi);
+    for (int row = 0; row < 30; ++row) {
+      for (int col = 0; col < 601; ++col) {
+        map.heights_mm[map.frame.size.index({.col = col, .row = row})] =
+            static_cast<float>(std::cos(omega * col));
+      }
+    }
+    const PyramidLevel level = buildPyramid(map, {.factor = factor}).levels[1];
+    const int border = static_cast<int>(20 / factor) + 1;
+    for (int col = border; col < level.frame.size.cols - border; ++col) {
+      ASSERT_LE(std::abs(level.heights_mm[static_cast<std::size_t>(col)]), 0.33F) << factor;
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, GivesTheSameBytesForEveryNumberOfThreads) {
+  const DepthMap map = randomMap(1301, 1207, 8);
+  for (const double factor : {1.5, 2.0, 3.0}) {
+    const Pyramid one = buildPyramid(map, {.factor = factor, .threads = 1});
+    for (const int threads : {0, 2, 3}) {
+      const Pyramid more = buildPyramid(map, {.factor = factor, .threads = threads});
+      ASSERT_EQ(more.levels.size(), one.levels.size());
+      for (std::size_t l = 0; l < one.levels.size(); ++l) {
+        EXPECT_EQ(more.levels[l].heights_mm, one.levels[l].heights_mm) << factor << ' ' << threads;
+        EXPECT_EQ(more.levels[l].measured, one.levels[l].measured) << factor << ' ' << threads;
+      }
+    }
+  }
+}
+
+TEST(PyramidOfAnyFactor, StopsWhenAskedOnEveryThread) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Task task{.stop = stop.get_token(), .progress = {}};
+  for (const double factor : {2.0, 3.0}) {
+    EXPECT_THROW(buildPyramid(mapOf(900, 900, 1), {.factor = factor, .threads = 2}, task),
+                 Cancelled);
+  }
+}
+
+TEST(PyramidOfAnyFactor, RefusesFactorsThatMakeNoPyramid) {
+  const DepthMap map = mapOf(300, 300, 1);
+  for (const double factor : {-2.0, 0.0, 1.0, 8.001, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(buildPyramid(map, {.factor = factor}), ArgumentError) << factor;
+  }
+  EXPECT_THROW(buildPyramid(mapOf(3000, 3000, 1), {.factor = 1.0001}), ArgumentError);
 }
 
 }  // namespace

@@ -96,5 +96,36 @@ TEST(Samples, TheRuinsCourtKeepsItsCentimetresInUtmCoordinates) {
   EXPECT_LT(measured.quantile(0.5), 25);  // Aerial noise 20 mm, slopes over cells of 0.6 m.
 }
 
+TEST(Samples, OnACoarserGridTheProposedRuleIsNearerToTheTruthThanTheFrontMostPoint) {
+  // Twice the spacing: about ten points a cell.
+  struct Sample {
+    const char* name;
+    samples::Cloud cloud;
+    Truth truth;
+  };
+  const Sample all[] = {{"coin", samples::makeCoin(), samples::coinHeightMm},
+                        {"panel", samples::makePanel(), samples::panelHeightMm},
+                        {"ruin", samples::makeRuin(), samples::ruinHeightM}};
+  for (const Sample& sample : all) {
+    const Scan scan = scanOf(sample.cloud);
+    const Surface own = makeSurface(scan, {}, rasterize);
+    const GridSize size = own.map.frame.size;
+    const auto medianError = [&](std::optional<PointRule> rule, std::optional<int> cells) {
+      SurfaceOptions options;
+      options.cells = cells;
+      options.rule = rule;
+      const Surface surface = makeSurface(scan, options, rasterize);
+      Errors errors = errorsOf(surface, sample.truth, Origin::measured, 1);
+      tell((std::string(sample.name) + ", " + surface.rule).c_str(), errors);
+      return errors.quantile(0.5);
+    };
+    std::cout << "on its own grid: ";
+    medianError(PointRule::top_mean, std::nullopt);
+    const int half = std::max(size.cols, size.rows) / 2;
+    const double front = medianError(PointRule::front, half);
+    EXPECT_LT(medianError(std::nullopt, half), front) << sample.name;
+  }
+}
+
 }  // namespace
 }  // namespace relievo

@@ -133,7 +133,7 @@ TEST(ReliefScene, ThePinkWindowLiesOnItsRectangleOverEverything) {
   // The hand on the frame does not hide it either.
   scene.setProbe(probeAt({20, 50, 30}, {20, 50, 30}, {}), 3);
   const RgbImage image = renderOffscreen(scene, 500, 500);  // 5 pixels a millimetre.
-  const auto expectFrame = [&](int x, int y, bool vertical) {
+  const auto expect_frame = [&](int x, int y, bool vertical) {
     for (const int step : {-3, -2, -1, 0, 1, 2}) {
       const Rgb c = vertical ? at(image, x + step, y) : at(image, x, y + step);
       const bool pink = step == -1 || step == 0, dark = step == -2 || step == 1;
@@ -144,12 +144,12 @@ TEST(ReliefScene, ThePinkWindowLiesOnItsRectangleOverEverything) {
     }
   };
   for (const int y : {110, 180, 250, 340}) {
-    expectFrame(100, y, true);
-    expectFrame(300, y, true);
+    expect_frame(100, y, true);
+    expect_frame(300, y, true);
   }
   for (const int x : {110, 180, 250, 290}) {
-    expectFrame(x, 100, false);
-    expectFrame(x, 350, false);
+    expect_frame(x, 100, false);
+    expect_frame(x, 350, false);
   }
 }
 
@@ -317,7 +317,9 @@ RgbImage pictureOf(vtkRenderWindow* window, int width, int height) {
   window->Render();
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels);
-  return {width, height, {pixels->GetPointer(0), pixels->GetPointer(0) + 3 * width * height}};
+  return {width,
+          height,
+          {pixels->GetPointer(0), pixels->GetPointer(0) + std::ptrdiff_t{3} * width * height}};
 }
 
 TEST(ReliefScene, StereoMayBeSwitchedBeforeOrAfterAWindowIsThere) {

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compiled with -O3 and without contraction to fused multiply-add: all builds of a loop below give
+// the same bits.
+#include "core/pyramid/halve.h"
+
+#include <array>
+#include <cstddef>
+
+#include "core/pyramid/bands.h"
+#include "core/pyramid/kernel.h"
+
+// Wider vectors where the processor has them. The resolver of such functions runs before a
+// sanitizer is ready.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define RELIEVO_WIDE_VECTORS
+#endif
+
+namespace relievo {
+namespace {
+
+using FiveRows = std::array<const float*, 5>;
+
+/// 16 times the five rows' weighted mean.
+RELIEVO_WIDE_VECTORS
+void sumRows(const FiveRows& rows, int cols, float* __restrict out) {
+  const float* a = rows[0];
+  const float* b = rows[1];
+  const float* c = rows[2];
+  const float* d = rows[3];
+  const float* e = rows[4];
+  for (int i = 0; i < cols; ++i) out[i] = (a[i] + e[i]) + 4 * (b[i] + d[i]) + 6 * c[i];
+}
+
+/// Sorted into samples 0, 2, 4 ... and 1, 3, 5 ..., so that the taps below are contiguous.
+RELIEVO_WIDE_VECTORS
+void split(const float* __restrict in, int pairs, float* __restrict even, float* __restrict odd) {
+  for (std::ptrdiff_t i = 0; i < pairs; ++i) {
+    even[i] = in[2 * i];
+    odd[i] = in[2 * i + 1];
+  }
+}
+
+/// @param even, odd  begin with the samples -2 and -1
+RELIEVO_WIDE_VECTORS
+void sumAlongRow(const float* __restrict even, const float* __restrict odd, int out_cols,
+                 float* __restrict out) {
+  for (int i = 0; i < out_cols; ++i) {
+    out[i] = ((even[i] + even[i + 2]) + 4 * (odd[i] + odd[i + 1]) + 6 * even[i + 1]) * (1.0F / 256);
+  }
+}
+
+}  // namespace
+
+std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize out_size,
+                          int threads, const Task& task) {
+  std::vector<float> out(out_size.count());
+  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
+    const int pairs = out_size.cols + 2;
+    std::vector<float> padded(2 * static_cast<std::size_t>(pairs));
+    std::vector<float> even(static_cast<std::size_t>(pairs));
+    std::vector<float> odd(even.size());
+    float* row = padded.data() + 2;
+    for (int j = first; j < end; ++j) {
+      if (j % 64 == 0) task.check();
+      FiveRows rows{};
+      for (int n = 0; n < 5; ++n) {
+        const int from = mirrored(2 * j - 2 + n, size.rows);
+        rows[static_cast<std::size_t>(n)] = in.data() + size.index({.col = 0, .row = from});
+      }
+      sumRows(rows, size.cols, row);
+      for (const int i : {-2, -1, size.cols, size.cols + 1}) row[i] = row[mirrored(i, size.cols)];
+      split(padded.data(), pairs, even.data(), odd.data());
+      sumAlongRow(even.data(), odd.data(), out_size.cols,
+                  out.data() + out_size.index({.col = 0, .row = j}));
+    }
+  });
+  return out;
+}
+
+}  // namespace relievo

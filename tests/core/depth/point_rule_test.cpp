@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/point_rule.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/depth/rasterize.h"
+#include "tests/core/scan_fixtures.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kNoiseMm = 0.02;
+constexpr double kSpacing = 0.25;
+constexpr int kCells = 120;  // 30 mm.
+
+double relief(double x, double y) {
+  return 3 + 0.4 * std::sin(x / 5) * std::cos(y / 6);
+}
+
+/// Points scattered over the relief with noise; `flyers` of them anywhere within 20 mm about it.
+Scan noisyRelief(double points_per_cell, double flyers, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> across(-0.5 * kSpacing, (kCells - 0.5) * kSpacing);
+  std::uniform_real_distribution<double> share(0, 1);
+  std::normal_distribution<double> noise(0, kNoiseMm);
+  Scan scan;
+  const auto count = static_cast<std::size_t>(points_per_cell * kCells * kCells);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = across(random);
+    const double y = across(random);
+    double z = relief(x, y) + noise(random);
+    if (share(random) < flyers) z += 20 * (share(random) - 0.5);
+    scan.points.push_back({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
+  }
+  test::finishScan(scan);
+  return scan;
+}
+
+DepthRequest requestOf(const Scan& scan, PointRule rule = PointRule::front) {
+  return {.scan = scan,
+          .view_from_file = {},
+          .frame = {.size = {.cols = kCells, .rows = kCells},
+                    .spacing_mm = kSpacing,
+                    .first_x_mm = 0,
+                    .first_y_mm = 0},
+          .rule = rule};
+}
+
+struct Difference {
+  double bias = 0, rms = 0;
+};
+
+Difference fromTruth(const Scan& scan, PointRule rule) {
+  const DepthRequest request = requestOf(scan, rule);
+  const FrontDepths depths = rasterize(request);
+  double sum = 0;
+  double squares = 0;
+  int count = 0;
+  for (int row = 0; row < kCells; ++row) {
+    for (int col = 0; col < kCells; ++col) {
+      const float z = depths[request.frame.size.index({.col = col, .row = row})];
+      if (std::isnan(z)) continue;
+      const double off = static_cast<double>(z) - relief(col * kSpacing, row * kSpacing);
+      sum += off;
+      squares += off * off;
+      ++count;
+    }
+  }
+  return {.bias = sum / count, .rms = std::sqrt(squares / count)};
+}
+
+/// One cell with these points.
+float heightOf(std::initializer_list<float> heights, PointRule rule) {
+  Scan scan;
+  for (const float z : heights) scan.points.push_back({0.1F, -0.1F, z});
+  test::finishScan(scan);
+  DepthRequest request = requestOf(scan, rule);
+  request.frame.size = {.cols = 2, .rows = 1};
+  const FrontDepths depths = rasterize(request);
+  EXPECT_TRUE(std::isnan(depths[1]));
+  return depths[0];
+}
+
+TEST(PointRule, TheFrontMostPointIsLiftedByNoiseAndTheMiddleIsNot) {
+  const Scan scan = noisyRelief(16, 0, 1);
+  EXPECT_GT(fromTruth(scan, PointRule::front).bias, kNoiseMm);
+  for (const PointRule rule : {PointRule::top_mean, PointRule::median, PointRule::mean}) {
+    const Difference off = fromTruth(scan, rule);
+    EXPECT_NEAR(off.bias, 0, 0.02 * kNoiseMm) << describe(rule);
+    EXPECT_LT(off.rms, 0.5 * kNoiseMm) << describe(rule);
+  }
+}
+
+TEST(PointRule, FlyersDoNotSpoilTheMedian) {
+  const double clean = fromTruth(noisyRelief(16, 0, 2), PointRule::median).rms;
+  const Scan scan = noisyRelief(16, 0.005, 2);
+  EXPECT_LT(fromTruth(scan, PointRule::median).rms, 1.1 * clean);
+  EXPECT_GT(fromTruth(scan, PointRule::front).rms, 20 * clean);
+  EXPECT_GT(fromTruth(scan, PointRule::mean).rms, 5 * clean);
+  EXPECT_LT(fromTruth(scan, PointRule::top_mean).rms, fromTruth(scan, PointRule::front).rms / 4);
+}
+
+TEST(PointRule, EachRuleTakesItsPointsOfACell) {
+  EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::front), 9);
+  EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::second), 4);
+  EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::median), 3);
+  EXPECT_FLOAT_EQ(heightOf({1, 4, 9}, PointRule::median), 4);
+  EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::mean), 4);
+  // Second 5: the layer within 1.5 cells of it; the flyer at 9 and the back at 1 are not in it.
+  EXPECT_FLOAT_EQ(heightOf({1, 5, 4.75F, 1.1F, 9, 4.875F}, PointRule::top_mean), 4.875F);
+}
+
+TEST(PointRule, TheOnlyPointOfACellIsItsHeightByEveryRule) {
+  for (const char* name : {"front", "second", "topmean", "median", "mean"}) {
+    const auto rule = pointRule(name);
+    ASSERT_TRUE(rule) << name;
+    EXPECT_EQ(heightOf({2.5F}, *rule), 2.5F) << name;
+  }
+  EXPECT_FALSE(pointRule("max"));
+}
+
+TEST(PointRule, EqualPointsAreCountedEachForItself) {
+  EXPECT_FLOAT_EQ(heightOf({7, 7, 1}, PointRule::second), 7);
+  EXPECT_FLOAT_EQ(heightOf({7, 7, 1}, PointRule::median), 7);
+}
+
+TEST(PointRule, TheTopLayerIsKeptApartFromTheBack) {
+  Scan scan = noisyRelief(12, 0, 3);
+  const Scan back = noisyRelief(12, 0, 4);
+  for (auto p : back.points) {
+    p[2] -= 6;
+    scan.points.push_back(p);
+  }
+  EXPECT_NEAR(fromTruth(scan, PointRule::top_mean).bias, 0, 0.1 * kNoiseMm);
+  EXPECT_LT(fromTruth(scan, PointRule::mean).bias, -2);
+  EXPECT_EQ(proposeRule(requestOf(scan)).rule, PointRule::top_mean);
+  EXPECT_EQ(proposeRule(requestOf(scan)).reason, "24.0 points per cell in several layers");
+}
+
+TEST(PointRule, IsProposedFromTheDataInWords) {
+  const Scan lattice = test::latticeScan(kCells, kCells, kSpacing, relief);
+  EXPECT_EQ(proposeRule(requestOf(lattice)).rule, PointRule::front);
+  EXPECT_EQ(proposeRule(requestOf(lattice)).reason, "1.0 points per cell");
+  const Scan sparse = noisyRelief(2.5, 0, 5);
+  EXPECT_EQ(proposeRule(requestOf(sparse)).rule, PointRule::front);
+  const Scan dense = noisyRelief(16, 0.0005, 6);
+  EXPECT_EQ(proposeRule(requestOf(dense)).rule, PointRule::median);
+  EXPECT_EQ(proposeRule(requestOf(dense)).reason, "16.0 points per cell in one layer");
+}
+
+}  // namespace
+}  // namespace relievo
