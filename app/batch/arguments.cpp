@@ -52,7 +52,8 @@ std::vector<double> numberList(const std::string& option, const std::string& tex
 
 void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("FILE", a.file,
-                  "Scan (PLY PCD OBJ STL 3DS LAS E57 PTX XYZ ASC PTS CSV), GeoTIFF or MAP.tif")
+                  "Scan (PLY PCD OBJ STL 3DS LAS E57 PTX XYZ ASC PTS CSV), TIFF, PNG, ASCII grid "
+                  "or MAP.tif")
       ->required();
   verb.add_option("--unit", a.unit, "Unit of the file's coordinates: mm cm m in ft us-ft");
   verb.add_option("--view", a.view, "front back left right top bottom auto");

@@ -23,19 +23,21 @@ struct FormatFact {
 };
 
 /// Every format this program has heard of. A reader that is added turns its line to true.
-constexpr std::array<FormatFact, 13> kFormats{{
+constexpr std::array<FormatFact, 15> kFormats{{
     {FileFormat::ply, true, "a PLY file"},
     {FileFormat::pcd, true, "a PCD file"},
     {FileFormat::obj, true, "an OBJ file"},
     {FileFormat::stl, true, "an STL file"},
     {FileFormat::text, true, "a text file"},
     {FileFormat::tiff, false, "a TIFF raster"},
+    {FileFormat::png, false, "a PNG raster"},
+    {FileFormat::ascii_grid, false, "an ESRI ASCII grid"},
     {FileFormat::las, true, "a LAS file"},
     {FileFormat::laz, false, "a compressed LAS file (LAZ or COPC)"},
     {FileFormat::e57, true, "an E57 file"},
     {FileFormat::three_ds, true, "a 3DS file"},
     {FileFormat::ptx, true, "a PTX file"},
-    {FileFormat::other_raster, false, "a raster other than TIFF"},
+    {FileFormat::other_raster, false, "a raster of another kind"},
     {FileFormat::other, false, "no scan that this program knows"},
 }};
 
@@ -45,20 +47,18 @@ struct Magic {
   std::string_view name;  ///< Empty: that of the format.
 };
 
-constexpr std::array<Magic, 33> kMagics{{
+constexpr std::array<Magic, 31> kMagics{{
     {"II*\0"sv, FileFormat::tiff, {}},
     {"MM\0*"sv, FileFormat::tiff, {}},
     {"II+\0"sv, FileFormat::tiff, {}},
     {"MM\0+"sv, FileFormat::tiff, {}},
     {"LASF"sv, FileFormat::las, {}},
     {"ASTM-E57"sv, FileFormat::e57, {}},
-    {"ncols"sv, FileFormat::other_raster, "an ESRI ASCII grid"},
-    {"NCOLS"sv, FileFormat::other_raster, "an ESRI ASCII grid"},
     {"DSAA"sv, FileFormat::other_raster, "a Surfer grid"},
     {"DSBB"sv, FileFormat::other_raster, "a Surfer grid"},
     {"DSRB"sv, FileFormat::other_raster, "a Surfer grid"},
     {"EHFA_HEADER_TAG"sv, FileFormat::other_raster, "an ERDAS Imagine raster"},
-    {"\x89PNG"sv, FileFormat::other_raster, "a PNG picture"},
+    {"\x89PNG"sv, FileFormat::png, {}},
     {"\xFF\xD8\xFF"sv, FileFormat::other, "a JPEG picture"},
     {"GIF8"sv, FileFormat::other, "a GIF picture"},
     {"BM"sv, FileFormat::other, "a BMP picture"},
@@ -154,6 +154,19 @@ bool looksLikeObj(std::string_view head) {
   return false;
 }
 
+/// Starts with one of the header's words, in capitals or not, and its number.
+bool looksLikeAsciiGrid(std::string_view head) {
+  constexpr std::array kWords{"ncols"sv,     "nrows"sv,     "xllcorner"sv, "yllcorner"sv,
+                              "xllcenter"sv, "yllcenter"sv, "cellsize"sv};
+  Lines lines(head);
+  if (!lines.next()) return false;
+  std::string_view rest = lines.line();
+  std::string word(takeWord(rest));
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end() &&
+         parseNumber(takeWord(rest)).has_value();
+}
+
 bool looksLikeStl(std::string_view head, std::uint64_t size, const std::string& extension) {
   if (size >= 84 && head.size() >= 84 && 84 + 50ULL * littleEndian32(head, 80) == size) return true;
   if (head.starts_with("solid") &&
@@ -196,6 +209,7 @@ FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
   if (looksLike3ds(head, file_size, extension)) return found(FileFormat::three_ds);
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
   if (const auto magic = findMagic(head)) return *magic;
+  if (looksLikeAsciiGrid(head)) return found(FileFormat::ascii_grid);
   if (looksLikePcd(head)) return found(FileFormat::pcd);
   const bool plain_text = isPlainText(head);
   if (looksLikeStl(head, file_size, extension)) return found(FileFormat::stl);
@@ -210,13 +224,24 @@ FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
   return {FileFormat::other, "neither text nor a format that this program knows"};
 }
 
+bool isReadableRaster(FileFormat format) noexcept {
+  return format == FileFormat::tiff || format == FileFormat::png ||
+         format == FileFormat::ascii_grid;
+}
+
+RasterKind rasterKindOf(FileFormat format) noexcept {
+  if (format == FileFormat::png) return {"PNG", "PNG"};
+  if (format == FileFormat::ascii_grid) return {"AAIGrid", "ESRI ASCII grid"};
+  return {"GTiff", "GeoTIFF"};
+}
+
 void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem::path& file) {
   for (const FormatFact& fact : kFormats) {
     if (fact.format == found_format.format && fact.readable_as_scan) return;
   }
-  if (found_format.format == FileFormat::tiff) {
-    throw FileError("Cannot read " + shownName(file) +
-                    " as a scan: it is a TIFF raster. Open it as a raster.");
+  if (isReadableRaster(found_format.format)) {
+    throw FileError("Cannot read " + shownName(file) + " as a scan: it is " + found_format.name +
+                    ". Open it as a raster.");
   }
   if (found_format.format == FileFormat::laz) {
     throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
@@ -226,7 +251,7 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
   }
   throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
                   "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, PTX, XYZ/ASC/PTS/CSV "
-                  "text and GeoTIFF. "
+                  "text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. "
                   "Convert it to one of these, or choose another file.");
 }
 

@@ -16,6 +16,8 @@ enum class FileFormat {
   stl,
   text,
   tiff,
+  png,
+  ascii_grid,
   las,
   laz,
   e57,
@@ -33,6 +35,16 @@ struct FoundFormat {
 /// @param head  the first bytes, at least 64 kB or the whole file
 FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
                        std::uint64_t file_size);
+
+/// Read by readRaster: TIFF, PNG, ESRI ASCII grid.
+bool isReadableRaster(FileFormat format) noexcept;
+
+/// GDAL's name of a kind of raster, and ours. For any other format those of GeoTIFF.
+struct RasterKind {
+  const char* driver;
+  std::string_view name;
+};
+RasterKind rasterKindOf(FileFormat format) noexcept;
 
 /// Throws unless this version reads the format as a scan. @throw FileError
 void checkReadableAsScan(const FoundFormat& found, const std::filesystem::path& file);

@@ -78,7 +78,7 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
 
 bool looksLikeRaster(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
-  return findFormat(readHead(file, kSniffedBytes), file, size).format == FileFormat::tiff;
+  return isReadableRaster(findFormat(readHead(file, kSniffedBytes), file, size).format);
 }
 
 }  // namespace relievo

@@ -26,7 +26,8 @@ struct ImportOptions {
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options = {},
                 const Task& task = {});
 
-/// Content check only: does the file look like a raster (GeoTIFF) rather than a scan?
+/// Content check only: does the file look like a raster (TIFF, PNG, ESRI ASCII grid) rather than a
+/// scan?
 /// @throw FileError  missing, a directory or empty
 bool looksLikeRaster(const std::filesystem::path& file);
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 
 #include "core/io/lines.h"
 #include "core/io/scalar.h"
+#include "core/io/unit_text.h"
 
 namespace relievo {
 namespace {
@@ -82,10 +82,7 @@ std::optional<LengthUnit> lastUnit(std::string_view text) {
   number.remove_prefix(std::min(number.find_first_not_of(", "), number.size()));
   const auto metres = parseNumber(number.substr(0, number.find_first_of(",] ")));
   if (!is_length || !metres) return std::nullopt;
-  for (const LengthUnitFact& fact : kLengthUnits) {
-    if (std::abs(*metres * 1000 - fact.mm) <= 1e-7 * fact.mm) return fact.unit;
-  }
-  return std::nullopt;
+  return unitOfMetres(*metres);
 }
 
 /// Only projected systems of the older form of well-known text (the one LAS 1.4 asks for).

@@ -17,8 +17,11 @@
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
+#include "core/io/ascii_grid.h"
 #include "core/io/file_check.h"
+#include "core/io/format.h"
 #include "core/io/number_text.h"
+#include "core/io/unit_text.h"
 
 namespace relievo {
 namespace {
@@ -56,9 +59,17 @@ class GdalErrors {
   std::string first_;
 };
 
-GDALDriver& geoTiffDriver() {
+void registerDrivers() {
   static std::once_flag registered;
-  std::call_once(registered, [] { GDALRegister_GTiff(); });
+  std::call_once(registered, [] {
+    GDALRegister_GTiff();
+    GDALRegister_PNG();
+    GDALRegister_AAIGrid();
+  });
+}
+
+GDALDriver& geoTiffDriver() {
+  registerDrivers();
   return *GetGDALDriverManager()->GetDriverByName("GTiff");
 }
 
@@ -72,12 +83,13 @@ std::filesystem::path originFileOf(std::filesystem::path map_file) {
 
 // ---- reading -------------------------------------------------------------------------------
 
-Dataset openTiff(const std::filesystem::path& file, const GdalErrors& errors) {
-  geoTiffDriver();
-  const char* const drivers[] = {"GTiff", nullptr};
+Dataset openRaster(const std::filesystem::path& file, const RasterKind& kind,
+                   const GdalErrors& errors) {
+  registerDrivers();
+  const char* const drivers[] = {kind.driver, nullptr};
   Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
-    refuse(file, "it is not a readable TIFF" +
+    refuse(file, "it is not a readable " + std::string(kind.name) +
                      (errors.any() ? " (" + errors.first() + ")" : std::string()) +
                      ". Export it again as GeoTIFF.");
   }
@@ -121,34 +133,6 @@ Placement placementOf(GDALDataset& dataset, RasterMap& raster) {
       placement.rows_from_top ? first_line + (raster.size.rows - 1) * g[5] : first_line;
   placement.first = {g[0] + 0.5 * g[1], lowest, 0};
   return placement;
-}
-
-std::optional<LengthUnit> unitOfMetres(double metres) {
-  for (const LengthUnitFact& fact : kLengthUnits) {
-    if (std::abs(metres * 1000 - fact.mm) <= 1e-7 * fact.mm) return fact.unit;
-  }
-  return std::nullopt;
-}
-
-std::optional<LengthUnit> unitOfName(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, LengthUnit>, 12> kNames{{
-      {"m", LengthUnit::m},
-      {"metre", LengthUnit::m},
-      {"meter", LengthUnit::m},
-      {"metres", LengthUnit::m},
-      {"meters", LengthUnit::m},
-      {"mm", LengthUnit::mm},
-      {"cm", LengthUnit::cm},
-      {"ft", LengthUnit::ft},
-      {"foot", LengthUnit::ft},
-      {"sfoot", LengthUnit::us_ft},
-      {"US survey foot", LengthUnit::us_ft},
-      {"us-ft", LengthUnit::us_ft},
-  }};
-  for (const auto& [known, unit] : kNames) {
-    if (known == text) return unit;
-  }
-  return std::nullopt;
 }
 
 /// Horizontal unit into info.unit. @return  factor from stored heights to that unit.
@@ -415,9 +399,11 @@ void checkMap(const DepthMap& map) {
 }  // namespace
 
 RasterMap readRaster(const std::filesystem::path& file) {
-  checkedFileSize(file);
+  const std::uint64_t file_bytes = checkedFileSize(file);
+  const RasterKind kind =
+      rasterKindOf(findFormat(readHead(file, kSniffedBytes), file, file_bytes).format);
   const GdalErrors errors;
-  const Dataset dataset = openTiff(file, errors);
+  const Dataset dataset = openRaster(file, kind, errors);
   RasterMap raster;
   raster.info.file = file;
   raster.size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()};
@@ -430,13 +416,14 @@ RasterMap readRaster(const std::filesystem::path& file) {
     refuse(file, "it has " + grouped(raster.size.count()) + " cells, more than the limit of " +
                      grouped(kMaxCells) + ". Cut or thin it with gdal_translate.");
   }
+  if (kind.driver == std::string_view("AAIGrid")) checkAsciiGridCells(file, raster.size.count());
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   checkBand(band, file);
   if (dataset->GetRasterCount() > 1) {
     raster.info.warnings.push_back("The raster has " + std::to_string(dataset->GetRasterCount()) +
                                    " bands; the first was read as heights.");
   }
-  raster.info.format = std::string("GeoTIFF ") + GDALGetDataTypeName(band.GetRasterDataType());
+  raster.info.format = std::string(kind.name) + " " + GDALGetDataTypeName(band.GetRasterDataType());
   const bool own = dataset->GetMetadataItem("RELIEVO_VIEW_FROM_FILE") != nullptr;
   const double unit_factor = own ? 1 : readUnits(*dataset, raster.info);
   const Placement placement = placementOf(*dataset, raster);

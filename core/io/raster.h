@@ -26,7 +26,7 @@ struct RasterMap {
   std::vector<Origin> origins;  ///< Of an own map with its origin file beside it; else empty.
 };
 
-/// Reads band 1 of a GeoTIFF or TIFF through GDAL. [worker]
+/// Reads band 1 of a GeoTIFF, TIFF, PNG or ESRI ASCII grid through GDAL. [worker]
 /// @throw FileError  unreadable, rotated or non-square pixels, or no valid cell
 RasterMap readRaster(const std::filesystem::path& file);
 

@@ -296,11 +296,16 @@ TEST_F(HostileFiles, RandomDamageIsLoadedOrRefused) {
       {"mutant.obj", "v 0 0 0\nv 1 0 0.5\nv 0 1 0.25\nf 1 2 3\nf 1/1/1 2//2 -1\n"},
       {"mutant.stl", binaryStl(3, 3)},
       {"mutant.xyz", textRows(10)},
+      {"mutant.ptx",
+       "5\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n" + textRows(10)},
+      {"mutant.3ds", "MM"s + bytesOf(151U) + "==" + bytesOf(145U) + "\0@"s + bytesOf(139U) + "\0"s +
+                         "\0A"s + bytesOf(132U) + "\x10\x41"s + bytesOf(126U) + "\x0A\0"s +
+                         binaryRows<float>(10)},
   };
   constexpr unsigned kSeed = 2026;
   SCOPED_TRACE("seed " + std::to_string(kSeed));
   std::mt19937 random(kSeed);
-  for (int round = 0; round < 100; ++round) {
+  for (int round = 0; round < 140; ++round) {
     auto [name, bytes] = seeds[static_cast<std::size_t>(round) % seeds.size()];
     for (auto n = 1 + random() % 3; n > 0 && bytes.size() > 1; --n) {
       const std::size_t at = random() % bytes.size();

@@ -12,8 +12,10 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "core/base/error.h"
+#include "core/io/import.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -277,11 +279,98 @@ TEST(Raster, DamagedFilesAreRefusedWithASentence) {
   EXPECT_THAT(refusal(folder.path()), HasSubstr("folder"));
   EXPECT_THAT(refusal(folder.write("empty.tif", "")), HasSubstr("empty"));
   EXPECT_THAT(refusal(folder.write("noise.tif", "II*\0garbage garbage garbage")),
-              HasSubstr("not a readable TIFF"));
+              HasSubstr("not a readable GeoTIFF"));
   const std::filesystem::path file = folder.path() / "cut.tif";
   writeMap(file, roughMap({200, 200}), {oddView(), true});
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   EXPECT_FALSE(refusal(file).empty());
+}
+
+// ---- PNG, plain TIFF, ESRI ASCII grid -------------------------------------------------------
+
+/// Written by way of a TIFF in memory, because GDAL cannot fill a PNG cell by cell.
+std::filesystem::path writePicture(const TemporaryFolder& folder, const std::string& name,
+                                   const char* driver, GDALDataType type, int bands = 1) {
+  GDALAllRegister();
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  GDALDataset* memory = drivers.GetDriverByName("MEM")->Create("", 3, 2, bands, type, nullptr);
+  std::vector<double> cells{0, 10, 20, 30, 40, type == GDT_Byte ? 250.0 : 60000.0};
+  for (int band = 1; band <= bands; ++band) {
+    EXPECT_EQ(memory->GetRasterBand(band)->RasterIO(GF_Write, 0, 0, 3, 2, cells.data(), 3, 2,
+                                                    GDT_Float64, 0, 0, nullptr),
+              CE_None);
+  }
+  const std::filesystem::path file = folder.path() / name;
+  GDALClose(drivers.GetDriverByName(driver)->CreateCopy(file.c_str(), memory, 0, nullptr, nullptr,
+                                                        nullptr));
+  GDALClose(memory);
+  return file;
+}
+
+TEST(Raster, PicturesOfHeightsHaveOneUnitAPixelAndRowZeroLowest) {
+  const TemporaryFolder folder;
+  const std::vector<std::tuple<std::string, const char*, GDALDataType, std::string>> cases{
+      {"a.png", "PNG", GDT_Byte, "PNG Byte"},
+      {"b.png", "PNG", GDT_UInt16, "PNG UInt16"},
+      {"a.tif", "GTiff", GDT_UInt16, "GeoTIFF UInt16"},
+      {"b.tif", "GTiff", GDT_Float32, "GeoTIFF Float32"},
+      {"c.tif", "GTiff", GDT_UInt32, "GeoTIFF UInt32"}};
+  for (const auto& [name, driver, type, format] : cases) {
+    SCOPED_TRACE(name);
+    const std::filesystem::path file = writePicture(folder, name, driver, type);
+    EXPECT_TRUE(looksLikeRaster(file));
+    const RasterMap raster = readRaster(file);
+    EXPECT_EQ(raster.info.format, format);
+    EXPECT_EQ(raster.size, (GridSize{3, 2}));
+    EXPECT_EQ(raster.pixel, 1);
+    EXPECT_EQ(raster.values[0], 30);
+    EXPECT_EQ(raster.values[5], 20);
+    EXPECT_EQ(raster.info.bounds->max.z, type == GDT_Byte ? 250 : 60000);
+    ASSERT_EQ(raster.info.warnings.size(), 1U);
+    EXPECT_THAT(raster.info.warnings[0], HasSubstr("no georeference"));
+  }
+  EXPECT_THAT(refusal(writePicture(folder, "photo.png", "PNG", GDT_Byte, 3)),
+              HasSubstr("colour picture"));
+}
+
+TEST(Raster, AsciiGridsKeepTheirPlaceAndNodata) {
+  const TemporaryFolder folder;
+  const std::string cells = "NODATA_value -9999\n1.5 2 3\n4 -9999 6\n";
+  const std::string head = "3\nNROWS 2\nXLLCORNER 600000\nYLLCORNER 5400000\nCELLSIZE 0.5\n";
+  for (const char* const first : {"NCOLS ", "ncols        "}) {
+    const auto file = folder.write("grid.asc", std::string(first) + head + cells);
+    EXPECT_TRUE(looksLikeRaster(file));
+    const RasterMap raster = readRaster(file);
+    EXPECT_EQ(raster.info.format, "ESRI ASCII grid Float32");
+    EXPECT_EQ(raster.pixel, 0.5);
+    EXPECT_EQ(raster.first, (FilePoint{600000.25, 5400000.25, 0}));
+    EXPECT_EQ(raster.info.points, 6U);
+    EXPECT_EQ(raster.info.finite_points, 5U);
+    EXPECT_EQ(raster.values[0], 4);
+    EXPECT_FALSE(raster.valid[1]);
+    EXPECT_EQ(raster.values[3], 1.5F);
+  }
+}
+
+TEST(Raster, DamagedPicturesAndGridsAreRefusedWithASentence) {
+  const TemporaryFolder folder;
+  const auto grid = [&folder](const std::string& content) {
+    return refusal(folder.write("grid.asc", content));
+  };
+  const std::string place = "xllcorner 0\nyllcorner 0\ncellsize 1\n";
+  EXPECT_THAT(grid("ncols 3\n"), HasSubstr("Cannot read grid.asc"));
+  EXPECT_THAT(grid("ncols 3\nnrows 2\n" + place + "1 2 3\n"), HasSubstr("Cannot read grid.asc"));
+  EXPECT_THAT(grid("ncols 20000\nnrows 20000\n" + place + "1 2 3\n"), HasSubstr("promises"));
+  EXPECT_THAT(grid("ncols 99999999999\nnrows 2\n" + place + "1 2 3\n"),
+              HasSubstr("Cannot read grid.asc"));
+  EXPECT_THAT(grid("ncols -3\nnrows 2\n" + place + "1 2 3\n"), HasSubstr("Cannot read grid.asc"));
+  EXPECT_THAT(grid("ncols 3\nnrows 2\n" + place + "1 2 3\n4 5\n"),
+              HasSubstr("Cannot read grid.asc"));
+  EXPECT_THAT(refusal(folder.write("noise.png", "\x89PNG\r\n\x1a\n garbage")),
+              HasSubstr("not a readable PNG"));
+  const auto file = writePicture(folder, "cut.png", "PNG", GDT_UInt16);
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 20);
+  EXPECT_THAT(refusal(file), HasSubstr("Cannot read cut.png"));
 }
 
 TEST(Raster, SharedElevationModelOpens) {
