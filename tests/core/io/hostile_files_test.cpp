@@ -137,7 +137,7 @@ TEST_F(HostileFiles, PlyBodies) {
 TEST_F(HostileFiles, Pcd) {
   const std::string rows = textRows(10);
   const std::string binary = binaryRows<float>(10);
-  const auto withWords = [](auto change) {
+  const auto with_words = [](auto change) {
     PcdWords words;
     change(words);
     return pcdHeader(words);
@@ -146,26 +146,28 @@ TEST_F(HostileFiles, Pcd) {
   check({
       loads("good.pcd", good + rows, 10),
       loads("crlf.pcd", replaced(good + rows, "\n", "\r\n"), 10),
-      loads("binary.pcd", withWords([](PcdWords& w) { w.data = "binary"; }) + binary, 10),
+      loads("binary.pcd", with_words([](PcdWords& w) { w.data = "binary"; }) + binary, 10),
       loads("crlf_binary.pcd",
-            replaced(withWords([](PcdWords& w) { w.data = "binary"; }), "\n", "\r\n") + binary, 10),
+            replaced(with_words([](PcdWords& w) { w.data = "binary"; }), "\n", "\r\n") + binary,
+            10),
       refused("cr_binary.pcd",
-              replaced(withWords([](PcdWords& w) { w.data = "binary"; }), "\n", "\r") + binary,
+              replaced(with_words([](PcdWords& w) { w.data = "binary"; }), "\n", "\r") + binary,
               "CR alone"),
       refused("header_only.pcd", good, "file ends at 0"),
       refused("cut_header.pcd", good.substr(0, 100), "no end"),
       refused("cut_binary.pcd",
-              withWords([](PcdWords& w) { w.data = "binary"; }) + binary.substr(0, 65),
+              with_words([](PcdWords& w) { w.data = "binary"; }) + binary.substr(0, 65),
               "promises 10 points, file ends at 5"),
-      refused("huge_count.pcd", withWords([](PcdWords& w) {
+      refused("huge_count.pcd", with_words([](PcdWords& w) {
                                   w.data = "binary";
                                   w.points = "4000000000";
                                 }) + binary,
               "file ends at 10"),
-      refused("size_and_points.pcd", withWords([](PcdWords& w) { w.width = "7"; }) + rows, "7 x 1"),
-      refused("negative_width.pcd", withWords([](PcdWords& w) { w.width = "-10"; }) + rows,
+      refused("size_and_points.pcd", with_words([](PcdWords& w) { w.width = "7"; }) + rows,
+              "7 x 1"),
+      refused("negative_width.pcd", with_words([](PcdWords& w) { w.width = "-10"; }) + rows,
               "usable WIDTH"),
-      refused("overflow.pcd", withWords([](PcdWords& w) {
+      refused("overflow.pcd", with_words([](PcdWords& w) {
                                 w.width = "1099511627776";
                                 w.height = "1099511627776";
                               }) + rows,
@@ -173,39 +175,39 @@ TEST_F(HostileFiles, Pcd) {
       loads("nan_rows.pcd", good + textRows(8) + kNanRow, 10),
       refused("word.pcd", good + "zero 1 2\n" + textRows(9), "three coordinates"),
       refused("short_row.pcd", good + "1 2\n" + textRows(9), "fewer numbers"),
-      refused("size_missing.pcd", withWords([](PcdWords& w) { w.size = "4 4"; }) + rows,
+      refused("size_missing.pcd", with_words([](PcdWords& w) { w.size = "4 4"; }) + rows,
               "SIZE, TYPE and COUNT"),
-      refused("size_three.pcd", withWords([](PcdWords& w) { w.size = "3 4 4"; }) + rows,
+      refused("size_three.pcd", with_words([](PcdWords& w) { w.size = "3 4 4"; }) + rows,
               "impossible SIZE"),
-      refused("count_huge.pcd", withWords([](PcdWords& w) { w.count = "1 1 4000000000"; }) + rows,
+      refused("count_huge.pcd", with_words([](PcdWords& w) { w.count = "1 1 4000000000"; }) + rows,
               "impossible COUNT"),
-      refused("count_negative.pcd", withWords([](PcdWords& w) { w.count = "1 1 -1"; }) + rows,
+      refused("count_negative.pcd", with_words([](PcdWords& w) { w.count = "1 1 -1"; }) + rows,
               "impossible COUNT"),
-      refused("zero_points.pcd", withWords([](PcdWords& w) { w.points = "0"; }), "none finite"),
-      refused("zero_points_binary.pcd", withWords([](PcdWords& w) {
+      refused("zero_points.pcd", with_words([](PcdWords& w) { w.points = "0"; }), "none finite"),
+      refused("zero_points_binary.pcd", with_words([](PcdWords& w) {
                 w.points = "0";
                 w.data = "binary";
               }),
               "none finite"),
-      refused("no_z.pcd", withWords([](PcdWords& w) { w.fields = "x y i"; }) + rows,
+      refused("no_z.pcd", with_words([](PcdWords& w) { w.fields = "x y i"; }) + rows,
               "no single field z"),
       refused("no_data.pcd", replaced(good, "DATA ascii\n", "") + rows, "unknown entry"),
-      refused("compressed_noise.pcd", withWords([](PcdWords& w) {
+      refused("compressed_noise.pcd", with_words([](PcdWords& w) {
                                         w.data = "binary_compressed";
                                       }) + std::string(300, '\x5A'),
               "compressed data hold"),
       refused("compressed_cut.pcd",
-              withWords([](PcdWords& w) { w.data = "binary_compressed"; }) +
+              with_words([](PcdWords& w) { w.data = "binary_compressed"; }) +
                   bytesOf(std::uint32_t{1000}) + bytesOf(std::uint32_t{120}) + binary,
               "compressed data are cut"),
       refused("compressed_lie.pcd",
-              withWords([](PcdWords& w) { w.data = "binary_compressed"; }) +
+              with_words([](PcdWords& w) { w.data = "binary_compressed"; }) +
                   bytesOf(std::uint32_t{120}) + bytesOf(std::uint32_t{120}) +
                   std::string(120, '\xFF'),
               "cannot be decoded"),
       refused("noise.pcd", std::string("# .PCD v0.7\n") + std::string(200, '\xF3'), "header"),
       loads("wide_numbers.pcd",
-            withWords([](PcdWords& w) {
+            with_words([](PcdWords& w) {
               w.data = "binary";
               w.points = "1";
               w.fields = "t x y z";

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +11,7 @@
 #include <charconv>
 #include <clocale>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -139,12 +139,12 @@ TEST(Import, APlyMayStateItsUnitInAComment) {
            "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
            "end_header\n1 2 3\n";
   };
-  const auto unitOf = [&](const std::string& comment) {
+  const auto unit_of = [&](const std::string& comment) {
     return importScan(folder.write("unit.ply", ply(comment))).info.unit;
   };
-  EXPECT_EQ(unitOf("comment unit m\n"), LengthUnit::m);
-  EXPECT_EQ(unitOf("comment made by hand\n"), std::nullopt);
-  EXPECT_EQ(unitOf("comment unit furlong\n"), std::nullopt);
+  EXPECT_EQ(unit_of("comment unit m\n"), LengthUnit::m);
+  EXPECT_EQ(unit_of("comment made by hand\n"), std::nullopt);
+  EXPECT_EQ(unit_of("comment unit furlong\n"), std::nullopt);
 }
 
 TEST(Import, ContentDecidesAndTheNameDoesNot) {

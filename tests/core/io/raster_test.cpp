@@ -8,7 +8,9 @@
 #include <ogr_spatialref.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -57,7 +59,7 @@ struct ForeignRaster {
 
   std::filesystem::path write(const TemporaryFolder& folder) const {
     GDALAllRegister();
-    const std::filesystem::path file = folder.path() / "foreign.tif";
+    std::filesystem::path file = folder.path() / "foreign.tif";
     GDALDataset* dataset = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
         file.c_str(), cols, rows, bands, type, nullptr);
     std::array<double, 6> t = transform;
@@ -110,7 +112,9 @@ TEST(Raster, OwnMapComesBackBitForBit) {
     const bool outside = map.origins[i] == Origin::outside;
     ASSERT_EQ(raster.valid[i], !outside) << i;
     if (!outside) {
-      ASSERT_EQ(std::memcmp(&raster.values[i], &map.heights_mm[i], sizeof(float)), 0) << i;
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(raster.values[i]),
+                std::bit_cast<std::uint32_t>(map.heights_mm[i]))
+          << i;
     }
   }
 }
@@ -300,7 +304,7 @@ std::filesystem::path writePicture(const TemporaryFolder& folder, const std::str
                                                     GDT_Float64, 0, 0, nullptr),
               CE_None);
   }
-  const std::filesystem::path file = folder.path() / name;
+  std::filesystem::path file = folder.path() / name;
   GDALClose(drivers.GetDriverByName(driver)->CreateCopy(file.c_str(), memory, 0, nullptr, nullptr,
                                                         nullptr));
   GDALClose(memory);

@@ -32,8 +32,8 @@ std::string binaryRows(int count, bool big_endian = false) {
 inline std::string textRows(int count, const std::string& separator = " ") {
   std::string rows;
   for (int i = 0; i < count; ++i) {
-    rows += std::to_string(i) + separator + std::to_string(i / 2.0) + separator +
-            std::to_string(i / 4.0) + "\n";
+    rows.append(std::to_string(i)).append(separator).append(std::to_string(i / 2.0));
+    rows.append(separator).append(std::to_string(i / 4.0)).append("\n");
   }
   return rows;
 }
