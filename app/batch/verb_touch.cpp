@@ -35,8 +35,8 @@ void refuseWhatIsMissing(const TouchArguments& a) {
                         "' is not available; this version touches the exact bilinear surface "
                         "(exact, or auto, which chooses it).");
   }
-  if (a.friction != 0 || a.damping != 0) {
-    throw ArgumentError("--friction and --damping are not available in this version; only 0 is.");
+  if (a.friction != 0) {
+    throw ArgumentError("--friction is not available in this version; only 0 is.");
   }
 }
 
@@ -46,6 +46,7 @@ StrokeOptions strokeOptions(const TouchArguments& a) {
   StrokeOptions options;
   options.proxy.kind = proxyKind(a.proxy);
   options.stiffness_n_per_mm = a.stiffness_n_per_mm;
+  options.damping_n_s_per_mm = a.damping;
   options.safety = a.safety == "on";
   options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
   return options;
@@ -58,7 +59,9 @@ std::string logHeader(const TouchArguments& a, const Surface& surface, const Reg
          " (" + std::string(name(surface.unit_source)) + ")\ndevice none (stroke " +
          std::filesystem::path(a.stroke).filename().string() + ")\nregion_mm " +
          jsonOf(region).dump() + " level " + std::to_string(region.level.value) + "\nproxy " +
-         a.proxy + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm, safety " + a.safety;
+         a.proxy + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm" +
+         (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
+         ", safety " + a.safety;
 }
 
 /// What a stroke showed, judged without the solver: by the window's own bilinear heights.
@@ -126,6 +129,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["scale_device_per_view"] = hand.device_per_view;
   json["device_from_view"] = jsonOf(hand.device_from_view);
   json["stiffness_n_per_mm"] = a.stiffness_n_per_mm;
+  json["damping_n_s_per_mm"] = a.damping;
   json["surface"] = "exact";
   json["proxy"] = a.proxy;
   json["ticks"] = ticks;
@@ -161,7 +165,8 @@ Verb touchVerb() {
                             "converged, equation (the paper's eq. 2) or successive");
             verb.add_option("--stiffness", arguments->stiffness_n_per_mm, "N per mm of hand");
             verb.add_option("--friction", arguments->friction, "0");
-            verb.add_option("--damping", arguments->damping, "0");
+            verb.add_option("--damping", arguments->damping,
+                            "N s per mm of hand, against pressing in; 0 is off");
             verb.add_option("--frame", arguments->frame, "Frame of the stroke: view or device")
                 ->check(CLI::IsMember({"view", "device"}));
             verb.add_option("--safety", arguments->safety,

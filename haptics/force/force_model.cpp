@@ -18,6 +18,13 @@ DeviceN springForce(const ForceOptions& options, const ForceInput& input) RELIEV
   return {k * out.x, k * out.y, k * out.z};
 }
 
+DeviceN dampingForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME {
+  const double speed = dot(input.velocity, input.normal);
+  if (!input.contact || !(speed < 0) || dot(input.moved, input.normal) > 0) return {};
+  const double size = -options.damping_n_s_per_mm * speed;
+  return {size * input.normal.x, size * input.normal.y, size * input.normal.z};
+}
+
 ForceState engage(const ForceOptions& options, const ForceInput& input, DeviceN spring,
                   ForceState state) RELIEVO_REALTIME {
   if (!options.forces_on || input.fault) {
@@ -74,7 +81,8 @@ ForceState refade(ForceState state) RELIEVO_REALTIME {
 
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME {
-  const DeviceN spring = springForce(options, input);
+  DeviceN spring = springForce(options, input);
+  if (options.damping_n_s_per_mm > 0) spring = spring + dampingForce(options, input);
   if (!options.safety) {
     state.last = spring;
     return {spring, norm(spring), false, options.limit_n, state};

@@ -10,6 +10,7 @@ namespace relievo {
 
 struct ForceOptions {
   double stiffness_n_per_mm = 0.5;    ///< The paper's k, N per mm of hand; > 0.
+  double damping_n_s_per_mm = 0;      ///< Against the speed of pressing in, of the hand; >= 0.
   double strength = 0.6;              ///< What people set: the spring's force times this, 0 .. 1.
   double limit_n = 6;                 ///< Cap; never above the device's own limit.
   double engage_slew_n_per_s = 20;    ///< Largest rise of force per second while forces come on.
@@ -38,6 +39,9 @@ struct ForceState {
 
 struct ForceInput {
   DeviceMm proxy, hip;
+  DeviceMm normal{0, 0, 1};  ///< Unit normal of the surface at the proxy.
+  DeviceMm velocity;         ///< Of the hand, mm/s, filtered.
+  DeviceMm moved;            ///< The hand's last step, mm.
   bool contact = false;
   bool fault = false;   ///< Zero force at once.
   double age_s = 0;     ///< Of the position.
@@ -55,6 +59,9 @@ struct ForceResult {
 // The stages, in the order in which they run. Slew, cap and finite check run on every path.
 /// F = -k d (paper sec. 4), d from the proxy to the HIP; zero in free space.
 DeviceN springForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME;
+/// -b v_n along the normal while the hand presses in; zero while it leaves, so that the surface
+/// never pulls. A last step outward also gives zero: the filter's lag must not push the hand out.
+DeviceN dampingForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME;
 /// Waits for quiet, then rises. Afterwards `rise` is the factor of the spring's force.
 ForceState engage(const ForceOptions& options, const ForceInput& input, DeviceN spring,
                   ForceState state) RELIEVO_REALTIME;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/loop/haptic_core.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace relievo {
@@ -17,6 +18,7 @@ bool isPlace(DeviceMm p) RELIEVO_REALTIME {
 
 void HapticCore::reset() RELIEVO_REALTIME {
   placed_ = false;
+  places_seen_ = 0;
   force_ = {};
   fault_ = DeviceFault::none;
 }
@@ -32,6 +34,20 @@ DeviceFault HapticCore::latch(const HapticOptions& options,
     hip_ = reading.position;
   }
   return fault_;
+}
+
+void HapticCore::measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_REALTIME {
+  if (places_seen_ > 0) {
+    const std::uint64_t back = std::min(places_seen_, kSpeedTicks);
+    const HandPlace& oldest = places_[(places_seen_ - back) % kSpeedTicks];
+    const double seconds = 1e-9 * static_cast<double>(now_ns - oldest.time_ns);
+    // Fewer than 8 ticks count as 8: the first steps of a hand are too coarse for a speed.
+    const double least = 1e-3 * static_cast<double>(kSpeedTicks);
+    input.velocity = (1 / std::max(seconds, least)) * (hip_ - oldest.position);
+    input.moved = hip_ - places_[(places_seen_ - 1) % kSpeedTicks].position;
+  }
+  places_[places_seen_ % kSpeedTicks] = {hip_, now_ns};
+  ++places_seen_;
 }
 
 void HapticCore::follow(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME {
@@ -83,6 +99,8 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& opt
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
+  input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
+  measureSpeed(now_ns, input);
   input.contact = sample.contact;
   input.fault = fault != DeviceFault::none;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);

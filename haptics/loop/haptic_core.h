@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <type_traits>
 
@@ -60,11 +61,22 @@ class HapticCore {
 
  private:
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
+  /// Velocity of the hand over the last 8 ticks, by their own times: one step of a coarse encoder
+  /// is 63 mm/s from tick to tick.
+  void measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_REALTIME;
   void follow(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME;
   HapticSample describeTick(const HapticSpace& space) const RELIEVO_REALTIME;
 
   ProxyState proxy_;
   ForceState force_;
+
+  static constexpr std::uint64_t kSpeedTicks = 8;
+  struct HandPlace {
+    DeviceMm position;
+    std::int64_t time_ns = 0;
+  };
+  std::array<HandPlace, kSpeedTicks> places_;  // The last ones; the newest is at places_seen_ - 1.
+  std::uint64_t places_seen_ = 0;
   DeviceMm hip_;  // The last hand that was a place.
   DeviceFault fault_ = DeviceFault::none;
   std::uint64_t tick_ = 0;

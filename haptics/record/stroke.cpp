@@ -65,6 +65,7 @@ HapticOptions coreOptions(const StrokeOptions& options) {
   core.proxy = options.proxy;
   core.stiffness_by_detail = false;
   core.force.stiffness_n_per_mm = options.stiffness_n_per_mm;
+  core.force.damping_n_s_per_mm = options.damping_n_s_per_mm;
   core.force.strength = 1;
   core.force.forces_on = true;
   core.force.safety = options.safety;
@@ -127,6 +128,9 @@ std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
   if (stroke.points.empty()) throw ArgumentError("A stroke needs at least one point.");
   if (!(options.stiffness_n_per_mm > 0) || !std::isfinite(options.stiffness_n_per_mm)) {
     throw ArgumentError("The stiffness must be a finite number of N/mm above 0.");
+  }
+  if (!(options.damping_n_s_per_mm >= 0) || !std::isfinite(options.damping_n_s_per_mm)) {
+    throw ArgumentError("The damping must be a finite number of N s/mm, 0 or above.");
   }
   const HapticOptions core_options = coreOptions(options);
   const double start_s = stroke.points.front().t_s;

@@ -36,6 +36,7 @@ enum class StrokeFrame : std::uint8_t { view, device };
 struct StrokeOptions {
   ProxyOptions proxy;
   double stiffness_n_per_mm = 0.5;  ///< N per mm of hand, > 0.
+  double damping_n_s_per_mm = 0;    ///< Of the surface, >= 0.
   bool safety = false;              ///< true: ramp, slew, cap, as in the window, at full strength.
   StrokeFrame frame = StrokeFrame::view;
 };
@@ -49,7 +50,8 @@ std::uint64_t strokeTicks(const Stroke& stroke);
 /// it); solving starts with tick 1.
 /// @param each  called for every tick, with its time on the stroke's clock
 /// @return ticks
-/// @throw ArgumentError  no points, or stiffness not finite and > 0
+/// @throw ArgumentError  no points, stiffness not finite and > 0, damping not
+///                       finite and >= 0
 /// @throw Cancelled
 std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
                         const Stroke& stroke,

@@ -33,6 +33,24 @@ ForceState risen(const ForceOptions& options) {
   return state;
 }
 
+TEST(Force, DampingOpposesPressingInAndNeverPullsTheHand) {
+  ForceOptions options;
+  options.damping_n_s_per_mm = 0.002;
+  ForceInput input = pressedIn(1);
+  input.normal = {0.6, 0, 0.8};
+  input.velocity = {-60, 10, -80};  // 100 mm/s in, 10 mm/s across.
+  const DeviceN in = dampingForce(options, input);
+  EXPECT_NEAR(norm(in - DeviceN{0.12, 0, 0.16}), 0, 1e-15);
+  input.moved = {0.01, 0, 0.01};  // The hand has turned round; the filter has not yet.
+  EXPECT_EQ(dampingForce(options, input), DeviceN{});
+  input.moved = {};
+  input.velocity = {60, 10, 80};
+  EXPECT_EQ(dampingForce(options, input), DeviceN{});
+  input.velocity = {-60, 10, -80};
+  input.contact = false;
+  EXPECT_EQ(dampingForce(options, input), DeviceN{});
+}
+
 TEST(Force, PullsTheHandTowardTheProxyWithTheStiffness) {
   ForceOptions options;
   options.stiffness_n_per_mm = 0.8;

@@ -122,6 +122,32 @@ TEST(Stroke, HasNoLimitsUnlessAskedFor) {
   EXPECT_NEAR(largest, 6, 1e-9);
 }
 
+TEST(Stroke, DampingAddsItsForceWhilePressingInAndNothingWhileLeaving) {
+  const auto space = spaceOf(80, [](double, double) { return 0.0; });
+  // 2 mm in at 20 mm/s, a rest, and out again at 20 mm/s.
+  const Stroke press{{{0, 40, 40, 1}, {0.15, 40, 40, -2}, {0.25, 40, 40, -2}, {0.4, 40, 40, 1}}};
+  StrokeOptions options;
+  const auto plain = run(*space, press, options);
+  options.damping_n_s_per_mm = 0.002;
+  const auto damped = run(*space, press, options);
+  ASSERT_EQ(plain.size(), damped.size());
+  double work_n_mm = 0;  // Of the damping, on the hand.
+  for (std::size_t n = 1; n < plain.size(); ++n) {
+    const HapticSample& p = plain[n].first;
+    const HapticSample& d = damped[n].first;
+    EXPECT_EQ(d.proxy, p.proxy);
+    const double extra_n = d.force.z - p.force.z;
+    if (!p.contact || n > 160) {
+      EXPECT_EQ(extra_n, 0) << "tick " << n;
+    } else if (n < 150) {
+      EXPECT_NEAR(extra_n, 0.002 * 20, 1e-9) << "tick " << n;
+    }
+    EXPECT_GE(d.force.z, 0);
+    work_n_mm += extra_n * (d.hip.z - plain[n - 1].first.hip.z);
+  }
+  EXPECT_LT(work_n_mm, -0.05);
+}
+
 TEST(Stroke, RefusesWhatCannotRunAndStopsWhenAsked) {
   const auto space = spaceOf(80, [](double, double) { return 0.0; });
   const auto nothing = [](const HapticSample&, double) {};
@@ -132,6 +158,9 @@ TEST(Stroke, RefusesWhatCannotRunAndStopsWhenAsked) {
   options.stiffness_n_per_mm = 1;
   EXPECT_THROW(runStroke(*space, options, {{{0, 0, 0, 0}, {1e12, 0, 0, 0}}}, nothing),
                ArgumentError);
+  options.damping_n_s_per_mm = -1;
+  EXPECT_THROW(runStroke(*space, options, {{{0, 0, 0, 0}}}, nothing), ArgumentError);
+  options.damping_n_s_per_mm = 0;
   std::stop_source source;
   source.request_stop();
   EXPECT_THROW(runStroke(*space, options, {{{0, 0, 0, 0}}}, nothing, {source.get_token(), {}}),
