@@ -48,7 +48,7 @@ void MainWindow::makeMenus() {
   add(menu(tr("&Edit")), {"undo", "redo"});
   QMenu* view = menu(tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
-  QMenu* turn = view->addMenu(tr("Tur&n"));
+  QMenu* turn = view->addMenu(tr("Turn &detail view"));
   turn->menuAction()->setToolTip(tr("Turn the detail view"));
   turn->setToolTipsVisible(true);
   add(turn, {"turn_left", "turn_right", "turn_up", "turn_down"});

@@ -296,6 +296,22 @@ TEST_F(Batch, ThePapersEquationIsSelectableAndChatters) {
   }
 }
 
+TEST_F(Batch, DampingOpposesPressingInAndAWrongOneIsRefused) {
+  const std::string stroke = write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.5,50,50,2\n");
+  const std::vector<std::string> arguments{"touch",    plane(), "--unit",   "mm",
+                                           "--stroke", stroke,  "-o",       path("log.csv"),
+                                           "--report", "json",  "--damping"};
+  const auto largest = [&](const std::string& damping) {
+    std::vector<std::string> with = arguments;
+    with.push_back(damping);
+    return reportOf(runRelievo(with))["largest_force_n"].get<double>();
+  };
+  EXPECT_GT(largest("0.01"), largest("0") + 0.01);
+  std::vector<std::string> negative = arguments;
+  negative.emplace_back("-1");
+  EXPECT_EQ(runRelievo(negative).exit_code, 1);
+}
+
 TEST_F(Batch, AStrokeWhoseTimesDoNotIncreaseIsRefusedWithItsRow) {
   const std::string stroke = write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,1,1,1\n0.1,1,1,1\n0.1,2,2,2\n");
   const CommandResult result =
