@@ -77,7 +77,8 @@ TEST_F(ViewTest, KeysTurnTheDetailViewAsADragDoes) {
   QTest::keyClick(&detail, Qt::Key_Down, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_FALSE(detail.isTurned());
   drag(detail, {100, 100}, {140, 60}, Qt::MiddleButton);
-  EXPECT_LT(detail.sceneState().camera.azimuth_deg, 0) << "to the right by drag is to the right by key";
+  EXPECT_LT(detail.sceneState().camera.azimuth_deg, 0)
+      << "to the right by drag is to the right by key";
   EXPECT_LT(detail.sceneState().camera.elevation_deg, 0);
 }
 
