@@ -27,7 +27,7 @@ void E57Pages::readHeader() {
   if (bytes.size() < kHeaderBytes) {
     refuseScan(job_.file, "it is shorter than the header of an E57 file. Copy or export it again.");
   }
-  const auto u64At = [bytes](std::size_t at) {
+  const auto u64_at = [bytes](std::size_t at) {
     return loadAs<std::uint64_t>(bytes.data() + at, ByteOrder::little);
   };
   const auto major = loadAs<std::uint32_t>(bytes.data() + 8, ByteOrder::little);
@@ -35,10 +35,10 @@ void E57Pages::readHeader() {
     refuseScan(job_.file, "it says to be E57 version " + std::to_string(major) +
                               "; this version reads E57 1. Export it again as E57 1.0.");
   }
-  const std::uint64_t promised = u64At(16);
-  xml_at_ = u64At(24);
-  xml_bytes_ = u64At(32);
-  page_bytes_ = u64At(40);
+  const std::uint64_t promised = u64_at(16);
+  xml_at_ = u64_at(24);
+  xml_bytes_ = u64_at(32);
+  page_bytes_ = u64_at(40);
   // The standard knows pages of 1024 bytes only; other powers of two are harmless.
   if (page_bytes_ < 64 || page_bytes_ > (1U << 20U) || (page_bytes_ & (page_bytes_ - 1)) != 0) {
     refuseScan(job_.file, "its header gives an impossible page size. Copy or export it again.");

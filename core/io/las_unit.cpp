@@ -77,7 +77,7 @@ std::optional<LengthUnit> lastUnit(std::string_view text) {
   std::transform(unit_name.begin(), unit_name.end(), unit_name.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   const bool is_length =
-      unit_name.find("met") != std::string::npos || unit_name.find("f") != std::string::npos;
+      unit_name.find("met") != std::string::npos || unit_name.find('f') != std::string::npos;
   std::string_view number = text.substr(quote + 1);
   number.remove_prefix(std::min(number.find_first_not_of(", "), number.size()));
   const auto metres = parseNumber(number.substr(0, number.find_first_of(",] ")));

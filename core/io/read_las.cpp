@@ -46,7 +46,7 @@ Scan readLas(const ReadJob& job) {
   if (found < header.points) handleShortfall({"points", header.points, found, found}, job, info);
   // Later versions may keep waveforms and extended records behind the points.
   if (header.minor <= 2 && room > found) {
-    info.warnings.push_back(
+    info.warnings.emplace_back(
         "Bytes after the last of the points that the header promises were "
         "ignored.");
   }

@@ -63,9 +63,9 @@ class E57Sample {
                 bytesOf(static_cast<std::uint64_t>(32 + packets.size())) +
                 bytesOf(physical(section + 32)) + bytesOf(std::uint64_t{0}) + packets;
     scans_ += "<vectorChild type=\"Structure\">" + scan.pose +
-              "<points type=\"CompressedVector\" fileOffset=\"" +
+              R"(<points type="CompressedVector" fileOffset=")" +
               std::to_string(physical(section)) + "\" recordCount=\"" + scan.records +
-              "\"><prototype type=\"Structure\">";
+              R"("><prototype type="Structure">)";
     for (const E57SampleField& field : scan.fields) {
       scans_ += "<" + field.name + " " + field.attributes + "/>";
     }

@@ -342,7 +342,7 @@ TEST(Raster, AsciiGridsKeepTheirPlaceAndNodata) {
   const std::string cells = "NODATA_value -9999\n1.5 2 3\n4 -9999 6\n";
   const std::string head = "3\nNROWS 2\nXLLCORNER 600000\nYLLCORNER 5400000\nCELLSIZE 0.5\n";
   for (const char* const first : {"NCOLS ", "ncols        "}) {
-    const auto file = folder.write("grid.asc", std::string(first) + head + cells);
+    const auto file = folder.write("grid.asc", std::string(first).append(head).append(cells));
     EXPECT_TRUE(looksLikeRaster(file));
     const RasterMap raster = readRaster(file);
     EXPECT_EQ(raster.info.format, "ESRI ASCII grid Float32");

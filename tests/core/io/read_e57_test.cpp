@@ -117,7 +117,7 @@ TEST_F(ReadE57, FieldsInAnyOrderAndOtherFieldsBetweenThem) {
   std::swap(scan.fields[0], scan.fields[2]);
   scan.fields.insert(
       scan.fields.begin() + 1,
-      {"colorRed", "type=\"Integer\" minimum=\"0\" maximum=\"255\"", std::string(10, 'r')});
+      {"colorRed", R"(type="Integer" minimum="0" maximum="255")", std::string(10, 'r')});
   scan.fields.insert(scan.fields.begin(), {"note", "type=\"String\"", std::string(25, 's')});
   expectTenPoints(load(fileOf(scan)));
 }
@@ -137,11 +137,11 @@ TEST_F(ReadE57, IntegersOfEveryWidthComeBack) {
     scan.records = "4";
     scan.share = 3;
     scan.fields.push_back({"cartesianX",
-                           "type=\"Integer\" minimum=\"" + std::to_string(minimum) +
+                           R"(type="Integer" minimum=")" + std::to_string(minimum) +
                                "\" maximum=\"" + std::to_string(maximum) + "\"",
                            x.bytes()});
     for (const std::size_t axis : {1U, 2U}) {
-      scan.fields.push_back({kAxes[axis], "type=\"Integer\" minimum=\"5\" maximum=\"5\"", ""});
+      scan.fields.push_back({kAxes[axis], R"(type="Integer" minimum="5" maximum="5")", ""});
     }
     const Scan loaded = load(fileOf(scan));
     EXPECT_EQ(loaded.info.points, 4U);
@@ -179,7 +179,7 @@ TEST_F(ReadE57, InvalidPointsAreStoredButNotFinite) {
   PackedBits state;
   for (const std::uint64_t value : {0U, 1U, 2U, 0U, 0U, 0U, 0U, 0U, 0U, 2U}) state.add(value, 2);
   scan.fields.push_back(
-      {"cartesianInvalidState", "type=\"Integer\" minimum=\"0\" maximum=\"2\"", state.bytes()});
+      {"cartesianInvalidState", R"(type="Integer" minimum="0" maximum="2")", state.bytes()});
   const Scan loaded = load(fileOf(scan));
   EXPECT_EQ(loaded.info.points, 10U);
   EXPECT_EQ(loaded.info.finite_points, 7U);
@@ -271,12 +271,12 @@ TEST_F(ReadE57, ListsOfScansThatMakeNoSenseAreRefused) {
     text.replace(at, from.size(), to);
     return sample.fileWith(text);
   };
-  const auto scanWith = [](auto change) {
+  const auto scan_with = [](auto change) {
     E57SampleScan scan = scaledIntegers();
     change(scan);
     return fileOf(scan);
   };
-  std::string deep, open, laughs = "<!DOCTYPE e [<!ENTITY a \"ha\"><!ENTITY b \"&a;&a;&a;\">]>";
+  std::string deep, open, laughs = R"(<!DOCTYPE e [<!ENTITY a "ha"><!ENTITY b "&a;&a;&a;">]>)";
   for (int i = 0; i < 5000; ++i) {
     open += "<a>";
     deep += "</a>";
@@ -304,33 +304,32 @@ TEST_F(ReadE57, ListsOfScansThatMakeNoSenseAreRefused) {
               "place outside itself"),
       refused("offset_elsewhere.e57", with("fileOffset=\"48\"", "fileOffset=\"80\""),
               "place outside itself"),
-      refused("limits_crossed.e57", scanWith([](E57SampleScan& s) {
-                s.fields[1].attributes = "type=\"Integer\" minimum=\"9\" maximum=\"8\"";
+      refused("limits_crossed.e57", scan_with([](E57SampleScan& s) {
+                s.fields[1].attributes = R"(type="Integer" minimum="9" maximum="8")";
               }),
               "maximum below its minimum"),
-      refused("scale_word.e57", scanWith([](E57SampleScan& s) {
-                s.fields[1].attributes = "type=\"ScaledInteger\" scale=\"nan\"";
+      refused("scale_word.e57", scan_with([](E57SampleScan& s) {
+                s.fields[1].attributes = R"(type="ScaledInteger" scale="nan")";
               }),
               "\"nan\""),
-      refused("constant_points.e57", scanWith([](E57SampleScan& s) {
+      refused("constant_points.e57", scan_with([](E57SampleScan& s) {
                 s.records = "4000000000";
-                for (auto& f : s.fields)
-                  f.attributes = "type=\"Integer\" minimum=\"1\" maximum=\"1\"";
+                for (auto& f : s.fields) f.attributes = R"(type="Integer" minimum="1" maximum="1")";
               }),
               "limit of 200 000 000"),
-      refused("rotation_zero.e57", scanWith([](E57SampleScan& s) {
+      refused("rotation_zero.e57", scan_with([](E57SampleScan& s) {
                 s.pose = pose(numbers("rotation", {"w", "0"}));
               }),
               "unit quaternion"),
-      refused("rotation_huge.e57", scanWith([](E57SampleScan& s) {
+      refused("rotation_huge.e57", scan_with([](E57SampleScan& s) {
                 s.pose = pose(numbers("rotation", {"w", "1e200"}));
               }),
               "unit quaternion"),
-      refused("codec.e57", scanWith([](E57SampleScan& s) {
+      refused("codec.e57", scan_with([](E57SampleScan& s) {
                 s.codecs = "<vectorChild><zipCodec/></vectorChild>";
               }),
               "unknown codec"),
-      loads("bit_pack_codec.e57", scanWith([](E57SampleScan& s) {
+      loads("bit_pack_codec.e57", scan_with([](E57SampleScan& s) {
               s.codecs = "<vectorChild><bitPackCodec/></vectorChild>";
             }),
             10),

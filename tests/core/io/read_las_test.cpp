@@ -137,39 +137,39 @@ TEST_F(ReadLas, CoordinatesAreStoredTimesScalePlusOffsetToTheLastBit) {
 }
 
 TEST_F(ReadLas, TheUnitComesFromTheProjectionRecords) {
-  const auto unitOf = [this](const std::string& record) {
+  const auto unit_of = [this](const std::string& record) {
     return load(withRecord(record)).info.unit;
   };
-  EXPECT_EQ(unitOf(geoKeys({{1024, 0, 1, 1}, {3076, 0, 1, 9001}})), LengthUnit::m);
-  EXPECT_EQ(unitOf(geoKeys({{3076, 0, 1, 9002}})), LengthUnit::ft);
-  EXPECT_EQ(unitOf(geoKeys({{3076, 0, 1, 9003}})), LengthUnit::us_ft);
-  EXPECT_EQ(unitOf(geoKeys({{3076, 0, 1, 9084}})), std::nullopt);
-  EXPECT_EQ(unitOf(geoKeys({{3076, 34736, 1, 9001}})), std::nullopt);
+  EXPECT_EQ(unit_of(geoKeys({{1024, 0, 1, 1}, {3076, 0, 1, 9001}})), LengthUnit::m);
+  EXPECT_EQ(unit_of(geoKeys({{3076, 0, 1, 9002}})), LengthUnit::ft);
+  EXPECT_EQ(unit_of(geoKeys({{3076, 0, 1, 9003}})), LengthUnit::us_ft);
+  EXPECT_EQ(unit_of(geoKeys({{3076, 0, 1, 9084}})), std::nullopt);
+  EXPECT_EQ(unit_of(geoKeys({{3076, 34736, 1, 9001}})), std::nullopt);
   const std::string projected =
-      "PROJCS[\"a\",GEOGCS[\"b\",UNIT[\"degree\",0.0174532925199433]],PARAMETER[\"c\",1]";
-  EXPECT_EQ(unitOf(variableRecord(2112, projected + ",UNIT[\"metre\",1]]")), LengthUnit::m);
+      R"(PROJCS["a",GEOGCS["b",UNIT["degree",0.0174532925199433]],PARAMETER["c",1])";
+  EXPECT_EQ(unit_of(variableRecord(2112, projected + ",UNIT[\"metre\",1]]")), LengthUnit::m);
   EXPECT_EQ(
-      unitOf(variableRecord(2112, projected + ",UNIT[\"US survey foot\",0.3048006096012192]]\0"s)),
+      unit_of(variableRecord(2112, projected + ",UNIT[\"US survey foot\",0.3048006096012192]]\0"s)),
       LengthUnit::us_ft);
   EXPECT_EQ(
-      unitOf(variableRecord(2112, "COMPD_CS[\"d\"," + projected +
-                                      ",UNIT[\"metre\",1]],VERT_CS[\"e\",UNIT[\"metre\",1]]]")),
+      unit_of(variableRecord(2112, "COMPD_CS[\"d\"," + projected +
+                                       ",UNIT[\"metre\",1]],VERT_CS[\"e\",UNIT[\"metre\",1]]]")),
       LengthUnit::m);
-  EXPECT_EQ(unitOf(variableRecord(2112, projected + "]")), std::nullopt);
-  EXPECT_EQ(unitOf(variableRecord(2112, "PROJCS[UNIT[\"")), std::nullopt);
+  EXPECT_EQ(unit_of(variableRecord(2112, projected + "]")), std::nullopt);
+  EXPECT_EQ(unit_of(variableRecord(2112, "PROJCS[UNIT[\"")), std::nullopt);
 }
 
 TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
-  const auto warningOf = [this](const std::string& record) {
+  const auto warning_of = [this](const std::string& record) {
     const Scan scan = load(withRecord(record));
     return scan.info.warnings.empty() ? std::string() : scan.info.warnings.front();
   };
-  EXPECT_THAT(warningOf(geoKeys({{1024, 0, 1, 2}})), HasSubstr("degrees"));
-  EXPECT_THAT(warningOf(variableRecord(2112, "GEOGCS[\"b\",UNIT[\"degree\",0.01745]]")),
+  EXPECT_THAT(warning_of(geoKeys({{1024, 0, 1, 2}})), HasSubstr("degrees"));
+  EXPECT_THAT(warning_of(variableRecord(2112, "GEOGCS[\"b\",UNIT[\"degree\",0.01745]]")),
               HasSubstr("degrees"));
-  EXPECT_THAT(warningOf(geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
+  EXPECT_THAT(warning_of(geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
               HasSubstr("heights are in m"));
-  EXPECT_EQ(warningOf(geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9001}})), "");
+  EXPECT_EQ(warning_of(geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9001}})), "");
 }
 
 TEST_F(ReadLas, ACutFileLoadsItsCompletePointsOnRequest) {
@@ -215,7 +215,7 @@ TEST_F(ReadLas, OddFilesLoadOrAreRefused) {
       refused("points_beyond.las", patched(good, 96, bytesOf(0xFFFFFFF0U)), "file ends at 0"),
       refused("format_11.las", patched(good, 104, "\x0B"), "format 11"),
       refused("compressed.las", patched(good, 104, "\x83"), "pdal translate"),
-      refused("compressed_6.laz", patched(good, 104, "\x46"), "pdal translate"),
+      refused("compressed_6.laz", patched(good, 104, R"(F)"), "pdal translate"),
       refused("short_records.las", patched(good, 105, bytesOf(std::uint16_t{12})), "they need 20"),
       refused("zero_records.las", patched(good, 105, bytesOf(std::uint16_t{0})), "they need 20"),
       refused("huge_count.las", patched(good, 107, bytesOf(0xFFFFFFFFU)), "file ends at 10"),

@@ -110,7 +110,7 @@ TEST(Samples, OnACoarserGridTheProposedRuleIsNearerToTheTruthThanTheFrontMostPoi
     const Scan scan = scanOf(sample.cloud);
     const Surface own = makeSurface(scan, {}, rasterize);
     const GridSize size = own.map.frame.size;
-    const auto medianError = [&](std::optional<PointRule> rule, std::optional<int> cells) {
+    const auto median_error = [&](std::optional<PointRule> rule, std::optional<int> cells) {
       SurfaceOptions options;
       options.cells = cells;
       options.rule = rule;
@@ -120,10 +120,10 @@ TEST(Samples, OnACoarserGridTheProposedRuleIsNearerToTheTruthThanTheFrontMostPoi
       return errors.quantile(0.5);
     };
     std::cout << "on its own grid: ";
-    medianError(PointRule::top_mean, std::nullopt);
+    median_error(PointRule::top_mean, std::nullopt);
     const int half = std::max(size.cols, size.rows) / 2;
-    const double front = medianError(PointRule::front, half);
-    EXPECT_LT(medianError(std::nullopt, half), front) << sample.name;
+    const double front = median_error(PointRule::front, half);
+    EXPECT_LT(median_error(std::nullopt, half), front) << sample.name;
   }
 }
 
