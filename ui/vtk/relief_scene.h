@@ -10,6 +10,7 @@
 #include "core/base/origin.h"
 #include "core/region/probe.h"
 #include "core/region/region.h"
+#include "core/relief/look.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -21,22 +22,6 @@ struct SurfaceGrid {
   GridFrame frame;
   const std::vector<float>* heights_mm = nullptr;  ///< Row-major, row 0 lowest y.
   const std::vector<Origin>* origins = nullptr;    ///< Same size, or null: all measured.
-};
-
-enum class StereoMode { off, anaglyph };
-struct StereoOptions {
-  StereoMode mode = StereoMode::off;
-  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, 0.5 .. 10.
-  std::optional<double> zero_plane_mm =
-      std::nullopt;  ///< View z of zero parallax; nothing: mid height.
-  friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
-};
-
-struct LightOptions {
-  double azimuth_deg =
-      315;  ///< From where the key light shines: 0 = up, clockwise (315 = upper left).
-  double elevation_deg = 45;  ///< Above the base plane.
-  friend bool operator==(const LightOptions&, const LightOptions&) = default;
 };
 
 /// Camera of a relief: orthographic. Untilted it looks along -z at exactly `rect`.
