@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "core/base/origin.h"
@@ -121,10 +122,23 @@ struct DetailStep {
   int detail = 1, levels = 1;
 };
 
-/// Copies a window, lays it into the hand's workspace (core's handMapping) and prepares the surface
-/// between its samples. About 10 ms. [worker]
+/// A point of the object that is to stay where it is in the hand's space: what is being touched.
+struct Anchor {
+  ViewMm point;
+  DeviceMm at;
+};
+
+/// The device's cube of about 4 inches, less a margin.
+inline constexpr DeviceMm kHandReach{48, 48, 42};
+
+/// core's handMapping; with an anchor moved so that its point lies where it was, as far as all of
+/// the window stays within kHandReach.
+HandMapping mappingOf(const RegionWindow& window, const std::optional<Anchor>& anchor = {});
+
+/// Copies a window, lays it into the hand's workspace (mappingOf) and prepares the surface between
+/// its samples. About 10 ms. [worker]
 /// @throw ArgumentError  the window does not have 200 x 200 samples, or one is not finite
 void fill(HapticSpace& space, const RegionWindow& window, DetailStep step,
-          SurfaceKind kind = SurfaceKind::gated);
+          SurfaceKind kind = SurfaceKind::gated, const std::optional<Anchor>& anchor = {});
 
 }  // namespace relievo
