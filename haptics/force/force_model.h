@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/vec3.h"
+#include "haptics/force/oscillation.h"
 #include "haptics/force/passivity.h"
 #include "haptics/rt/realtime.h"
 
@@ -22,6 +23,7 @@ struct ForceOptions {
   double quiet_n = 0.3;               ///< Forces come on only after the spring's force was below
   int quiet_ticks = 5;                ///< this for so many ticks in a row.
   PassivityOptions passivity;
+  OscillationOptions oscillation;
   bool forces_on = false;  ///< Asked for; what happens then is EngagePhase.
   bool safety =
       true;  ///< false: F is exactly the spring's force. Only where no device is attached.
@@ -38,6 +40,7 @@ struct ForceState {
   double rise = 0;  ///< 0 .. 1 while rising.
   int quiet = 0;    ///< Quiet ticks in a row while waiting.
   PassivityState passivity;
+  OscillationState oscillation;
 };
 
 struct ForceInput {
