@@ -29,7 +29,8 @@ struct ForceOptions {
       true;  ///< false: F is exactly the spring's force. Only where no device is attached.
 };
 
-/// k by detail: finer levels carry texture, which only a softer surface shows cleanly.
+/// k by detail, from the stability map (docs/dev/stability.md): at most 75 % of what is stable with
+/// the passivity stage, and no more than is stable without it where a level carries texture.
 double stiffnessForDetail(int detail) RELIEVO_REALTIME;
 
 enum class EngagePhase : std::uint8_t { off, waiting, rising, on };
