@@ -18,7 +18,7 @@ double polynomial(const std::array<double, N>& c, double t) {
   return sum;
 }
 
-Rgb viridis(double t) {
+Rgb8 viridis(double t) {
   constexpr std::array<double, 7> kRed{0.2777273272, 0.1050930431, -0.3308618287, -4.6342304990,
                                        6.2282699363, 4.7763849977, -5.4354558559};
   constexpr std::array<double, 7> kGreen{0.0054073445,  1.4046135299,   0.2148475595, -5.7991009734,
@@ -29,7 +29,7 @@ Rgb viridis(double t) {
           byteOf(255 * polynomial(kBlue, t))};
 }
 
-Rgb cividis(double t) {
+Rgb8 cividis(double t) {
   constexpr std::array<double, 6> kRed{-4.54, -35.34, 2381.73, -6402.7, 7024.72, -2710.57};
   constexpr std::array<double, 6> kGreen{32.49, 170.73, 52.82, -131.46, 176.58, -67.37};
   constexpr std::array<double, 6> kBlue{81.24, 442.36, -2482.43, 6167.24, -6614.94, 2475.67};
@@ -56,7 +56,7 @@ std::optional<ColourMap> colourMap(std::string_view name) {
   return std::nullopt;
 }
 
-Rgb colourOf(ColourMap map, double t) {
+Rgb8 colourOf(ColourMap map, double t) {
   if (!std::isfinite(t)) return {128, 128, 128};
   t = std::clamp(t, 0.0, 1.0);
   if (map == ColourMap::viridis) return viridis(t);

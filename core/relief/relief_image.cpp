@@ -215,7 +215,7 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
 std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const ReliefLook& look) {
   if (look.kind == ReliefKind::lit) return {};
   constexpr int kSteps = 1024;
-  std::array<Rgb, kSteps> table{};
+  std::array<Rgb8, kSteps> table{};
   for (int i = 0; i < kSteps; ++i) {
     table[static_cast<std::size_t>(i)] = colourOf(coloursOf(look), i / (kSteps - 1.0));
   }
@@ -223,7 +223,7 @@ std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const Relief
   colours.reserve(3 * values.values.size());
   const double per_value = (kSteps - 1) / (values.high - values.low);
   for (const float value : values.values) {
-    Rgb colour{128, 128, 128};
+    Rgb8 colour{128, 128, 128};
     if (std::isfinite(value)) {
       const double t = (static_cast<double>(value) - values.low) * per_value;
       colour = table[static_cast<std::size_t>(std::clamp(t + 0.5, 0.0, kSteps - 1.0))];

@@ -28,6 +28,7 @@ enum class DeviceFault : std::uint8_t {
   protocol,      ///< Answers nonsense.
   overheated,
   not_finite,  ///< A position that is no number, or kilometres away; set by the core.
+  not_ready,   ///< Its firmware does not run yet, or it is not homed.
 };
 std::string_view describe(DeviceFault fault) noexcept;  ///< For people; a few words.
 

@@ -165,7 +165,7 @@ TEST(ReliefImage, ColoursSpanTheDataAndAChosenRangeIsKept) {
   ASSERT_EQ(colours.size(), 3 * map.heights_mm.size());
   const auto colour_at = [&](int col) {
     const std::size_t i = 3 * map.frame.size.index({.col = col, .row = 50});
-    return Rgb{colours[i], colours[i + 1], colours[i + 2]};
+    return Rgb8{colours[i], colours[i + 1], colours[i + 2]};
   };
   EXPECT_EQ(colour_at(0), colourOf(ColourMap::viridis, 0));
   EXPECT_EQ(colour_at(60), colourOf(ColourMap::viridis, 0.5));
@@ -181,7 +181,7 @@ TEST(ReliefImage, WrongNumbersAreRefused) {
 }
 
 /// CIE 1976 lightness of an sRGB colour.
-double lightness(const Rgb& rgb) {
+double lightness(const Rgb8& rgb) {
   double y = 0;
   constexpr std::array<double, 3> kWeights{0.2126, 0.7152, 0.0722};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -212,12 +212,12 @@ TEST(ColourMaps, EveryMapGrowsLighterAllTheWayInEvenSteps) {
 TEST(ColourMaps, ViridisMeetsThePublishedColours) {
   struct Anchor {
     double t;
-    Rgb rgb;
+    Rgb8 rgb;
   };
   for (const Anchor& a :
        {Anchor{0, {68, 1, 84}}, Anchor{0.25, {59, 82, 139}}, Anchor{0.5, {33, 145, 140}},
         Anchor{0.75, {94, 201, 98}}, Anchor{1, {253, 231, 37}}}) {
-    const Rgb made = colourOf(ColourMap::viridis, a.t);
+    const Rgb8 made = colourOf(ColourMap::viridis, a.t);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(made[i], a.rgb[i], 5) << a.t;
   }
 }
