@@ -57,8 +57,7 @@ void ScanBuilder::addPoint(double x, double y, double z) {
     skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));
     return;
   }
-  constexpr double kFarthest = 1e38;  // Differences of two such numbers are finite in float.
-  if (std::abs(x) > kFarthest || std::abs(y) > kFarthest || std::abs(z) > kFarthest) {
+  if (std::max({std::abs(x), std::abs(y), std::abs(z)}) > kFarthestCoordinate) {
     skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));
     ++too_far_;
     return;

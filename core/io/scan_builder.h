@@ -10,6 +10,9 @@
 
 namespace relievo {
 
+/// Coordinates beyond it are no measurements; differences of two such numbers are finite in float.
+inline constexpr double kFarthestCoordinate = 1e38;
+
 /// Collects what a reader finds, in double, and makes a Scan of it: counts, bounds, an origin near
 /// the points (so that floats keep the file's resolution), triangles with valid indices.
 class ScanBuilder {
