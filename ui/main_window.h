@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   void showBusy(bool busy);
   void showFailure(const QString& message, const QString& code, const QString& file);
   void askUnit();
+  void askUnitIfAssumed();
   void chooseUnit(LengthUnit unit);
   void useThisView();
   void setFullScreenDetail(bool on);
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
   void enableCommands();
   void chooseFile();
   void chooseImage();
+  void chooseDepthMap();
   void showKeys();
   void showAbout();
   QAction* command(const char* name) const;

@@ -145,6 +145,18 @@ void MainWindow::makeSurfaceCommands() {
           x->selectAll();
         },
         {}});
+  make({"depth_map",
+        tr("Depth ma&p\u2026"),
+        {QKeySequence("Ctrl+D")},
+        tr("Everything between the scan and its depth map, with a preview"),
+        [this] { chooseDepthMap(); },
+        {}});
+  make({"units",
+        tr("U&nits\u2026"),
+        {},
+        tr("Say which length unit the file's coordinates have; kept for its folder"),
+        [this] { askUnit(); },
+        {}});
   struct View {
     const char* name;
     QString text;

@@ -11,6 +11,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "ui/depth_map_dialog.h"
 #include "ui/detail_view.h"
 #include "ui/image_dialog.h"
 #include "ui/keys_sheet.h"
@@ -58,7 +59,7 @@ void MainWindow::makeMenus() {
   command("show_plots")->setVisible(false);
   QMenu* surface = menu(tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
-                "type_window", "-"});
+                "type_window", "-", "depth_map", "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
@@ -191,9 +192,10 @@ void MainWindow::showHistory() {
 void MainWindow::enableCommands() {
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
-  for (const char* name : {"image", "finer", "coarser", "whole", "move_left", "move_right",
-                           "move_up", "move_down", "turn_left", "turn_right", "turn_up",
-                           "turn_down", "type_window", "fit", "stereo", "full_screen"}) {
+  for (const char* name :
+       {"image", "finer", "coarser", "whole", "move_left", "move_right", "move_up", "move_down",
+        "turn_left", "turn_right", "turn_up", "turn_down", "type_window", "fit", "stereo",
+        "full_screen", "depth_map", "units"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",
@@ -241,6 +243,18 @@ void MainWindow::chooseImage() {
     }
   });
   dialog->open();
+}
+
+void MainWindow::chooseDepthMap() {
+  if (!document_.isOpen() || document_.busy()) return;
+  auto* dialog = new DepthMapDialog(document_, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &DepthMapDialog::unitChosen, this, [this](LengthUnit unit) {
+    settings_.rememberUnit(document_.file(), unit);
+    strip_->close();
+  });
+  dialog->setModal(true);  // The document must not change below a preview of it.
+  dialog->show();
 }
 
 void MainWindow::showKeys() {

@@ -18,6 +18,7 @@
 namespace relievo {
 namespace {
 
+constexpr double kPlainDpi = 96;
 constexpr int kFocusFrame = 2;  // Pixels around the picture that show the focus.
 
 class AccessibleView : public QAccessibleWidget {
@@ -103,6 +104,8 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  private:
   void prepare() {
     const QSize pixels = size() * devicePixelRatioF();
+    // Lines grow with the screen's density and, like text, with the dots that the desktop asks for.
+    scene_.setMarkScale(devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi));
     scene_.prepare(std::max(1, pixels.width()), std::max(1, pixels.height()));
   }
 

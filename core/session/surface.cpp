@@ -8,6 +8,7 @@
 #include "core/depth/cell_size.h"
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
+#include "core/session/memory_guard.h"
 
 namespace relievo {
 namespace {
@@ -218,6 +219,7 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
   const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box);
+  requireMemory(frame, availableBytes());
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.

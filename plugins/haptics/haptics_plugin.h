@@ -27,7 +27,13 @@ class HapticsPlugin : public QObject, public Plugin {
   QByteArray saveState() const override;
   void restoreState(const QByteArray& state) override;
 
+  /// Of the running loop; what the panel shows. Precondition: attached.
+  const LoopStats& loopStats() { return session_->stats(); }
+  const RealtimeGrant& realtime() { return session_->loop().realtime(); }
+
  private:
+  void openDevice();    // As the settings say; the mouse if that fails.
+  void changeDevice();  // While attached.
   void connectHost();
   void connectControls();
   void showWindow(const RegionWindow& window);
@@ -44,6 +50,7 @@ class HapticsPlugin : public QObject, public Plugin {
   Host* host_ = nullptr;
   std::unique_ptr<LoopSession> session_;
   TouchSettings settings_;
+  std::string opened_;  // Id of the session's device.
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;

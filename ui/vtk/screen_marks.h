@@ -33,9 +33,14 @@ class ScreenMarks {
   ScreenMarks();
   void addTo(vtkRenderer* top_layer);
 
-  /// Draws anew for a picture. @param corners  of the pink window, in order; empty: none
-  void draw(const SceneView& view, const std::vector<ViewMm>& corners, bool handles,
-            bool scale_bar);
+  struct Marks {
+    std::vector<ViewMm> corners;  ///< Of the pink window, in order; empty: none.
+    bool handles = false, scale_bar = false;
+    double scale = 1;   ///< Pixels of a line of width 1.
+    PixelPlace origin;  ///< Of the part of the picture that is drawn.
+  };
+  /// Draws anew for a picture.
+  void draw(const SceneView& view, const Marks& marks);
 
  private:
   using Colour = std::array<std::uint8_t, 4>;
@@ -48,6 +53,8 @@ class ScreenMarks {
   vtkNew<vtkPolyData> poly_;
   vtkNew<vtkActor2D> shapes_;
   vtkNew<vtkTextActor> label_;
+  double scale_ = 1;
+  PixelPlace origin_;
 };
 
 }  // namespace relievo
