@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "core/base/bands.h"
 #include "core/base/error.h"
-#include "core/pyramid/bands.h"
 #include "core/pyramid/halve.h"
 #include "core/pyramid/kernel.h"
 
