@@ -20,7 +20,7 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs() {
-  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), touchVerb()};
+  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), touchVerb(), devicesVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {

@@ -33,6 +33,7 @@ Verb depthmapVerb();
 Verb pyramidVerb();
 Verb renderVerb();
 Verb touchVerb();
+Verb devicesVerb();
 
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);
