@@ -8,6 +8,7 @@
 #include "core/depth/cell_size.h"
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
+#include "core/session/choices.h"
 #include "core/session/memory_guard.h"
 
 namespace relievo {
@@ -28,6 +29,8 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+}  // namespace
 
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
   if (options.unit) {
@@ -61,7 +64,8 @@ NamedRotation chooseRotation(const Scan& scan, const std::optional<ViewChoice>& 
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
 GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& options,
-                      const Rotation& rotation, const RotatedBounds& box) {
+                      const Rotation& rotation, const RotatedBounds& box,
+                      std::uint64_t points_in_all) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
   const double side = std::max(width, height);
@@ -82,7 +86,7 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
   } else {
     int cells = options.cells.value_or(0);
     if (!options.cells) {
-      const CellProposal proposal = proposeCells(scan, rotation);
+      const CellProposal proposal = proposeCells(scan, rotation, points_in_all);
       cells = proposal.cells;
       surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
                                  proposal.reason + ").");
@@ -130,6 +134,8 @@ ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, do
   for (double& value : view.m) value += 0.0;  // No negative zeros in reports and files.
   return view;
 }
+
+namespace {
 
 void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, const Task& task) {
   task.report("Pyramid", 0.0);
@@ -218,7 +224,7 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   const NamedRotation view = chooseRotation(scan, options.view, task);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
-  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box);
+  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
   requireMemory(frame, availableBytes());
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;

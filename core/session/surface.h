@@ -37,6 +37,8 @@ struct StageSeconds {
   double read = 0, grid = 0, fill = 0, pyramid = 0;
 };
 
+class TiledMap;  // core/tiles/tiled_map.h
+
 /// A file made touchable: depth map, pyramid and how they came about. Immutable once made.
 struct Surface {
   ScanInfo info;
@@ -48,6 +50,8 @@ struct Surface {
   std::string engine, rule;
   DepthMap map;
   Pyramid pyramid;
+  /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
+  std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;
   std::vector<Hole> holes;            ///< Enclosed holes, largest first.
   std::vector<std::string> messages;  ///< For people: how the grid was chosen, what was assumed.
