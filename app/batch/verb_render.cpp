@@ -2,7 +2,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
+#include "core/session/tiled_surface.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/relief_scene.h"
 
@@ -31,10 +33,10 @@ StereoOptions stereoOptions(const RenderArguments& a) {
 
 Outcome runRender(const RenderArguments& a, const Task& task) {
   const StereoOptions stereo = stereoOptions(a);
-  const Surface surface = loadForVerb(a.map, task);
+  const Surface surface = openForVerb(a.map, task);
   const Region region = chosenRegion(surface, a.region);
   warnIfAliased(surface, region);
-  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  const RegionWindow window = windowOf(surface, region, a.region.gain);
   writeWindowIfAsked(a.region, surface, window);
 
   const DisplayGuard display;
