@@ -76,12 +76,12 @@ std::vector<float> measuredValues(const FrontDepths& depths) {
   return values;
 }
 
+}  // namespace
+
 Origin originOfHole(const Hole& hole, HoleRule rule) {
   if (hole.filled) return Origin::interpolated;
   return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
 }
-
-}  // namespace
 
 FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task) {

@@ -31,6 +31,9 @@ struct Hole {
   bool filled = false;                      ///< Interpolated on request.
 };
 
+/// What the cells of a hole become.
+Origin originOfHole(const Hole& hole, HoleRule rule);
+
 struct FilledMap {
   DepthMap map;             ///< Heights above the base plane.
   double base_z_mm = 0;     ///< View z of the base plane, to be subtracted from view_from_file.

@@ -3,11 +3,12 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/region/probe.h"
 #include "core/region/window.h"
-#include "haptics/device/mouse_device.h"
+#include "haptics/device/device.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
@@ -15,11 +16,12 @@
 
 namespace relievo {
 
-/// The running loop with the mouse as its hand, and the threads around it. All calls: GUI thread.
+/// The running loop with one device, and the threads around it. All calls: GUI thread.
 class LoopSession {
  public:
-  LoopSession();   ///< Starts the loop. @throw DeviceError, Error
-  ~LoopSession();  ///< Fades to zero force; all threads are joined on return.
+  /// Opens the device of that id (device_catalog.h) and starts the loop. @throw DeviceError, Error
+  explicit LoopSession(const std::string& device_id);
+  ~LoopSession();  ///< Zero force; all threads are joined on return.
   LoopSession(const LoopSession&) = delete;
   LoopSession& operator=(const LoopSession&) = delete;
 
@@ -27,7 +29,8 @@ class LoopSession {
   /// while touching goes on touching. @throw ArgumentError
   void show(const RegionWindow& window);
   bool hasWindow() const noexcept { return has_window_; }
-  /// Where the pointer wants the hand, view mm of the shown window.
+  /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
+  /// does not care.
   void moveHand(ViewMm target);
   void setOptions(const HapticOptions& options);
 
@@ -47,7 +50,7 @@ class LoopSession {
   std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;
   std::unique_ptr<HapticLoop> loop_;
-  MouseDevice* mouse_ = nullptr;  // Owned by the loop.
+  SteeredDevice* steered_ = nullptr;  // Owned by the loop; null: a person holds the device.
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
   bool has_window_ = false;
