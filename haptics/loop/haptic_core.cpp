@@ -162,6 +162,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
 
   ForceOptions force_options = options.force;
   force_options.stiffness_n_per_mm = stiffness(space, options);
+  force_options.stiffness_n_per_mm *= force_.oscillation.factor;
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
@@ -189,6 +190,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.damped_n = norm(result.damped);
   sample.margin_mj = force_.passivity.margin_mj;
   sample.resumed = paused;
+  sample.age_s = input.age_s;
+  sample.softened = force_.oscillation.softened;
   sample.stiffness_n_per_mm = force_options.stiffness_n_per_mm;
   sample.engaged = force_.phase;
   return sample;

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
+#include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -139,7 +140,7 @@ void HapticsPlugin::applySettings() {
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop();
+    session_->recorder().stop(loopLines(session_->stats()));
     return;
   }
   try {
@@ -170,6 +171,7 @@ void HapticsPlugin::frame() {
   const std::vector<PlotSample> plot = session_->takePlot();
   if (!plot.empty()) host_->plot(plot);
   watchFault(sample);
+  watchSoftening(sample);
   watchRecording();
   runButtons();
   constexpr int kFramesPerReadout = 8;
@@ -210,7 +212,21 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
       tr("Forces off: %1.").arg(QString::fromUtf8(words.data(), static_cast<int>(words.size()))));
 }
 
+void HapticsPlugin::watchSoftening(const HapticSample& sample) {
+  const bool again = sample.softened > softened_;
+  softened_ = sample.softened;
+  if (!again) return;
+  host_->announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
+                      .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
+}
+
 void HapticsPlugin::watchRecording() {
+  if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
+    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
+                                                .arg(durationText(flight->samples))
+                                                .arg(QString::fromStdString(flight->file.string()))
+                                          : QString::fromStdString(flight->error));
+  }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
   const QSignalBlocker blocker(actions_.record);
