@@ -93,7 +93,7 @@ ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, P
     p = lifted.position + part * (goal - lifted.position);
     p.z = surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
   }
-  running_ = creeps || weight_ < 1;
+  running_ = weight_ < 1 || (creeps && ticks_ < length_ + kMostCreepTicks);
   return state;
 }
 

@@ -17,8 +17,9 @@ struct SpringChange {
 /// feel. [haptic loop]
 class SceneChange {
  public:
-  static constexpr double kLeastTicks = 200;   ///< Of a change without contact or difference.
-  static constexpr double kMostStepN = 0.004;  ///< Aimed at: change of force in a tick at rest.
+  static constexpr double kLeastTicks = 200;       ///< Of a change without contact or difference.
+  static constexpr double kMostStepN = 0.004;      ///< Aimed at: change of force in a tick at rest.
+  static constexpr double kMostCreepTicks = 2000;  ///< Then the next window has waited enough.
 
   /// From `was` to `now`: the proxy is carried over by its place in the hand's space.
   ProxyState begin(const HapticSpace& was, const HapticSpace& now, ProxyState proxy,

@@ -48,8 +48,9 @@ struct BlockTops {
   std::array<float, std::size_t{kBlocks[2]} * kBlocks[2]> fine{};
 
   static constexpr std::size_t index(std::size_t level, int col, int row) RELIEVO_REALTIME {
-    const int shift = kShift[level];
-    return static_cast<std::size_t>((row >> shift) * kBlocks[level] + (col >> shift));
+    const auto block_col = static_cast<std::size_t>(col >> kShift[level]);
+    const auto block_row = static_cast<std::size_t>(row >> kShift[level]);
+    return block_row * static_cast<std::size_t>(kBlocks[level]) + block_col;
   }
   float at(std::size_t level, int col, int row) const RELIEVO_REALTIME {
     const std::size_t i = index(level, col, row);
@@ -60,7 +61,7 @@ struct BlockTops {
 
 /// The surface under the hand: one 200 x 200 window, paper sec. 4.1 and 6, with its place in the
 /// hand's workspace. Fixed size and trivially copyable, so that it crosses threads by value inside
-/// a TripleBuffer. One scale for x, y and z: the relief keeps its proportions at every level.
+/// a SceneBuffer. One scale for x, y and z: the relief keeps its proportions at every level.
 /// All const members: [any thread], real-time safe.
 struct HapticSpace {
   std::array<SurfaceSample, kWindowCount> samples{};  ///< Row 0 at the lowest y.

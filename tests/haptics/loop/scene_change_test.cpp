@@ -94,7 +94,7 @@ TEST(SceneChange, MovesTheForceByLessThanAHandFeelsInATick) {
   }
 }
 
-TEST(SceneChange, AHardSwitchWouldBeFelt) {
+TEST(SceneChange, ChangesTheForceByAtMostSixteenTenthsOfTheMeanStep) {
   const auto was = test::spaceOf(
       80, [](double, double) { return 0.0; }, 1);
   const auto now = test::spaceOf(
