@@ -19,8 +19,9 @@ namespace relievo {
 namespace batch {
 namespace {
 
-std::vector<Verb> verbs() {
-  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), touchVerb()};
+std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
+  return {infoVerb(),       depthmapVerb(),    pyramidVerb(), renderVerb(),
+          touchVerb(words), recordVerb(words), replayVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
@@ -119,7 +120,7 @@ bool isVerb(std::string_view word) {
 int runBatch(int argc, char** argv) {
   CLI::App app("relievo: feel and see scanned heritage at every scale", "relievo");
   app.require_subcommand(1);
-  std::vector<batch::Verb> verbs = batch::verbs();
+  std::vector<batch::Verb> verbs = batch::verbs({argv + 1, argv + argc});
   std::string format = "text";
   for (batch::Verb& verb : verbs) {
     CLI::App* sub = app.add_subcommand(verb.name, verb.help);
