@@ -7,7 +7,6 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   FiltersCore FiltersSources FiltersGeneral IOImage CommonCore CommonDataModel RenderingCore)
 set(RELIEVO_VTK_LIBRARIES ${VTK_LIBRARIES})
 find_package(PCL 1.13 REQUIRED COMPONENTS common io)
-find_package(assimp 5.2 REQUIRED)
 find_package(GDAL 3.6 REQUIRED)
 find_package(EXPAT 2.4 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)

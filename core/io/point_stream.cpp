@@ -16,6 +16,7 @@
 #include "core/io/format.h"
 #include "core/io/las_header.h"
 #include "core/io/las_unit.h"
+#include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
@@ -111,6 +112,7 @@ void PointStream::openPly(const ImportOptions& options) {
 }
 
 void PointStream::setFound(std::uint64_t promised, const ImportOptions& options) {
+  plantedFault(record_bytes_ == 41);
   const std::uint64_t room =
       points_at_ < file_bytes_ ? (file_bytes_ - points_at_) / record_bytes_ : 0;
   info_.points = std::min(promised, room);

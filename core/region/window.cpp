@@ -2,69 +2,197 @@
 #include "core/region/window.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "core/base/error.h"
 
 namespace relievo {
 namespace {
 
-/// Bilinear between the nodes of a level; beyond the outermost nodes their value continues.
-float levelHeight(const PyramidLevel& level, double x_mm, double y_mm) {
-  const GridFrame& frame = level.frame;
-  const auto split = [&](double position, double first, int count, int& low, int& high) {
-    const double index = std::clamp((position - first) / frame.spacing_mm, 0.0, count - 1.0);
-    low = std::min(static_cast<int>(index), std::max(count - 2, 0));
-    high = std::min(low + 1, count - 1);
-    return index - low;
-  };
-  int c0 = 0;
-  int c1 = 0;
-  int r0 = 0;
-  int r1 = 0;
-  const double u = split(x_mm, frame.first_x_mm, frame.size.cols, c0, c1);
-  const double v = split(y_mm, frame.first_y_mm, frame.size.rows, r0, r1);
-  const auto at = [&](int col, int row) {
-    return static_cast<double>(level.heights_mm[frame.size.index({.col = col, .row = row})]);
-  };
-  return static_cast<float>((1 - v) * ((1 - u) * at(c0, r0) + u * at(c1, r0)) +
-                            v * ((1 - u) * at(c0, r1) + u * at(c1, r1)));
+/// Where the window's samples lie along one axis.
+struct Axis {
+  std::vector<int> low, high, cell;  ///< Nodes on both sides; cell of the origin, -1 off the map.
+  std::vector<double> part;          ///< Way from low to high, [0, 1].
+  std::vector<std::uint8_t> on_map;  ///< Heights exist here.
+  int first_node = 0, nodes = 0;     ///< All that low and high name.
+  int first_cell = 0, cells = 0;
+};
+
+/// One axis of a grid.
+struct Line {
+  int count = 0;
+  double first_mm = 0, spacing_mm = 0;
+};
+Line lineX(const GridFrame& f) {
+  return {.count = f.size.cols, .first_mm = f.first_x_mm, .spacing_mm = f.spacing_mm};
+}
+Line lineY(const GridFrame& f) {
+  return {.count = f.size.rows, .first_mm = f.first_y_mm, .spacing_mm = f.spacing_mm};
 }
 
-Origin originAt(const DepthMap& map, double x_mm, double y_mm) {
-  const double u = (x_mm - map.leftMm()) / map.frame.spacing_mm;
-  const double v = (y_mm - map.bottomMm()) / map.frame.spacing_mm;
-  if (u < 0 || v < 0 || u > map.frame.size.cols || v > map.frame.size.rows) return Origin::outside;
-  return map.origin({.col = std::min(static_cast<int>(u), map.frame.size.cols - 1),
-                     .row = std::min(static_cast<int>(v), map.frame.size.rows - 1)});
+/// Beyond the outermost nodes their value continues; beyond the map there is nothing.
+Axis axisOf(double start_mm, double step_mm, const Line& map, const Line& nodes,
+            const Line& cells) {
+  Axis axis;
+  const double map_start = map.first_mm - 0.5 * map.spacing_mm;
+  const double map_end = map_start + map.count * map.spacing_mm;
+  const double cells_start = cells.first_mm - 0.5 * cells.spacing_mm;
+  int last_cell = -1;
+  for (int i = 0; i < kWindowSamples; ++i) {
+    const double at = start_mm + (i + 0.5) * step_mm;
+    const double index =
+        std::clamp((at - nodes.first_mm) / nodes.spacing_mm, 0.0, nodes.count - 1.0);
+    const int low = std::min(static_cast<int>(index), std::max(nodes.count - 2, 0));
+    axis.low.push_back(low);
+    axis.high.push_back(std::min(low + 1, nodes.count - 1));
+    axis.part.push_back(index - low);
+    const bool on_map = at >= map_start && at <= map_end;
+    axis.on_map.push_back(on_map ? 1 : 0);
+    const double u = (at - cells_start) / cells.spacing_mm;
+    const int cell = std::min(static_cast<int>(std::max(u, 0.0)), cells.count - 1);
+    const bool has_origin = on_map && u >= 0;
+    axis.cell.push_back(has_origin ? cell : -1);
+    if (!has_origin) continue;
+    if (last_cell < 0) axis.first_cell = cell;
+    last_cell = cell;
+  }
+  axis.first_node = axis.low.front();
+  axis.nodes = axis.high.back() - axis.first_node + 1;
+  axis.cells = last_cell < 0 ? 0 : last_cell - axis.first_cell + 1;
+  return axis;
 }
 
-bool onMap(const DepthMap& map, double x_mm, double y_mm) {
-  return x_mm >= map.leftMm() && x_mm <= map.leftMm() + map.widthMm() && y_mm >= map.bottomMm() &&
-         y_mm <= map.bottomMm() + map.heightExtentMm();
+/// A row of the level at the window's columns, kept while window rows lie beside it.
+class RowAtColumns {
+ public:
+  const double* at(int row, const WindowRows& rows, const Axis& columns) {
+    if (row == row_) return values_.data();
+    const float* heights = rows.heights(row, columns.first_node, columns.nodes);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const double u = columns.part[i];
+      const auto low = static_cast<double>(heights[columns.low[i] - columns.first_node]);
+      const auto high = static_cast<double>(heights[columns.high[i] - columns.first_node]);
+      values_[i] = (1 - u) * low + u * high;
+    }
+    row_ = row;
+    return values_.data();
+  }
+  int row() const noexcept { return row_; }
+
+ private:
+  int row_ = -1;
+  std::array<double, kWindowSamples> values_{};
+};
+
+/// Bilinear between the nodes.
+void sampleHeights(const WindowRows& rows, const Axis& columns, const Axis& lines,
+                   RegionWindow& window) {
+  RowAtColumns below;
+  RowAtColumns above;
+  for (std::size_t j = 0; j < kWindowSamples; ++j) {
+    if (lines.on_map[j] == 0) continue;
+    if (lines.low[j] == above.row()) std::swap(below, above);
+    const double* low = below.at(lines.low[j], rows, columns);
+    const double* high = above.at(lines.high[j], rows, columns);
+    const double v = lines.part[j];
+    float* out = &window.heights_mm[j * kWindowSamples];
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      const auto height = static_cast<float>((1 - v) * low[i] + v * high[i]);
+      out[i] = static_cast<float>(window.gain * static_cast<double>(height));
+    }
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      if (columns.on_map[i] == 0) out[i] = 0;
+    }
+  }
 }
 
-/// Identifies a window by what is in it (splitmix64 steps), so that no counter is shared.
+void sampleOrigins(const WindowRows& rows, const Axis& columns, const Axis& lines,
+                   RegionWindow& window) {
+  if (columns.cells == 0) return;
+  for (std::size_t j = 0; j < kWindowSamples; ++j) {
+    if (lines.cell[j] < 0) continue;
+    Origin* out = &window.origins[j * kWindowSamples];
+    if (j > 0 && lines.cell[j] == lines.cell[j - 1]) {
+      std::copy_n(out - kWindowSamples, kWindowSamples, out);
+      continue;
+    }
+    const Origin* origins = rows.origins(lines.cell[j], columns.first_cell, columns.cells);
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      if (columns.cell[i] >= 0) out[i] = origins[columns.cell[i] - columns.first_cell];
+    }
+  }
+}
+
+/// Identifies a window by what is in it (splitmix64 steps), so that no counter is shared. Four
+/// chains at once: one would take longer than all the rest.
 std::uint64_t contentId(const RegionWindow& window) {
-  auto hash = std::bit_cast<std::uint64_t>(window.region.x_mm);
-  const auto mix = [&hash](std::uint64_t value) {
+  const auto mix = [](std::uint64_t& hash, std::uint64_t value) {
     hash += 0x9e3779b97f4a7c15ULL + value;
     hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9ULL;
     hash ^= hash >> 27U;
   };
-  mix(std::bit_cast<std::uint64_t>(window.region.y_mm));
-  mix(std::bit_cast<std::uint64_t>(window.region.side_mm));
-  mix(static_cast<std::uint64_t>(window.region.level.value));
-  for (const float height : window.heights_mm) mix(std::bit_cast<std::uint32_t>(height));
+  std::array<std::uint64_t, 4> chains{std::bit_cast<std::uint64_t>(window.region.x_mm),
+                                      std::bit_cast<std::uint64_t>(window.region.y_mm),
+                                      std::bit_cast<std::uint64_t>(window.region.side_mm),
+                                      static_cast<std::uint64_t>(window.region.level.value)};
+  static_assert(kWindowCount % 8 == 0);
+  for (std::size_t i = 0; i < kWindowCount; i += 8) {
+    std::array<std::uint64_t, 4> values{};
+    std::memcpy(values.data(), &window.heights_mm[i], sizeof(values));
+    for (std::size_t k = 0; k < 4; ++k) mix(chains[k], values[k]);
+  }
+  std::uint64_t hash = chains[0];
+  for (std::size_t k = 1; k < 4; ++k) mix(hash, chains[k]);
   hash >>= 16U;                 // 48 bits: exact in spreadsheets and JSON, which count in doubles.
   return hash == 0 ? 1 : hash;  // 0 means no window.
+}
+
+void findRange(RegionWindow& window) {
+  constexpr std::size_t kLanes = 8;
+  static_assert(kWindowCount % kLanes == 0);
+  std::array<float, kLanes> low{};
+  std::array<float, kLanes> high{};
+  std::copy_n(window.heights_mm.begin(), kLanes, low.begin());
+  high = low;
+  for (std::size_t i = kLanes; i < kWindowCount; i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const float height = window.heights_mm[i + k];
+      low[k] = height < low[k] ? height : low[k];
+      high[k] = height > high[k] ? height : high[k];
+    }
+  }
+  window.min_mm = *std::min_element(low.begin(), low.end());
+  window.max_mm = *std::max_element(high.begin(), high.end());
 }
 
 }  // namespace
 
 RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Region& region,
                           double gain) {
+  if (region.level.value < 0 || region.level.value >= static_cast<int>(pyramid.levels.size())) {
+    throw ArgumentError("The region names a level that the pyramid does not have.");
+  }
+  const PyramidLevel& level = pyramid.levels[static_cast<std::size_t>(region.level.value)];
+  const auto heights = [&level](int row, int col, int) {
+    return &level.heights_mm[level.frame.size.index({.col = col, .row = row})];
+  };
+  const auto origins = [&map](int row, int col, int) {
+    return &map.origins[map.frame.size.index({.col = col, .row = row})];
+  };
+  return sampleWindow({.map = map.frame,
+                       .nodes = level.frame,
+                       .cells = map.frame,
+                       .levels = static_cast<int>(pyramid.levels.size()),
+                       .heights = heights,
+                       .origins = origins},
+                      region, gain);
+}
+
+RegionWindow sampleWindow(const WindowRows& rows, const Region& region, double gain) {
   if (!(region.side_mm > 0) || !std::isfinite(region.side_mm) || !std::isfinite(region.x_mm) ||
       !std::isfinite(region.y_mm)) {
     throw ArgumentError("A region needs a finite position and a side above 0 mm.");
@@ -72,32 +200,20 @@ RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Reg
   if (!(gain > 0) || !std::isfinite(gain)) {
     throw ArgumentError("The height gain must be a finite number above 0; 1 is true to scale.");
   }
-  if (region.level.value < 0 || region.level.value >= static_cast<int>(pyramid.levels.size())) {
-    throw ArgumentError("The region names a level that the pyramid does not have.");
-  }
-  const PyramidLevel& level = pyramid.levels[static_cast<std::size_t>(region.level.value)];
   RegionWindow window;
   window.region = region;
   window.gain = gain;
   window.heights_mm.resize(kWindowCount);
-  window.origins.resize(kWindowCount);
+  window.origins.resize(kWindowCount, Origin::outside);
   const double step = region.side_mm / kWindowSamples;
-  std::size_t i = 0;
-  for (int row = 0; row < kWindowSamples; ++row) {
-    const double y = region.y_mm + (row + 0.5) * step;
-    for (int col = 0; col < kWindowSamples; ++col, ++i) {
-      const double x = region.x_mm + (col + 0.5) * step;
-      window.origins[i] = originAt(map, x, y);
-      if (onMap(map, x, y)) {
-        window.heights_mm[i] =
-            static_cast<float>(gain * static_cast<double>(levelHeight(level, x, y)));
-      }
-    }
-  }
-  const auto [low, high] = std::minmax_element(window.heights_mm.begin(), window.heights_mm.end());
-  window.min_mm = *low;
-  window.max_mm = *high;
-  window.levels = static_cast<int>(pyramid.levels.size());
+  const Axis columns =
+      axisOf(region.x_mm, step, lineX(rows.map), lineX(rows.nodes), lineX(rows.cells));
+  const Axis lines =
+      axisOf(region.y_mm, step, lineY(rows.map), lineY(rows.nodes), lineY(rows.cells));
+  sampleHeights(rows, columns, lines, window);
+  sampleOrigins(rows, columns, lines, window);
+  findRange(window);
+  window.levels = rows.levels;
   window.id = contentId(window);
   return window;
 }

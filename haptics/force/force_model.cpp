@@ -31,6 +31,7 @@ ForceState engage(const ForceOptions& options, const ForceInput& input, DeviceN 
     state.phase = EngagePhase::off;
     state.rise = 0;
     state.quiet = 0;
+    state.oscillation = {};
     return state;
   }
   switch (state.phase) {
@@ -80,6 +81,7 @@ ForceState refade(ForceState state) RELIEVO_REALTIME {
   if (state.phase == EngagePhase::on) state.phase = EngagePhase::rising;
   state.rise = 0;
   state.passivity = rebased(state.passivity);
+  state.oscillation.started = false;
   return state;
 }
 
@@ -136,6 +138,9 @@ ForceResult force(const ForceOptions& options, const ForceInput& input,
   if (zeroDemanded(options, input, state)) sent = {};
   state.last = sent;
   state.passivity = sentOut(state.passivity, sent);
+  const bool deep = state.passivity.margin_mj <= -options.passivity.most_debt_mj;
+  state.oscillation =
+      watchOscillation(options.oscillation, {sent, input.hip, deep}, state.oscillation);
   result.force = sent;
   result.command_n = norm(command);
   result.limited = !(sent == wanted);

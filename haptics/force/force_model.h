@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/vec3.h"
+#include "haptics/force/oscillation.h"
 #include "haptics/force/passivity.h"
 #include "haptics/rt/realtime.h"
 
@@ -22,12 +23,14 @@ struct ForceOptions {
   double quiet_n = 0.3;               ///< Forces come on only after the spring's force was below
   int quiet_ticks = 5;                ///< this for so many ticks in a row.
   PassivityOptions passivity;
+  OscillationOptions oscillation;
   bool forces_on = false;  ///< Asked for; what happens then is EngagePhase.
   bool safety =
       true;  ///< false: F is exactly the spring's force. Only where no device is attached.
 };
 
-/// k by detail: finer levels carry texture, which only a softer surface shows cleanly.
+/// k by detail, from the stability map (docs/dev/stability.md): at most 75 % of what is stable with
+/// the passivity stage, and no more than is stable without it where a level carries texture.
 double stiffnessForDetail(int detail) RELIEVO_REALTIME;
 
 enum class EngagePhase : std::uint8_t { off, waiting, rising, on };
@@ -38,6 +41,7 @@ struct ForceState {
   double rise = 0;  ///< 0 .. 1 while rising.
   int quiet = 0;    ///< Quiet ticks in a row while waiting.
   PassivityState passivity;
+  OscillationState oscillation;
 };
 
 struct ForceInput {

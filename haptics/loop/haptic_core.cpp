@@ -126,6 +126,7 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& opt
   if (options.stiffness_by_detail) {
     force_options.stiffness_n_per_mm = stiffnessForDetail(space.detail);
   }
+  force_options.stiffness_n_per_mm *= force_.oscillation.factor;
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
@@ -146,6 +147,7 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& opt
   sample.damped_n = norm(result.damped);
   sample.margin_mj = force_.passivity.margin_mj;
   sample.resumed = paused;
+  sample.softened = force_.oscillation.softened;
   sample.stiffness_n_per_mm = force_options.stiffness_n_per_mm;
   sample.engaged = force_.phase;
   return sample;

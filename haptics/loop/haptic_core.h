@@ -38,6 +38,7 @@ struct HapticSample {
   double stiffness_n_per_mm = 0;
   double rate_hz = 0;  ///< Measured rate of the loop; 1000 on the deterministic clock.
   std::uint32_t buttons = 0;
+  std::uint8_t softened = 0;  ///< How often an oscillation halved the stiffness.
   std::int32_t detail = 1;
   std::int32_t tick_ns = 0;  ///< Time spent computing, without the device.
   DeviceFault fault = DeviceFault::none;

@@ -52,6 +52,10 @@ QString stateText(const LoopReport& report) {
     case EngagePhase::on:
       break;
   }
+  if (sample.softened > 0) {
+    return HapticsPanel::tr("On, softened to %1 N/mm against swinging until switched off.")
+        .arg(sample.stiffness_n_per_mm, 0, 'f', 2);
+  }
   return report.actuated ? HapticsPanel::tr("On.")
                          : HapticsPanel::tr("On: computed and shown; a mouse cannot push back.");
 }

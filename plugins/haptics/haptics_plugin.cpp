@@ -170,6 +170,7 @@ void HapticsPlugin::frame() {
   const std::vector<PlotSample> plot = session_->takePlot();
   if (!plot.empty()) host_->plot(plot);
   watchFault(sample);
+  watchSoftening(sample);
   watchRecording();
   runButtons();
   constexpr int kFramesPerReadout = 8;
@@ -208,6 +209,14 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   setForces(false);
   host_->announce(
       tr("Forces off: %1.").arg(QString::fromUtf8(words.data(), static_cast<int>(words.size()))));
+}
+
+void HapticsPlugin::watchSoftening(const HapticSample& sample) {
+  const bool again = sample.softened > softened_;
+  softened_ = sample.softened;
+  if (!again) return;
+  host_->announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
+                      .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
 }
 
 void HapticsPlugin::watchRecording() {

@@ -43,6 +43,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void applySettings();
   void frame();         // 60 times a second.
   void slowReadouts();  // About 8 times a second.
+  void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
   void runButtons();
@@ -56,6 +57,7 @@ class HapticsPlugin : public QObject, public Plugin {
   QTimer timer_;
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
+  int softened_ = 0;
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;
 };

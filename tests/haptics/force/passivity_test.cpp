@@ -96,6 +96,7 @@ double swingOnAFlat(const char* grip, double k, bool passivity) {
   options.force.stiffness_n_per_mm = k;
   options.force.strength = 1;
   options.force.passivity.on = passivity;
+  options.force.oscillation.on = false;
   const VirtualHandOptions hand = virtualHandNamed(grip);
   test::ClosedLoop loop(*space, hand, options);
   loop.switchOn({0, 0, 5});
