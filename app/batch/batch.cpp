@@ -20,7 +20,8 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs() {
-  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), figureVerb(), touchVerb()};
+  return {infoVerb(),   depthmapVerb(), pyramidVerb(), renderVerb(),
+          figureVerb(), touchVerb(),    devicesVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
@@ -92,6 +93,7 @@ Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
     surface = loadSurface(file, options, rasterize, import, task);
   }
   for (const std::string& message : surface.messages) tell(message);
+  for (const std::string& message : surface.not_done) tell(message);
   return surface;
 }
 

@@ -35,9 +35,15 @@ Verb pyramidVerb();
 Verb renderVerb();
 Verb figureVerb();
 Verb touchVerb();
+Verb devicesVerb();
 
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);
+
+/// 0, or 4 if a requested step could not be done.
+inline int exitCodeAfter(const Surface& surface) {
+  return surface.not_done.empty() ? 0 : 4;
+}
 
 Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
                     const ImportOptions& import, const Task& task);

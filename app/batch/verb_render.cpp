@@ -2,8 +2,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/session/tiled_surface.h"
 #include "ui/figure/figure.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/relief_scene.h"
@@ -56,10 +58,10 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   if (!a.from_image.empty()) return runFromImage(a, task);
   if (a.map.file.empty()) throw ArgumentError("FILE is missing. Nothing was drawn.");
   const StereoOptions stereo = stereoOptions(a);
-  const Surface surface = loadForVerb(a.map, task);
+  const Surface surface = openForVerb(a.map, task);
   const Region region = chosenRegion(surface, a.region);
   warnIfAliased(surface, region);
-  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  const RegionWindow window = windowOf(surface, region, a.region.gain);
   writeWindowIfAsked(a.region, surface, window);
 
   const DisplayGuard display;
@@ -92,7 +94,8 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   return {.json = text,
           .lines = {a.out + ": " + std::to_string(image.width) + " x " +
                     std::to_string(image.height) + " pixels, " + json["mm_per_pixel"].dump() +
-                    " mm each, level " + std::to_string(region.level.value)}};
+                    " mm each, level " + std::to_string(region.level.value)},
+          .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
 #include "core/region/hand.h"
+#include "core/session/tiled_surface.h"
 #include "haptics/proxy/surface.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/stroke.h"
@@ -132,10 +134,10 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   const StrokeOptions options = strokeOptions(a);
   const SurfaceKind kind = surfaceKind(a);
   const Stroke stroke = readStroke(a.stroke);
-  const Surface surface = loadForVerb(a.map, task);
+  const Surface surface = openForVerb(a.map, task);
   const Region region = chosenRegion(surface, a.region);
   warnIfAliased(surface, region);
-  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  const RegionWindow window = windowOf(surface, region, a.region.gain);
   writeWindowIfAsked(a.region, surface, window);
   // On the heap: 900 kB by value.
   const auto space = std::make_unique<HapticSpace>();

@@ -147,6 +147,7 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& opt
   sample.damped_n = norm(result.damped);
   sample.margin_mj = force_.passivity.margin_mj;
   sample.resumed = paused;
+  sample.age_s = input.age_s;
   sample.softened = force_.oscillation.softened;
   sample.stiffness_n_per_mm = force_options.stiffness_n_per_mm;
   sample.engaged = force_.phase;

@@ -37,6 +37,7 @@ struct HapticSample {
   double margin_mj = 0;       ///< What the surface may still give; < 0: it owes.
   double stiffness_n_per_mm = 0;
   double rate_hz = 0;  ///< Measured rate of the loop; 1000 on the deterministic clock.
+  double age_s = 0;    ///< Of the position.
   std::uint32_t buttons = 0;
   std::uint8_t softened = 0;  ///< How often an oscillation halved the stiffness.
   std::int32_t detail = 1;

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
+#include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -139,7 +140,7 @@ void HapticsPlugin::applySettings() {
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop();
+    session_->recorder().stop(loopLines(session_->stats()));
     return;
   }
   try {
@@ -220,6 +221,12 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
 }
 
 void HapticsPlugin::watchRecording() {
+  if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
+    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
+                                                .arg(durationText(flight->samples))
+                                                .arg(QString::fromStdString(flight->file.string()))
+                                          : QString::fromStdString(flight->error));
+  }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
   const QSignalBlocker blocker(actions_.record);

@@ -5,6 +5,7 @@
 
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
+#include "plugins/haptics/recording_file.h"
 
 namespace relievo {
 
@@ -14,7 +15,9 @@ bool on(EngagePhase phase) {
 }
 }  // namespace
 
-LoopSession::LoopSession(const std::string& device_id) : plot_start_ns_(monotonicNs()) {
+LoopSession::LoopSession(const std::string& device_id)
+    : flight_(flightFolder().toStdString(), "relievo flight record, schema 1\ndevice " + device_id),
+      plot_start_ns_(monotonicNs()) {
   std::unique_ptr<Device> device = makeDevice(device_id);
   steered_ = dynamic_cast<SteeredDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
@@ -22,6 +25,7 @@ LoopSession::LoopSession(const std::string& device_id) : plot_start_ns_(monotoni
   drain_ = std::make_unique<SampleDrain>(
       loop_->samples(), std::vector<SampleSink>{
                             [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
+                            [this](std::span<const HapticSample> batch) { flight_.take(batch); },
                             [this](std::span<const HapticSample> batch) { plotSink(batch); }});
 }
 
