@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,8 +92,10 @@ void writeSurface(hid_t file, const HapticSpace& surface) {
   const Id depth(
       H5Dcreate2(group, "depth", H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose);
-  require(
-      H5Dwrite(depth, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, surface.heights_mm.data()));
+  std::vector<float> heights_mm(kWindowCount);
+  std::transform(surface.samples.begin(), surface.samples.end(), heights_mm.begin(),
+                 [](const SurfaceSample& sample) { return sample.height_mm; });
+  require(H5Dwrite(depth, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, heights_mm.data()));
   writeAttribute(depth, "unit", "mm");
   writeAttribute(depth, "description", "heights of the window, row 0 at the lowest y");
   const Id origin(
