@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/region/hand.h"
+#include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -151,7 +152,7 @@ void HapticsPlugin::applySettings() {
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop();
+    session_->recorder().stop(loopLines(session_->stats()));
     return;
   }
   try {
@@ -232,6 +233,12 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
 }
 
 void HapticsPlugin::watchRecording() {
+  if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
+    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
+                                                .arg(durationText(flight->samples))
+                                                .arg(QString::fromStdString(flight->file.string()))
+                                          : QString::fromStdString(flight->error));
+  }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
   const QSignalBlocker blocker(actions_.record);
