@@ -18,6 +18,27 @@ foreach(region IN ITEMS flat curved)
     -o ${figures}/force_${region}.csv --plot ${figures}/force_${region}.svg)
 endforeach()
 
+# The same on both regions under all four proxies, side by side.
+if(RELIEVO_BUILD_TESTS)
+  foreach(region IN ITEMS flat curved)
+    foreach(proxy IN ITEMS equation successive facets spline)
+      set(how_equation --proxy equation --surface exact)
+      set(how_successive --proxy successive --surface exact)
+      set(how_facets --surface exact)
+      set(how_spline --surface auto)
+      set(name_equation "the paper's equation")
+      set(name_successive "successive approximation")
+      set(name_facets "converged, bilinear")
+      set(name_spline "converged, smooth (default)")
+      set(log ${figures}/force_${region}_${proxy}.csv)
+      list(APPEND force_figures COMMAND relievo touch ${samples}/relief_f.ply --level 0
+        --region ${square_${region}} --stroke ${strokes}/${region}.csv ${how_${proxy}} -o ${log})
+      list(APPEND panels "${region}:${name_${proxy}}:${log}")
+    endforeach()
+  endforeach()
+  list(APPEND force_figures COMMAND force_panels ${figures}/force_proxies.svg ${panels})
+endif()
+
 # One object at three levels of detail, the same place each time, then in stereo.
 list(APPEND detail_figures
   COMMAND relievo render ${samples}/panel.ply -o ${figures}/detail_1.png
