@@ -1,17 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device_catalog.h"
 
+#include <string_view>
+
 #include "core/base/error.h"
+#include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/falcon/firmware.h"
+#include "haptics/device/falcon/settings_file.h"
+#include "haptics/device/falcon/usb_bus.h"
 #include "haptics/device/mouse_device.h"
+#include "haptics/device/virtual_hand.h"
 
 namespace relievo {
+
+namespace {
+constexpr std::string_view kVirtual = "virtual";
+
+std::vector<std::string> virtualHands() {
+  std::vector<std::string> ids;
+  for (const HandImpedance& preset : kHandPresets) {
+    ids.push_back(std::string(kVirtual) + ":" + std::string(preset.name));
+  }
+  return ids;
+}
+
+std::unique_ptr<Device> makeVirtualHand(const std::string& id) {
+  if (id == kVirtual) return std::make_unique<VirtualHand>();
+  return std::make_unique<VirtualHand>(virtualHandNamed(id.substr(kVirtual.size() + 1)));
+}
+
+std::vector<std::string> falcons() {
+  // One is used at a time; which one, USB decides.
+  if (falcon::seenFalcons().empty()) return {};
+  return {std::string(falcon::kFalconId)};
+}
+
+std::unique_ptr<Device> makeFalcon(const std::string& id) {
+  if (id != "falcon" && id != falcon::kFalconId) {
+    throw DeviceError("There is no Falcon named \"" + id + "\"; one is used at a time, falcon:0.");
+  }
+  return std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
+                                                falcon::firmwareSource(),
+                                                falcon::readSettings(falcon::settingsFile()));
+}
+}  // namespace
 
 std::vector<DeviceDriver> deviceCatalog() {
   return {{"mouse", [] { return std::vector<std::string>{"mouse"}; },
            [](const std::string& id) -> std::unique_ptr<Device> {
              if (id != "mouse") throw DeviceError("There is no mouse device named \"" + id + "\".");
              return std::make_unique<MouseDevice>();
-           }}};
+           }},
+          {std::string(kVirtual), virtualHands, makeVirtualHand},
+          {"falcon", falcons, makeFalcon}};
+}
+
+std::unique_ptr<Device> makeDevice(const std::string& id) {
+  std::string known;
+  for (const DeviceDriver& driver : deviceCatalog()) {
+    if (id == driver.kind || id.starts_with(driver.kind + ":")) return driver.make(id);
+    known += (known.empty() ? "" : ", ") + driver.kind;
+  }
+  throw DeviceError("There is no device \"" + id + "\". This build knows: " + known + ".");
 }
 
 }  // namespace relievo

@@ -21,4 +21,8 @@ struct DeviceDriver {
 /// All kinds this build knows, written out in the .cpp: no static registration.
 std::vector<DeviceDriver> deviceCatalog();
 
+/// The closed device of that id, "mouse" or "virtual:light"; a kind alone is its usual device.
+/// @throw DeviceError  no such device
+std::unique_ptr<Device> makeDevice(const std::string& id);
+
 }  // namespace relievo

@@ -2,14 +2,12 @@
 #include "ui/document.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <QCryptographicHash>
 #include <QFile>
 #include <QUndoCommand>
 
-#include "core/depth/rasterize.h"
 #include "core/io/import.h"
+#include "ui/figure/file_hash.h"
 
 namespace relievo {
 namespace {
@@ -17,7 +15,6 @@ namespace {
 constexpr int kUndoLimit = 100;
 constexpr int kMergeGain = 1;
 constexpr int kMergeZoom = 2;
-constexpr auto kProgressPeriod = std::chrono::milliseconds(33);
 
 QString detailName(int from, int to) {
   return Document::tr("Detail %1 \u2192 %2").arg(from).arg(to);
@@ -48,19 +45,6 @@ class StateCommand : public QUndoCommand {
   int merge_id_;
 };
 
-/// Hexadecimal; empty if the file cannot be read again.
-QString sha256Of(const QString& path, const Task& task) {
-  constexpr qint64 kBlock = 4 << 20;
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  while (!file.atEnd()) {
-    task.check();
-    hash.addData(file.read(kBlock));
-  }
-  return QString::fromLatin1(hash.result().toHex());
-}
-
 bool sameGrid(const Surface& a, const Surface& b) {
   return a.map.frame == b.map.frame && a.ladder.spacings_mm == b.ladder.spacings_mm;
 }
@@ -68,48 +52,42 @@ bool sameGrid(const Surface& a, const Surface& b) {
 }  // namespace
 
 struct Document::Work {
-  std::uint64_t id = 0;
   bool reads = false;  ///< Reads `open.file`; otherwise works on what is in memory.
   OpenRequest open;
-  std::shared_ptr<const Scan> scan;
-  std::shared_ptr<const RasterMap> raster;
+  SurfaceSource source;
   SurfaceOptions options;
   QString name;  ///< In the history.
-};
-
-struct Document::Outcome {
-  Work work;
-  std::shared_ptr<const Surface> surface;
-  bool cancelled = false;
-  QString error, code, sha256;
+  SurfaceOutcome outcome;
+  QString sha256;
 };
 
 Document::Document(DepthEngine depth_buffer, QObject* parent)
     : QObject(parent), depth_buffer_(std::move(depth_buffer)) {
   history_.setUndoLimit(kUndoLimit);
+  connect(&worker_, &LatestWorker::busyChanged, this, &Document::busyChanged);
+  connect(&worker_, &LatestWorker::progressed, this, &Document::progressed);
 }
 
+// Nobody hears of work that ends with the document.
 Document::~Document() {
-  worker_.request_stop();
-  if (worker_.joinable()) worker_.join();
+  worker_.disconnect();
 }
 
 void Document::open(const OpenRequest& request) {
   Work work;
   work.reads = true;
   work.open = request;
-  work.options.unit = request.unit;
-  work.options.view = request.view;
+  if (request.options) {
+    work.options = *request.options;
+  } else {
+    work.options.unit = request.unit;
+    work.options.view = request.view;
+  }
   start(std::move(work));
 }
 
 void Document::cancel() {
-  if (!busy()) return;
-  request_ = 0;
-  pending_.reset();
-  worker_.request_stop();
-  Q_EMIT busyChanged(false);
-  Q_EMIT cancelled();
+  if (worker_.cancel()) Q_EMIT cancelled();
 }
 
 int Document::detail() const {
@@ -146,124 +124,89 @@ void Document::setUnit(LengthUnit unit) {
 }
 
 void Document::remake(const SurfaceOptions& options, const QString& name) {
+  if (!isOpen()) return;
   Work work;
-  work.scan = scan_;
-  work.raster = raster_;
+  work.source = source_;
   work.options = options;
   work.name = name;
   start(std::move(work));
 }
 
 void Document::start(Work work) {
-  const bool was_busy = busy();
-  request_ = work.id = ++last_request_;
-  if (running_) {
-    worker_.request_stop();
-    pending_ = std::make_unique<Work>(std::move(work));
+  const auto shared = std::make_shared<Work>(std::move(work));
+  worker_.start(
+      [this, shared](const Task& task) {
+        Work& w = *shared;
+        w.outcome = outcomeOf([&] {
+          if (w.reads) read(w, task);
+          task.check();
+          return makeSurface(w.source, w.options, depth_buffer_, task);
+        });
+      },
+      [this, shared] { finish(*shared); });
+}
+
+void Document::read(Work& w, const Task& task) {
+  const std::filesystem::path file(QFile::encodeName(w.open.file).toStdString());
+  if (looksLikeRaster(file)) {
+    w.source.raster = std::make_shared<const RasterMap>(readRaster(file));
   } else {
-    launch(std::move(work));
+    ImportOptions import;
+    import.accept_incomplete = w.open.accept_incomplete;
+    w.source.scan = std::make_shared<const Scan>(importScan(file, import, task));
   }
-  if (!was_busy) Q_EMIT busyChanged(true);
-}
-
-void Document::launch(Work work) {
-  if (worker_.joinable()) worker_.join();
-  running_ = true;
-  worker_ = std::jthread([this, work = std::move(work)](std::stop_token stop) {
-    Task task;
-    task.stop = std::move(stop);
-    auto last = std::chrono::steady_clock::time_point{};
-    task.progress = [this, id = work.id, last](std::string_view step, double fraction) mutable {
-      const auto now = std::chrono::steady_clock::now();
-      if (now - last < kProgressPeriod) return;
-      last = now;
-      const QString text = QString::fromUtf8(step.data(), static_cast<int>(step.size()));
-      QMetaObject::invokeMethod(
-          this,
-          [this, id, text, fraction] {
-            if (id == request_) Q_EMIT progressed(text, fraction);
-          },
-          Qt::QueuedConnection);
-    };
-    auto outcome = std::make_shared<Outcome>(compute(work, depth_buffer_, task));
-    QMetaObject::invokeMethod(
-        this, [this, outcome] { finish(outcome); }, Qt::QueuedConnection);
-  });
-}
-
-Document::Outcome Document::compute(const Work& work, const DepthEngine& depth_buffer,
-                                    const Task& task) {
-  Outcome out;
-  out.work = work;
-  Work& w = out.work;
-  try {
-    if (w.reads) {
-      const std::filesystem::path file(QFile::encodeName(w.open.file).toStdString());
-      if (looksLikeRaster(file)) {
-        w.raster = std::make_shared<const RasterMap>(readRaster(file));
-      } else {
-        ImportOptions import;
-        import.accept_incomplete = w.open.accept_incomplete;
-        w.scan = std::make_shared<const Scan>(importScan(file, import, task));
-      }
-      const ScanInfo& info = w.scan ? w.scan->info : w.raster->info;
-      if (!w.options.unit && !info.unit && w.open.remembered_unit) {
-        w.options.unit = w.open.remembered_unit;
-        w.options.unit_source = UnitSource::remembered;
-      }
-      out.sha256 = sha256Of(w.open.file, task);
-    }
-    task.check();
-    const DepthEngine engine = w.options.engine == "cpu" ? DepthEngine(rasterize) : depth_buffer;
-    out.surface =
-        std::make_shared<const Surface>(w.scan ? makeSurface(*w.scan, w.options, engine, task)
-                                               : makeSurface(*w.raster, w.options, task));
-  } catch (const Cancelled&) {
-    out.cancelled = true;
-  } catch (const Error& error) {
-    out.error = QString::fromUtf8(error.what());
-    out.code = QString::fromStdString(error.code);
-  } catch (const std::bad_alloc&) {
-    out.error =
-        tr("There is not enough memory for this. Nothing was changed. Close other programs "
-           "or choose a smaller file.");
-  } catch (const std::exception& error) {
-    out.error = tr("This failed unexpectedly: %1. Nothing was changed.")
-                    .arg(QString::fromUtf8(error.what()));
+  const ScanInfo& info = w.source.info();
+  if (!w.options.unit && !info.unit && w.open.remembered_unit) {
+    w.options.unit = w.open.remembered_unit;
+    w.options.unit_source = UnitSource::remembered;
   }
-  return out;
+  if (info.bounds) {
+    const double mm = mmPer(w.options.unit.value_or(info.unit.value_or(LengthUnit::mm)));
+    const FilePoint size = mm * (info.bounds->max - info.bounds->min);
+    Q_EMIT scanRead(w.open.file, size.x, size.y, size.z, info.points);
+  }
+  w.sha256 = QString::fromStdString(sha256Of(file, task));
 }
 
-void Document::finish(const std::shared_ptr<Outcome>& outcome) {
-  running_ = false;
-  if (pending_) launch(std::move(*std::exchange(pending_, nullptr)));
-  if (outcome->work.id != request_) return;  // Cancelled, or a newer request took its place.
-  request_ = 0;
-  Q_EMIT busyChanged(false);
-  if (outcome->cancelled) {
+void Document::finish(const Work& work) {
+  if (work.outcome.cancelled) {
     Q_EMIT cancelled();
     return;
   }
-  if (!outcome->surface) {
-    Q_EMIT failed(outcome->error, outcome->code, outcome->work.open.file);
+  if (!work.outcome.surface) {
+    Q_EMIT failed(work.outcome.error, work.outcome.code, work.open.file);
     return;
   }
+  if (work.reads) {
+    showOpened(work);
+  } else {
+    adopt(work.outcome.surface, work.options, work.name);
+  }
+}
+
+void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
+                     const QString& name) {
   revert();
-  const Work& work = outcome->work;
-  DocumentState next{outcome->surface, work.options, wholeRegion(outcome->surface->ladder), 1};
-  if (!work.reads) {
-    next.gain = state_.gain;
-    if (sameGrid(*state_.surface, *next.surface)) next.region = state_.region;
-    push(std::move(next), work.name);
-    return;
-  }
+  DocumentState next{std::move(surface), options, {}, state_.gain};
+  next.region =
+      sameGrid(*state_.surface, *next.surface) ? state_.region : wholeRegion(next.surface->ladder);
+  push(std::move(next), name);
+}
+
+void Document::showOpened(const Work& work) {
+  revert();
+  DocumentState next{work.outcome.surface, work.options, wholeRegion(work.outcome.surface->ladder),
+                     1};
   file_ = work.open.file;
-  sha256_ = outcome->sha256;
-  scan_ = work.scan;
-  raster_ = work.raster;
+  sha256_ = work.sha256;
+  source_ = work.source;
   history_.clear();
   const DetailLadder& ladder = next.surface->ladder;
   try {
+    if (work.open.exact_region && work.open.exact_region->level.value < ladder.levels()) {
+      next.region = *work.open.exact_region;
+      next.gain = work.open.gain;
+    }
     if (work.open.region) next.region = regionFromRect(ladder, *work.open.region);
     for (int d = 1; work.open.detail && d < *work.open.detail && !work.open.region; ++d) {
       const StepAbout about{next.region.centreX(), next.region.centreY(), false};

@@ -7,13 +7,13 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
-#include <thread>
 
 #include "core/depth/depth_request.h"
-#include "core/io/raster.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
 #include "core/session/surface.h"
+#include "ui/latest_worker.h"
+#include "ui/surface_work.h"
 
 namespace relievo {
 
@@ -26,6 +26,10 @@ struct OpenRequest {
   std::optional<RectMm> region;  ///< First window, view mm.
   std::optional<int> detail;     ///< First detail, 1 = whole.
   bool accept_incomplete = false;
+  // A state that comes back, in place of the choices above.
+  std::optional<SurfaceOptions> options;
+  std::optional<Region> exact_region;
+  double gain = 1;
 };
 
 /// Everything that undo and redo bring back. Surfaces are shared and never change.
@@ -51,12 +55,14 @@ class Document : public QObject {
   void open(const OpenRequest& request);
   /// Ends the running work; what was shown stays.
   void cancel();
-  bool busy() const { return request_ != 0; }
+  bool busy() const { return worker_.busy(); }
 
   bool isOpen() const { return state_.surface != nullptr; }
   const DocumentState& state() const { return state_; }
   std::shared_ptr<const Surface> surface() const { return state_.surface; }
   std::shared_ptr<const RegionWindow> window() const { return window_; }
+  const SurfaceSource& source() const { return source_; }
+  const DepthEngine& depthBuffer() const { return depth_buffer_; }
   QString file() const { return file_; }
   QString fileSha256() const { return sha256_; }  ///< Of the bytes that were read, hexadecimal.
   /// "Detail 2 of 4" numbers; 0 while nothing is open.
@@ -68,6 +74,10 @@ class Document : public QObject {
   void setView(const ViewChoice& view);
   void setEngine(const QString& engine);
   void setUnit(LengthUnit unit);
+  void remake(const SurfaceOptions& options, const QString& name);
+  /// A surface made elsewhere from source() takes the place of the present one.
+  void adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
+             const QString& name);
 
   // At once. Each returns false at a limit or while nothing is open.
   bool finer(const StepAbout& about);
@@ -93,6 +103,9 @@ class Document : public QObject {
   void apply(const DocumentState& state);
 
  Q_SIGNALS:
+  /// A file was read and is about to be worked on: its size as it will be, millimetres.
+  void scanRead(const QString& file, double width_mm, double height_mm, double depth_mm,
+                quint64 points);
   void opened(const QString& file);  ///< A file was read; surfaceChanged came before.
   void surfaceChanged();
   void windowChanged();  ///< Region, level, gain or surface: `window()` is another one.
@@ -103,30 +116,23 @@ class Document : public QObject {
 
  private:
   struct Work;
-  struct Outcome;
 
   void start(Work work);
-  void launch(Work work);
-  void finish(const std::shared_ptr<Outcome>& outcome);
-  void remake(const SurfaceOptions& options, const QString& name);
+  void read(Work& work, const Task& task);  ///< [worker]
+  void finish(const Work& work);
+  void showOpened(const Work& work);
   void go(const std::optional<Region>& region, const QString& name);
   void push(DocumentState after, const QString& name, int merge_id = -1);
-  static Outcome compute(const Work& work, const DepthEngine& depth_buffer, const Task& task);
 
   DepthEngine depth_buffer_;
   QString file_, sha256_;
-  std::shared_ptr<const Scan> scan_;
-  std::shared_ptr<const RasterMap> raster_;
+  SurfaceSource source_;
   DocumentState state_;
   std::shared_ptr<const RegionWindow> window_;
   std::optional<DocumentState> gesture_start_;
   QUndoStack history_;
 
-  std::uint64_t last_request_ = 0;
-  std::uint64_t request_ = 0;  ///< The one whose result is waited for; 0: none.
-  bool running_ = false;
-  std::unique_ptr<Work> pending_;
-  std::jthread worker_;
+  LatestWorker worker_;  ///< Last: its job ends before anything else goes.
 };
 
 }  // namespace relievo

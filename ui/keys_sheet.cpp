@@ -45,6 +45,7 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
   add(KeysSheet::tr("Reference view: drag"), KeysSheet::tr("Draw, move or resize the window"));
   add(KeysSheet::tr("Reference view: arrows, Shift+arrows"),
       KeysSheet::tr("Move, resize the window"));
+  add(KeysSheet::tr("Reference view: Space, arrows, Enter"), KeysSheet::tr("Draw a window"));
   add(KeysSheet::tr("Reference view: +, \u2212, wheel"), KeysSheet::tr("Finer, coarser"));
   return rows;
 }

@@ -20,7 +20,9 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
+#include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
 #include "ui/reference_view.h"
@@ -150,6 +152,8 @@ void MainWindow::layOut() {
   panels_->add(tr("Window"), region_panel_);
   panels_->add(tr("View"), view_panel_);
   panels_->add(tr("Stereo"), stereo_panel_);
+  measure_panel_ = new MeasurePanel(document_);
+  panels_->add(tr("Measure"), measure_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
   setCentralWidget(centre);
@@ -166,13 +170,21 @@ void MainWindow::connectParts() {
   connect(&document_, &Document::cancelled, this,
           [this] { announce(tr("Cancelled. Nothing was changed.")); });
   connect(&document_, &Document::progressed, status_, &StatusFields::showWork);
+  // Said before the surface is made, while there is still time to stop.
+  connect(&document_, &Document::scanRead, this,
+          [this](const QString& file, double w, double h, double d, quint64 points) {
+            announce(tr("%1: %2, points: %3")
+                         .arg(QFileInfo(file).fileName(), sizeText({w, h, d}))
+                         .arg(points));
+          });
   connect(&document_, &Document::opened, this, [this](const QString& file) {
     settings_.addRecentFile(file);
     showRecent();
     const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
     announce(command("forces") == nullptr ? open_now
                                           : tr("%1 Press F5 to switch forces on.").arg(open_now));
-    askUnit();
+    askUnitIfAssumed();
+    showRestored();
     detail_->setFocus();
   });
   connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
@@ -204,6 +216,11 @@ void MainWindow::connectParts() {
   connect(detail_, &DetailView::handMoved, this, [this](const ViewMm& position, bool inside) {
     if (inside && !probe_) showPosition(position, {});
   });
+  connect(measure_panel_, &MeasurePanel::changed, this, &MainWindow::showMeasurements);
+  connect(measure_panel_, &MeasurePanel::said, this, &MainWindow::announce);
+  connect(measure_panel_, &MeasurePanel::saveAsked, this, &MainWindow::saveMeasurements);
+  connect(detail_, &DetailView::picked, measure_panel_, &MeasurePanel::addPlace);
+  connect(detail_, &DetailView::pickingEnded, measure_panel_, &MeasurePanel::finish);
   connect(detail_, &DetailView::pressDepthChanged, this, [this](double depth) {
     announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
@@ -211,6 +228,8 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::open(const QString& file) {
+  restoring_.reset();
+  if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
   OpenRequest request;
   request.file = file;
   open(request);
@@ -302,24 +321,39 @@ void MainWindow::showFailure(const QString& message, const QString& code, const 
   strip_->show(code.isEmpty() ? message : QStringLiteral("%1 (%2)").arg(message, code), buttons);
 }
 
+void MainWindow::askUnitIfAssumed() {
+  if (document_.surface()->unit_source == UnitSource::assumed) askUnit();
+}
+
 void MainWindow::askUnit() {
   const Surface& surface = *document_.surface();
-  if (surface.unit_source != UnitSource::assumed || !surface.info.bounds) return;
+  if (!surface.info.bounds) return;
   const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
   const auto number = [](double v) {
     return QLocale().toString(v, 'g', 4).remove(QLocale().groupSeparator());
   };
+  const bool assumed = surface.unit_source == UnitSource::assumed;
+  const LengthUnit likely = assumed ? guessedUnit(*surface.info.bounds) : surface.unit;
   std::vector<MessageStrip::Button> buttons;
-  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::cm, LengthUnit::m}) {
+  QStringList sizes;
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::cm, LengthUnit::m, LengthUnit::in}) {
+    if (unit == LengthUnit::in && assumed) continue;  // Rare; the panel has every unit.
     QString text = unitText(unit);
     text[0] = text[0].toUpper();
     buttons.push_back({text, [this, unit] { chooseUnit(unit); }});
+    const double mm = mmPer(unit);
+    sizes << tr("in %1 %2").arg(unitText(unit), sizeText({mm * size.x, mm * size.y, mm * size.z}));
   }
-  strip_->show(
-      tr("The points carry no unit. %1 \u00d7 %2 \u00d7 %3 \u2013 millimetres, centimetres "
-         "or metres? Shown as millimetres until you say. (E103)")
-          .arg(number(size.x), number(size.y), number(size.z)),
-      buttons);
+  const QString numbers =
+      tr("%1 \u00d7 %2 \u00d7 %3").arg(number(size.x), number(size.y), number(size.z));
+  if (!assumed) {
+    strip_->show(tr("%1: %2. Which unit?").arg(numbers, sizes.join(QStringLiteral("; "))), buttons);
+    return;
+  }
+  strip_->show(tr("The points carry no unit. %1 \u2013 %2. Most likely %3. Shown as millimetres "
+                  "until you say. (E103)")
+                   .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
+               buttons);
 }
 
 void MainWindow::chooseUnit(LengthUnit unit) {
@@ -463,7 +497,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     if (stopForces()) return true;
     if (document_.busy()) {
+      restoring_.reset();
       document_.cancel();
+      return true;
+    }
+    if (measure_panel_->measuring()) {
+      measure_panel_->cancel();
       return true;
     }
     if (isFullScreen()) {

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 
+#include "ui/command_search.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/reference_view.h"
@@ -49,12 +50,30 @@ void MainWindow::makeCommands() {
         tr("Open a scan or a height map"),
         [this] { chooseFile(); },
         Icon::open});
+  make({"save_project",
+        tr("&Save project"),
+        {QKeySequence("Ctrl+S")},
+        tr("Keep this state: file, depth map, window, measurements"),
+        [this] { saveProject(); },
+        {}});
+  make({"save_project_as",
+        tr("Save project &as\u2026"),
+        {QKeySequence("Ctrl+Shift+S")},
+        tr("Keep this state in another file"),
+        [this] { saveProjectAs(); },
+        {}});
+  make({"figure",
+        tr("&Figure\u2026"),
+        {QKeySequence("Ctrl+E")},
+        tr("A figure for print, with scale bar, legend and caption"),
+        [this] { chooseFigure(); },
+        Icon::camera});
   make({"image",
         tr("&Image\u2026"),
         {QKeySequence("Ctrl+Shift+E")},
         tr("Save a picture of a view or of the window"),
         [this] { chooseImage(); },
-        Icon::camera});
+        {}});
   make({"quit",
         tr("&Quit"),
         {QKeySequence("Ctrl+Q")},
@@ -79,9 +98,21 @@ void MainWindow::makeCommands() {
         tr("All keys on one sheet"),
         [this] { showKeys(); },
         {}});
+  make({"search_commands",
+        tr("&Search commands\u2026"),
+        {QKeySequence("Ctrl+K")},
+        tr("Find a command by its words and run it"),
+        [this] {
+          auto* search = new CommandSearch(findChildren<QAction*>(), this);
+          search->setAttribute(Qt::WA_DeleteOnClose);
+          search->show();
+        },
+        {}});
   make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
   makeSurfaceCommands();
   makeWindowCommands();
+  makeReliefCommands();
+  makeMeasureCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {
@@ -144,6 +175,18 @@ void MainWindow::makeSurfaceCommands() {
           x->setFocus();
           x->selectAll();
         },
+        {}});
+  make({"depth_map",
+        tr("Depth ma&p\u2026"),
+        {QKeySequence("Ctrl+D")},
+        tr("Everything between the scan and its depth map, with a preview"),
+        [this] { chooseDepthMap(); },
+        {}});
+  make({"units",
+        tr("U&nits\u2026"),
+        {},
+        tr("Say which length unit the file's coordinates have; kept for its folder"),
+        [this] { askUnit(); },
         {}});
   struct View {
     const char* name;

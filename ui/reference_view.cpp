@@ -19,6 +19,7 @@ constexpr int kMostSamples = 400;       // Per side; software graphics stay flue
 constexpr double kMargin = 0.04;        // Around the object, of its longer side.
 constexpr double kLeastCovered = 0.65;  // Of the view's shorter side, by the object.
 constexpr double kArrowStep = 0.05;
+constexpr double kDrawStep = 0.02;  // Of the map's longer side, per key.
 constexpr double kResizeStep = 1.1;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 
@@ -103,7 +104,7 @@ ReferenceView::ReferenceView(Document& document, QWidget* parent)
   setWhatsThis(
       tr("The whole object. The pink window is what the detail view shows: drag inside it to move "
          "it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the "
-         "detail. Keys: arrows, Shift+arrows, + and -."));
+         "detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window."));
   connect(&document_, &Document::surfaceChanged, this, &ReferenceView::showSurface);
   connect(&document_, &Document::windowChanged, this, &ReferenceView::showWindow);
   showSurface();
@@ -112,6 +113,7 @@ ReferenceView::ReferenceView(Document& document, QWidget* parent)
 
 void ReferenceView::showSurface() {
   drag_.reset();
+  key_draw_.reset();
   if (!document_.isOpen()) {
     setGrid(nullptr);
     return;
@@ -148,6 +150,8 @@ double ReferenceView::toleranceMm() const {
 
 void ReferenceView::mousePressEvent(QMouseEvent* event) {
   if (!document_.isOpen() || event->button() != Qt::LeftButton) return;
+  if (key_draw_) document_.revert();
+  key_draw_.reset();
   const ViewMm p = at(event->localPos(), 0);
   const Region& region = document_.state().region;
   PinkPart part = pinkPartAt(region, p.x, p.y, toleranceMm());
@@ -188,11 +192,48 @@ void ReferenceView::dragTo(const QPointF& point) {
     document_.preview(moved(ladder, start, dx, dy).value_or(start));
     return;
   }
-  const RectMm rect = drag_->part == PinkPart::outside
-                          ? drawnSquare(drag_->x_mm, drag_->y_mm, p.x, p.y)
-                          : resizedSquare(start, drag_->part, p.x, p.y, least);
-  if (rect.width_mm < least) return;
+  if (drag_->part == PinkPart::outside) {
+    previewDrawn(drag_->x_mm, drag_->y_mm, p.x, p.y);
+    return;
+  }
+  document_.preview(regionFromRect(ladder, resizedSquare(start, drag_->part, p.x, p.y, least)));
+}
+
+void ReferenceView::previewDrawn(double x_mm, double y_mm, double to_x_mm, double to_y_mm) {
+  const DetailLadder& ladder = document_.surface()->ladder;
+  const RectMm rect = drawnSquare(x_mm, y_mm, to_x_mm, to_y_mm);
+  if (rect.width_mm < kLeastCells * ladder.spacings_mm.front()) return;
   document_.preview(regionFromRect(ladder, rect));
+}
+
+bool ReferenceView::drawByKey(int key, bool both_corners) {
+  if (key == Qt::Key_Space && !key_draw_ && !drag_) {
+    const Region& r = document_.state().region;
+    key_draw_ = KeyDraw{r.centreX(), r.centreY(), r.centreX(), r.centreY()};
+    setWhereAmI(tr("Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, "
+                   "Escape returns")
+                    .arg(lengthText(r.centreX()), lengthText(r.centreY())));
+    return true;
+  }
+  if (!key_draw_) return false;
+  if (key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) {
+    document_.commit(nameOf(PinkPart::outside));
+    key_draw_.reset();
+    return true;
+  }
+  const DetailLadder& map = document_.surface()->ladder;
+  const double step = kDrawStep * std::max(map.width_mm, map.height_mm);
+  const double dx = key == Qt::Key_Right ? step : key == Qt::Key_Left ? -step : 0;
+  const double dy = key == Qt::Key_Up ? step : key == Qt::Key_Down ? -step : 0;
+  if (dx == 0 && dy == 0) return false;
+  key_draw_->to_x_mm += dx;
+  key_draw_->to_y_mm += dy;
+  if (both_corners) {
+    key_draw_->x_mm += dx;
+    key_draw_->y_mm += dy;
+  }
+  previewDrawn(key_draw_->x_mm, key_draw_->y_mm, key_draw_->to_x_mm, key_draw_->to_y_mm);
+  return true;
 }
 
 void ReferenceView::showCursor(const QPointF& point) {
@@ -231,9 +272,10 @@ void ReferenceView::resizeBy(double factor) {
 
 void ReferenceView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
-    if (drag_) {
+    if (drag_ || key_draw_) {
       document_.revert();
       drag_.reset();
+      key_draw_.reset();
     } else {
       Q_EMIT left();
     }
@@ -244,6 +286,7 @@ void ReferenceView::keyPressEvent(QKeyEvent* event) {
     return;
   }
   const bool resize = (event->modifiers() & Qt::ShiftModifier) != 0;
+  if (drawByKey(event->key(), resize)) return;
   switch (event->key()) {
     case Qt::Key_Left:
       resize ? resizeBy(1 / kResizeStep) : void(document_.move(-kArrowStep, 0));

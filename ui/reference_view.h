@@ -11,7 +11,9 @@ namespace relievo {
 
 /// The whole object with the pink window. Drag outside draws a new window, inside moves it, edges
 /// and corners resize it, the wheel changes the detail about the pointer, Escape returns.
-/// Keys: arrows move, Shift+arrows resize, + and - change the detail. [GUI thread]
+/// Keys: arrows move, Shift+arrows resize, + and - change the detail. Space draws: it puts one
+/// corner in the middle of the window, arrows carry the other (Shift+arrows both), Space or Enter
+/// ends, and Escape returns. [GUI thread]
 class ReferenceView : public SurfaceView {
   Q_OBJECT
  public:
@@ -38,16 +40,24 @@ class ReferenceView : public SurfaceView {
     Region start;
     bool moved = false;
   };
+  /// A window drawn by keys: one corner stands, the arrows carry the other.
+  struct KeyDraw {
+    double x_mm, y_mm;
+    double to_x_mm, to_y_mm;
+  };
 
   void showSurface();
   void showWindow();
   void dragTo(const QPointF& point);
   void showCursor(const QPointF& point);
   void resizeBy(double factor);
+  void previewDrawn(double x_mm, double y_mm, double to_x_mm, double to_y_mm);
+  bool drawByKey(int key, bool both_corners);
   double toleranceMm() const;
 
   Document& document_;
   std::optional<Drag> drag_;
+  std::optional<KeyDraw> key_draw_;
   int wheel_rest_ = 0;  ///< Angle not yet worth a step.
 };
 

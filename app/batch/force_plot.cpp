@@ -2,12 +2,10 @@
 #include "app/batch/force_plot.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <functional>
 
+#include "app/batch/svg.h"
 #include "core/base/error.h"
 
 namespace relievo::batch {
@@ -17,63 +15,6 @@ constexpr double kWidth = 640;  // SVG units; text is 11 of them high.
 constexpr double kLeft = 64;
 constexpr double kRight = 16;
 constexpr std::size_t kMostPoints = 4000;  // Per curve; a longer stroke is thinned by min and max.
-
-struct Axis {
-  double low = 0, high = 1, step = 0.2;
-};
-
-/// Round steps (1, 2, 5 times a power of ten) and limits that are multiples of them.
-Axis axisFor(double low, double high) {
-  if (!(high - low > 1e-9)) {
-    low -= 0.5;
-    high += 0.5;
-  }
-  const double raw = (high - low) / 5;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0}) {
-    if (factor * power >= raw) step = factor * power;
-  }
-  return {
-      .low = std::floor(low / step) * step, .high = std::ceil(high / step) * step, .step = step};
-}
-
-std::string fixed(double value, int digits) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
-  return text.data();
-}
-
-std::string tickText(double value, double step) {
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  return fixed(std::abs(value) < 1e-12 ? 0 : value, digits);
-}
-
-/// Text for XML: a file may be called "a & b".
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&') {
-      safe += "&amp;";
-    } else if (c == '<') {
-      safe += "&lt;";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
-std::string textAt(double x, double y, const std::string& anchor, const std::string& text,
-                   const std::string& more = {}) {
-  return "<text x='" + fixed(x, 1) + "' y='" + fixed(y, 1) + "' text-anchor='" + anchor + "'" +
-         more + ">" + text + "</text>\n";
-}
-
-std::string lineAt(double x1, double y1, double x2, double y2, const std::string& colour) {
-  return "<line x1='" + fixed(x1, 1) + "' y1='" + fixed(y1, 1) + "' x2='" + fixed(x2, 1) +
-         "' y2='" + fixed(y2, 1) + "' stroke='" + colour + "'/>\n";
-}
 
 /// One diagram: a box with grid lines, labels and curves.
 class Panel {
@@ -99,8 +40,8 @@ class Panel {
       if (with_time) svg += textAt(x(t), top_ + height_ + 16, "middle", tickText(t, time_.step));
     }
     const double middle = top_ + 0.5 * height_;
-    svg +=
-        textAt(16, middle, "middle", label, " transform='rotate(-90 16 " + fixed(middle, 1) + ")'");
+    svg += textAt(16, middle, "middle", label,
+                  " transform='rotate(-90 16 " + fixedDigits(middle, 1) + ")'");
     return svg;
   }
 
@@ -115,8 +56,9 @@ class Panel {
       auto [low, high] = std::minmax_element(
           first, last, [&](const PlotRow& a, const PlotRow& b) { return value(a) < value(b); });
       if (low->t_s > high->t_s) std::swap(low, high);
-      svg += fixed(x(low->t_s), 2) + "," + fixed(y(value(*low)), 2) + " ";
-      if (low != high) svg += fixed(x(high->t_s), 2) + "," + fixed(y(value(*high)), 2) + " ";
+      svg += fixedDigits(x(low->t_s), 2) + "," + fixedDigits(y(value(*low)), 2) + " ";
+      if (low != high)
+        svg += fixedDigits(x(high->t_s), 2) + "," + fixedDigits(y(value(*high)), 2) + " ";
     }
     return svg + "'/>\n";
   }

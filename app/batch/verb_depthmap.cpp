@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 struct DepthmapArguments {
   MapArguments map;
+  std::optional<double> memory_mb;
   std::string out;
 };
 
@@ -63,6 +65,7 @@ Json lossesJson(const Surface& surface) {
 }
 
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
+  if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
   const Surface surface = loadForVerb(a.map, task);
   const auto start = std::chrono::steady_clock::now();
   writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file});
@@ -108,6 +111,7 @@ Verb depthmapVerb() {
           .declare =
               [arguments](CLI::App& verb) {
                 addMapOptions(verb, arguments->map);
+                addMemoryOption(verb, arguments->memory_mb);
                 verb.add_option("-o,--output", arguments->out, "MAP.tif; MAP.origin.tif beside it")
                     ->required();
               },

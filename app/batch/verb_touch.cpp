@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <vector>
 
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
 #include "core/region/hand.h"
+#include "core/session/tiled_surface.h"
+#include "haptics/proxy/surface.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/stroke.h"
 
@@ -18,7 +22,8 @@ struct TouchArguments {
   std::string stroke, out, plot;
   std::string surface = "auto", proxy = "converged", frame = "view", safety = "off";
   double stiffness_n_per_mm = 0.5;
-  double friction = 0, damping = 0;
+  std::vector<double> friction;  // One value or two: static, dynamic.
+  double damping = 0;
 };
 
 ProxyKind proxyKind(const std::string& name) {
@@ -28,23 +33,51 @@ ProxyKind proxyKind(const std::string& name) {
   throw ArgumentError("--proxy: '" + name + "' is none of converged, equation and successive.");
 }
 
-/// What this version cannot do is refused, not passed over.
-void refuseWhatIsMissing(const TouchArguments& a) {
-  if (a.surface != "auto" && a.surface != "exact") {
-    throw ArgumentError("--surface: '" + a.surface +
-                        "' is not available; this version touches the exact bilinear surface "
-                        "(exact, or auto, which chooses it).");
+/// The paper's two proxies walk the paper's surface unless another is asked for.
+SurfaceKind surfaceKind(const TouchArguments& a) {
+  if (a.surface == "exact") return SurfaceKind::bilinear;
+  if (a.surface == "spline") return SurfaceKind::spline;
+  if (a.surface != "auto") {
+    throw ArgumentError("--surface: '" + a.surface + "' is none of auto, exact and spline.");
   }
-  if (a.friction != 0) {
-    throw ArgumentError("--friction is not available in this version; only 0 is.");
+  return a.proxy == "converged" ? SurfaceKind::gated : SurfaceKind::bilinear;
+}
+
+const char* name(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::bilinear:
+      return "exact";
+    case SurfaceKind::spline:
+      return "spline";
+    case SurfaceKind::gated:
+      break;
+  }
+  return "gated";
+}
+
+/// One coefficient for both, or the static and the dynamic one.
+void setFriction(const std::vector<double>& friction, const std::string& proxy,
+                 ProxyOptions& options) {
+  if (friction.empty()) return;
+  options.static_friction = friction.front();
+  options.dynamic_friction = friction.back();
+  if (options.static_friction > 0 && proxy != "converged") {
+    throw ArgumentError("--friction: the paper's proxy '" + proxy +
+                        "' knows no friction; use --proxy converged.");
+  }
+  const bool in_order =
+      options.dynamic_friction >= 0 && options.static_friction >= options.dynamic_friction;
+  if (!in_order || !(options.static_friction <= kMostFriction)) {
+    throw ArgumentError("--friction must be 0 to " + Json(kMostFriction).dump() +
+                        ", the static coefficient not below the dynamic one.");
   }
 }
 
 StrokeOptions strokeOptions(const TouchArguments& a) {
-  refuseWhatIsMissing(a);
   if (!(a.stiffness_n_per_mm > 0)) throw ArgumentError("--stiffness must be above 0 N/mm.");
   StrokeOptions options;
   options.proxy.kind = proxyKind(a.proxy);
+  setFriction(a.friction, a.proxy, options.proxy);
   options.stiffness_n_per_mm = a.stiffness_n_per_mm;
   options.damping_n_s_per_mm = a.damping;
   options.safety = a.safety == "on";
@@ -59,26 +92,35 @@ std::string logHeader(const TouchArguments& a, const Surface& surface, const Reg
          " (" + std::string(name(surface.unit_source)) + ")\ndevice none (stroke " +
          std::filesystem::path(a.stroke).filename().string() + ")\nregion_mm " +
          jsonOf(region).dump() + " level " + std::to_string(region.level.value) + "\nproxy " +
-         a.proxy + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm" +
+         a.proxy + ", surface " + name(surfaceKind(a)) + ", stiffness " +
+         Json(a.stiffness_n_per_mm).dump() + " N/mm" +
+         (a.friction.empty() ? std::string() : ", friction " + Json(a.friction).dump()) +
          (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
          ", safety " + a.safety;
 }
 
-/// What a stroke showed, judged without the solver: by the window's own bilinear heights.
+/// What a stroke showed, judged without the solver: by the heights of the window itself, or where
+/// the surface is not bilinear by the surface's.
 struct StrokeFindings {
+  const RegionWindow& window;
+  const HapticSpace& space;
   double largest_force_n = 0;
   double off_surface_mm = 0;       ///< Largest distance in z of a touching proxy from the surface.
   double force_to_normal_deg = 0;  ///< Largest angle between force and surface normal.
   std::uint64_t contact_ticks = 0;
 
-  void add(const HapticSample& sample, const RegionWindow& window) {
+  double heightUnder(const ViewMm& p) const {
+    if (space.surface == SurfaceKind::bilinear) return windowHeightMm(window, p.x, p.y);
+    const GridPoint grid = space.gridFromView(p);
+    return space.viewFromGrid({grid.x, grid.y, surfaceHeight(space, grid.x, grid.y)}).z;
+  }
+  void add(const HapticSample& sample) {
     if (!sample.contact) return;
     ++contact_ticks;
     const double force_n = norm(sample.force);
     largest_force_n = std::max(largest_force_n, force_n);
     const ViewMm& proxy = sample.proxy_view;
-    off_surface_mm =
-        std::max(off_surface_mm, std::abs(proxy.z - windowHeightMm(window, proxy.x, proxy.y)));
+    off_surface_mm = std::max(off_surface_mm, std::abs(proxy.z - heightUnder(proxy)));
     if (force_n < 1e-6) return;
     const DeviceN along{sample.normal.x, sample.normal.y, sample.normal.z};
     const DeviceN across = (1 / force_n) * sample.force - along;
@@ -90,24 +132,25 @@ struct StrokeFindings {
 
 Outcome runTouch(const TouchArguments& a, const Task& task) {
   const StrokeOptions options = strokeOptions(a);
+  const SurfaceKind kind = surfaceKind(a);
   const Stroke stroke = readStroke(a.stroke);
-  const Surface surface = loadForVerb(a.map, task);
+  const Surface surface = openForVerb(a.map, task);
   const Region region = chosenRegion(surface, a.region);
   warnIfAliased(surface, region);
-  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  const RegionWindow window = windowOf(surface, region, a.region.gain);
   writeWindowIfAsked(a.region, surface, window);
-  // On the heap: 200 kB by value.
+  // On the heap: 900 kB by value.
   const auto space = std::make_unique<HapticSpace>();
   fill(*space, window,
-       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()});
+       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()}, kind);
 
   LogWriter log(a.out, logHeader(a, surface, region));
-  StrokeFindings findings;
+  StrokeFindings findings{window, *space};
   std::vector<PlotRow> plot;
   const std::uint64_t ticks = runStroke(
       *space, options, stroke,
       [&](const HapticSample& sample, double t_s) {
-        findings.add(sample, window);
+        findings.add(sample);
         if (!a.plot.empty()) {
           plot.push_back({.t_s = t_s,
                           .hip_z_mm = sample.hip_view.z,
@@ -130,7 +173,9 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["device_from_view"] = jsonOf(hand.device_from_view);
   json["stiffness_n_per_mm"] = a.stiffness_n_per_mm;
   json["damping_n_s_per_mm"] = a.damping;
-  json["surface"] = "exact";
+  json["surface"] = name(kind);
+  json["friction"] =
+      a.friction.empty() ? Json({0, 0}) : Json({a.friction.front(), a.friction.back()});
   json["proxy"] = a.proxy;
   json["ticks"] = ticks;
   json["view_from_file"] = jsonOf(surface.view_from_file);
@@ -160,11 +205,15 @@ Verb touchVerb() {
             verb.add_option("--stroke", arguments->stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
             verb.add_option("-o,--output", arguments->out, "LOG.csv")->required();
             verb.add_option("--plot", arguments->plot, "Also draw z and force against time, SVG");
-            verb.add_option("--surface", arguments->surface, "exact or auto");
+            verb.add_option("--surface", arguments->surface,
+                            "auto: smooth, broken at walls and creases; exact: bilinear; spline");
             verb.add_option("--proxy", arguments->proxy,
                             "converged, equation (the paper's eq. 2) or successive");
             verb.add_option("--stiffness", arguments->stiffness_n_per_mm, "N per mm of hand");
-            verb.add_option("--friction", arguments->friction, "0");
+            verb.add_option("--friction", arguments->friction,
+                            "Coulomb friction of the surface: MU, or STATIC,DYNAMIC; 0 is off")
+                ->delimiter(',')
+                ->expected(1, 2);
             verb.add_option("--damping", arguments->damping,
                             "N s per mm of hand, against pressing in; 0 is off");
             verb.add_option("--frame", arguments->frame, "Frame of the stroke: view or device")

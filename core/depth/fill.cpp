@@ -108,12 +108,14 @@ bool isToBeFilled(const Hole& hole, const HoleChoice& choice) {
   const bool fills = choice.rule == HoleRule::interpolate || choice.rule == HoleRule::membrane;
   return fills && hole.area_mm2 <= choice.max_area_mm2;
 }
+}  // namespace
 
 Origin originOfHole(const Hole& hole, HoleRule rule) {
   if (hole.filled) return Origin::interpolated;
   return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
 }
 
+namespace {
 /// Cells of every hole that gets a membrane, in the order of `holes`.
 std::vector<std::vector<std::size_t>> cellsOf(const std::vector<LabelledHole>& holes,
                                               const EmptyAreas& areas) {

@@ -32,6 +32,8 @@ struct Hole {
   bool filled = false;                      ///< Interpolated on request.
 };
 
+/// What the cells of a hole become.
+Origin originOfHole(const Hole& hole, HoleRule rule);
 /// E202: "2 of 3 holes filled. ..." if the choice asked for filling and a hole was left; else
 /// empty.
 std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice);

@@ -63,14 +63,22 @@ Mask closed(const Mask& mask, GridSize size, int radius) {
   return slideSquare(slideSquare(mask, size, r, true), size, r, false);
 }
 
-int samplingGapRadius(const Mask& measured, GridSize size) {
-  const auto ones = static_cast<double>(std::count(measured.begin(), measured.end(), 1));
-  if (ones == 0) return 0;
+int occupancySide(std::size_t measured_cells, GridSize size) {
+  if (measured_cells == 0) return 0;
   // Tiles large enough to hold about 30 occupied cells on average.
-  const double share = ones / static_cast<double>(measured.size());
+  const double share = static_cast<double>(measured_cells) / static_cast<double>(size.count());
   const int longest = std::max(4, std::min(size.cols, size.rows) / 4);
-  const int tile = std::clamp(static_cast<int>(std::ceil(std::sqrt(30 / share))), 4, longest);
-  std::vector<double> shares = tileOccupancy(measured, size, tile);
+  return std::clamp(static_cast<int>(std::ceil(std::sqrt(30 / share))), 4, longest);
+}
+
+int samplingGapRadius(const Mask& measured, GridSize size) {
+  const auto ones =
+      static_cast<std::size_t>(std::count(measured.begin(), measured.end(), std::uint8_t{1}));
+  if (ones == 0) return 0;
+  return samplingGapRadius(tileOccupancy(measured, size, occupancySide(ones, size)), size);
+}
+
+int samplingGapRadius(std::vector<double> shares, GridSize size) {
   if (shares.empty()) return 0;
   // The sparser tiles decide, but not those that the outline or a hole cuts: the sparsest
   // sixteenth of the tiles that are at least half as full as the median one.

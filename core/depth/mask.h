@@ -21,6 +21,13 @@ Mask closed(const Mask& mask, GridSize size, int radius);
 /// Points on a regular grid with a point in every cell need none: 0.
 int samplingGapRadius(const Mask& measured, GridSize size);
 
+/// The two halves of it, for maps whose mask is never in memory as a whole. Side of the squares
+/// whose occupancy is looked at; 0 if nothing is measured.
+int occupancySide(std::size_t measured_cells, GridSize size);
+/// @param shares  of measured cells in the squares that hold any; squares begin at cell (0, 0), and
+///                those that reach over the grid do not count
+int samplingGapRadius(std::vector<double> shares, GridSize size);
+
 /// 4-connected components of the cells where `mask` is 0.
 struct EmptyAreas {
   std::vector<int> label;          ///< Per cell: index into the lists below, -1 where mask is 1.

@@ -7,34 +7,8 @@
 namespace relievo {
 namespace {
 
-struct Layer {
-  GridSize size;
-  std::vector<float> value, weight;
-};
-
-/// Pull: each coarse cell is the weighted mean of its up to four fine cells.
-Layer pulled(const Layer& fine) {
-  Layer coarse;
-  coarse.size = {.cols = (fine.size.cols + 1) / 2, .rows = (fine.size.rows + 1) / 2};
-  coarse.value.assign(coarse.size.count(), 0.0F);
-  coarse.weight.assign(coarse.size.count(), 0.0F);
-  for (int row = 0; row < fine.size.rows; ++row) {
-    for (int col = 0; col < fine.size.cols; ++col) {
-      const std::size_t from = fine.size.index({.col = col, .row = row});
-      const std::size_t to = coarse.size.index({.col = col / 2, .row = row / 2});
-      coarse.value[to] += fine.weight[from] * fine.value[from];
-      coarse.weight[to] += fine.weight[from];
-    }
-  }
-  for (std::size_t i = 0; i < coarse.value.size(); ++i) {
-    if (coarse.weight[i] > 0) coarse.value[i] /= coarse.weight[i];
-    coarse.weight[i] = std::min(coarse.weight[i], 1.0F);
-  }
-  return coarse;
-}
-
 /// Push: bilinear value of the coarse grid under a fine cell; fine cell f lies at (f - 0.5) / 2.
-float coarseValue(const Layer& coarse, Cell fine) {
+float coarseValue(const PushPullLayer& coarse, Cell fine) {
   const auto split = [](int f, int count, int& low, int& high) {
     const double x = std::clamp((f - 0.5) / 2, 0.0, count - 1.0);
     low = static_cast<int>(x);
@@ -48,7 +22,7 @@ float coarseValue(const Layer& coarse, Cell fine) {
   const float u = split(fine.col, coarse.size.cols, c0, c1);
   const float v = split(fine.row, coarse.size.rows, r0, r1);
   const auto at = [&](int col, int row) {
-    return coarse.value[coarse.size.index({.col = col, .row = row})];
+    return coarse.values[coarse.size.index({.col = col, .row = row})];
   };
   return (1 - v) * ((1 - u) * at(c0, r0) + u * at(c1, r0)) +
          v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
@@ -56,15 +30,46 @@ float coarseValue(const Layer& coarse, Cell fine) {
 
 }  // namespace
 
+PushPullLayer pulled(const PushPullLayer& fine) {
+  PushPullLayer coarse;
+  coarse.size = {.cols = (fine.size.cols + 1) / 2, .rows = (fine.size.rows + 1) / 2};
+  coarse.values.assign(coarse.size.count(), 0.0F);
+  coarse.weights.assign(coarse.size.count(), 0.0F);
+  for (int row = 0; row < fine.size.rows; ++row) {
+    for (int col = 0; col < fine.size.cols; ++col) {
+      const std::size_t from = fine.size.index({.col = col, .row = row});
+      const std::size_t to = coarse.size.index({.col = col / 2, .row = row / 2});
+      coarse.values[to] += fine.weights[from] * fine.values[from];
+      coarse.weights[to] += fine.weights[from];
+    }
+  }
+  for (std::size_t i = 0; i < coarse.values.size(); ++i) {
+    if (coarse.weights[i] > 0) coarse.values[i] /= coarse.weights[i];
+    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
+  }
+  return coarse;
+}
+
+void pushInto(PushPullLayer& fine, const PushPullLayer& coarse) {
+  for (int row = 0; row < fine.size.rows; ++row) {
+    for (int col = 0; col < fine.size.cols; ++col) {
+      const std::size_t i = fine.size.index({.col = col, .row = row});
+      const float w = fine.weights[i];
+      if (w >= 1) continue;
+      fine.values[i] = w * fine.values[i] + (1 - w) * coarseValue(coarse, {.col = col, .row = row});
+    }
+  }
+}
+
 void pushPull(std::vector<float>& values, const Mask& known, GridSize size, const Task& task) {
-  std::vector<Layer> layers(1);
+  std::vector<PushPullLayer> layers(1);
   layers[0].size = size;
-  layers[0].value.assign(values.size(), 0.0F);
-  layers[0].weight.assign(values.size(), 0.0F);
+  layers[0].values.assign(values.size(), 0.0F);
+  layers[0].weights.assign(values.size(), 0.0F);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (known[i] == 0) continue;
-    layers[0].value[i] = values[i];
-    layers[0].weight[i] = 1;
+    layers[0].values[i] = values[i];
+    layers[0].weights[i] = 1;
   }
   while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
     task.check();
@@ -72,19 +77,10 @@ void pushPull(std::vector<float>& values, const Mask& known, GridSize size, cons
   }
   for (std::size_t level = layers.size() - 1; level-- > 0;) {
     task.check();
-    Layer& fine = layers[level];
-    for (int row = 0; row < fine.size.rows; ++row) {
-      for (int col = 0; col < fine.size.cols; ++col) {
-        const std::size_t i = fine.size.index({.col = col, .row = row});
-        const float w = fine.weight[i];
-        if (w >= 1) continue;
-        fine.value[i] =
-            w * fine.value[i] + (1 - w) * coarseValue(layers[level + 1], {.col = col, .row = row});
-      }
-    }
+    pushInto(layers[level], layers[level + 1]);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (known[i] == 0) values[i] = layers[0].value[i];
+    if (known[i] == 0) values[i] = layers[0].values[i];
   }
 }
 

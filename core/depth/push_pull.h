@@ -9,6 +9,21 @@
 
 namespace relievo {
 
+/// One grid of push-pull: values, and how much is known of each, [0, 1]. Half as wide and high as
+/// the next finer one, rounded up.
+struct PushPullLayer {
+  GridSize size;
+  std::vector<float> values, weights;
+};
+
+/// The next coarser layer: each cell is the weighted mean of its up to four fine cells.
+PushPullLayer pulled(const PushPullLayer& fine);
+
+/// Completes `fine` from the completed next coarser layer, bilinear between its cells. A band of
+/// rows of a larger grid gives the bytes of the whole grid, except within one coarse row of its
+/// border, if it begins at an even row and `coarse` is the band of the rows half as high.
+void pushInto(PushPullLayer& fine, const PushPullLayer& coarse);
+
 /// Gives every cell where `known` is 0 a smooth value from the known cells around it, by averaging
 /// upward through coarser grids and interpolating back down (push-pull; Gortler et al. 1996,
 /// "The Lumigraph", sec. 3.5). Known cells keep their value. Values of unknown cells are ignored.

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstring>
 
+#include "core/io/planted_fault.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -73,6 +74,7 @@ bool E57Stream::loadPacket() {
 
 /// The next number's bits, lowest first; they may start anywhere in a byte.
 std::uint64_t E57Stream::takeBits() {
+  plantedFault(field_.bits == 13);
   const std::size_t first = bit_ / 8;
   const unsigned shift = bit_ % 8;
   std::array<char, 9> here{};

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace relievo {
 
@@ -15,7 +16,11 @@ std::uint64_t checkedFileSize(const std::filesystem::path& file);
 /// At most the first `limit` bytes. @throw FileError  as above
 std::string readHead(const std::filesystem::path& file, std::size_t limit);
 
-/// File name without folders, for messages.
+/// Words from a file as a message may show them: bytes that are no UTF-8, and characters that
+/// would steer a terminal, are question marks.
+std::string printable(std::string_view text);
+
+/// File name without folders, for messages; printable.
 std::string shownName(const std::filesystem::path& file);
 
 /// "960 000": digits in groups of three.

@@ -64,6 +64,17 @@ void readScales(std::string_view bytes, LasHeader& header, const std::filesystem
   }
 }
 
+/// Stored as largest and smallest x, then y, then z.
+std::optional<FileBounds> statedBounds(std::string_view bytes) {
+  const auto at = [bytes](std::size_t i) { return fieldAt<double>(bytes, 179 + 8 * i); };
+  const FileBounds bounds{{at(1), at(3), at(5)}, {at(0), at(2), at(4)}};
+  if (!isFinite(bounds.min) || !isFinite(bounds.max)) return std::nullopt;
+  const bool inverted =
+      bounds.min.x > bounds.max.x || bounds.min.y > bounds.max.y || bounds.min.z > bounds.max.z;
+  if (inverted || bounds.min == bounds.max) return std::nullopt;
+  return bounds;
+}
+
 }  // namespace
 
 LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& file) {
@@ -87,6 +98,7 @@ LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& fi
   checkRecords(header, file);
   header.points = pointCount(bytes, header);
   readScales(bytes, header, file);
+  header.stated_bounds = statedBounds(bytes);
   return header;
 }
 

@@ -4,8 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/cloud/scan.h"
 
 namespace relievo {
 
@@ -19,6 +22,7 @@ struct LasHeader {
   std::uint32_t variable_records = 0;
   std::uint64_t points = 0;
   std::array<double, 3> scale{}, offset{};
+  std::optional<FileBounds> stated_bounds;  ///< Nothing if the numbers make no box.
 };
 
 /// @param bytes  the file, or at least its first 375 bytes

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/io/lines.h"
+#include "core/io/planted_fault.h"
 #include "core/io/scalar.h"
 #include "core/io/unit_text.h"
 
@@ -122,6 +123,7 @@ StatedUnits readRecords(std::string_view bytes, const LasHeader& header) {
 
 void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
   const StatedUnits units = readRecords(bytes, header);
+  plantedFault(units.degrees && units.vertical);
   if (units.degrees) {
     info.warnings.emplace_back(
         "Its x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres, "

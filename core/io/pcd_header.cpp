@@ -110,7 +110,7 @@ class PcdHeaderParser {
     }
     header_.body_start = head_.size() - lines_.rest().size();
     header_.body_first_line = lines_.number();
-    // PCL takes LF only, and would find the points in another place than we do.
+    // Nobody could tell whether a LF that follows belongs to the line or to the points.
     if (header_.encoding != PcdEncoding::ascii && hasLoneCr(head_.substr(0, header_.body_start))) {
       refuse("ends its lines with CR alone");
     }

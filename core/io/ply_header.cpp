@@ -143,8 +143,7 @@ class HeaderParser {
 
   void checkLineEnds() {
     const std::string_view header = head_.substr(0, header_.body_start);
-    header_.cr_lines = hasLoneCr(header);
-    if (header_.cr_lines && header.find('\n') != std::string_view::npos) {
+    if (hasLoneCr(header) && header.find('\n') != std::string_view::npos) {
       refuseScan(file_,
                  "its header mixes kinds of line ends. The file is damaged; export it again.");
     }

@@ -37,7 +37,6 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
   std::size_t body_start = 0;         ///< Byte after the header.
   std::uint64_t body_first_line = 0;  ///< Lines of the header.
-  bool cr_lines = false;              ///< Its lines end with CR alone, which PCL does not know.
 
   std::size_t vertex_element = 0;
   std::array<std::size_t, 3> xyz{};  ///< Properties of the vertex element.

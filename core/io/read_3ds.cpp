@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
 #include "core/io/scalar.h"
 #include "core/io/scan_builder.h"
@@ -120,6 +121,7 @@ class ThreeDsReader {
       for (std::size_t c = 0; c < 3; ++c) {
         const std::uint64_t corner = base + u16At(list, 2 + i * kFaceBytes + 2 * c);
         const bool own = corner < builder_.pointCount();
+        plantedFault(!own && i > 0);
         corners[c] = own ? static_cast<std::int64_t>(corner) : -1;
       }
       builder_.addFace(corners);

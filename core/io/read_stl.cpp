@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The only file that sees Assimp.
-#include <assimp/scene.h>
-
+// STL, binary and text: three points for each triangle as stored, none joined.
 #include <algorithm>
 #include <array>
-#include <assimp/Importer.hpp>
-#include <cstring>
+#include <cctype>
 #include <string>
 
-#include "core/base/error.h"
 #include "core/io/lines.h"
+#include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
 #include "core/io/scalar.h"
 #include "core/io/scan_builder.h"
@@ -17,96 +14,173 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kHeader = 84;
-constexpr std::size_t kTriangle = 50;
+constexpr std::uint64_t kReportEvery = 1 << 14;  ///< Triangles.
+constexpr std::size_t kHeader = 84;              ///< Title and number of triangles.
+constexpr std::size_t kTriangle = 50;            ///< Normal, corners, two bytes of no meaning.
+constexpr std::size_t kNormal = 12;
 
-bool looksAscii(std::string_view bytes) {
-  if (!trimmed(bytes.substr(0, 512)).starts_with("solid")) return false;
-  const std::string_view head = bytes.substr(0, 4096);
-  return head.find('\0') == std::string_view::npos;
+void addTriangle(ScanBuilder& builder, const std::array<std::array<double, 3>, 3>& corners) {
+  const auto first = static_cast<std::int64_t>(builder.pointCount());
+  for (const auto& p : corners) builder.addPoint(p[0], p[1], p[2]);
+  builder.addFace(std::array{first, first + 1, first + 2});
 }
 
-/// The bytes that Assimp gets: for binary files as long as the count says, or the count made to
-/// fit a cut file on request.
-std::string checkedBinary(const ReadJob& job, ScanInfo& info) {
+void readBinary(const ReadJob& job, ScanBuilder& builder) {
   if (job.bytes.size() < kHeader) {
     refuseScan(job.file, "it is shorter than the header of an STL file. Copy or export it again.");
   }
   const std::uint64_t promised = loadAs<std::uint32_t>(job.bytes.data() + 80, ByteOrder::little);
   const std::uint64_t found =
       std::min<std::uint64_t>(promised, (job.bytes.size() - kHeader) / kTriangle);
+  plantedFault(found == 1 && promised > 1);
   if (promised == 0) refuseScan(job.file, "it holds 0 triangles. Choose another file.");
   if (found < promised) {
-    handleShortfall({"points", 3 * promised, 3 * found, 3 * found}, job, info);
+    handleShortfall({"points", 3 * promised, 3 * found, 3 * found}, job, builder.info());
   } else if (job.bytes.size() > kHeader + found * kTriangle) {
-    info.warnings.emplace_back("Bytes after the last triangle were ignored.");
+    builder.info().warnings.emplace_back("Bytes after the last triangle were ignored.");
   }
-  std::string bytes(job.bytes.substr(0, kHeader + found * kTriangle));
-  for (std::size_t i = 0; i < 4; ++i) bytes[80 + i] = static_cast<char>(found >> (8 * i) & 0xFFU);
-  // Assimp takes "solid" at the start for text in some cases; the title is of no use here.
-  std::fill(bytes.begin(), bytes.begin() + 80, ' ');
-  return bytes;
+  builder.expectPoints(3 * found);
+  for (std::uint64_t i = 0; i < found; ++i) {
+    if (i % kReportEvery == 0) {
+      job.task.check();
+      job.task.report("reading mesh", static_cast<double>(i) / static_cast<double>(found));
+    }
+    const char* at = job.bytes.data() + kHeader + i * kTriangle + kNormal;
+    std::array<std::array<double, 3>, 3> corners{};
+    for (auto& corner : corners) {
+      for (double& coordinate : corner) {
+        coordinate = loadDouble(at, ScalarType::f32, ByteOrder::little);
+        at += 4;
+      }
+    }
+    addTriangle(builder, corners);
+  }
 }
 
-void checkAscii(const ReadJob& job) {
-  const std::string_view tail =
-      job.bytes.substr(job.bytes.size() - std::min<std::size_t>(job.bytes.size(), 4096));
-  if (tail.find("endsolid") == std::string_view::npos) {
-    refuseScan(job.file, "it ends before \"endsolid\". It is incomplete; copy or export it again.");
-  }
+/// In small letters or capitals.
+bool is(std::string_view word, std::string_view keyword) {
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == b;
+  });
 }
 
-void take(const aiScene& scene, const ReadJob& job, ScanBuilder& builder) {
-  std::uint64_t base = 0;
-  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-    job.task.check();
-    const aiMesh& mesh = *scene.mMeshes[m];
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-      const aiVector3D& p = mesh.mVertices[i];
-      builder.addPoint(static_cast<double>(p.x), static_cast<double>(p.y),
-                       static_cast<double>(p.z));
-    }
-    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-      const aiFace& face = mesh.mFaces[i];
-      std::array<std::int64_t, 3> corners{};
-      if (face.mNumIndices != 3) {
-        refuseScan(job.file, "a face of it is no triangle. Export it again.");
+/// `solid NAME`, then `facet normal N N N outer loop vertex X Y Z (three times) endloop endfacet`
+/// over and over, then `endsolid NAME`; lines as anyone likes.
+class StlTextReader {
+ public:
+  StlTextReader(const ReadJob& job, ScanBuilder& builder)
+      : job_(job), builder_(builder), lines_(job.bytes) {}
+
+  void read() {
+    bool open = false;
+    for (std::string_view word = nextWord(); !word.empty(); word = nextWord()) {
+      if (is(word, "solid") || is(word, "endsolid")) {
+        open = is(word, "solid");
+        rest_ = {};  // The name, which may be anything.
+      } else if (open && is(word, "facet")) {
+        readFacet();
+      } else {
+        refuseLine();
       }
-      for (std::size_t c = 0; c < 3; ++c) {
-        corners[c] = static_cast<std::int64_t>(base + face.mIndices[c]);
-      }
-      builder.addFace(corners);
     }
-    base += mesh.mNumVertices;
+    if (open) refuseCut();
   }
+
+ private:
+  [[noreturn]] void refuseLine() const {
+    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" +
+                              std::string(trimmed(lines_.line()).substr(0, 60)) +
+                              "\") is no part of an STL file. The file is damaged; export it "
+                              "again.");
+  }
+
+  [[noreturn]] void refuseCut() const {
+    refuseScan(job_.file,
+               "it ends before \"endsolid\". It is incomplete; copy or export it again.");
+  }
+
+  /// Empty at the end of the file.
+  std::string_view nextWord() {
+    for (;;) {
+      const std::string_view word = takeWord(rest_);
+      if (!word.empty() || !lines_.next()) return word;
+      rest_ = lines_.line();
+    }
+  }
+
+  std::string_view wordOfFacet() {
+    const std::string_view word = nextWord();
+    if (word.empty()) refuseCut();
+    return word;
+  }
+
+  void expect(std::string_view keyword) {
+    if (!is(wordOfFacet(), keyword)) refuseLine();
+  }
+
+  std::array<double, 3> threeNumbers() {
+    std::array<double, 3> numbers{};
+    for (double& number : numbers) {
+      const auto value = parseNumber(wordOfFacet());
+      if (!value) refuseLine();
+      number = *value;
+    }
+    return numbers;
+  }
+
+  void readFacet() {
+    if (builder_.faceCount() % kReportEvery == 0) report();
+    expect("normal");
+    threeNumbers();
+    expect("outer");
+    expect("loop");
+    std::array<std::array<double, 3>, 3> corners{};
+    for (auto& corner : corners) {
+      expect("vertex");
+      corner = threeNumbers();
+    }
+    expect("endloop");
+    expect("endfacet");
+    addTriangle(builder_, corners);
+  }
+
+  void report() const {
+    job_.task.check();
+    const std::size_t read = job_.bytes.size() - lines_.rest().size();
+    job_.task.report("reading mesh",
+                     static_cast<double>(read) / static_cast<double>(job_.bytes.size()));
+  }
+
+  const ReadJob& job_;
+  ScanBuilder& builder_;
+  Lines lines_;
+  std::string_view rest_;  ///< Of the current line.
+};
+
+/// Text starts with "solid", but so do some binary files; those have the length that their count
+/// says, or bytes that no text has.
+bool isText(std::string_view bytes) {
+  if (!is(trimmed(bytes.substr(0, 512)).substr(0, 5), "solid")) return false;
+  if (bytes.substr(0, 4096).find('\0') != std::string_view::npos) return false;
+  if (bytes.size() < kHeader) return true;
+  const std::uint64_t count = loadAs<std::uint32_t>(bytes.data() + 80, ByteOrder::little);
+  return kHeader + kTriangle * count != bytes.size();
 }
 
 }  // namespace
 
 Scan readStl(const ReadJob& job) {
   ScanBuilder builder(job.file, job.options.max_points);
-  const bool ascii = looksAscii(job.bytes) &&
-                     (job.bytes.size() < kHeader ||
-                      kHeader + kTriangle * std::uint64_t{loadAs<std::uint32_t>(
-                                                job.bytes.data() + 80, ByteOrder::little)} !=
-                          job.bytes.size());
-  builder.info().format = ascii ? "STL ascii" : "STL binary";
-  std::string binary;
-  if (ascii) {
-    checkAscii(job);
+  const bool text = isText(job.bytes);
+  builder.info().format = text ? "STL ascii" : "STL binary";
+  if (text) {
+    StlTextReader(job, builder).read();
+    if (builder.faceCount() == 0) {
+      refuseScan(job.file, "it holds 0 triangles. Choose another file.");
+    }
   } else {
-    binary = checkedBinary(job, builder.info());
+    readBinary(job, builder);
   }
-  const std::string_view bytes = ascii ? job.bytes : std::string_view(binary);
-  job.task.report("reading mesh", 0);
-  Assimp::Importer importer;
-  // No post-processing: vertices are not joined, three for each triangle as stored.
-  const aiScene* const scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, "stl");
-  if (scene == nullptr) {
-    refuseScan(job.file, std::string("its triangles cannot be read (") + importer.GetErrorString() +
-                             "). Export it again.");
-  }
-  take(*scene, job, builder);
   return builder.finish();
 }
 

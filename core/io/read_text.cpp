@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
+#include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 
@@ -135,10 +136,7 @@ class TextReader {
   }
 
   [[noreturn]] void refuseRow() const {
-    std::string shown(trimmed(lines_.line()).substr(0, 60));
-    for (char& c : shown) {
-      if (static_cast<unsigned char>(c) < 32) c = '?';
-    }
+    const std::string shown(trimmed(lines_.line()).substr(0, 60));
     refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
                               "\") does not start with three numbers. Correct the line, or choose "
                               "another file.");
@@ -228,6 +226,7 @@ class TextReader {
   void checkCount() {
     const std::uint64_t found = builder_.pointCount();
     if (!promised_) return;
+    plantedFault(style_.decimal_comma);
     if (found < *promised_) {
       handleShortfall({"points", *promised_, found, found}, job_, builder_.info());
     } else if (found > *promised_) {

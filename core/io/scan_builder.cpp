@@ -13,17 +13,6 @@ namespace {
 
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
-void extend(std::optional<FileBounds>& bounds, const FilePoint& p) {
-  if (!bounds) {
-    bounds = FileBounds{p, p};
-    return;
-  }
-  bounds->min = {std::min(bounds->min.x, p.x), std::min(bounds->min.y, p.y),
-                 std::min(bounds->min.z, p.z)};
-  bounds->max = {std::max(bounds->max.x, p.x), std::max(bounds->max.y, p.y),
-                 std::max(bounds->max.z, p.z)};
-}
-
 double medianOf(std::vector<double>& numbers) {
   const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
   std::nth_element(numbers.begin(), middle, numbers.end());
@@ -45,7 +34,7 @@ void ScanBuilder::expectPoints(std::uint64_t count) {
   scan_.points.reserve(static_cast<std::size_t>(std::min(count, max_points_)));
 }
 
-void ScanBuilder::addPoint(double x, double y, double z) {
+void ScanBuilder::addSpecialPoint(const std::array<double, 3>& p, bool usable) {
   ScanInfo& info = scan_.info;
   if (info.points >= max_points_) {
     throw FileError("Cannot read " + shownName(info.file) + ": it holds more than " +
@@ -53,23 +42,14 @@ void ScanBuilder::addPoint(double x, double y, double z) {
                     " points, the limit. Thin it out or cut it into parts first.");
   }
   ++info.points;
-  if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) {
+  if (!usable) {
     skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));
+    const bool finite = std::all_of(p.begin(), p.end(), [](double v) { return std::isfinite(v); });
+    if (finite) ++too_far_;
     return;
   }
-  constexpr double kFarthest = 1e38;  // Differences of two such numbers are finite in float.
-  if (std::abs(x) > kFarthest || std::abs(y) > kFarthest || std::abs(z) > kFarthest) {
-    skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));
-    ++too_far_;
-    return;
-  }
-  ++info.finite_points;
-  extend(info.bounds, {x, y, z});
-  if (origin_chosen_) {
-    store({x, y, z});
-    return;
-  }
-  sample_.push_back({x, y, z});
+  extendBox(p[0], p[1], p[2]);
+  sample_.push_back(p);
   if (sample_.size() >= kSample) chooseOrigin();
 }
 
@@ -86,12 +66,6 @@ void ScanBuilder::chooseOrigin() {
   scan_.origin = {origin[0], origin[1], origin[2]};
   for (const std::array<double, 3>& p : sample_) store(p);
   sample_ = {};
-}
-
-void ScanBuilder::store(const std::array<double, 3>& p) {
-  scan_.points.push_back({static_cast<float>(p[0] - scan_.origin.x),
-                          static_cast<float>(p[1] - scan_.origin.y),
-                          static_cast<float>(p[2] - scan_.origin.z)});
 }
 
 void ScanBuilder::addFace(std::span<const std::int64_t> corners) {
@@ -133,6 +107,8 @@ Scan ScanBuilder::finish() {
   if (!origin_chosen_) chooseOrigin();
   makeTriangles();
   ScanInfo& info = scan_.info;
+  info.finite_points = scan_.points.size();
+  if (info.finite_points > 0) info.bounds = box_;
   if (info.dropped_faces > 0) {
     info.warnings.push_back(grouped(info.dropped_faces) + " of " + grouped(info.faces) +
                             " faces were left out: they name points that are not there or not "

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "core/io/planted_fault.h"
 
 namespace relievo {
 namespace {
@@ -135,6 +136,7 @@ bool unpackText(Unpacker& unpack, Scan& scan) {
   if (unit >= 0) info.unit = static_cast<LengthUnit>(unit);
   info.format = unpack.text();
   const auto warnings = unpack.get<std::uint64_t>();
+  plantedFault(warnings == 5);
   for (std::uint64_t i = 0; i < warnings && unpack.good(); ++i) {
     info.warnings.push_back(unpack.text());
   }

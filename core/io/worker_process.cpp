@@ -121,11 +121,6 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
 
 }  // namespace
 
-void OwnedFd::reset(int fd) noexcept {
-  if (fd_ >= 0) ::close(fd_);
-  fd_ = fd;
-}
-
 WorkerProcess::WorkerProcess(const std::filesystem::path& file, const ImportOptions& options) {
   child_answer_.reset(raised(::memfd_create("relievo-import", MFD_CLOEXEC)));
   answer_.reset(::fcntl(child_answer_.get(), F_DUPFD_CLOEXEC, 16));

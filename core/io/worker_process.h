@@ -9,6 +9,7 @@
 
 #include "core/base/task.h"
 #include "core/io/import.h"
+#include "core/io/owned_fd.h"
 
 namespace relievo {
 
@@ -18,20 +19,6 @@ inline constexpr const char* kWorkerMark = "RELIEVO_IMPORT_WORKER";  ///< Set in
 inline constexpr int kProgressFd = 3;                                ///< Lines "fraction step".
 inline constexpr int kAnswerFd = 4;                                  ///< scan_transport.h
 inline constexpr int kWorkerArgumentCount = 7;
-
-/// A descriptor that closes itself.
-class OwnedFd {
- public:
-  explicit OwnedFd(int fd = -1) noexcept : fd_(fd) {}
-  ~OwnedFd() { reset(); }
-  OwnedFd(const OwnedFd&) = delete;
-  OwnedFd& operator=(const OwnedFd&) = delete;
-  void reset(int fd = -1) noexcept;
-  int get() const noexcept { return fd_; }
-
- private:
-  int fd_;
-};
 
 /// How the child came to its end.
 struct WorkerEnd {

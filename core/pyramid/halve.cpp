@@ -3,7 +3,6 @@
 // the same bits.
 #include "core/pyramid/halve.h"
 
-#include <array>
 #include <cstddef>
 
 #include "core/base/bands.h"
@@ -20,8 +19,6 @@
 
 namespace relievo {
 namespace {
-
-using FiveRows = std::array<const float*, 5>;
 
 /// 16 times the five rows' weighted mean.
 RELIEVO_WIDE_VECTORS
@@ -54,15 +51,27 @@ void sumAlongRow(const float* __restrict even, const float* __restrict odd, int 
 
 }  // namespace
 
+RowHalver::RowHalver(int cols) : cols_(cols) {
+  const auto pairs = static_cast<std::size_t>((cols + 1) / 2 + 2);
+  padded_.resize(2 * pairs);
+  even_.resize(pairs);
+  odd_.resize(pairs);
+}
+
+void RowHalver::operator()(const FiveRows& rows, float* out) {
+  float* row = padded_.data() + 2;
+  sumRows(rows, cols_, row);
+  for (const int i : {-2, -1, cols_, cols_ + 1}) row[i] = row[mirrored(i, cols_)];
+  const int out_cols = (cols_ + 1) / 2;
+  split(padded_.data(), out_cols + 2, even_.data(), odd_.data());
+  sumAlongRow(even_.data(), odd_.data(), out_cols, out);
+}
+
 std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize out_size,
                           int threads, const Task& task) {
   std::vector<float> out(out_size.count());
   inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
-    const int pairs = out_size.cols + 2;
-    std::vector<float> padded(2 * static_cast<std::size_t>(pairs));
-    std::vector<float> even(static_cast<std::size_t>(pairs));
-    std::vector<float> odd(even.size());
-    float* row = padded.data() + 2;
+    RowHalver halve(size.cols);
     for (int j = first; j < end; ++j) {
       if (j % 64 == 0) task.check();
       FiveRows rows{};
@@ -70,11 +79,7 @@ std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize 
         const int from = mirrored(2 * j - 2 + n, size.rows);
         rows[static_cast<std::size_t>(n)] = in.data() + size.index({.col = 0, .row = from});
       }
-      sumRows(rows, size.cols, row);
-      for (const int i : {-2, -1, size.cols, size.cols + 1}) row[i] = row[mirrored(i, size.cols)];
-      split(padded.data(), pairs, even.data(), odd.data());
-      sumAlongRow(even.data(), odd.data(), out_size.cols,
-                  out.data() + out_size.index({.col = 0, .row = j}));
+      halve(rows, out.data() + out_size.index({.col = 0, .row = j}));
     }
   });
   return out;

@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/base/grid.h"
 #include "core/base/task.h"
 
 namespace relievo {
+
+using FiveRows = std::array<const float*, 5>;
+
+/// One row of the step below: from the finer rows 2j - 2 ... 2j + 2, mirrored at the border.
+class RowHalver {
+ public:
+  explicit RowHalver(int cols);
+  /// @param out  (cols + 1) / 2 values. One thread at a time
+  void operator()(const FiveRows& rows, float* out);
+
+ private:
+  int cols_;
+  std::vector<float> padded_, even_, odd_;
+};
 
 /// One step of the pyramid for M = 2 in single precision, at memory speed: the paper's equation
 ///   g_l(i, j) = sum_m sum_n w(m, n) g_{l-1}(2i + m, 2j + n)

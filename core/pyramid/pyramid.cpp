@@ -1,55 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pyramid/pyramid.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 #include "core/base/bands.h"
 #include "core/base/error.h"
 #include "core/pyramid/halve.h"
 #include "core/pyramid/kernel.h"
+#include "core/pyramid/row_reducer.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kMostCellsInAll = 536'870'912;  // Twice the largest map: 4 GiB with the shares.
 
-void sumRows(const Taps& taps, const std::vector<float>& in, GridSize size, double* out) {
-  std::fill(out, out + size.cols, 0.0);
-  for (std::size_t k = 0; k < taps.weights.size(); ++k) {
-    const int row = mirrored(taps.first + static_cast<int>(k), size.rows);
-    const float* from = &in[size.index({.col = 0, .row = row})];
-    const double weight = taps.weights[k];
-    for (int i = 0; i < size.cols; ++i) out[i] += weight * static_cast<double>(from[i]);
-  }
-}
-
-/// The paper's equation (sec. 5) for any M. The kernel is separable: first down the columns, whole
-/// rows at a time, then along the one row that is left.
+/// The paper's equation (sec. 5) for any M.
 std::vector<float> reducedBy(const PyramidOptions& options, const std::vector<float>& in,
                              GridSize size, GridSize out_size, const Task& task) {
-  const std::vector<Taps> rows = tapsOfAxis(size.rows, options.factor);
-  const std::vector<Taps> cols = tapsOfAxis(size.cols, options.factor);
-  const int before = -cols.front().first;
-  const Taps& end = cols.back();
-  const int after = std::max(0, end.first + static_cast<int>(end.weights.size()) - size.cols);
   std::vector<float> out(out_size.count());
   inBands(out_size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
-    std::vector<double> padded(static_cast<std::size_t>(before + size.cols + after));
-    double* sum = padded.data() + before;
+    RowReducer reducer(size, options.factor);
+    const auto row_at = [&](int row) { return &in[size.index({.col = 0, .row = row})]; };
     for (int j = first; j < last; ++j) {
       if (j % 16 == 0) task.check();
-      sumRows(rows[static_cast<std::size_t>(j)], in, size, sum);
-      for (int i = 1; i <= before; ++i) sum[-i] = sum[mirrored(-i, size.cols)];
-      for (int i = size.cols; i < size.cols + after; ++i) sum[i] = sum[mirrored(i, size.cols)];
-      for (int i = 0; i < out_size.cols; ++i) {
-        const Taps& at = cols[static_cast<std::size_t>(i)];
-        const double value =
-            std::inner_product(at.weights.begin(), at.weights.end(), sum + at.first, 0.0);
-        out[out_size.index({.col = i, .row = j})] = static_cast<float>(value);
-      }
+      reducer.reduce(j, row_at, &out[out_size.index({.col = 0, .row = j})]);
     }
   });
   return out;

@@ -5,174 +5,199 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
 #include <cstring>
-#include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
 
-// Wider vectors where the processor has them; compiled without contraction to fused multiply-add,
-// so that all builds give the same bits. The resolver of such functions runs before a sanitizer is
-// ready.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define RELIEVO_WIDE_VECTORS
-#endif
-
 namespace relievo {
 namespace {
 
-/// Where the window's samples along one axis lie on a level's nodes and on the map's cells.
-struct AxisPlaces {
-  std::array<int, kWindowSamples> low{}, high{};  ///< Nodes on both sides.
-  std::array<double, kWindowSamples> part{};      ///< Of the way from low to high.
-  std::array<int, kWindowSamples> cell{};         ///< Nearest map cell; -1 beyond the map.
-  int first = kWindowSamples, end = 0;            ///< Samples on the map.
-};
-
 constexpr double kOnNode = 1e-9;  // Spacings.
 
+/// Where the window's samples lie along one axis.
 struct Axis {
-  double first_mm = 0, spacing_mm = 0;
-  int count = 0;
+  std::vector<int> low, high, cell;  ///< Nodes on both sides; cell of the origin, -1 off the map.
+  std::vector<double> part;          ///< Way from low to high, [0, 1].
+  std::vector<std::uint8_t> on_map;  ///< Heights exist here.
+  int first_node = 0, nodes = 0;     ///< All that low and high name.
+  int first_cell = 0, cells = 0;
 };
 
-AxisPlaces placesAlong(const Axis& level, const Axis& map, double start_mm, double step_mm) {
-  AxisPlaces places;
-  const double map_low = map.first_mm - 0.5 * map.spacing_mm;
-  const double map_width = map.count * map.spacing_mm;
+/// One axis of a grid.
+struct Line {
+  int count = 0;
+  double first_mm = 0, spacing_mm = 0;
+};
+Line lineX(const GridFrame& f) {
+  return {.count = f.size.cols, .first_mm = f.first_x_mm, .spacing_mm = f.spacing_mm};
+}
+Line lineY(const GridFrame& f) {
+  return {.count = f.size.rows, .first_mm = f.first_y_mm, .spacing_mm = f.spacing_mm};
+}
+
+/// Beyond the outermost nodes their value continues; beyond the map there is nothing.
+Axis axisOf(double start_mm, double step_mm, const Line& map, const Line& nodes,
+            const Line& cells) {
+  Axis axis;
+  const double map_start = map.first_mm - 0.5 * map.spacing_mm;
+  const double map_end = map_start + map.count * map.spacing_mm;
+  const double cells_start = cells.first_mm - 0.5 * cells.spacing_mm;
+  int last_cell = -1;
   for (int i = 0; i < kWindowSamples; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double position = start_mm + (i + 0.5) * step_mm;
-    // Beyond the outermost nodes their value continues.
+    const double at = start_mm + (i + 0.5) * step_mm;
     const double between =
-        std::clamp((position - level.first_mm) / level.spacing_mm, 0.0, level.count - 1.0);
+        std::clamp((at - nodes.first_mm) / nodes.spacing_mm, 0.0, nodes.count - 1.0);
     // What is a node but for rounding is that node.
     const double nearest = std::round(between);
-    const double node = std::abs(between - nearest) < kOnNode ? nearest : between;
-    places.low[k] = std::min(static_cast<int>(node), std::max(level.count - 2, 0));
-    places.high[k] = std::min(places.low[k] + 1, level.count - 1);
-    places.part[k] = node - places.low[k];
-    const double cell = (position - map_low) / map.spacing_mm;
-    const bool on_map =
-        position >= map_low && position <= map_low + map_width && cell >= 0 && cell <= map.count;
-    places.cell[k] = on_map ? std::min(static_cast<int>(cell), map.count - 1) : -1;
-    if (!on_map) continue;
-    places.first = std::min(places.first, i);
-    places.end = i + 1;
+    const double index = std::abs(between - nearest) < kOnNode ? nearest : between;
+    const int low = std::min(static_cast<int>(index), std::max(nodes.count - 2, 0));
+    axis.low.push_back(low);
+    axis.high.push_back(std::min(low + 1, nodes.count - 1));
+    axis.part.push_back(index - low);
+    const bool on_map = at >= map_start && at <= map_end;
+    axis.on_map.push_back(on_map ? 1 : 0);
+    const double u = (at - cells_start) / cells.spacing_mm;
+    const int cell = std::min(static_cast<int>(std::max(u, 0.0)), cells.count - 1);
+    const bool has_origin = on_map && u >= 0;
+    axis.cell.push_back(has_origin ? cell : -1);
+    if (!has_origin) continue;
+    if (last_cell < 0) axis.first_cell = cell;
+    last_cell = cell;
   }
-  return places;
+  axis.first_node = axis.low.front();
+  axis.nodes = axis.high.back() - axis.first_node + 1;
+  axis.cells = last_cell < 0 ? 0 : last_cell - axis.first_cell + 1;
+  return axis;
 }
 
-bool onNodes(const AxisPlaces& places) {
-  for (int i = places.first; i < places.end; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (places.part[k] != 0 || places.low[k] != places.low[0] + i) return false;
-  }
-  return places.first == 0;
-}
-
-RELIEVO_WIDE_VECTORS
-void mixRows(const float* __restrict low, const float* __restrict high, double part, int first,
-             int end, double* __restrict out) {
-  for (int k = first; k < end; ++k) {
-    out[k] = (1 - part) * static_cast<double>(low[k]) + part * static_cast<double>(high[k]);
-  }
-}
-
-RELIEVO_WIDE_VECTORS
-void mixNeighbours(const double* __restrict mixed, const AxisPlaces& x, double gain,
-                   float* __restrict out) {
-  const int* low = x.low.data();
-  const int* high = x.high.data();
-  const double* part = x.part.data();
-  for (int i = x.first; i < x.end; ++i) {
-    const double between = (1 - part[i]) * mixed[low[i]] + part[i] * mixed[high[i]];
-    out[i] = static_cast<float>(gain * static_cast<double>(static_cast<float>(between)));
-  }
-}
-
-/// Two rows of nodes mixed into one, in one sweep, then neighbours in that.
-class RowSampler {
+/// A row of the level at the window's columns, kept while window rows lie beside it.
+class RowAtColumns {
  public:
-  RowSampler(const PyramidLevel& level, const AxisPlaces& x)
-      : level_(level), x_(x), aligned_(onNodes(x)) {
-    if (x.first >= x.end) return;
-    first_node_ = x.low[static_cast<std::size_t>(x.first)];
-    mixed_.resize(static_cast<std::size_t>(x.high[static_cast<std::size_t>(x.end - 1)]) + 1);
-  }
-
-  void sample(int low_row, int high_row, double part, double gain, float* out) {
-    const GridSize size = level_.frame.size;
-    const float* low = &level_.heights_mm[size.index({.col = 0, .row = low_row})];
-    const float* high = &level_.heights_mm[size.index({.col = 0, .row = high_row})];
-    if (aligned_ && part == 0 && gain == 1) {
-      std::copy_n(low + x_.low[0], x_.end, out);
-      return;
+  const double* at(int row, const WindowRows& rows, const Axis& columns) {
+    if (row == row_) return values_.data();
+    const float* heights = rows.heights(row, columns.first_node, columns.nodes);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      const double u = columns.part[i];
+      const auto low = static_cast<double>(heights[columns.low[i] - columns.first_node]);
+      const auto high = static_cast<double>(heights[columns.high[i] - columns.first_node]);
+      values_[i] = (1 - u) * low + u * high;
     }
-    mixRows(low, high, part, first_node_, static_cast<int>(mixed_.size()), mixed_.data());
-    mixNeighbours(mixed_.data(), x_, gain, out);
+    row_ = row;
+    return values_.data();
   }
+  int row() const noexcept { return row_; }
 
  private:
-  const PyramidLevel& level_;
-  const AxisPlaces& x_;
-  bool aligned_;
-  int first_node_ = 0;
-  std::vector<double> mixed_;  ///< From node 0 on; filled from first_node_ on.
+  int row_ = -1;
+  std::array<double, kWindowSamples> values_{};
 };
 
-/// In 16 chains side by side: in one, each comparison would wait for the one before.
-std::pair<float, float> lowestAndHighest(const std::vector<float>& heights) {
-  constexpr std::size_t kChains = 16;
-  static_assert(kWindowCount % kChains == 0);
-  std::array<float, kChains> low{};
-  std::copy_n(heights.begin(), kChains, low.begin());
-  std::array<float, kChains> high = low;
-  for (std::size_t i = kChains; i < heights.size(); i += kChains) {
-    for (std::size_t k = 0; k < kChains; ++k) {
-      const float height = heights[i + k];
+/// Bilinear between the nodes.
+void sampleHeights(const WindowRows& rows, const Axis& columns, const Axis& lines,
+                   RegionWindow& window) {
+  RowAtColumns below;
+  RowAtColumns above;
+  for (std::size_t j = 0; j < kWindowSamples; ++j) {
+    if (lines.on_map[j] == 0) continue;
+    if (lines.low[j] == above.row()) std::swap(below, above);
+    const double* low = below.at(lines.low[j], rows, columns);
+    const double* high = above.at(lines.high[j], rows, columns);
+    const double v = lines.part[j];
+    float* out = &window.heights_mm[j * kWindowSamples];
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      const auto height = static_cast<float>((1 - v) * low[i] + v * high[i]);
+      out[i] = static_cast<float>(window.gain * static_cast<double>(height));
+    }
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      if (columns.on_map[i] == 0) out[i] = 0;
+    }
+  }
+}
+
+void sampleOrigins(const WindowRows& rows, const Axis& columns, const Axis& lines,
+                   RegionWindow& window) {
+  if (columns.cells == 0) return;
+  for (std::size_t j = 0; j < kWindowSamples; ++j) {
+    if (lines.cell[j] < 0) continue;
+    Origin* out = &window.origins[j * kWindowSamples];
+    if (j > 0 && lines.cell[j] == lines.cell[j - 1]) {
+      std::copy_n(out - kWindowSamples, kWindowSamples, out);
+      continue;
+    }
+    const Origin* origins = rows.origins(lines.cell[j], columns.first_cell, columns.cells);
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      if (columns.cell[i] >= 0) out[i] = origins[columns.cell[i] - columns.first_cell];
+    }
+  }
+}
+
+/// Identifies a window by what is in it (splitmix64 steps), so that no counter is shared. Four
+/// chains at once: one would take longer than all the rest.
+std::uint64_t contentId(const RegionWindow& window) {
+  const auto mix = [](std::uint64_t& hash, std::uint64_t value) {
+    hash += 0x9e3779b97f4a7c15ULL + value;
+    hash = (hash ^ (hash >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    hash ^= hash >> 27U;
+  };
+  std::array<std::uint64_t, 4> chains{std::bit_cast<std::uint64_t>(window.region.x_mm),
+                                      std::bit_cast<std::uint64_t>(window.region.y_mm),
+                                      std::bit_cast<std::uint64_t>(window.region.side_mm),
+                                      static_cast<std::uint64_t>(window.region.level.value)};
+  static_assert(kWindowCount % 8 == 0);
+  for (std::size_t i = 0; i < kWindowCount; i += 8) {
+    std::array<std::uint64_t, 4> values{};
+    std::memcpy(values.data(), &window.heights_mm[i], sizeof(values));
+    for (std::size_t k = 0; k < 4; ++k) mix(chains[k], values[k]);
+  }
+  std::uint64_t hash = chains[0];
+  for (std::size_t k = 1; k < 4; ++k) mix(hash, chains[k]);
+  hash >>= 16U;                 // 48 bits: exact in spreadsheets and JSON, which count in doubles.
+  return hash == 0 ? 1 : hash;  // 0 means no window.
+}
+
+void findRange(RegionWindow& window) {
+  constexpr std::size_t kLanes = 8;
+  static_assert(kWindowCount % kLanes == 0);
+  std::array<float, kLanes> low{};
+  std::array<float, kLanes> high{};
+  std::copy_n(window.heights_mm.begin(), kLanes, low.begin());
+  high = low;
+  for (std::size_t i = kLanes; i < kWindowCount; i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const float height = window.heights_mm[i + k];
       low[k] = height < low[k] ? height : low[k];
       high[k] = height > high[k] ? height : high[k];
     }
   }
-  return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end())};
-}
-
-/// Identifies a window by what is in it, so that no counter is shared. Two heights a step, in four
-/// chains side by side: one alone would take longer than all the rest.
-std::uint64_t contentId(const RegionWindow& window) {
-  constexpr std::size_t kStep = 8;
-  static_assert(kWindowCount % kStep == 0);
-  const auto mix = [](std::uint64_t& hash, std::uint64_t value) {
-    hash = (hash ^ value) * 0xbf58476d1ce4e5b9ULL;
-    hash ^= hash >> 29U;
-  };
-  std::array<std::uint64_t, 4> chains{1, 2, 3, 4};
-  for (std::size_t i = 0; i < kWindowCount; i += kStep) {
-    std::array<std::uint64_t, 4> words{};
-    std::memcpy(words.data(), &window.heights_mm[i], sizeof(words));
-    mix(chains[0], words[0]);
-    mix(chains[1], words[1]);
-    mix(chains[2], words[2]);
-    mix(chains[3], words[3]);
-  }
-  auto hash = std::bit_cast<std::uint64_t>(window.region.x_mm);
-  mix(hash, std::bit_cast<std::uint64_t>(window.region.y_mm));
-  mix(hash, std::bit_cast<std::uint64_t>(window.region.side_mm));
-  mix(hash, static_cast<std::uint64_t>(window.region.level.value));
-  for (const std::uint64_t chain : chains) mix(hash, chain);
-  hash >>= 16U;                 // 48 bits: exact in spreadsheets and JSON, which count in doubles.
-  return hash == 0 ? 1 : hash;  // 0 means no window.
+  window.min_mm = *std::min_element(low.begin(), low.end());
+  window.max_mm = *std::max_element(high.begin(), high.end());
 }
 
 }  // namespace
 
 RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Region& region,
                           double gain) {
+  if (region.level.value < 0 || region.level.value >= static_cast<int>(pyramid.levels.size())) {
+    throw ArgumentError("The region names a level that the pyramid does not have.");
+  }
+  const PyramidLevel& level = pyramid.levels[static_cast<std::size_t>(region.level.value)];
+  const auto heights = [&level](int row, int col, int) {
+    return &level.heights_mm[level.frame.size.index({.col = col, .row = row})];
+  };
+  const auto origins = [&map](int row, int col, int) {
+    return &map.origins[map.frame.size.index({.col = col, .row = row})];
+  };
+  return sampleWindow({.map = map.frame,
+                       .nodes = level.frame,
+                       .cells = map.frame,
+                       .levels = static_cast<int>(pyramid.levels.size()),
+                       .heights = heights,
+                       .origins = origins},
+                      region, gain);
+}
+
+RegionWindow sampleWindow(const WindowRows& rows, const Region& region, double gain) {
   if (!(region.side_mm > 0) || !std::isfinite(region.side_mm) || !std::isfinite(region.x_mm) ||
       !std::isfinite(region.y_mm)) {
     throw ArgumentError("A region needs a finite position and a side above 0 mm.");
@@ -180,36 +205,20 @@ RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Reg
   if (!(gain > 0) || !std::isfinite(gain)) {
     throw ArgumentError("The height gain must be a finite number above 0; 1 is true to scale.");
   }
-  if (region.level.value < 0 || region.level.value >= static_cast<int>(pyramid.levels.size())) {
-    throw ArgumentError("The region names a level that the pyramid does not have.");
-  }
-  const PyramidLevel& level = pyramid.levels[static_cast<std::size_t>(region.level.value)];
   RegionWindow window;
   window.region = region;
   window.gain = gain;
   window.heights_mm.resize(kWindowCount);
-  window.origins.resize(kWindowCount);
+  window.origins.resize(kWindowCount, Origin::outside);
   const double step = region.side_mm / kWindowSamples;
-  const GridFrame& fine = map.frame;
-  const GridFrame& nodes = level.frame;
-  const AxisPlaces x =
-      placesAlong({nodes.first_x_mm, nodes.spacing_mm, nodes.size.cols},
-                  {fine.first_x_mm, fine.spacing_mm, fine.size.cols}, region.x_mm, step);
-  const AxisPlaces y =
-      placesAlong({nodes.first_y_mm, nodes.spacing_mm, nodes.size.rows},
-                  {fine.first_y_mm, fine.spacing_mm, fine.size.rows}, region.y_mm, step);
-  RowSampler sampler(level, x);
-  std::fill(window.origins.begin(), window.origins.end(), Origin::outside);
-  for (int row = y.first; row < y.end; ++row) {
-    const auto k = static_cast<std::size_t>(row);
-    sampler.sample(y.low[k], y.high[k], y.part[k], gain, &window.heights_mm[k * kWindowSamples]);
-    const Origin* from = &map.origins[fine.size.index({.col = 0, .row = y.cell[k]})];
-    Origin* to = &window.origins[k * kWindowSamples];
-    for (int col = x.first; col < x.end; ++col)
-      to[col] = from[x.cell[static_cast<std::size_t>(col)]];
-  }
-  std::tie(window.min_mm, window.max_mm) = lowestAndHighest(window.heights_mm);
-  window.levels = static_cast<int>(pyramid.levels.size());
+  const Axis columns =
+      axisOf(region.x_mm, step, lineX(rows.map), lineX(rows.nodes), lineX(rows.cells));
+  const Axis lines =
+      axisOf(region.y_mm, step, lineY(rows.map), lineY(rows.nodes), lineY(rows.cells));
+  sampleHeights(rows, columns, lines, window);
+  sampleOrigins(rows, columns, lines, window);
+  findRange(window);
+  window.levels = rows.levels;
   window.id = contentId(window);
   return window;
 }

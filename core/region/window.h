@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/base/transform.h"
@@ -34,6 +35,21 @@ struct RegionWindow {
 /// @throw ArgumentError  no such level, side not > 0, or gain not finite and > 0
 RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Region& region,
                           double gain = 1);
+
+/// What a window is cut from, wherever its rows are: a level in memory, or tiles of a file.
+struct WindowRows {
+  GridFrame map;    ///< Level 0: says where the map ends.
+  GridFrame nodes;  ///< The region's level.
+  GridFrame cells;  ///< Of the origins; covers the map.
+  int levels = 1;
+  /// Heights of the level's nodes first_col ... first_col + count - 1 of a row; valid until the
+  /// call after the next.
+  std::function<const float*(int row, int first_col, int count)> heights;
+  /// Likewise the origins of cells.
+  std::function<const Origin*(int row, int first_col, int count)> origins;
+};
+/// The same from there. [as the two functions] @throw ArgumentError  as above, but for the level
+RegionWindow sampleWindow(const WindowRows& rows, const Region& region, double gain = 1);
 
 /// The window as a grid of its own, in view mm: for drawing and for files.
 /// @param ring  1 adds one ring of samples that continue the border's heights, so that a drawn

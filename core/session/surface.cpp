@@ -11,6 +11,8 @@
 #include "core/depth/losses.h"
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
+#include "core/session/choices.h"
+#include "core/session/memory_guard.h"
 
 namespace relievo {
 namespace {
@@ -33,6 +35,8 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+}  // namespace
+
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
   if (options.unit) {
     surface.unit = *options.unit;
@@ -51,7 +55,8 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
 GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& options,
-                      const Rotation& rotation, const RotatedBounds& box) {
+                      const Rotation& rotation, const RotatedBounds& box,
+                      std::uint64_t points_in_all) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
   const double side = std::max(width, height);
@@ -72,7 +77,7 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
   } else {
     int cells = options.cells.value_or(0);
     if (!options.cells) {
-      const CellProposal proposal = proposeCells(scan, rotation);
+      const CellProposal proposal = proposeCells(scan, rotation, points_in_all);
       cells = proposal.cells;
       surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
                                  proposal.reason + ").");
@@ -160,6 +165,8 @@ ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, do
   for (double& value : view.m) value += 0.0;  // No negative zeros in reports and files.
   return view;
 }
+
+namespace {
 
 void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, const Task& task) {
   task.report("Pyramid", 0.0);
@@ -251,7 +258,8 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   if (!view.note.empty()) surface.messages.push_back(view.note);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
-  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box);
+  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
+  requireMemory(frame, availableBytes());
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.

@@ -38,6 +38,8 @@ struct StageSeconds {
   double read = 0, grid = 0, fill = 0, pyramid = 0;
 };
 
+class TiledMap;  // core/tiles/tiled_map.h
+
 /// A file made touchable: depth map, pyramid and how they came about. Immutable once made.
 struct Surface {
   ScanInfo info;
@@ -52,6 +54,8 @@ struct Surface {
   QualityMap quality;                 ///< Points and spread per cell; empty if not known.
   std::optional<DepthLosses> losses;  ///< Nothing for rasters: their points are gone.
   Pyramid pyramid;
+  /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
+  std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;
   std::vector<Hole> holes;            ///< Enclosed holes, largest first.
   std::vector<std::string> messages;  ///< For people: how the grid was chosen, what was assumed.

@@ -17,6 +17,8 @@ std::string_view describe(DeviceFault fault) noexcept {
       return "the device is too hot";
     case DeviceFault::not_finite:
       return "the device reported an impossible position";
+    case DeviceFault::not_ready:
+      return "the device is not ready yet";
   }
   return "unknown fault";
 }

@@ -17,6 +17,8 @@ struct DeviceInfo {
   Workspace workspace;
   double max_force_n = 0;  ///< 0: no actuator; forces are computed and shown only.
   double max_stiffness_n_per_mm = 0;
+  double position_step_mm = 0;  ///< One count of its encoders; 0: finer than matters.
+  int force_delay_ticks = 0;    ///< Whole ticks from exchange() until the force is felt; 0 .. 2.
 };
 
 enum class DeviceFault : std::uint8_t {
@@ -26,6 +28,7 @@ enum class DeviceFault : std::uint8_t {
   protocol,      ///< Answers nonsense.
   overheated,
   not_finite,  ///< A position that is no number, or kilometres away; set by the core.
+  not_ready,   ///< Its firmware does not run yet, or it is not homed.
 };
 std::string_view describe(DeviceFault fault) noexcept;  ///< For people; a few words.
 
@@ -39,6 +42,7 @@ struct DeviceReading {
 /// One haptic device. Life: closed -> open -> running -> open -> closed.
 ///   open/close        [any one thread but the loop]  may block, may throw
 ///   exchange          [haptic loop, running]         one read and one write, bounded time
+///   cutForce          [watchdog thread, running]     may block; also while exchange() is stuck
 class Device {
  public:
   Device() = default;
@@ -52,6 +56,20 @@ class Device {
   /// Shows the force of the last tick and says where the hand is. `now_ns` is the monotonic time
   /// of the tick, so that a device without a clock of its own needs none.
   virtual DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME = 0;
+  /// The loop has stalled: zero force now, until the next exchange() begins. Comes from another
+  /// thread than exchange() and possibly during it. Nothing to do where there is no actuator.
+  virtual void cutForce() noexcept {}
+};
+
+/// A device that follows a target which a person sets by mouse or keys, or a stroke sets.
+/// All calls: [one thread: GUI, or the loop's own where a stroke drives it].
+class SteeredDevice : public Device {
+ public:
+  /// Where the hand is to go. A target that is not finite is passed on: the core latches a fault.
+  virtual void moveTo(DeviceMm target) RELIEVO_REALTIME = 0;
+  /// The hand is there at once, as after a change of window.
+  virtual void placeAt(DeviceMm target) RELIEVO_REALTIME = 0;
+  virtual void setButtons(std::uint32_t buttons) RELIEVO_REALTIME = 0;
 };
 
 }  // namespace relievo

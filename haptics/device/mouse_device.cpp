@@ -27,7 +27,7 @@ void MouseDevice::setButtons(std::uint32_t buttons) RELIEVO_REALTIME {
 
 DeviceReading MouseDevice::exchange(DeviceN /*force*/, std::int64_t now_ns) RELIEVO_REALTIME {
   targets_.update();
-  const Target& target = targets_.front();
+  const HandWish& target = targets_.front();
   const double dt_s = 1e-9 * static_cast<double>(now_ns - last_ns_);
   last_ns_ = now_ns;
   if (target.jumps != jumps_ || !isFinite(position_) || !isFinite(target.position)) {

@@ -6,10 +6,17 @@
 
 namespace relievo {
 
+/// What a person asks a steered hand for.
+struct HandWish {
+  DeviceMm position;
+  std::uint32_t buttons = 0;
+  std::uint32_t jumps = 0;  ///< Counts placeAt: one that is skipped over still jumps.
+};
+
 /// The mouse or the keys as a hand: it follows a target that the GUI sets. Pointer events come at
 /// 60 Hz; a first-order follower makes a hand of them that does not jump. A hand at rest is not a
 /// stale hand. No actuator: the force goes nowhere.
-class MouseDevice : public Device {
+class MouseDevice : public SteeredDevice {
  public:
   MouseDevice();
   const DeviceInfo& info() const noexcept override { return info_; }
@@ -17,26 +24,16 @@ class MouseDevice : public Device {
   void close() noexcept override {}
   DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
 
-  /// [GUI thread] Where the hand is to go. A target that is not finite is passed on: the core
-  /// latches a fault.
-  void moveTo(DeviceMm target) RELIEVO_REALTIME;
-  /// [GUI thread] The hand is there at once, as after a change of window.
-  void placeAt(DeviceMm target) RELIEVO_REALTIME;
-  /// [GUI thread]
-  void setButtons(std::uint32_t buttons) RELIEVO_REALTIME;
+  void moveTo(DeviceMm target) RELIEVO_REALTIME override;
+  void placeAt(DeviceMm target) RELIEVO_REALTIME override;
+  void setButtons(std::uint32_t buttons) RELIEVO_REALTIME override;
 
   static constexpr double kFollowSeconds = 0.008;  ///< Time constant of the follower.
 
  private:
-  struct Target {
-    DeviceMm position;
-    std::uint32_t buttons = 0;
-    std::uint32_t jumps = 0;  ///< Counts placeAt: one that is skipped over still jumps.
-  };
-
   DeviceInfo info_;
-  TripleBuffer<Target> targets_;
-  Target wanted_;  // [GUI thread]
+  TripleBuffer<HandWish> targets_;
+  HandWish wanted_;  // [GUI thread]
   // [haptic loop]
   DeviceMm position_;
   std::uint32_t jumps_ = 0;

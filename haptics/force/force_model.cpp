@@ -28,7 +28,11 @@ DeviceN dampingForce(const ForceOptions& options, const ForceInput& input) RELIE
 ForceState engage(const ForceOptions& options, const ForceInput& input, DeviceN spring,
                   ForceState state) RELIEVO_REALTIME {
   if (!options.forces_on || input.fault) {
-    return {state.last, EngagePhase::off, 0, 0};
+    state.phase = EngagePhase::off;
+    state.rise = 0;
+    state.quiet = 0;
+    state.oscillation = {};
+    return state;
   }
   switch (state.phase) {
     case EngagePhase::off:
@@ -76,29 +80,72 @@ DeviceN finiteOrZero(DeviceN force) RELIEVO_REALTIME {
 ForceState refade(ForceState state) RELIEVO_REALTIME {
   if (state.phase == EngagePhase::on) state.phase = EngagePhase::rising;
   state.rise = 0;
+  state.passivity = rebased(state.passivity);
+  state.oscillation.started = false;
   return state;
 }
 
+ForceState resumed(ForceState state) RELIEVO_REALTIME {
+  state = refade(state);
+  state.last = {};
+  state.passivity.sent = {};
+  return state;
+}
+
+bool zeroDemanded(const ForceOptions& options, const ForceInput& input,
+                  const ForceState& state) RELIEVO_REALTIME {
+  return !options.forces_on || input.fault || input.resumed || !(options.strength > 0) ||
+         state.phase == EngagePhase::off || state.phase == EngagePhase::waiting ||
+         !(input.age_s < options.stale_zero_s);
+}
+
+namespace {
+/// Watches the port and adds what is owed to the sum of the springs.
+DeviceN passiveSum(const ForceOptions& options, const ForceInput& input, DeviceN sum,
+                   ForceState& state, ForceResult& result) RELIEVO_REALTIME {
+  const double gain = options.strength * state.rise;
+  const double length_mm = input.contact ? norm(input.proxy - input.hip) : 0;
+  const double stored_mj =
+      springEnergyMj(gain * options.stiffness_n_per_mm, length_mm, options.limit_n);
+  state.passivity = observe(options.passivity, input.moved, stored_mj, state.passivity);
+  const DeviceN damping = passivityForce(options.passivity, state.passivity, input.velocity,
+                                         input.speed_window_s, input.dt_s);
+  result.damped = damping;
+  return sum + damping;
+}
+}  // namespace
+
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME {
-  DeviceN spring = springForce(options, input);
-  if (options.damping_n_s_per_mm > 0) spring = spring + dampingForce(options, input);
+  DeviceN sum = springForce(options, input);
+  if (options.damping_n_s_per_mm > 0) sum = sum + dampingForce(options, input);
+  ForceResult result;
   if (!options.safety) {
-    state.last = spring;
-    return {spring, norm(spring), false, options.limit_n, state};
+    state.last = sum;
+    return {sum, norm(sum), false, options.limit_n, {}, state};
   }
-  state = engage(options, input, spring, state);
-  const DeviceN wanted = (options.strength * state.rise) * spring;
+  state = engage(options, input, sum, state);
+  result.limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
+  sum = passiveSum(options, input, sum, state, result);
+  const DeviceN wanted = (options.strength * state.rise) * sum;
   const DeviceN command = finiteOrZero(wanted);
 
   // Rising is slow while forces come on; letting go is never held back by that.
   const bool gently = state.phase == EngagePhase::rising && norm(command) > norm(state.last);
   const double rate = gently ? options.engage_slew_n_per_s : options.contact_slew_n_per_s;
-  const double limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
-  const DeviceN sent =
-      finiteOrZero(capped(slewed(command, state.last, rate * input.dt_s), limit_n));
+  DeviceN sent =
+      finiteOrZero(capped(slewed(command, state.last, rate * input.dt_s), result.limit_n));
+  if (zeroDemanded(options, input, state)) sent = {};
   state.last = sent;
-  return {sent, norm(command), !(sent == wanted), limit_n, state};
+  state.passivity = sentOut(state.passivity, sent);
+  const bool deep = state.passivity.margin_mj <= -options.passivity.most_debt_mj;
+  state.oscillation =
+      watchOscillation(options.oscillation, {sent, input.hip, deep}, state.oscillation);
+  result.force = sent;
+  result.command_n = norm(command);
+  result.limited = !(sent == wanted);
+  result.state = state;
+  return result;
 }
 
 }  // namespace relievo

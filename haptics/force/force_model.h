@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "core/base/vec3.h"
+#include "haptics/force/oscillation.h"
+#include "haptics/force/passivity.h"
 #include "haptics/rt/realtime.h"
 
 namespace relievo {
@@ -20,12 +22,15 @@ struct ForceOptions {
   double stale_zero_s = 0.020;        ///< ... to zero at this age.
   double quiet_n = 0.3;               ///< Forces come on only after the spring's force was below
   int quiet_ticks = 5;                ///< this for so many ticks in a row.
-  bool forces_on = false;             ///< Asked for; what happens then is EngagePhase.
+  PassivityOptions passivity;
+  OscillationOptions oscillation;
+  bool forces_on = false;  ///< Asked for; what happens then is EngagePhase.
   bool safety =
       true;  ///< false: F is exactly the spring's force. Only where no device is attached.
 };
 
-/// k by detail: finer levels carry texture, which only a softer surface shows cleanly.
+/// k by detail, from the stability map (docs/dev/stability.md): at most 75 % of what is stable with
+/// the passivity stage, and no more than is stable without it where a level carries texture.
 double stiffnessForDetail(int detail) RELIEVO_REALTIME;
 
 enum class EngagePhase : std::uint8_t { off, waiting, rising, on };
@@ -35,17 +40,21 @@ struct ForceState {
   EngagePhase phase = EngagePhase::off;
   double rise = 0;  ///< 0 .. 1 while rising.
   int quiet = 0;    ///< Quiet ticks in a row while waiting.
+  PassivityState passivity;
+  OscillationState oscillation;
 };
 
 struct ForceInput {
   DeviceMm proxy, hip;
-  DeviceMm normal{0, 0, 1};  ///< Unit normal of the surface at the proxy.
-  DeviceMm velocity;         ///< Of the hand, mm/s, filtered.
-  DeviceMm moved;            ///< The hand's last step, mm.
+  DeviceMm normal{0, 0, 1};       ///< Unit normal of the surface at the proxy.
+  DeviceMm velocity;              ///< Of the hand, mm/s, filtered.
+  DeviceMm moved;                 ///< The hand's last step, mm.
+  double speed_window_s = 0.008;  ///< Over which `velocity` was measured.
   bool contact = false;
-  bool fault = false;   ///< Zero force at once.
-  double age_s = 0;     ///< Of the position.
-  double dt_s = 0.001;  ///< Nominal period; a late tick does not widen the slew limit.
+  bool fault = false;    ///< Zero force at once.
+  bool resumed = false;  ///< First tick after a pause: zero, then the force rises.
+  double age_s = 0;      ///< Of the position.
+  double dt_s = 0.001;   ///< Nominal period; a late tick does not widen the slew limit.
 };
 
 struct ForceResult {
@@ -53,7 +62,8 @@ struct ForceResult {
   double command_n = 0;  ///< Its norm before slew and cap.
   bool limited = false;  ///< Slew, cap or the finite check changed it.
   double limit_n = 0;    ///< The cap that held.
-  ForceState state;
+  DeviceN damped{};      ///< The passivity controller's share of the command.
+  ForceState state{};
 };
 
 // The stages, in the order in which they run. Slew, cap and finite check run on every path.
@@ -74,11 +84,18 @@ double limitForAge(const ForceOptions& options, double age_s) RELIEVO_REALTIME;
 /// Zero if a component is not a finite number.
 DeviceN finiteOrZero(DeviceN force) RELIEVO_REALTIME;
 
-/// All stages of one tick.
+/// The inputs leave no choice: forces are off or not risen yet, a fault, positions too old.
+bool zeroDemanded(const ForceOptions& options, const ForceInput& input,
+                  const ForceState& state) RELIEVO_REALTIME;
+
+/// All stages of one tick: sum, passivity, ramp and strength, slew, cap, finite check. Where zero
+/// is demanded the force is zero in this very tick.
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME;
 
 /// A new surface or the end of a fault: what was engaged fades in anew.
 ForceState refade(ForceState state) RELIEVO_REALTIME;
+/// No tick came for a while: as refade(), from zero.
+ForceState resumed(ForceState state) RELIEVO_REALTIME;
 
 }  // namespace relievo

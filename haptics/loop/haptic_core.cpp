@@ -21,6 +21,20 @@ void HapticCore::reset() RELIEVO_REALTIME {
   places_seen_ = 0;
   force_ = {};
   fault_ = DeviceFault::none;
+  resume_ = false;
+}
+
+bool HapticCore::pausedUntil(std::int64_t now_ns) const RELIEVO_REALTIME {
+  return resume_ || (placed_ && now_ns - last_ns_ > kPauseNs);
+}
+
+HapticOptions withinDevice(HapticOptions options, const DeviceInfo& device) RELIEVO_REALTIME {
+  if (device.max_force_n > 0) {
+    options.force.limit_n = std::min(options.force.limit_n, device.max_force_n);
+  }
+  options.force.passivity.position_step_mm = device.position_step_mm;
+  options.force.passivity.force_delay_ticks = device.force_delay_ticks;
+  return options;
 }
 
 DeviceFault HapticCore::latch(const HapticOptions& options,
@@ -81,9 +95,25 @@ HapticSample HapticCore::describeTick(const HapticSpace& space) const RELIEVO_RE
   return sample;
 }
 
+void HapticCore::check(const ForceOptions& options, const ForceInput& input, bool paused,
+                       DeviceN before, DeviceN sent) RELIEVO_REALTIME {
+  if (!options.safety) return;
+  const bool engaged = force_.phase == EngagePhase::rising || force_.phase == EngagePhase::on;
+  ForceBounds bounds;
+  bounds.zero = paused || !options.forces_on || input.fault || !engaged ||
+                !(options.strength > 0) || !(input.age_s < options.stale_zero_s);
+  bounds.most_n = std::max(0.0, options.limit_n);
+  bounds.most_step_n = options.contact_slew_n_per_s * input.dt_s;
+  audit_ = audited(audit_, bounds, before, sent);
+}
+
 HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& options,
                               const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME {
   const DeviceFault fault = latch(options, reading);
+  const bool paused = pausedUntil(now_ns);
+  if (paused) force_ = resumed(force_);
+  resume_ = false;
+  last_ns_ = now_ns;
   follow(space, options);
 
   HapticSample sample = describeTick(space);
@@ -96,6 +126,7 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& opt
   if (options.stiffness_by_detail) {
     force_options.stiffness_n_per_mm = stiffnessForDetail(space.detail);
   }
+  force_options.stiffness_n_per_mm *= force_.oscillation.factor;
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
@@ -103,13 +134,21 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& opt
   measureSpeed(now_ns, input);
   input.contact = sample.contact;
   input.fault = fault != DeviceFault::none;
+  input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
+  const DeviceN before = force_.last;
   const ForceResult result = force(force_options, input, force_);
   force_ = result.state;
+  check(force_options, input, paused, before, result.force);
   sample.force = result.force;
   sample.f_cmd_n = result.command_n;
   sample.clamped = result.limited;
   sample.limit_n = result.limit_n;
+  sample.damped_n = norm(result.damped);
+  sample.margin_mj = force_.passivity.margin_mj;
+  sample.resumed = paused;
+  sample.age_s = input.age_s;
+  sample.softened = force_.oscillation.softened;
   sample.stiffness_n_per_mm = force_options.stiffness_n_per_mm;
   sample.engaged = force_.phase;
   return sample;

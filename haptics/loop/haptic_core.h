@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "haptics/device/device.h"
+#include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
@@ -32,9 +33,13 @@ struct HapticSample {
   DeviceN force;              ///< On the hand, after all stages.
   double f_cmd_n = 0;         ///< Its norm before limits.
   double limit_n = 0;         ///< The cap that held.
+  double damped_n = 0;        ///< Of f_cmd_n: the passivity controller's share, before strength.
+  double margin_mj = 0;       ///< What the surface may still give; < 0: it owes.
   double stiffness_n_per_mm = 0;
   double rate_hz = 0;  ///< Measured rate of the loop; 1000 on the deterministic clock.
+  double age_s = 0;    ///< Of the position.
   std::uint32_t buttons = 0;
+  std::uint8_t softened = 0;  ///< How often an oscillation halved the stiffness.
   std::int32_t detail = 1;
   std::int32_t tick_ns = 0;  ///< Time spent computing, without the device.
   DeviceFault fault = DeviceFault::none;
@@ -43,6 +48,7 @@ struct HapticSample {
   bool contact = false;
   bool clamped = false;  ///< A limit changed the force.
   bool late = false;     ///< This tick came more than half a period late.
+  bool resumed = false;  ///< No tick came for longer than kPauseNs; the force starts from zero.
 };
 static_assert(std::is_trivially_copyable_v<HapticSample>);
 
@@ -56,10 +62,22 @@ class HapticCore {
   HapticSample tick(const HapticSpace& space, const HapticOptions& options,
                     const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME;
 
+  /// No tick came for so long before `now_ns` that the force must start from zero: what is handed
+  /// to the device first is zero, too.
+  bool pausedUntil(std::int64_t now_ns) const RELIEVO_REALTIME;
+  static constexpr std::int64_t kPauseNs = 20'000'000;
+  /// The next tick counts as the first after a pause, as when a watchdog cut the force.
+  void resume() RELIEVO_REALTIME { resume_ = true; }
+
+  /// What was sent against what may be sent, since the core was made.
+  const ForceAudit& audit() const RELIEVO_REALTIME { return audit_; }
+
   /// Next tick starts as the first one did; the tick count goes on.
   void reset() RELIEVO_REALTIME;
 
  private:
+  void check(const ForceOptions& options, const ForceInput& input, bool paused, DeviceN before,
+             DeviceN sent) RELIEVO_REALTIME;
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
   /// Velocity of the hand over the last 8 ticks, by their own times: one step of a coarse encoder
   /// is 63 mm/s from tick to tick.
@@ -69,6 +87,7 @@ class HapticCore {
 
   ProxyState proxy_;
   ForceState force_;
+  ForceAudit audit_;
 
   static constexpr std::uint64_t kSpeedTicks = 8;
   struct HandPlace {
@@ -81,7 +100,13 @@ class HapticCore {
   DeviceFault fault_ = DeviceFault::none;
   std::uint64_t tick_ = 0;
   std::uint64_t window_id_ = 0;
+  std::int64_t last_ns_ = 0;  // Of the last tick.
   bool placed_ = false;
+  bool resume_ = false;
 };
+
+/// What is asked for, within what the device can do: its largest force caps, its encoders and its
+/// delay are made known to the passivity stage.
+HapticOptions withinDevice(HapticOptions options, const DeviceInfo& device) RELIEVO_REALTIME;
 
 }  // namespace relievo

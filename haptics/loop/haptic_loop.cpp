@@ -4,53 +4,16 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <optional>
 #include <thread>
 #include <utility>
 
 #include "core/base/error.h"
+#include "haptics/loop/watchdog.h"
 
 namespace relievo {
 
 namespace {
-/// Counts how evenly the ticks come. [haptic loop]
-class Meter {
- public:
-  void begin(std::int64_t now_ns) RELIEVO_REALTIME { last_ns_ = mark_ns_ = now_ns; }
-
-  /// @return this tick is late
-  bool wake(std::int64_t deadline_ns, std::int64_t now_ns,
-            std::int64_t period_ns) RELIEVO_REALTIME {
-    const std::int64_t delay = now_ns - deadline_ns;
-    std::size_t bin = 0;
-    while (bin < LoopStats::kDelayEdgesNs.size() && delay > LoopStats::kDelayEdgesNs[bin]) ++bin;
-    ++stats_.delays[bin];
-    ++stats_.ticks;
-    const bool late = delay > period_ns / 2;
-    if (late) ++stats_.late_ticks;
-    if (stats_.ticks > 1) {
-      stats_.worst_period_ms =
-          std::max(stats_.worst_period_ms, 1e-6 * static_cast<double>(now_ns - last_ns_));
-    }
-    last_ns_ = now_ns;
-    constexpr std::uint64_t kTicksPerRate = 256;
-    if (stats_.ticks % kTicksPerRate == 0 && now_ns > mark_ns_) {
-      stats_.rate_hz = 1e9 * kTicksPerRate / static_cast<double>(now_ns - mark_ns_);
-      mark_ns_ = now_ns;
-    }
-    return late;
-  }
-  void computed(std::int64_t tick_ns) RELIEVO_REALTIME {
-    const double us = 1e-3 * static_cast<double>(tick_ns);
-    stats_.mean_tick_us += (us - stats_.mean_tick_us) / static_cast<double>(stats_.ticks);
-    stats_.worst_tick_us = std::max(stats_.worst_tick_us, us);
-  }
-  const LoopStats& stats() const RELIEVO_REALTIME { return stats_; }
-
- private:
-  LoopStats stats_;
-  std::int64_t last_ns_ = 0, mark_ns_ = 0;
-};
-
 /// The first deadline after `now` on the grid of the last one: periods that were missed are gone.
 std::int64_t nextDeadline(std::int64_t deadline, std::int64_t now,
                           std::int64_t period) RELIEVO_REALTIME {
@@ -66,6 +29,7 @@ struct HapticLoop::Impl {
   LoopOptions loop_options;
   RealtimeGrant grant;
   std::thread thread;
+  std::optional<Watchdog> watchdog;  // Lives while the thread runs.
   std::atomic<bool> stopping{false};
 
   TripleBuffer<HapticSpace> spaces;
@@ -76,7 +40,7 @@ struct HapticLoop::Impl {
   ButtonRing buttons;
 
   HapticCore core;  // [haptic loop], as all that follows.
-  Meter meter;
+  LoopMeter meter;
   DeviceN force;
   std::uint32_t last_buttons = 0;
 
@@ -101,12 +65,19 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   options.update();
   HapticOptions now_options = options.front();
   now_options.force.forces_on = now_options.force.forces_on && forces_allowed;
+  now_options = withinDevice(now_options, device->info());
+  if (watchdog->beat(now_ns)) core.resume();
+  if (core.pausedUntil(now_ns)) {
+    force = {};
+    meter.paused();
+  }
   const DeviceReading reading = device->exchange(force, now_ns);
   const std::int64_t before_ns = monotonicNs();
   HapticSample sample = core.tick(spaces.front(), now_options, reading, now_ns);
   sample.tick_ns =
       static_cast<std::int32_t>(std::min<std::int64_t>(monotonicNs() - before_ns, 2'000'000'000));
   meter.computed(sample.tick_ns);
+  meter.note(core.audit(), watchdog->cuts());
   sample.late = late;
   sample.rate_hz = meter.stats().rate_hz;
   force = sample.force;
@@ -124,17 +95,14 @@ void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
   const std::int64_t period = loop_options.period_ns;
   std::int64_t deadline = monotonicNs() + period;
   meter.begin(deadline - period);
-  // Switching off fades at the slew limit: at most 40 ms from 8 N. Never waited for longer.
-  int fading_ticks_left = 100;
-  while (fading_ticks_left > 0) {
+  for (bool leaving = false; !leaving;) {
     sleepUntil(deadline);
     const std::int64_t now = monotonicNs();
-    const bool leaving = stopping.load(std::memory_order_acquire);
+    leaving = stopping.load(std::memory_order_acquire);  // Then this tick is the last, at zero.
     tick(deadline, now, !leaving);
     deadline = nextDeadline(deadline, now, period);
-    if (leaving && force == DeviceN{}) break;
-    if (leaving) --fading_ticks_left;
   }
+  watchdog->rest();
   device->exchange({}, monotonicNs());
 }
 
@@ -155,9 +123,11 @@ void HapticLoop::start() {
   std::promise<RealtimeGrant> started;
   std::future<RealtimeGrant> granted = started.get_future();
   try {
+    impl_->watchdog.emplace(*impl_->device, impl_->loop_options.fifo_priority);
     impl_->thread = std::thread(
         [this, promise = std::move(started)]() mutable { impl_->run(std::move(promise)); });
   } catch (const std::system_error& error) {
+    impl_->watchdog.reset();
     impl_->device->close();
     throw Error(std::string("The force loop's thread could not be started: ") + error.what());
   }
@@ -168,6 +138,7 @@ void HapticLoop::stop() noexcept {
   if (!impl_->thread.joinable()) return;
   impl_->stopping.store(true, std::memory_order_release);
   impl_->thread.join();
+  impl_->watchdog.reset();
   impl_->device->close();
 }
 

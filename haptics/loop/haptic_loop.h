@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <type_traits>
 
 #include "haptics/device/device.h"
 #include "haptics/loop/haptic_core.h"
+#include "haptics/loop/loop_meter.h"
 #include "haptics/rt/realtime_thread.h"
 #include "haptics/rt/spsc_ring.h"
 #include "haptics/rt/triple_buffer.h"
@@ -18,21 +17,6 @@ struct LoopOptions {
   std::int64_t period_ns = 1'000'000;
   int fifo_priority = 80;  ///< 0: normal scheduling.
 };
-
-/// How evenly the loop runs. Since start(), but for rate_hz.
-struct LoopStats {
-  /// Upper edges of the histogram of wake-up delays, in ns; the last bin takes the rest.
-  static constexpr std::array<std::int64_t, 9> kDelayEdgesNs{
-      20'000, 50'000, 100'000, 200'000, 500'000, 1'000'000, 5'000'000, 20'000'000, 100'000'000};
-
-  std::uint64_t ticks = 0;
-  std::uint64_t late_ticks = 0;                ///< Woke more than half a period late.
-  double rate_hz = 0;                          ///< Over the last quarter second or so.
-  double mean_tick_us = 0, worst_tick_us = 0;  ///< Time spent computing, without the device.
-  double worst_period_ms = 0;                  ///< Longest time from tick to tick.
-  std::array<std::uint64_t, kDelayEdgesNs.size() + 1> delays{};
-};
-static_assert(std::is_trivially_copyable_v<LoopStats>);
 
 /// A button edge. Its own queue: a press shorter than a GUI frame must not be lost.
 struct ButtonEvent {
@@ -46,7 +30,8 @@ using ButtonRing = SpscRing<ButtonEvent, 64>;
 
 /// The dedicated thread: read the newest surface, talk to the device, tick, publish.
 /// A late tick is one tick: the proxy solves the hand's way since the last one; missed periods are
-/// skipped and never made up for.
+/// skipped and never made up for. After a pause of more than 20 ms, or a cut by the watchdog, the
+/// first exchange carries zero and the force rises anew.
 class HapticLoop {
  public:
   explicit HapticLoop(std::unique_ptr<Device> device, LoopOptions options = {});
@@ -55,7 +40,7 @@ class HapticLoop {
   HapticLoop& operator=(const HapticLoop&) = delete;
 
   void start();          ///< [owner] Opens the device. @throw DeviceError, Error (no thread)
-  void stop() noexcept;  ///< [owner] Fades to zero force, joins, closes. Idempotent.
+  void stop() noexcept;  ///< [owner] One tick of zero force, joins, closes. Idempotent.
 
   const DeviceInfo& device() const noexcept;
   /// What the system granted to the running thread; valid after start(). [owner]

@@ -2,34 +2,80 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "haptics/rt/realtime.h"
+#include "haptics/space/cell.h"
 #include "haptics/space/haptic_space.h"
 
 namespace relievo {
 
-/// The bilinear surface of one closed cell (paper sec. 3, fig. 2), grid units:
-/// f(x, y) = a + b u + c v + d u v with u = x - x0, v = y - y0.
-/// Cell (i, j) lies between samples i and i + 1. Cells -1 and 199 are the borders: infinitely
-/// wide, they continue the outermost samples as constants, f(x, y) = f(clamp x, clamp y).
-struct Patch {
+/// Height of the surface at a point with its first and second derivatives, grid units.
+struct Jet {
+  double f = 0, fx = 0, fy = 0, fxx = 0, fxy = 0, fyy = 0;
+};
+
+/// A closed cell. Cell (i, j) lies between samples i and i + 1; cells -1 and 199 are the borders:
+/// infinitely wide, they continue the outermost samples, f(x, y) = f(clamp x, clamp y).
+struct CellBox {
+  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;
+};
+
+inline CellBox cellBox(int col, int row) RELIEVO_REALTIME {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {col < 0 ? -kInfinity : col, col == kLastCell ? kInfinity : col + 1,
+          row < 0 ? -kInfinity : row, row == kLastCell ? kInfinity : row + 1};
+}
+
+/// The bilinear surface of one cell (paper sec. 3, fig. 2): f(x, y) = a + b u + c v + d u v with
+/// u = x - x0, v = y - y0.
+struct BilinearPatch {
+  CellBox box;
   double x0 = 0, y0 = 0;
-  double x_low = 0, x_high = 0, y_low = 0, y_high = 0;  ///< The cell; infinite at the borders.
   double a = 0, b = 0, c = 0, d = 0;
 
   double height(double x, double y) const RELIEVO_REALTIME {
     const double u = x - x0, v = y - y0;
     return a + b * u + v * (c + d * u);
   }
-  double slopeX(double y) const RELIEVO_REALTIME { return b + d * (y - y0); }
-  double slopeY(double x) const RELIEVO_REALTIME { return c + d * (x - x0); }
+  Jet jet(double x, double y) const RELIEVO_REALTIME {
+    const double u = x - x0, v = y - y0;
+    return {a + b * u + v * (c + d * u), b + d * v, c + d * u, 0, d, 0};
+  }
 };
 
-inline constexpr int kFirstCell = -1;                 ///< The border below or left of the samples.
-inline constexpr int kLastCell = kWindowSamples - 1;  ///< The border above or right of them.
-inline constexpr double kLastSample = kWindowSamples - 1;
+BilinearPatch bilinearPatch(const HapticSpace& space, int col, int row) RELIEVO_REALTIME;
+
+/// A bicubic surface: f(x, y) = sum of c[j][i] u^i v^j.
+struct BicubicPatch {
+  CellBox box;
+  double x0 = 0, y0 = 0;
+  std::array<std::array<double, 4>, 4> c{};
+
+  double height(double x, double y) const RELIEVO_REALTIME {
+    const double u = x - x0, v = y - y0;
+    std::array<double, 4> p{};
+    for (std::size_t i = 0; i < 4; ++i)
+      p[i] = c[0][i] + v * (c[1][i] + v * (c[2][i] + v * c[3][i]));
+    return p[0] + u * (p[1] + u * (p[2] + u * p[3]));
+  }
+  Jet jet(double x, double y) const RELIEVO_REALTIME {
+    const double u = x - x0, v = y - y0;
+    std::array<double, 4> p{}, q{}, r{};  // Along v: value and two derivatives, by powers of u.
+    for (std::size_t i = 0; i < 4; ++i) {
+      p[i] = c[0][i] + v * (c[1][i] + v * (c[2][i] + v * c[3][i]));
+      q[i] = c[1][i] + v * (2 * c[2][i] + 3 * v * c[3][i]);
+      r[i] = 2 * c[2][i] + 6 * v * c[3][i];
+    }
+    return {p[0] + u * (p[1] + u * (p[2] + u * p[3])), p[1] + u * (2 * p[2] + 3 * u * p[3]),
+            q[0] + u * (q[1] + u * (q[2] + u * q[3])), 2 * p[2] + 6 * u * p[3],
+            q[1] + u * (2 * q[2] + 3 * u * q[3]),      r[0] + u * (r[1] + u * (r[2] + u * r[3]))};
+  }
+};
+
+BicubicPatch bicubicPatch(const HapticSpace& space, int col, int row) RELIEVO_REALTIME;
 
 /// Cell that holds coordinate x; on a border between cells the one on the side of `direction`.
 inline int cellOf(double x, double direction) RELIEVO_REALTIME {
@@ -37,38 +83,6 @@ inline int cellOf(double x, double direction) RELIEVO_REALTIME {
   if (x > kLastSample || (x >= kLastSample && direction >= 0)) return kLastCell;
   const int cell = static_cast<int>(x);  // Rounds down: x is not negative here.
   return (x <= cell && direction < 0) ? cell - 1 : cell;
-}
-
-inline Patch patchAt(const HapticSpace& space, int col, int row) RELIEVO_REALTIME {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const int left = std::max(col, 0), right = std::min(col + 1, kWindowSamples - 1);
-  const int low = std::max(row, 0), high = std::min(row + 1, kWindowSamples - 1);
-  Patch p;
-  p.x0 = left;
-  p.y0 = low;
-  p.x_low = col < 0 ? -kInfinity : col;
-  p.x_high = col == kLastCell ? kInfinity : col + 1;
-  p.y_low = row < 0 ? -kInfinity : row;
-  p.y_high = row == kLastCell ? kInfinity : row + 1;
-  p.a = space.gridHeight(left, low);
-  // In a border cell left == right (or low == high), so that its slopes are exactly zero.
-  const double to_right = space.gridHeight(right, low), to_top = space.gridHeight(left, high);
-  p.b = to_right - p.a;
-  p.c = to_top - p.a;
-  p.d = (space.gridHeight(right, high) - to_top) - p.b;
-  return p;
-}
-
-/// f(x, y) of the whole surface, grid units.
-inline double surfaceHeight(const HapticSpace& space, double x, double y) RELIEVO_REALTIME {
-  return patchAt(space, cellOf(x, 0), cellOf(y, 0)).height(x, y);
-}
-
-/// Unit normal of the bilinear patch at (x, y); z > 0.
-inline GridPoint patchNormal(const Patch& patch, double x, double y) RELIEVO_REALTIME {
-  const double fx = patch.slopeX(y), fy = patch.slopeY(x);
-  const double length = std::sqrt(1 + fx * fx + fy * fy);
-  return {-fx / length, -fy / length, 1 / length};
 }
 
 }  // namespace relievo

@@ -10,15 +10,20 @@ namespace relievo {
 
 /// How the proxy follows the hand.
 enum class ProxyKind : std::uint8_t {
-  converged,   ///< The nearest point that can be reached on the bilinear surface; the default.
+  converged,   ///< The nearest point that can be reached on the surface; the default.
   equation,    ///< The paper's eq. (2) to the letter.
   successive,  ///< The paper's successive approximation (sec. 3, fig. 1d).
 };
+
+inline constexpr double kMostFriction = 2;  ///< Beyond, a proxy sticks to any relief.
 
 struct ProxyOptions {
   ProxyKind kind = ProxyKind::converged;
   double step_mm = 0.1;        ///< The paper's |delta n|, mm of hand; equation and successive only.
   int updates_per_tick = 100;  ///< Proxy runs 100 times faster than the 1 kHz force loop; likewise.
+  /// Coulomb friction of the converged proxy: the largest ratio of the force along the surface to
+  /// the force against it at which the proxy stays, and at which it slides. 0: none.
+  double static_friction = 0, dynamic_friction = 0;
 };
 
 /// The proxy and the hand it has followed so far. In free space the two coincide.
@@ -26,6 +31,7 @@ struct ProxyState {
   GridPoint position;
   GridPoint hip;
   bool contact = false;
+  bool slides = false;  ///< With friction: moved in the last tick, so that the dynamic cone holds.
 };
 
 /// Start of a stroke: free at the HIP, or, if the HIP is below the surface, on the surface straight
@@ -42,8 +48,8 @@ ProxyState proxyTick(const HapticSpace& space, ProxyState state, GridPoint hip,
 GridPoint proxyNormal(const HapticSpace& space, const ProxyState& state) RELIEVO_REALTIME;
 
 // The three kinds; proxyTick chooses.
-ProxyState convergedTick(const HapticSpace& space, ProxyState state,
-                         GridPoint hip) RELIEVO_REALTIME;
+ProxyState convergedTick(const HapticSpace& space, ProxyState state, GridPoint hip,
+                         const ProxyOptions& options) RELIEVO_REALTIME;
 ProxyState equationTick(const HapticSpace& space, ProxyState state, GridPoint hip,
                         const ProxyOptions& options) RELIEVO_REALTIME;
 ProxyState successiveTick(const HapticSpace& space, ProxyState state, GridPoint hip,

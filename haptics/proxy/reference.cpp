@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "haptics/proxy/first_hit.h"
-#include "haptics/proxy/patch.h"
 #include "haptics/proxy/proxy.h"
+#include "haptics/proxy/surface.h"
 
 namespace relievo {
 
 namespace {
 GridPoint normalUnder(const HapticSpace& space, GridPoint p) RELIEVO_REALTIME {
-  return patchNormal(patchAt(space, cellOf(p.x, 0), cellOf(p.y, 0)), p.x, p.y);
+  return normalOf(surfaceJet(space, p.x, p.y));
 }
 }  // namespace
 

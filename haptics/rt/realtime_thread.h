@@ -31,6 +31,9 @@ RealtimeGrant requestRealtime(int fifo_priority, std::span<const MemoryRegion> l
 /// CLOCK_MONOTONIC.
 std::int64_t monotonicNs() RELIEVO_REALTIME;
 
+/// Page faults of the calling thread so far, with and without the disk.
+std::uint64_t threadPageFaults() RELIEVO_REALTIME;
+
 /// Sleeps until an absolute time, so that lateness does not add up. Returns at once if it is past.
 void sleepUntil(std::int64_t monotonic_ns) RELIEVO_REALTIME;
 

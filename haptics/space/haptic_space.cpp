@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "haptics/space/surface_fit.h"
 
 namespace relievo {
 
@@ -34,13 +35,17 @@ Origin HapticSpace::originAt(GridPoint p) const RELIEVO_REALTIME {
   return static_cast<Origin>(origins[row * kWindowSamples + col]);
 }
 
-void fill(HapticSpace& space, const RegionWindow& window, DetailStep step) {
+void fill(HapticSpace& space, const RegionWindow& window, DetailStep step, SurfaceKind kind) {
   requireComplete(window);
   const HandMapping mapping = handMapping(window);
-  std::copy(window.heights_mm.begin(), window.heights_mm.end(), space.heights_mm.begin());
+  std::transform(window.heights_mm.begin(), window.heights_mm.end(), space.samples.begin(),
+                 [](float h) {
+                   return SurfaceSample{h, 0, 0, 0};
+                 });
   std::transform(window.origins.begin(), window.origins.end(), space.origins.begin(),
                  [](Origin o) { return static_cast<std::uint8_t>(o); });
   space.cell_mm = window.spacingMm();
+  space.cells_per_mm = 1 / space.cell_mm;
   space.first_x_mm = window.region.x_mm + 0.5 * space.cell_mm;
   space.first_y_mm = window.region.y_mm + 0.5 * space.cell_mm;
   space.mid_mm = 0.5 * (static_cast<double>(window.min_mm) + static_cast<double>(window.max_mm));
@@ -51,6 +56,7 @@ void fill(HapticSpace& space, const RegionWindow& window, DetailStep step) {
   space.window_id = window.id;
   space.detail = step.detail;
   space.levels = step.levels;
+  fitSurface(space, kind);
 }
 
 }  // namespace relievo

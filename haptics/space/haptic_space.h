@@ -16,18 +16,64 @@ namespace relievo {
 /// (i, j), z is the height above mid height. The proxy is solved in this frame.
 using GridPoint = Vec3<struct GridPointTag>;
 
+/// How the surface runs between the samples; docs/adr/0020.
+enum class SurfaceKind : std::uint8_t {
+  gated,     ///< C2 spline that breaks at walls, creases and hole rims; the default.
+  spline,    ///< C2 interpolating bicubic spline everywhere: smooth relief only, rings at walls.
+  bilinear,  ///< The paper's: flat ruled facets, exact at walls, a crease at every line of samples.
+};
+
+/// What the surface is made from at one sample. Slopes are pure numbers (grid units both ways);
+/// where the sample breaks in a direction the slope in that direction is the mean of both sides and
+/// cells find their own (haptics/space/cell.h).
+struct SurfaceSample {
+  float height_mm = 0;  ///< View mm.
+  float slope_x = 0, slope_y = 0;
+  float twist = 0;  ///< d2f / dx dy, per cell.
+};
+
+/// Bits of `HapticSpace::marks`.
+inline constexpr std::uint8_t kBreakX = 1;      ///< The surface has a crease across x here.
+inline constexpr std::uint8_t kBreakY = 2;      ///< ... across y.
+inline constexpr std::uint8_t kSmoothCell = 4;  ///< No corner of cell (i, j) breaks.
+
+/// Highest points of square blocks of cells; a ray above a block passes it in one step.
+struct BlockTops {
+  static constexpr std::array<int, 3> kShift{6, 4, 2};  ///< 64, 16 and 4 cells wide.
+  static constexpr std::array<int, 3> kBlocks{(kWindowSamples >> 6) + 1, (kWindowSamples >> 4) + 1,
+                                              (kWindowSamples >> 2) + 1};
+  std::array<float, std::size_t{kBlocks[0]} * kBlocks[0]> coarse{};
+  std::array<float, std::size_t{kBlocks[1]} * kBlocks[1]> middle{};
+  std::array<float, std::size_t{kBlocks[2]} * kBlocks[2]> fine{};
+
+  static constexpr std::size_t index(std::size_t level, int col, int row) RELIEVO_REALTIME {
+    const int shift = kShift[level];
+    return static_cast<std::size_t>((row >> shift) * kBlocks[level] + (col >> shift));
+  }
+  float at(std::size_t level, int col, int row) const RELIEVO_REALTIME {
+    const std::size_t i = index(level, col, row);
+    if (level == 0) return coarse[i];
+    return level == 1 ? middle[i] : fine[i];
+  }
+};
+
 /// The surface under the hand: one 200 x 200 window, paper sec. 4.1 and 6, with its place in the
 /// hand's workspace. Fixed size and trivially copyable, so that it crosses threads by value inside
 /// a TripleBuffer. One scale for x, y and z: the relief keeps its proportions at every level.
 /// All const members: [any thread], real-time safe.
 struct HapticSpace {
-  std::array<float, kWindowCount> heights_mm{};      ///< View mm, row 0 at the lowest y.
+  std::array<SurfaceSample, kWindowCount> samples{};  ///< Row 0 at the lowest y.
+  std::array<float, kWindowCount> cell_tops{};  ///< No point of cell (i, j) is higher, grid z.
+  BlockTops block_tops;
+  std::array<std::uint8_t, kWindowCount> marks{};    ///< Breaks.
   std::array<std::uint8_t, kWindowCount> origins{};  ///< Codes of `Origin`.
-  double first_x_mm = 0.2, first_y_mm = 0.2;         ///< View position of sample (0, 0).
-  double cell_mm = 0.4;                              ///< View mm from sample to sample.
-  double mid_mm = 0;                                 ///< Height that lies at grid z = 0, view mm.
-  double device_per_view = 1;                        ///< Hand mm per view mm.
-  DeviceMm device_translation{-40, -40, 0};          ///< device = device_per_view * view + this.
+  SurfaceKind surface = SurfaceKind::bilinear;
+  double first_x_mm = 0.2, first_y_mm = 0.2;  ///< View position of sample (0, 0).
+  double cell_mm = 0.4;                       ///< View mm from sample to sample.
+  double cells_per_mm = 2.5;                  ///< 1 / cell_mm.
+  double mid_mm = 0;                          ///< Height that lies at grid z = 0, view mm.
+  double device_per_view = 1;                 ///< Hand mm per view mm.
+  DeviceMm device_translation{-40, -40, 0};   ///< device = device_per_view * view + this.
   Region region{0, 0, 80, {}};
   std::uint64_t window_id = 0;  ///< Changes with every new window.
   std::int32_t detail = 1, levels = 1;
@@ -57,23 +103,28 @@ struct HapticSpace {
     return deviceFromView(viewFromGrid(p));
   }
 
+  static std::size_t index(int col, int row) RELIEVO_REALTIME {
+    return static_cast<std::size_t>(row) * kWindowSamples + static_cast<std::size_t>(col);
+  }
   /// Height of sample (col, row) in grid units; precondition: 0 <= col, row < 200.
   double gridHeight(int col, int row) const RELIEVO_REALTIME {
-    const auto i = static_cast<std::size_t>(row) * kWindowSamples + static_cast<std::size_t>(col);
-    return (static_cast<double>(heights_mm[i]) - mid_mm) * (1 / cell_mm);
+    return (static_cast<double>(samples[index(col, row)].height_mm) - mid_mm) * cells_per_mm;
   }
   /// Of the sample nearest (x, y); beyond the window that is one of its border.
   Origin originAt(GridPoint p) const RELIEVO_REALTIME;
 };
 static_assert(std::is_trivially_copyable_v<HapticSpace>);
+static_assert(sizeof(HapticSpace) <= 24 * kWindowCount, "24 bytes per sample in all");
 
 /// Which step of the detail ladder a window is: Detail `detail` of `levels`, 1 the whole.
 struct DetailStep {
   int detail = 1, levels = 1;
 };
 
-/// Copies a window and lays it into the hand's workspace (core's handMapping). [worker]
+/// Copies a window, lays it into the hand's workspace (core's handMapping) and prepares the surface
+/// between its samples. About 10 ms. [worker]
 /// @throw ArgumentError  the window does not have 200 x 200 samples, or one is not finite
-void fill(HapticSpace& space, const RegionWindow& window, DetailStep step);
+void fill(HapticSpace& space, const RegionWindow& window, DetailStep step,
+          SurfaceKind kind = SurfaceKind::gated);
 
 }  // namespace relievo

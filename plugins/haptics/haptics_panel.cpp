@@ -11,6 +11,8 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "haptics/device_catalog.h"
+
 namespace relievo {
 
 namespace {
@@ -50,6 +52,10 @@ QString stateText(const LoopReport& report) {
     case EngagePhase::on:
       break;
   }
+  if (sample.softened > 0) {
+    return HapticsPanel::tr("On, softened to %1 N/mm against swinging until switched off.")
+        .arg(sample.stiffness_n_per_mm, 0, 'f', 2);
+  }
   return report.actuated ? HapticsPanel::tr("On.")
                          : HapticsPanel::tr("On: computed and shown; a mouse cannot push back.");
 }
@@ -76,7 +82,7 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
   form->addRow(QString(), by_detail_);
   labelled(tr("Pro&xy"), proxy_, proxy_);
   form->addRow(tr("Pressed in"), depth_);
-  form->addRow(tr("Device"), device_);
+  labelled(tr("&Device"), device_, device_);
   form->addRow(tr("Force loop"), rate_);
   form->addRow(tr("Longest gap"), worst_);
   form->addRow(tr("Late ticks"), late_);
@@ -114,19 +120,36 @@ void HapticsPanel::buildControls() {
   proxy_->setMinimumContentsLength(12);
   proxy_->setToolTip(tr("The proxy is the point that stays on the surface."));
 
+  device_ = named(new QComboBox, "deviceList", tr("Device"));
+  device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  device_->setMinimumContentsLength(12);
+  device_->setToolTip(
+      tr("What the hand holds. A virtual hand is moved by the mouse and pushed by "
+         "the force, as a real one is."));
+  listDevices();
+
   connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
   connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
   connect(by_detail_, &QCheckBox::toggled, this, &HapticsPanel::changed);
   connect(stiffness_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           &HapticsPanel::changed);
-  connect(proxy_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
-          &HapticsPanel::changed);
+  for (QComboBox* box : {proxy_, device_}) {
+    connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &HapticsPanel::changed);
+  }
+}
+
+void HapticsPanel::listDevices() {
+  for (const DeviceDriver& driver : deviceCatalog()) {
+    for (const std::string& id : driver.scan()) {
+      device_->addItem(QString::fromStdString(driver.make(id)->info().name),
+                       QString::fromStdString(id));
+    }
+  }
 }
 
 void HapticsPanel::buildReadouts() {
   state_ = readout("forceState", tr("State of the forces"));
   depth_ = readout("pressDepth", tr("How far the hand is pressed in"));
-  device_ = readout("deviceLine", tr("Device"));
   rate_ = readout("loopRate", tr("Rate of the force loop"));
   worst_ = readout("worstPeriod", tr("Longest time between two ticks"));
   late_ = readout("lateTicks", tr("Late ticks"));
@@ -141,11 +164,14 @@ void HapticsPanel::changed() {
 
 void HapticsPanel::setSettings(const TouchSettings& settings) {
   {
-    const QSignalBlocker a(strength_), b(by_detail_), c(stiffness_), d(proxy_);
+    const QSignalBlocker a(strength_), b(by_detail_), c(stiffness_), d(proxy_), e(device_);
     strength_->setValue(settings.strength_percent);
     by_detail_->setChecked(settings.stiffness_by_detail);
     stiffness_->setValue(settings.stiffness_n_per_mm);
     proxy_->setCurrentIndex(static_cast<int>(settings.proxy));
+    const QString device = QString::fromStdString(settings.device);
+    if (device_->findData(device) < 0) device_->addItem(device, device);  // Not here now.
+    device_->setCurrentIndex(device_->findData(device));
   }
   changed();
 }
@@ -156,6 +182,7 @@ TouchSettings HapticsPanel::settings() const {
   settings.stiffness_by_detail = by_detail_->isChecked();
   settings.stiffness_n_per_mm = stiffness_->value();
   settings.proxy = static_cast<ProxyKind>(proxy_->currentIndex());
+  settings.device = device_->currentData().toString().toStdString();
   return settings;
 }
 
@@ -174,7 +201,6 @@ void HapticsPanel::show(const LoopReport& report) {
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));
-  setTextIfNew(device_, report.device);
   setTextIfNew(rate_, tr("%1 per second").arg(report.stats.rate_hz, 0, 'f', 0));
   setTextIfNew(worst_, tr("%1 ms").arg(report.stats.worst_period_ms, 0, 'f', 1));
   setTextIfNew(late_, tr("%1 of %2").arg(report.stats.late_ticks).arg(report.stats.ticks));

@@ -41,6 +41,7 @@ class HapticsPanel : public QWidget {
 
  private:
   void buildControls();
+  void listDevices();
   void buildReadouts();
   void changed();
 
@@ -52,7 +53,7 @@ class HapticsPanel : public QWidget {
   QComboBox* proxy_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* depth_ = nullptr;
-  QLabel* device_ = nullptr;
+  QComboBox* device_ = nullptr;
   QLabel* rate_ = nullptr;
   QLabel* worst_ = nullptr;
   QLabel* late_ = nullptr;

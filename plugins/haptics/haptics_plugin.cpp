@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
+#include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -17,8 +18,8 @@ HapticsPlugin::~HapticsPlugin() {
 }
 
 void HapticsPlugin::attach(Host& host) {
-  session_ = std::make_unique<LoopSession>();
   host_ = &host;
+  openDevice();
   panel_ = new HapticsPanel;  // The host owns it from addPanel on.
   panel_->setSettings(settings_);
   host.addPanel(tr("Touch"), panel_);
@@ -33,11 +34,37 @@ void HapticsPlugin::attach(Host& host) {
   slowReadouts();
 }
 
+void HapticsPlugin::openDevice() {
+  session_.reset();  // One program at a time can hold a device.
+  opened_ = settings_.device;
+  try {
+    session_ = std::make_unique<LoopSession>(settings_.device);
+  } catch (const DeviceError& error) {
+    constexpr const char* kAlwaysThere = "mouse";
+    if (settings_.device == kAlwaysThere) throw;
+    host_->announce(tr("%1 The mouse is the hand now.").arg(QString::fromUtf8(error.what())));
+    settings_.device = opened_ = kAlwaysThere;
+    session_ = std::make_unique<LoopSession>(kAlwaysThere);
+    if (panel_) panel_->setSettings(settings_);
+  }
+}
+
+void HapticsPlugin::changeDevice() {
+  setForces(false);
+  shown_ = {};
+  fault_ = DeviceFault::none;
+  openDevice();
+  applySettings();
+  if (const auto window = host_->shownWindow()) showWindow(*window);
+  const QString name = QString::fromStdString(session_->loop().device().name);
+  host_->announce(tr("Device: %1.").arg(name));
+}
+
 void HapticsPlugin::detach() noexcept {
   if (!session_) return;
   timer_.stop();
   disconnect(host_, nullptr, this, nullptr);
-  session_.reset();  // Fades out, joins, closes an open recording.
+  session_.reset();  // Zero force, joins, closes an open recording.
   forces_asked_ = false;
   shown_ = {};
   host_ = nullptr;
@@ -73,6 +100,7 @@ void HapticsPlugin::connectControls() {
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
+    if (settings_.device != opened_) changeDevice();
     applySettings();
   });
 }
@@ -106,14 +134,13 @@ void HapticsPlugin::changeStrength(int percent) {
 
 void HapticsPlugin::applySettings() {
   if (!session_) return;
-  const double device_limit_n = session_->loop().device().max_force_n;
-  session_->setOptions(hapticOptions(settings_, forces_asked_, device_limit_n));
+  session_->setOptions(hapticOptions(settings_, forces_asked_));
 }
 
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop();
+    session_->recorder().stop(loopLines(session_->stats()));
     return;
   }
   try {
@@ -122,7 +149,7 @@ void HapticsPlugin::setRecording(bool on) {
     const DeviceInfo& device = session_->loop().device();
     const QString header =
         recordingHeaderLines(host_->recordingHeader(), QString::fromStdString(device.name),
-                             hapticOptions(settings_, forces_asked_, device.max_force_n), now);
+                             withinDevice(hapticOptions(settings_, forces_asked_), device), now);
     session_->recorder().start(file.toStdString(), header.toStdString());
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
   } catch (const Error& error) {
@@ -144,6 +171,7 @@ void HapticsPlugin::frame() {
   const std::vector<PlotSample> plot = session_->takePlot();
   if (!plot.empty()) host_->plot(plot);
   watchFault(sample);
+  watchSoftening(sample);
   watchRecording();
   runButtons();
   constexpr int kFramesPerReadout = 8;
@@ -184,7 +212,21 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
       tr("Forces off: %1.").arg(QString::fromUtf8(words.data(), static_cast<int>(words.size()))));
 }
 
+void HapticsPlugin::watchSoftening(const HapticSample& sample) {
+  const bool again = sample.softened > softened_;
+  softened_ = sample.softened;
+  if (!again) return;
+  host_->announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
+                      .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
+}
+
 void HapticsPlugin::watchRecording() {
+  if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
+    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
+                                                .arg(durationText(flight->samples))
+                                                .arg(QString::fromStdString(flight->file.string()))
+                                          : QString::fromStdString(flight->error));
+  }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
   const QSignalBlocker blocker(actions_.record);
@@ -216,6 +258,7 @@ QByteArray HapticsPlugin::saveState() const {
 void HapticsPlugin::restoreState(const QByteArray& state) {
   settings_ = touchSettingsFromJson(state);
   if (panel_) panel_->setSettings(settings_);
+  if (session_ && settings_.device != opened_) changeDevice();
   applySettings();
 }
 

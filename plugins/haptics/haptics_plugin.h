@@ -27,7 +27,13 @@ class HapticsPlugin : public QObject, public Plugin {
   QByteArray saveState() const override;
   void restoreState(const QByteArray& state) override;
 
+  /// Of the running loop; what the panel shows. Precondition: attached.
+  const LoopStats& loopStats() { return session_->stats(); }
+  const RealtimeGrant& realtime() { return session_->loop().realtime(); }
+
  private:
+  void openDevice();    // As the settings say; the mouse if that fails.
+  void changeDevice();  // While attached.
   void connectHost();
   void connectControls();
   void showWindow(const RegionWindow& window);
@@ -37,6 +43,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void applySettings();
   void frame();         // 60 times a second.
   void slowReadouts();  // About 8 times a second.
+  void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
   void runButtons();
@@ -44,11 +51,13 @@ class HapticsPlugin : public QObject, public Plugin {
   Host* host_ = nullptr;
   std::unique_ptr<LoopSession> session_;
   TouchSettings settings_;
+  std::string opened_;  // Id of the session's device.
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
+  int softened_ = 0;
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;
 };

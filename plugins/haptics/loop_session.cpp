@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/region/hand.h"
+#include "haptics/device_catalog.h"
+#include "plugins/haptics/recording_file.h"
 
 namespace relievo {
 
@@ -13,14 +15,17 @@ bool on(EngagePhase phase) {
 }
 }  // namespace
 
-LoopSession::LoopSession() : plot_start_ns_(monotonicNs()) {
-  auto mouse = std::make_unique<MouseDevice>();
-  mouse_ = mouse.get();
-  loop_ = std::make_unique<HapticLoop>(std::move(mouse));
+LoopSession::LoopSession(const std::string& device_id)
+    : flight_(flightFolder().toStdString(), "relievo flight record, schema 1\ndevice " + device_id),
+      plot_start_ns_(monotonicNs()) {
+  std::unique_ptr<Device> device = makeDevice(device_id);
+  steered_ = dynamic_cast<SteeredDevice*>(device.get());
+  loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
   drain_ = std::make_unique<SampleDrain>(
       loop_->samples(), std::vector<SampleSink>{
                             [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
+                            [this](std::span<const HapticSample> batch) { flight_.take(batch); },
                             [this](std::span<const HapticSample> batch) { plotSink(batch); }});
 }
 
@@ -41,17 +46,18 @@ void LoopSession::show(const RegionWindow& window) {
   fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels});
   loop_->spaces().publish();
   mapping_ = handMapping(window);
+  const bool first = !std::exchange(has_window_, true);
+  if (steered_ == nullptr) return;
   const HapticSample& last = update();
   ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
-  if (!has_window_) over = {window.region.centreX(), window.region.centreY(), 0};
+  if (first) over = {window.region.centreX(), window.region.centreY(), 0};
   const double depth = norm(last.proxy - last.hip);
-  const bool pressing = has_window_ && last.contact;
-  has_window_ = true;
-  mouse_->placeAt(mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth)));
+  const bool pressing = !first && last.contact;
+  steered_->placeAt(mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth)));
 }
 
 void LoopSession::moveHand(ViewMm target) {
-  if (has_window_) mouse_->moveTo(mapping_.device_from_view(target));
+  if (has_window_ && steered_ != nullptr) steered_->moveTo(mapping_.device_from_view(target));
 }
 
 void LoopSession::setOptions(const HapticOptions& options) {

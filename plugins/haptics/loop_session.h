@@ -3,23 +3,26 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/region/probe.h"
 #include "core/region/window.h"
-#include "haptics/device/mouse_device.h"
+#include "haptics/device/device.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/record/flight_record.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
 #include "plugins/api/plugin.h"
 
 namespace relievo {
 
-/// The running loop with the mouse as its hand, and the threads around it. All calls: GUI thread.
+/// The running loop with one device, and the threads around it. All calls: GUI thread.
 class LoopSession {
  public:
-  LoopSession();   ///< Starts the loop. @throw DeviceError, Error
-  ~LoopSession();  ///< Fades to zero force; all threads are joined on return.
+  /// Opens the device of that id (device_catalog.h) and starts the loop. @throw DeviceError, Error
+  explicit LoopSession(const std::string& device_id);
+  ~LoopSession();  ///< Zero force; all threads are joined on return.
   LoopSession(const LoopSession&) = delete;
   LoopSession& operator=(const LoopSession&) = delete;
 
@@ -27,7 +30,8 @@ class LoopSession {
   /// while touching goes on touching. @throw ArgumentError
   void show(const RegionWindow& window);
   bool hasWindow() const noexcept { return has_window_; }
-  /// Where the pointer wants the hand, view mm of the shown window.
+  /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
+  /// does not care.
   void moveHand(ViewMm target);
   void setOptions(const HapticOptions& options);
 
@@ -36,6 +40,7 @@ class LoopSession {
   std::vector<PlotSample> takePlot();  ///< Since the last call, every fifth sample.
   std::optional<ButtonEvent> takeButton();
   Recorder& recorder() noexcept { return recorder_; }
+  FlightRecord& flight() noexcept { return flight_; }
   HapticLoop& loop() noexcept { return *loop_; }
 
  private:
@@ -43,11 +48,12 @@ class LoopSession {
 
   // In this order: the drain goes first and still finds the recorder and the loop's ring.
   Recorder recorder_;
+  FlightRecord flight_;
   SpscRing<PlotSample, 4096> plot_;
   std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;
   std::unique_ptr<HapticLoop> loop_;
-  MouseDevice* mouse_ = nullptr;  // Owned by the loop.
+  SteeredDevice* steered_ = nullptr;  // Owned by the loop; null: a person holds the device.
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
   bool has_window_ = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <string>
 
 #include "haptics/loop/haptic_core.h"
 
@@ -13,14 +14,15 @@ struct TouchSettings {
   bool stiffness_by_detail = true;
   double stiffness_n_per_mm = 0.8;  ///< If not by detail.
   ProxyKind proxy = ProxyKind::converged;
+  std::string device = "mouse";  ///< An id of deviceCatalog().
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };
 
 inline constexpr double kLeastStiffness = 0.05, kMostStiffness = 1.5;  ///< N per mm of hand.
 inline constexpr int kStrengthStep = 10;  ///< Percent; a smaller change of force is hardly felt.
 
-/// For the loop. `device_limit_n`: 0 where there is no actuator.
-HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on, double device_limit_n);
+/// For the loop, which keeps them within what the device can do.
+HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on);
 
 QByteArray toJson(const TouchSettings& settings);
 /// Unknown or impossible entries keep their defaults.

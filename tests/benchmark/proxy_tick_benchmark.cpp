@@ -11,45 +11,49 @@
 #include <vector>
 
 #include "haptics/loop/haptic_core.h"
-#include "haptics/proxy/patch.h"
 #include "haptics/proxy/proxy.h"
+#include "haptics/proxy/surface.h"
+#include "tests/haptics/proxy/measure.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kPaperMicroseconds = 5.6;  // Sec. 6: average proxy update, Core 2 Quad 2.66 GHz.
 
-std::unique_ptr<HapticSpace> terrain() {
-  auto space = std::make_unique<HapticSpace>();
+std::unique_ptr<HapticSpace> terrain(SurfaceKind kind) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-0.05, 0.05);
-  for (int row = 0; row < kWindowSamples; ++row) {
-    for (int col = 0; col < kWindowSamples; ++col) {
-      const double x = 0.4 * col, y = 0.4 * row;
-      space->heights_mm[static_cast<std::size_t>(row) * kWindowSamples +
-                        static_cast<std::size_t>(col)] =
-          static_cast<float>(1.5 * std::sin(0.5 * x) + 1.2 * std::cos(0.43 * y + 0.2 * x) +
-                             0.3 * std::sin(1.7 * x + y) + noise(random));
-    }
-  }
-  space->window_id = 1;
-  return space;
+  return test::spaceOf(
+      80,
+      [&](double x, double y) {
+        return 1.5 * std::sin(0.5 * x) + 1.2 * std::cos(0.43 * y + 0.2 * x) +
+               0.3 * std::sin(1.7 * x + y) + noise(random);
+      },
+      1, {}, kind);
 }
 
-/// A closed path of the hand 1 mm below the surface, about 85 mm/s at 1 kHz.
+/// Waves of 20 samples, the scene on which the peers were measured.
+std::unique_ptr<HapticSpace> waves(SurfaceKind kind) {
+  return test::spaceOf(test::waves(1, 10), 100, kind);
+}
+
+/// A closed path of the hand 1 mm below the surface along its normal, about 85 mm/s at 1 kHz.
 std::vector<GridPoint> strokeBelow(const HapticSpace& space) {
   std::vector<GridPoint> path;
   constexpr int kTicks = 20'000;
   for (int i = 0; i < kTicks; ++i) {
     const double turn = 2 * std::acos(-1.0) * i / kTicks;
-    const double x = 99.5 + 80 * std::sin(9 * turn), y = 99.5 + 80 * std::sin(7 * turn + 0.4);
-    path.push_back({x, y, surfaceHeight(space, x, y) - 1 / space.cell_mm});
+    const double x = 99.5 + 80 * std::sin(8 * turn), y = 99.5 + 80 * std::sin(6 * turn + 0.4);
+    const Jet jet = surfaceJet(space, x, y);
+    path.push_back(GridPoint{x, y, jet.f} - (1 / space.cell_mm) * normalOf(jet));
   }
   return path;
 }
 
-void follow(benchmark::State& state, ProxyKind kind) {
-  const auto space = terrain();
+using Scene = std::unique_ptr<HapticSpace> (*)(SurfaceKind);
+
+void follow(benchmark::State& state, ProxyKind kind, Scene scene, SurfaceKind surface) {
+  const auto space = scene(surface);
   const std::vector<GridPoint> path = strokeBelow(*space);
   ProxyOptions options;
   options.kind = kind;
@@ -63,18 +67,30 @@ void follow(benchmark::State& state, ProxyKind kind) {
   state.counters["paper_us"] = kPaperMicroseconds;
 }
 
-void converged(benchmark::State& state) {
-  follow(state, ProxyKind::converged);
+void convergedGated(benchmark::State& state) {
+  follow(state, ProxyKind::converged, waves, SurfaceKind::gated);
+}
+void convergedSpline(benchmark::State& state) {
+  follow(state, ProxyKind::converged, waves, SurfaceKind::spline);
+}
+void convergedBilinear(benchmark::State& state) {
+  follow(state, ProxyKind::converged, waves, SurfaceKind::bilinear);
+}
+void gatedOnTerrain(benchmark::State& state) {
+  follow(state, ProxyKind::converged, terrain, SurfaceKind::gated);
+}
+void bilinearOnTerrain(benchmark::State& state) {
+  follow(state, ProxyKind::converged, terrain, SurfaceKind::bilinear);
 }
 void equationTimes100(benchmark::State& state) {
-  follow(state, ProxyKind::equation);
+  follow(state, ProxyKind::equation, waves, SurfaceKind::bilinear);
 }
 void successiveUpTo100(benchmark::State& state) {
-  follow(state, ProxyKind::successive);
+  follow(state, ProxyKind::successive, waves, SurfaceKind::bilinear);
 }
 
 void wholeTick(benchmark::State& state) {
-  const auto space = terrain();
+  const auto space = terrain(SurfaceKind::gated);
   const std::vector<GridPoint> path = strokeBelow(*space);
   HapticCore core;
   HapticOptions options;
@@ -92,7 +108,11 @@ void wholeTick(benchmark::State& state) {
   state.counters["paper_us"] = kPaperMicroseconds;
 }
 
-BENCHMARK(converged)->Unit(benchmark::kMicrosecond);
+BENCHMARK(convergedGated)->Unit(benchmark::kMicrosecond);
+BENCHMARK(convergedSpline)->Unit(benchmark::kMicrosecond);
+BENCHMARK(convergedBilinear)->Unit(benchmark::kMicrosecond);
+BENCHMARK(gatedOnTerrain)->Unit(benchmark::kMicrosecond);
+BENCHMARK(bilinearOnTerrain)->Unit(benchmark::kMicrosecond);
 BENCHMARK(equationTimes100)->Unit(benchmark::kMicrosecond);
 BENCHMARK(successiveUpTo100)->Unit(benchmark::kMicrosecond);
 BENCHMARK(wholeTick)->Unit(benchmark::kMicrosecond);
@@ -105,7 +125,8 @@ class RatioReporter : public benchmark::ConsoleReporter {
     ConsoleReporter::ReportRuns(runs);
   }
   void printRatios() const {
-    const auto converged_us = us_.find("converged"), equation_us = us_.find("equationTimes100");
+    const auto converged_us = us_.find("convergedBilinear"),
+               equation_us = us_.find("equationTimes100");
     if (converged_us == us_.end() || equation_us == us_.end()) return;
     std::printf(
         "\nOne converged update takes %.3f us: the paper's 100 updates of eq. (2) %.1f times "

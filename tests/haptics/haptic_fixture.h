@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "core/region/window.h"
-#include "haptics/proxy/patch.h"
+#include "haptics/proxy/surface.h"
 #include "haptics/space/haptic_space.h"
 
 namespace relievo::test {
@@ -34,16 +34,17 @@ inline RegionWindow windowOf(double side_mm, const std::function<double(double, 
   return window;
 }
 
-/// The haptic space of such a window.
+/// The haptic space of such a window; bilinear, for which closed forms hold to the last digits.
 inline std::unique_ptr<HapticSpace> spaceOf(double side_mm,
                                             const std::function<double(double, double)>& height,
-                                            std::uint64_t id = 1, DetailStep step = {}) {
+                                            std::uint64_t id = 1, DetailStep step = {},
+                                            SurfaceKind kind = SurfaceKind::bilinear) {
   auto space = std::make_unique<HapticSpace>();
-  fill(*space, windowOf(side_mm, height, id), step);
+  fill(*space, windowOf(side_mm, height, id), step, kind);
   return space;
 }
 
-/// How far a point lies below the bilinear surface, view mm; negative above it.
+/// How far a point lies below the surface, view mm; negative above it.
 inline double belowMm(const HapticSpace& space, ViewMm p) {
   const GridPoint g = space.gridFromView(p);
   return space.cell_mm * (surfaceHeight(space, g.x, g.y) - g.z);

@@ -123,6 +123,37 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force == DeviceN{} && !p.forces_on; }));
 }
 
+TEST_F(HapticsPluginTest, TouchesWithTheVirtualHandThatItsForcePushesBack) {
+  host_.window = flatWindow(5, 13);
+  attach();
+  auto* device = inPanel<QComboBox>("deviceList");
+  device->setCurrentIndex(device->findData("virtual:relaxed"));
+  EXPECT_TRUE(host_.announcements.contains("Device: virtual hand, relaxed grip."));
+  hover();
+  host_.actions.at("forces")->trigger();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on && !p.touching; }));
+  press(10);
+  // 10 mm aimed, a grip of 0.2 N/mm against 0.8 N/mm at 60 %: about 3 mm are left.
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 1; }));
+  const double per_view = handMapping(*host_.window).device_per_view;
+  EXPECT_LT(5 - host_.probes.back().hip.z, 6 / per_view) << "the force holds the hand up";
+  EXPECT_EQ(host_.status.device, "virtual hand, relaxed grip");
+  EXPECT_TRUE(plugin_->saveState().contains("virtual:relaxed"));
+}
+
+TEST_F(HapticsPluginTest, SaysThatARememberedDeviceIsMissingAndTakesTheMouse) {
+  host_.window = flatWindow(5, 14);
+  attach();
+  plugin_->restoreState(R"({"device": "virtual:iron"})");
+  ASSERT_FALSE(host_.announcements.isEmpty());
+  EXPECT_TRUE(host_.announcements.contains(
+      "There is no virtual hand \"iron\". Known: light, relaxed, firm. The mouse is the hand now."))
+      << host_.announcements.join('|').toStdString();
+  EXPECT_EQ(inPanel<QComboBox>("deviceList")->currentData().toString(), "mouse");
+  hover();
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 14; }));
+}
+
 TEST_F(HapticsPluginTest, RefusesForcesWithoutASurface) {
   attach();
   host_.actions.at("forces")->trigger();
@@ -223,6 +254,24 @@ TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
   EXPECT_TRUE(text.contains("# input relief.ply\n"));
   EXPECT_TRUE(text.contains("\nt_s,tick,hip_x_mm"));
   EXPECT_TRUE(text.endsWith('\n'));
+  EXPECT_TRUE(text.contains("\n# loop ticks ")) << "how the loop ran";
+  EXPECT_TRUE(text.contains("\n# wake-up us "));
+  EXPECT_TRUE(text.contains("of detail"));
+}
+
+TEST_F(HapticsPluginTest, KeepsWhatLedToAFault) {
+  QTemporaryDir state;
+  qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  host_.window = flatWindow(5, 42);
+  attach();
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 42; }));
+  Q_EMIT host_.handMoved({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, true});
+  ASSERT_TRUE(eventually(
+      [this] { return host_.announcements.join("|").contains("The last 0 s before the fault"); }));
+  const QDir folder(state.filePath("relievo/flight"));
+  EXPECT_EQ(folder.entryList({"flight-*.csv"}).size(), 1);
+  qunsetenv("XDG_STATE_HOME");
 }
 
 TEST_F(HapticsPluginTest, RemembersSettingsButNeverThatForcesWereOn) {

@@ -13,6 +13,7 @@
 #include "haptics/device/mouse_device.h"
 #include "haptics/device/scripted_device.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/loop/watchdog.h"
 #include "haptics/record/sample_drain.h"
 #include "tests/haptics/haptic_fixture.h"
 
@@ -63,6 +64,9 @@ TEST(HapticLoop, TicksWithTheNewestWindowAndJoins) {
   std::uint64_t in_histogram = 0;
   for (const std::uint64_t count : stats.delays) in_histogram += count;
   EXPECT_EQ(in_histogram, stats.ticks);
+  std::uint64_t worked = 0;
+  for (const std::uint64_t count : stats.work) worked += count;
+  EXPECT_EQ(worked, stats.ticks);
 }
 
 TEST(HapticLoop, NumbersItsTicksWithoutGapsAndNeverTicksTwiceForAMissedPeriod) {
@@ -80,60 +84,153 @@ TEST(HapticLoop, NumbersItsTicksWithoutGapsAndNeverTicksTwiceForAMissedPeriod) {
   }
 }
 
-TEST(HapticLoop, FadesToZeroBeforeItStops) {
-  auto device = std::make_unique<ScriptedDevice>(
-      [] {
-        std::vector<DeviceReading> readings(1200);  // Above the surface until forces are on.
-        for (DeviceReading& reading : readings) reading.position = {0, 0, 5};
-        readings.push_back({{0, 0, -6}, 0, 0});
-        return readings;
-      }(),
-      8);
-  const ScriptedDevice* script = device.get();
-  HapticLoop loop(std::move(device));
-  showFlat(loop, 5);
+HapticOptions fullForces() {
   HapticOptions options;
   options.force.forces_on = true;
   options.force.strength = 1;
-  loop.options().write(options);
+  return options;
+}
+
+/// Above the surface until forces are on, then pressed in.
+std::vector<DeviceReading> pressAfterRising() {
+  std::vector<DeviceReading> readings(1200);
+  for (DeviceReading& reading : readings) reading.position = {0, 0, 5};
+  readings.push_back({{0, 0, -6}, 0, 0});
+  return readings;
+}
+
+TEST(HapticLoop, SendsZeroInTheVeryTickInWhichItStops) {
+  auto device = std::make_unique<ScriptedDevice>(pressAfterRising(), 8);
+  const ScriptedDevice* script = device.get();
+  HapticLoop loop(std::move(device));
+  showFlat(loop, 5);
+  loop.options().write(fullForces());
   loop.start();
   waitFor(loop, [](const HapticSample& s) { return s.force.z > 4; });
   loop.stop();
   EXPECT_EQ(script->lastForce(), DeviceN{});
-  DeviceN before;
-  bool first = true, reached_zero = false;
-  for (HapticSample s; loop.samples().pop(s); first = false) {
-    if (!first) {
-      EXPECT_LE(norm(s.force - before), 0.2 + 1e-9) << "no kick";
-    }
-    before = s.force;
-    reached_zero = s.force == DeviceN{};
-  }
-  EXPECT_TRUE(reached_zero);
+  HapticSample last;
+  for (HapticSample s; loop.samples().pop(s);) last = s;
+  EXPECT_EQ(last.force, DeviceN{});
+  EXPECT_EQ(last.engaged, EngagePhase::off);
 }
 
-/// Blocks once, as a stalled machine does.
-class StallingDevice : public ScriptedDevice {
- public:
-  StallingDevice() : ScriptedDevice({{{0, 0, 5}, 0, 0}}) {}
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
-    if (++calls_ == 20) sleepUntil(monotonicNs() + 40'000'000);
-    return ScriptedDevice::exchange(force, now_ns);
-  }
-
- private:
-  int calls_ = 0;
-};
-
-TEST(HapticLoop, CountsAStallAsLateAndDoesNotMakeUpForIt) {
-  HapticLoop loop(std::make_unique<StallingDevice>());
+TEST(HapticLoop, SendsZeroInTheFirstTickAfterForcesAreSwitchedOff) {
+  HapticLoop loop(std::make_unique<ScriptedDevice>(pressAfterRising(), 8));
+  showFlat(loop, 6);
+  HapticOptions options = fullForces();
+  loop.options().write(options);
   loop.start();
-  const HapticSample before = waitFor(loop, [](const HapticSample& s) { return s.tick == 19; });
-  const HapticSample after = waitFor(loop, [](const HapticSample& s) { return s.tick == 20; });
-  EXPECT_GE(after.time_ns - before.time_ns, 40'000'000) << "no tick of the stall is made up for";
+  HapticSample before = waitFor(loop, [](const HapticSample& s) { return s.force.z > 4; });
+  options.force.forces_on = false;
+  loop.options().write(options);
+  const HapticSample off = waitFor(loop, [&before](const HapticSample& s) {
+    if (s.engaged == EngagePhase::off) return true;
+    before = s;
+    return false;
+  });
+  EXPECT_GT(before.force.z, 4);
+  EXPECT_EQ(off.force, DeviceN{});
   loop.stop();
   loop.stats().update();
-  EXPECT_GE(loop.stats().front().worst_period_ms, 40);
+  const ForceAudit& audit = loop.stats().front().audit;
+  EXPECT_EQ(audit.violations(), 0U);
+  EXPECT_GT(audit.zero_demanded, 0U);
+  EXPECT_LT(audit.zero_demanded, audit.ticks);
+}
+
+/// Blocks once in an exchange while it shows a force, as a stuck bus does, and remembers the calls.
+class StuckDevice : public ScriptedDevice {
+ public:
+  StuckDevice() : ScriptedDevice(pressAfterRising(), 8) {}
+  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
+    if (after_stall_ == 0) {
+      first_ = force;
+      after_stall_ = 1;
+    }
+    if (force.z > 4 && after_stall_ < 0) {
+      const std::int64_t give_up_ns = monotonicNs() + 10'000'000'000;
+      // Until the watchdog has come: the stall is as long as it takes, not as long as a guess.
+      while (!cut_.load() && monotonicNs() < give_up_ns) sleepUntil(monotonicNs() + 1'000'000);
+      stalled_ns_ = monotonicNs() - now_ns;
+      sleepUntil(now_ns + 40'000'000);
+      after_stall_ = 0;
+    }
+    return ScriptedDevice::exchange(force, now_ns);
+  }
+  void cutForce() noexcept override { cut_.store(true); }
+
+  // [loop stopped]
+  bool wasCut() const { return cut_.load(); }
+  DeviceN firstAfterStall() const { return first_; }
+  std::int64_t stalledNs() const { return stalled_ns_; }
+
+ private:
+  std::atomic<bool> cut_{false};
+  int after_stall_ = -1;  // -1: no stall yet, 0: just over, 1: past.
+  DeviceN first_{1, 1, 1};
+  std::int64_t stalled_ns_ = 0;
+};
+
+TEST(HapticLoop, AWatchdogCutsTheForceOfAStuckExchangeAndTheNextFrameIsZero) {
+  auto device = std::make_unique<StuckDevice>();
+  const StuckDevice* stuck = device.get();
+  HapticLoop loop(std::move(device));
+  showFlat(loop, 8);
+  loop.options().write(fullForces());
+  loop.start();
+  const HapticSample resumed = waitFor(loop, [](const HapticSample& s) { return s.resumed; });
+  EXPECT_EQ(resumed.force, DeviceN{}) << "the force computed next is zero, too";
+  EXPECT_EQ(resumed.engaged, EngagePhase::rising);
+  DeviceN before;
+  for (int i = 0; i < 50; ++i) {
+    const HapticSample s = waitFor(loop, [](const HapticSample&) { return true; });
+    if (!s.resumed) {
+      EXPECT_LE(norm(s.force - before), 0.02 + 1e-9) << "and rises gently";
+    }
+    before = s.force;
+  }
+  loop.stop();
+  EXPECT_TRUE(stuck->wasCut());
+  EXPECT_GE(stuck->stalledNs(), Watchdog::kStallNs) << "not before it was a stall";
+  EXPECT_EQ(stuck->firstAfterStall(), DeviceN{});
+  loop.stats().update();
+  const LoopStats stats = loop.stats().front();
+  EXPECT_GE(stats.watchdog_cuts, 1U);
+  EXPECT_GE(stats.pauses, 1U);
+  EXPECT_GE(stats.worst_period_ms, 40) << "no tick of the stall is made up for";
+  EXPECT_EQ(stats.audit.violations(), 0U);
+}
+
+TEST(HapticLoop, AWatchdogLeavesARunningLoopAlone) {
+  MouseDevice mouse;
+  Watchdog watchdog(mouse, 0);
+  for (int i = 0; i < 50; ++i) {
+    // The beats may come late on a busy machine; never by a whole stall's time before now.
+    EXPECT_FALSE(watchdog.beat(monotonicNs() + 3'600'000'000'000));
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(watchdog.cuts(), 0U);
+  watchdog.rest();
+}
+
+TEST(HapticLoop, TicksOnWhileItsOwnerIsBlocked) {
+  HapticLoop loop(std::make_unique<MouseDevice>());
+  loop.start();
+  waitFor(loop, [](const HapticSample& s) { return s.tick > 5; });
+  HapticSample first = waitFor(loop, [](const HapticSample&) { return true; });
+  // The owner's thread does nothing at all for two seconds, as a GUI thread that hangs.
+  sleepUntil(first.time_ns + 2'000'000'000);
+  HapticSample last = first;
+  std::uint64_t seen = 0;
+  for (HapticSample s; loop.samples().pop(s); ++seen) last = s;
+  loop.stop();
+  EXPECT_EQ(last.tick - first.tick, seen) << "every one is there";
+  // Against the loop's own clock: each period either had a tick or was skipped as missed.
+  const double seconds = 1e-9 * static_cast<double>(last.time_ns - first.time_ns);
+  EXPECT_GT(seconds, 1);
+  EXPECT_GT(static_cast<double>(seen), 100 * seconds);
+  EXPECT_LT(static_cast<double>(seen), 1001 * seconds + 2);
 }
 
 TEST(HapticLoop, RefusesToRunWithoutADevice) {

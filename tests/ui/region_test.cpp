@@ -121,6 +121,34 @@ TEST_F(RegionTest, TheReferenceViewHasItsOwnKeys) {
   EXPECT_LT(region().side_mm, before.side_mm);
 }
 
+TEST_F(RegionTest, SpaceArrowsAndEnterDrawAWindowAsADragDoes) {
+  view().setFocus();
+  const double step = 0.02 * 250;  // Of the map's longer side.
+  QTest::keyClick(&view(), Qt::Key_Space);
+  for (int i = 0; i < 4; ++i) {
+    QTest::keyClick(&view(), Qt::Key_Right);
+    QTest::keyClick(&view(), Qt::Key_Up);
+  }
+  QTest::keyClick(&view(), Qt::Key_Left, Qt::ShiftModifier);
+  QTest::keyClick(&view(), Qt::Key_Return);
+  EXPECT_NEAR(region().side_mm, 4 * step, 1e-6);
+  EXPECT_NEAR(region().x_mm, 125 - step, 1e-6);
+  EXPECT_NEAR(region().y_mm, 100, 1e-6);
+  EXPECT_EQ(document().history().count(), 1) << "one gesture is one entry";
+  EXPECT_EQ(document().history().undoText(), "Draw window");
+}
+
+TEST_F(RegionTest, EscapeWhileDrawingByKeysReturnsToTheWindowBefore) {
+  view().setFocus();
+  const Region before = region();
+  QTest::keyClick(&view(), Qt::Key_Space);
+  for (int i = 0; i < 5; ++i) QTest::keyClick(&view(), Qt::Key_Down);
+  EXPECT_FALSE(region() == before);
+  QTest::keyClick(&view(), Qt::Key_Escape);
+  EXPECT_TRUE(region() == before);
+  EXPECT_FALSE(document().history().canUndo());
+}
+
 TEST_F(RegionTest, ControlAndArrowsMoveTheWindowByAQuarter) {
   document().setRect({80, 80, 40, 40});
   QTest::keyClick(&window().detailView(), Qt::Key_Right, Qt::ControlModifier);

@@ -15,23 +15,28 @@ namespace {
 
 constexpr int kSamples = 8;
 
-RgbImage readPixels(vtkRenderWindow* window, int width, int height) {
+constexpr double kMostPixels = 1U << 29U;
+
+/// Reads the window into its place in a picture. @return false: every byte of the tile is 0
+bool readTile(vtkRenderWindow* window, const PictureTile& tile, bool opaque, RgbaImage& image) {
   vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels);
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(width);
-  RgbImage image{width, height,
-                 std::vector<std::uint8_t>(row_bytes * static_cast<std::size_t>(height))};
-  if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(width) * height) return image;
+  window->GetRGBACharPixelData(0, 0, tile.width - 1, tile.height - 1, 0, pixels);
+  if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(tile.width) * tile.height) return false;
   const unsigned char* in = pixels->GetPointer(0);
-  for (int row = height - 1; row >= 0; --row) {
-    std::uint8_t* out = image.rgb.data() + row_bytes * static_cast<std::size_t>(row);
-    for (int col = 0; col < width; ++col, in += 4) {
+  bool drawn = false;
+  for (int row = 0; row < tile.height; ++row) {
+    const auto from_top = static_cast<std::size_t>(image.height - 1 - tile.y - row);
+    std::uint8_t* out = image.rgba.data() + 4 * (from_top * static_cast<std::size_t>(image.width) +
+                                                 static_cast<std::size_t>(tile.x));
+    for (int col = 0; col < tile.width; ++col, in += 4) {
+      drawn = drawn || (in[0] | in[1] | in[2]) != 0;
       *out++ = in[0];
       *out++ = in[1];
       *out++ = in[2];
+      *out++ = opaque ? 255 : in[3];
     }
   }
-  return image;
+  return drawn;
 }
 
 }  // namespace
@@ -58,24 +63,66 @@ int OffscreenWindow::sizeLimitPx() {
   return std::min({viewport[0], viewport[1], texture, buffer});
 }
 
-RgbImage renderOffscreen(const ReliefScene& scene, int width, int height) {
+RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options, const Task& task) {
+  const int width = options.width, height = options.height;
   if (width < 1 || height < 1) throw ArgumentError("A picture needs a width and a height above 0.");
-  OffscreenWindow window;
-  const int limit = window.sizeLimitPx();
-  if (width > limit || height > limit) {
+  if (static_cast<double>(width) * height > kMostPixels) {
     throw GraphicsError("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                        " pixels is too large for this computer's graphics; at most " +
-                        std::to_string(limit) + " a side.");
+                        " pixels is more than this version can hold. Choose a smaller one.");
   }
+  OffscreenWindow window;
+  const int side = std::min(options.tile_px, window.sizeLimitPx());
   const std::unique_ptr<ReliefScene> copy = scene.copy();
-  window.get()->SetSize(width, height);
+  copy->setTransparent(options.transparent);
+  if (options.transparent) window.get()->SetAlphaBitPlanes(1);
   copy->attachTo(window.get(), kSamples);
-  copy->prepare(width, height);
-  window.get()->Render();
-  RgbImage image = readPixels(window.get(), width, height);
-  if (isBlack(image) && !copy->mayBeBlack()) {
+  RgbaImage image{width, height,
+                  std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) *
+                                            static_cast<std::size_t>(height))};
+  bool drawn = false;
+  for (int y = 0; y < height; y += side) {
+    for (int x = 0; x < width; x += side) {
+      task.check();
+      task.report("Picture", static_cast<double>(y) / height);
+      const PictureTile tile{x, y, std::min(side, width - x), std::min(side, height - y)};
+      window.get()->SetSize(tile.width, tile.height);
+      copy->prepare(width, height, tile);
+      window.get()->Render();
+      const bool tile_drawn = readTile(window.get(), tile, !options.transparent, image);
+      drawn = drawn || tile_drawn;
+      // With a background that is not black no part may be black.
+      if (!tile_drawn && !copy->mayBeBlackInPart()) drawn = false, y = height, x = width;
+    }
+  }
+  if (!drawn && !scene.mayBeBlack()) {
     throw GraphicsError("The graphics driver returned a black picture of " + std::to_string(width) +
                         " x " + std::to_string(height) + " pixels. Try a smaller one.");
+  }
+  return image;
+}
+
+std::vector<std::uint8_t> storedBytes(const RgbaImage& image) {
+  bool opaque = true;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque = opaque && image.rgba[i] == 255;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(opaque ? image.rgba.size() / 4 * 3 : image.rgba.size());
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int value = alpha == 0 ? 0 : (image.rgba[i + k] * 255 + alpha / 2) / alpha;
+      bytes.push_back(static_cast<std::uint8_t>(std::min(value, 255)));
+    }
+    if (!opaque) bytes.push_back(static_cast<std::uint8_t>(alpha));
+  }
+  return bytes;
+}
+
+RgbImage renderOffscreen(const ReliefScene& scene, int width, int height) {
+  const RgbaImage picture = renderPicture(scene, {.width = width, .height = height});
+  RgbImage image{width, height, {}};
+  image.rgb.reserve(picture.rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    image.rgb.insert(image.rgb.end(), {picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]});
   }
   return image;
 }

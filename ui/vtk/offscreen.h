@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/task.h"
 #include "ui/vtk/relief_scene.h"
 
 namespace relievo {
@@ -38,9 +39,28 @@ class DisplayGuard {
 };
 
 /// Renders a copy of a scene into memory, independent of any window on screen; the OpenGL context
-/// that was current stays so. [the scene's thread] @throw GraphicsError  no display, size above the
-/// driver's limit, or a black (failed) image
+/// that was current stays so. Pictures above 2048 pixels, or the driver's limit if that is less,
+/// are drawn in tiles; no seam shows. [the scene's thread] @throw GraphicsError  no display, a
+/// picture beyond 2^29 pixels, or a black (failed) image
 RgbImage renderOffscreen(const ReliefScene& scene, int width, int height);
+
+/// 8 bits a channel, row 0 at the top; colours are multiplied by alpha already.
+struct RgbaImage {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// As files store it: three bytes a pixel if all are opaque, else four, colours not multiplied.
+std::vector<std::uint8_t> storedBytes(const RgbaImage& image);
+
+struct PictureOptions {
+  int width = 0, height = 0;  ///< Pixels.
+  bool transparent = false;   ///< Alpha 0 where there is no relief; without stereo.
+  int tile_px = 2048;         ///< Longest side of a tile.
+};
+/// The same with alpha. [the scene's thread] @throw GraphicsError, ArgumentError, Cancelled
+RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
+                        const Task& task = {});
 
 /// True if every byte is 0: what a driver gives back when it silently failed to draw.
 bool isBlack(const RgbImage& image);

@@ -86,7 +86,8 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "//VTK::Light::Impl", true,
       "  vec3 light = max(0.0, dot(normalVCVSOutput, -lightDirectionVC0)) * lightColor0\n"
       "             + max(0.0, dot(normalVCVSOutput, -lightDirectionVC1)) * lightColor1;\n"
-      "  fragOutput0 = vec4(ambientColor + light * diffuseColor, opacity);\n",
+      "  vec3 lit = ambientColor + light * diffuseColor;\n"
+      "  fragOutput0 = vec4(mix(lit, diffuseColor, asPainted), opacity);\n",
       false);
 }
 
@@ -97,15 +98,20 @@ struct ReliefScene::Impl {
   SurfaceGrid grid;
   std::vector<float> heights;
   std::vector<Origin> origins;
+  std::vector<std::uint8_t> colours;
   bool has_surface = false;
   ReliefCamera camera;
   StereoOptions stereo;
   LightOptions light;
   std::array<double, 3> background{0.155, 0.16, 0.17};
+  bool transparent = false;
+  double eye_turn_deg = 0;
+  double mark_scale = 1;
   std::optional<RectMm> pink;
   bool pink_handles = false;
   std::optional<Probe> probe;
   double ball_radius_mm = 1;
+  std::vector<std::vector<ViewMm>> lines;
   bool scale_bar = false;
 
   // What draws it. Layer 0: surface; 1: proxy, line, arrow; 2: HIP, pink window, scale bar.
@@ -113,6 +119,7 @@ struct ReliefScene::Impl {
   vtkNew<vtkCamera> vtk_camera;
   vtkNew<vtkLight> key, fill;
   vtkNew<vtkActor> surface;
+  vtkNew<vtkPolyDataMapper> mapper;
   SurfaceMesh mesh;
   ProbeActors probe_actors;
   ScreenMarks marks;
@@ -124,19 +131,22 @@ struct ReliefScene::Impl {
     return has_surface ? 0.5 * (mesh.minMm() + mesh.maxMm()) : 0.0;
   }
   double markPlane() const { return has_surface ? 0.5 * (mesh.minMm() + mesh.maxMm()) : 0.0; }
-  SceneView view(int width, int height) const { return {camera, zeroPlane(), width, height}; }
-  void setHatchPeriod(double mm) {
-    surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf("hatchPeriod",
-                                                                           static_cast<float>(mm));
+  SceneView view(int width, int height) const {
+    SceneView v(camera, zeroPlane(), width, height);
+    if (eye_turn_deg != 0) v.turnEye(eye_turn_deg);
+    return v;
   }
+  void setShaderUniform(const char* name, float value) {
+    surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf(name, value);
+  }
+  void paint();
   void placeLights();
-  void placeCamera(const SceneView& view);
+  void placeCamera(const SceneView& view, const PictureTile& tile);
   void applyStereo();
 };
 
 ReliefScene::Impl::Impl() {
   camera.rect = {-50, -50, 100, 100};
-  vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh.poly());
   mapper->ScalarVisibilityOff();
   mapper->StaticOn();
@@ -152,7 +162,7 @@ ReliefScene::Impl::Impl() {
   stone->SetSpecular(0);
   stone->SetInterpolationToPhong();
   addHatch(surface, mapper);
-  setHatchPeriod(1);  // A window may draw itself before the first prepare().
+  setShaderUniform("hatchPeriod", 1);  // A window may draw itself before the first prepare().
   for (int i = 0; i < 3; ++i) {
     vtkRenderer* const layer = layers[static_cast<std::size_t>(i)];
     layer->SetLayer(i);
@@ -189,7 +199,15 @@ void ReliefScene::Impl::placeLights() {
   fill->SetColor(0.93, 0.96, 1.0);
 }
 
-void ReliefScene::Impl::placeCamera(const SceneView& v) {
+// Stone, or colours of the samples; a painted relief keeps its colours whatever the lamps do.
+void ReliefScene::Impl::paint() {
+  const bool painted = grid.colours != nullptr;
+  mapper->SetScalarVisibility(painted ? 1 : 0);
+  setShaderUniform("asPainted", painted && !grid.lit ? 1.0F : 0.0F);
+  surface->GetProperty()->SetDiffuse(painted && !grid.lit ? 1.0 : 0.92);
+}
+
+void ReliefScene::Impl::placeCamera(const SceneView& v, const PictureTile& tile) {
   // Half depth of what has to lie between the clipping planes.
   double reach = v.mm_per_pixel;
   if (has_surface) {
@@ -207,11 +225,14 @@ void ReliefScene::Impl::placeCamera(const SceneView& v) {
   }
   reach *= 1.01;
   const double distance = 2 * reach;
-  const ViewMm at = v.focal + distance * v.towards_viewer;
-  vtk_camera->SetFocalPoint(v.focal.x, v.focal.y, v.focal.z);
+  const double right = tile.x + 0.5 * tile.width - 0.5 * v.width_px;
+  const double up = tile.y + 0.5 * tile.height - 0.5 * v.height_px;
+  const ViewMm middle = v.focal + (right * v.mm_per_pixel) * v.right + (up * v.mm_per_pixel) * v.up;
+  const ViewMm at = middle + distance * v.towards_viewer;
+  vtk_camera->SetFocalPoint(middle.x, middle.y, middle.z);
   vtk_camera->SetPosition(at.x, at.y, at.z);
   vtk_camera->SetViewUp(v.up.x, v.up.y, v.up.z);
-  vtk_camera->SetParallelScale(0.5 * v.height_px * v.mm_per_pixel);
+  vtk_camera->SetParallelScale(0.5 * tile.height * v.mm_per_pixel);
   vtk_camera->SetClippingRange(distance - reach, distance + reach);
   vtk_camera->SetEyeAngle(stereo.eye_angle_deg);
   // VTK keeps the last mono matrix for the left eye unless the camera itself changed.
@@ -241,7 +262,10 @@ void ReliefScene::setSurface(const SurfaceGrid& grid) {
   impl_->mesh.update(grid);
   impl_->heights = *grid.heights_mm;
   impl_->origins = grid.origins ? *grid.origins : std::vector<Origin>{};
-  impl_->grid = {grid.frame, &impl_->heights, grid.origins ? &impl_->origins : nullptr};
+  impl_->colours = grid.colours ? *grid.colours : std::vector<std::uint8_t>{};
+  impl_->grid = {grid.frame, &impl_->heights, grid.origins ? &impl_->origins : nullptr,
+                 grid.colours ? &impl_->colours : nullptr, grid.lit};
+  impl_->paint();
   const ViewMm m = impl_->mesh.middle();
   impl_->surface->SetPosition(m.x, m.y, m.z);
   impl_->surface->VisibilityOn();
@@ -275,6 +299,19 @@ void ReliefScene::setBackground(double red, double green, double blue) {
   impl_->layers[0]->SetBackground(red, green, blue);
 }
 
+void ReliefScene::setTransparent(bool transparent) {
+  impl_->transparent = transparent;
+  if (transparent) impl_->layers[0]->SetBackground(0, 0, 0);
+}
+
+void ReliefScene::setEyeTurn(double turn_deg) {
+  impl_->eye_turn_deg = turn_deg;
+}
+
+void ReliefScene::setMarkScale(double pixels) {
+  impl_->mark_scale = pixels;
+}
+
 void ReliefScene::setPinkWindow(const std::optional<RectMm>& rect, bool with_handles) {
   impl_->pink = rect;
   impl_->pink_handles = with_handles;
@@ -284,6 +321,10 @@ void ReliefScene::setProbe(const std::optional<Probe>& probe, double ball_radius
   impl_->probe = probe;
   impl_->ball_radius_mm = ball_radius_mm;
   impl_->probe_actors.set(probe, ball_radius_mm);
+}
+
+void ReliefScene::setLines(const std::vector<std::vector<ViewMm>>& lines) {
+  impl_->lines = lines;
 }
 
 void ReliefScene::setScaleBar(bool visible) {
@@ -298,18 +339,26 @@ void ReliefScene::attachTo(vtkRenderWindow* window, int samples) {
   impl_->applyStereo();
 }
 
-void ReliefScene::prepare(int width_px, int height_px) {
+void ReliefScene::prepare(int width_px, int height_px, const std::optional<PictureTile>& tile) {
+  const PictureTile drawn = tile.value_or(PictureTile{0, 0, width_px, height_px});
   const SceneView view = impl_->view(width_px, height_px);
-  impl_->placeCamera(view);
+  impl_->placeCamera(view, drawn);
   impl_->probe_actors.face(view);
-  impl_->setHatchPeriod(kHatchPeriodPx * view.mm_per_pixel);
+  impl_->setShaderUniform(
+      "hatchPeriod", static_cast<float>(kHatchPeriodPx * impl_->mark_scale * view.mm_per_pixel));
   std::vector<ViewMm> corners;
   if (impl_->pink) {
     const RectMm& r = *impl_->pink;
     const double z = impl_->markPlane(), x1 = r.x_mm + r.width_mm, y1 = r.y_mm + r.height_mm;
     corners = {{r.x_mm, r.y_mm, z}, {x1, r.y_mm, z}, {x1, y1, z}, {r.x_mm, y1, z}};
   }
-  impl_->marks.draw(view, corners, impl_->pink_handles, impl_->scale_bar);
+  impl_->marks.draw(view, {.corners = corners,
+                           .handles = impl_->pink_handles,
+                           .scale_bar = impl_->scale_bar,
+                           .lines = impl_->lines,
+                           .scale = impl_->mark_scale,
+                           .dpi = impl_->window ? impl_->window->GetDPI() : 72,
+                           .origin = {static_cast<double>(drawn.x), static_cast<double>(drawn.y)}});
 }
 
 vtkRenderer* ReliefScene::renderer() {
@@ -321,10 +370,14 @@ ViewMm ReliefScene::viewFromPixel(double px, double py, int width_px, int height
   return impl_->view(width_px, height_px).viewOf({px, height_px - py}, z_mm);
 }
 
+bool ReliefScene::mayBeBlackInPart() const {
+  return impl_->transparent || std::all_of(impl_->background.begin(), impl_->background.end(),
+                                           [](double c) { return c < 0.5 / 255; });
+}
+
 bool ReliefScene::mayBeBlack() const {
-  const bool black = std::all_of(impl_->background.begin(), impl_->background.end(),
-                                 [](double c) { return c < 0.5 / 255; });
-  return black && !impl_->has_surface && !impl_->probe && !impl_->pink && !impl_->scale_bar;
+  return mayBeBlackInPart() && !impl_->has_surface && !impl_->probe && !impl_->pink &&
+         !impl_->scale_bar;
 }
 
 std::unique_ptr<ReliefScene> ReliefScene::copy() const {
@@ -334,8 +387,12 @@ std::unique_ptr<ReliefScene> ReliefScene::copy() const {
   other->setStereo(impl_->stereo);
   other->setLight(impl_->light);
   other->setBackground(impl_->background[0], impl_->background[1], impl_->background[2]);
+  other->setTransparent(impl_->transparent);
+  other->setEyeTurn(impl_->eye_turn_deg);
+  other->setMarkScale(impl_->mark_scale);
   other->setPinkWindow(impl_->pink, impl_->pink_handles);
   other->setProbe(impl_->probe, impl_->ball_radius_mm);
+  other->setLines(impl_->lines);
   other->setScaleBar(impl_->scale_bar);
   return other;
 }

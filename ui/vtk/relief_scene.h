@@ -10,6 +10,7 @@
 #include "core/base/origin.h"
 #include "core/region/probe.h"
 #include "core/region/region.h"
+#include "core/relief/look.h"
 
 class vtkRenderer;
 class vtkRenderWindow;
@@ -21,22 +22,14 @@ struct SurfaceGrid {
   GridFrame frame;
   const std::vector<float>* heights_mm = nullptr;  ///< Row-major, row 0 lowest y.
   const std::vector<Origin>* origins = nullptr;    ///< Same size, or null: all measured.
+  /// Three bytes per sample, red first; null: stone.
+  const std::vector<std::uint8_t>* colours = nullptr;
+  bool lit = true;  ///< False: colours as they are, without lamps.
 };
 
-enum class StereoMode { off, anaglyph };
-struct StereoOptions {
-  StereoMode mode = StereoMode::off;
-  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, 0.5 .. 10.
-  std::optional<double> zero_plane_mm =
-      std::nullopt;  ///< View z of zero parallax; nothing: mid height.
-  friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
-};
-
-struct LightOptions {
-  double azimuth_deg =
-      315;  ///< From where the key light shines: 0 = up, clockwise (315 = upper left).
-  double elevation_deg = 45;  ///< Above the base plane.
-  friend bool operator==(const LightOptions&, const LightOptions&) = default;
+/// Part of a picture, pixels from its lower left corner.
+struct PictureTile {
+  int x = 0, y = 0, width = 0, height = 0;
 };
 
 /// Camera of a relief: orthographic. Untilted it looks along -z at exactly `rect`.
@@ -63,11 +56,20 @@ class ReliefScene {
   void setStereo(const StereoOptions& stereo);
   void setLight(const LightOptions& light);
   void setBackground(double red, double green, double blue);
+  /// Nothing is drawn where there is no relief: pixels keep alpha 0. For pictures off screen.
+  void setTransparent(bool transparent);
+  /// Turns the camera to one eye: the sight line by this angle about the picture's upright, on the
+  /// plane of zero parallax; > 0 is the right eye's side. 0: in the middle.
+  void setEyeTurn(double turn_deg);
+  /// Pixels that a line of width 1 takes: 2 on a screen of doubled density.
+  void setMarkScale(double pixels);
   /// Pink (#ff4fa3) frame 2 px wide with a dark outline and eight handles; nothing hides it.
   void setPinkWindow(const std::optional<RectMm>& rect, bool with_handles);
   /// Proxy: blue ball; HIP: red ring around a small ball; line between; arrow along the force.
   /// ball_radius_mm in view mm. Nothing hides them.
   void setProbe(const std::optional<Probe>& probe, double ball_radius_mm);
+  /// Measurements: lines through points on the surface, a dot at each. Nothing hides them.
+  void setLines(const std::vector<std::vector<ViewMm>>& lines);
   /// "|-- 10 mm --|" at the lower left.
   void setScaleBar(bool visible);
 
@@ -76,7 +78,8 @@ class ReliefScene {
   /// @param samples  multisampling; 0 and 1 are none, the right choice for software OpenGL
   void attachTo(vtkRenderWindow* window, int samples = 0);
   /// To be called before each render: camera aspect, scale bar length, window frame in pixels.
-  void prepare(int width_px, int height_px);
+  /// @param tile  draw only this part of the picture; nothing: all of it
+  void prepare(int width_px, int height_px, const std::optional<PictureTile>& tile = {});
   vtkRenderer* renderer();  ///< The one of the surface; for its camera and viewport.
 
   /// View position under a pixel on the plane z = z_mm; for picking and dragging. Pixels are
@@ -85,6 +88,8 @@ class ReliefScene {
 
   /// Background black and nothing to see: then a black picture is no failure.
   bool mayBeBlack() const;
+  /// Background black: then a part of a picture may be, too.
+  bool mayBeBlackInPart() const;
 
   /// Another scene that shows the same, for another render window. Costs a copy of the surface.
   std::unique_ptr<ReliefScene> copy() const;

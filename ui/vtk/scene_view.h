@@ -36,6 +36,15 @@ struct SceneView {
     mm_per_pixel = std::max(camera.rect.width_mm / width_px, camera.rect.height_mm / height_px);
   }
 
+  /// The same picture from a sight line turned about its upright; right > 0. What lies on the focal
+  /// plane's upright through `focal` keeps its place, and nothing moves up or down.
+  void turnEye(double turn_deg) {
+    const double a = turn_deg * std::numbers::pi / 180;
+    const ViewMm r = right, t = towards_viewer;
+    right = std::cos(a) * r + (-std::sin(a)) * t;
+    towards_viewer = std::cos(a) * t + std::sin(a) * r;
+  }
+
   bool isUntilted() const { return towards_viewer.z > 1 - 1e-12; }
 
   PixelPlace pixelOf(ViewMm p) const {

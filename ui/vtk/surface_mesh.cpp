@@ -10,6 +10,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
 
 namespace relievo {
 
@@ -29,8 +30,10 @@ SurfaceMesh::SurfaceMesh() {
 void SurfaceMesh::update(const SurfaceGrid& grid) {
   const GridSize size = grid.frame.size;
   if (!grid.heights_mm || grid.heights_mm->size() != size.count() ||
-      (grid.origins && grid.origins->size() != size.count())) {
-    throw ArgumentError("A surface to draw needs one height and at most one origin per sample.");
+      (grid.origins && grid.origins->size() != size.count()) ||
+      (grid.colours && grid.colours->size() != 3 * size.count())) {
+    throw ArgumentError(
+        "A surface to draw needs one height and at most one origin and colour per sample.");
   }
   if (size.cols < 2 || size.rows < 2 || !(grid.frame.spacing_mm > 0)) {
     throw ArgumentError("A surface to draw needs at least 2 x 2 samples and a spacing above 0.");
@@ -42,6 +45,7 @@ void SurfaceMesh::update(const SurfaceGrid& grid) {
   rebuildVertices(*grid.heights_mm);
   rebuildNormals(*grid.heights_mm);
   rebuildOrigins(grid);
+  rebuildColours(grid);
   if (!(size_of_cells_ == size) || inside_of_cells_ != inside_) rebuildCells();
   poly_->GetPoints()->Modified();
   poly_->Modified();
@@ -199,6 +203,26 @@ void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
     origins_are_zero_ = false;
   }
   origins_->Modified();
+}
+
+void SurfaceMesh::rebuildColours(const SurfaceGrid& grid) {
+  if (!grid.colours) {
+    poly_->GetPointData()->SetScalars(nullptr);
+    return;
+  }
+  const GridSize size = frame_.size, mesh = withRing(size);
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(3);
+  colours->SetNumberOfTuples(static_cast<vtkIdType>(mesh.count()));
+  unsigned char* out = colours->GetPointer(0);
+  for (int j = 0; j < mesh.rows; ++j) {
+    const int row = sampleOf(j, size.rows);
+    for (int i = 0; i < mesh.cols; ++i) {
+      const std::uint8_t* in = grid.colours->data() + 3 * size.index({sampleOf(i, size.cols), row});
+      out = std::copy(in, in + 3, out);
+    }
+  }
+  poly_->GetPointData()->SetScalars(colours);
 }
 
 void SurfaceMesh::rebuildCells() {

@@ -41,6 +41,7 @@ class SurfaceMesh {
   void rebuildNormals(const std::vector<float>& heights);
   void shadeRimCells();
   void rebuildOrigins(const SurfaceGrid& grid);
+  void rebuildColours(const SurfaceGrid& grid);
 
   vtkNew<vtkPolyData> poly_;
   vtkNew<vtkFloatArray> vertices_, normals_, origins_;

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -46,6 +48,10 @@ class FileCases : public ::testing::Test {
         EXPECT_THAT(error.what(), ::testing::HasSubstr(c.refusal));
         EXPECT_THAT(error.what(), ::testing::HasSubstr(c.file));
         EXPECT_THAT(error.what(), ::testing::Not(::testing::HasSubstr("broke down")));
+        const std::string_view words = error.what();
+        EXPECT_TRUE(std::none_of(words.begin(), words.end(), [](char letter) {
+          return static_cast<unsigned char>(letter) < 32;
+        })) << words;
       }
     }
   }

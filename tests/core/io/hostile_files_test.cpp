@@ -84,6 +84,9 @@ TEST_F(HostileFiles, PlyHeaders) {
               "mixes kinds of line ends"),
       loads("crlf_binary.ply", replaced(plyHeader(kLe, "10"), "\n", "\r\n") + binaryRows<float>(10),
             10),
+      refused("steers_the_terminal.ply",
+              "ply\nformat ascii 1.0\nelement \x1B[2J\xC2\x9B\xFF 10\nelement \x1B[2J\n",
+              "(\"element ?[2J\")"),
       loads("comments.ply",
             replaced(plyHeader("ascii", "10"), "comment", "obj_info of a test\ncomment") + rows,
             10),
@@ -205,6 +208,20 @@ TEST_F(HostileFiles, Pcd) {
                   bytesOf(std::uint32_t{120}) + bytesOf(std::uint32_t{120}) +
                   std::string(120, '\xFF'),
               "cannot be decoded"),
+      loads("header_words_as_points.pcd",
+            with_words([](PcdWords& w) {
+              w.data = "binary";
+              w.points = "6";
+            }) + "# .7 - Points\nFIELDS  \nxz y\nSIZE 8 8 8\nTYPE F F F\nCOUNT 1 1 1\nWIDTH " +
+                std::string(20, '9'),
+            6),
+      refused("compressed_beyond_lzf.pcd",
+              with_words([](PcdWords& w) {
+                w.data = "binary_compressed";
+                w.points = "1000000";
+              }) + bytesOf(std::uint32_t{1000}) +
+                  bytesOf(std::uint32_t{12000000}) + std::string(1000, 'A'),
+              "compressed data hold"),
       refused("noise.pcd", std::string("# .PCD v0.7\n") + std::string(200, '\xF3'), "header"),
       loads("wide_numbers.pcd",
             with_words([](PcdWords& w) {
@@ -257,7 +274,15 @@ TEST_F(HostileFiles, Stl) {
       refused("zero.stl", binaryStl(0, 0), "0 triangles"),
       refused("cut_ascii.stl", asciiStl().substr(0, 150), "endsolid"),
       refused("short.stl", std::string(40, 'x'), "shorter than the header"),
-      refused("words.stl", "solid\n" + std::string(200, 'x') + "\nendsolid\n", "none finite"),
+      refused("words.stl", "solid\n" + std::string(200, 'x') + "\nendsolid\n", "line 2"),
+      refused("no_facets.stl", "solid tile\nendsolid tile\n", "0 triangles"),
+      refused("two_corners.stl", replaced(asciiStl(), "   vertex 0 1 0.25\n", ""), "line 6"),
+      refused("word.stl", replaced(asciiStl(), "0.75", "three"), "line 12"),
+      loads("capitals.stl",
+            "SOLID A\rFACET NORMAL 0 0 1 OUTER LOOP\rVERTEX 0 0 0 VERTEX\r1 0 0 "
+            "VERTEX 0 1 0 ENDLOOP ENDFACET\rENDSOLID solid facet\r",
+            3),
+      loads("two_solids.stl", asciiStl() + "\n" + asciiStl(), 12),
   });
 }
 

@@ -72,7 +72,7 @@ TEST(ScriptedDevice, PlaysItsReadingsAndStaysAtTheLast) {
 
 TEST(DeviceCatalog, KnowsTheMouse) {
   const std::vector<DeviceDriver> drivers = deviceCatalog();
-  ASSERT_EQ(drivers.size(), 1U);
+  ASSERT_FALSE(drivers.empty());
   EXPECT_EQ(drivers[0].scan(), std::vector<std::string>{"mouse"});
   EXPECT_EQ(drivers[0].make("mouse")->info().id, "mouse");
   EXPECT_THROW(drivers[0].make("another"), DeviceError);

@@ -108,6 +108,68 @@ TEST_F(Core, ANewWindowKeepsTheHandAndFadesTheForceIn) {
   EXPECT_NEAR(last, 0.8 * 7, 1e-9);
 }
 
+TEST_F(Core, StartsFromZeroAfterAPauseAndSolvesTheMissedWay) {
+  switchOn();
+  EXPECT_GT(pressFor(100, -2).force.z, 1);
+  EXPECT_FALSE(core_.pausedUntil(now_ns_ + HapticCore::kPauseNs));
+  now_ns_ += 60'000'000;
+  EXPECT_TRUE(core_.pausedUntil(now_ns_ + 1'000'000));
+  HapticSample sample = tick({0, 0, -6});
+  EXPECT_TRUE(sample.resumed);
+  EXPECT_EQ(sample.force, DeviceN{});
+  EXPECT_NEAR(sample.proxy.z, 0, 1e-9) << "still on the surface";
+  DeviceN last;
+  for (int i = 0; i < 1500; ++i) {
+    sample = tick({0, 0, -6});
+    EXPECT_FALSE(sample.resumed);
+    EXPECT_LE(norm(sample.force - last), (i < 900 ? 0.02 : 0.2) + 1e-9) << i;
+    last = sample.force;
+  }
+  EXPECT_NEAR(last.z, 4.8, 1e-9);
+  EXPECT_EQ(core_.audit().violations(), 0U);
+}
+
+TEST_F(Core, ALateTickDoesNotJump) {
+  switchOn();
+  const HapticSample before = pressFor(100, -0.5);
+  now_ns_ += 15'000'000;  // Late, but not a pause.
+  const HapticSample after = tick({0, 0, -6});
+  EXPECT_FALSE(after.resumed);
+  EXPECT_LE(norm(after.force - before.force), 0.2 + 1e-9);
+}
+
+TEST_F(Core, SendsZeroInEveryTickWhoseInputsDemandIt) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  int demanded = 0;
+  for (int i = 0; i < 60'000; ++i) {
+    const double what = unit(random);
+    options_.force.forces_on = options_.force.forces_on ? what > 0.0003 : what < 0.05;
+    options_.force.strength = unit(random) < 0.001 ? 0 : 1;
+    now_ns_ += unit(random) < 0.0002 ? 70'000'000 : 0;
+    const double old_ns = unit(random) < 0.001 ? 25e6 : 0;
+    DeviceReading reading;
+    reading.position = {20 * unit(random), 0,
+                        unit(random) < 0.01 ? -8. : (i % 4000 < 1500 ? 5 : -3)};
+    if (unit(random) < 0.0001) reading.position.x = kNan;
+    now_ns_ += 1'000'000;
+    reading.time_ns = now_ns_ - static_cast<std::int64_t>(old_ns);
+    const bool paused = core_.pausedUntil(now_ns_);
+    const HapticSample s = core_.tick(*space_, options_, reading, now_ns_);
+    const bool zero = paused || !options_.force.forces_on || s.fault != DeviceFault::none ||
+                      options_.force.strength == 0 || old_ns > 20e6;
+    if (zero) {
+      ++demanded;
+      EXPECT_EQ(s.force, DeviceN{}) << i;
+    }
+  }
+  EXPECT_GT(demanded, 100);
+  EXPECT_GE(core_.audit().zero_demanded, static_cast<std::uint64_t>(demanded));
+  EXPECT_GT(core_.audit().largest_n, 1) << "and between them it pushed";
+  EXPECT_EQ(core_.audit().violations(), 0U);
+}
+
 TEST_F(Core, CountsTicksAndNamesTheWindow) {
   space_->origins.fill(static_cast<std::uint8_t>(Origin::interpolated));
   EXPECT_EQ(tick({0, 0, 3}).tick, 0U);

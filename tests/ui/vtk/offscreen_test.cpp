@@ -12,6 +12,7 @@
 #include <cstring>
 #include <fstream>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/base/error.h"
@@ -126,11 +127,103 @@ TEST_F(PictureFile, AFullDiskIsAnError) {
   EXPECT_FALSE(fs::exists(folder_ / "full.png"));
 }
 
-TEST(Offscreen, APictureAboveTheDriversLimitIsAnErrorAndNotBlack) {
+TEST(Offscreen, APictureThatCannotBeHeldIsAnErrorAndNotBlack) {
   ReliefScene scene;
-  EXPECT_THROW(renderOffscreen(scene, 200'000, 16), GraphicsError);
-  EXPECT_THROW(renderOffscreen(scene, 16, 200'000), GraphicsError);
+  EXPECT_THROW(renderOffscreen(scene, 200'000, 20'000), GraphicsError);
   EXPECT_THROW(renderOffscreen(scene, 0, 16), ArgumentError);
+}
+
+ReliefScene& shownFromAbove(ReliefScene& scene, const SyntheticRelief& relief) {
+  scene.setSurface(relief.grid());
+  scene.setCamera({.rect = {0, 0, 100, 100}});
+  return scene;
+}
+
+TEST(Offscreen, APictureInTilesIsThePictureInOnePiece) {
+  const SyntheticRelief relief = makeRelief(200, 100, domeWithRidges);
+  ReliefScene scene;
+  shownFromAbove(scene, relief).setPinkWindow(RectMm{20, 30, 40, 40}, true);
+  scene.setScaleBar(true);
+  const RgbaImage whole = renderPicture(scene, {.width = 500, .height = 430});
+  const RgbaImage tiled = renderPicture(scene, {.width = 500, .height = 430, .tile_px = 128});
+  ASSERT_EQ(whole.rgba.size(), tiled.rgba.size());
+  int most = 0;
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
+    const int difference = std::abs(whole.rgba[i] - tiled.rgba[i]);
+    most = std::max(most, difference);
+    if (difference > 2) ++differing;
+  }
+  // Where the edge of the relief or of a facet passes a pixel's samples within rounding.
+  EXPECT_LT(differing, whole.rgba.size() / 1000) << "at most " << most;
+}
+
+TEST(Offscreen, APictureBeyondTheDriversLimitHasNoBlackPart) {
+  const SyntheticRelief relief = makeRelief(50, 100, domeWithRidges);
+  ReliefScene scene;
+  shownFromAbove(scene, relief);
+  const RgbImage image = renderOffscreen(scene, 20'000, 40);
+  for (const int x : {5, 2047, 2048, 9'999, 16'500, 19'990}) {
+    EXPECT_GT(grey(at(image, x, 20)), 20) << x;
+  }
+}
+
+TEST(Offscreen, ATransparentPictureHasAlphaOnTheReliefAlone) {
+  const SyntheticRelief relief = makeRelief(50, 100, [](double, double) { return 1.0; });
+  ReliefScene scene;
+  scene.setSurface(relief.grid());
+  scene.setCamera({.rect = {-50, 0, 200, 100}});
+  const RgbaImage image = renderPicture(scene, {.width = 200, .height = 100, .transparent = true});
+  const auto alpha = [&](int x, int y) {
+    return image.rgba[4 * static_cast<std::size_t>(y * 200 + x) + 3];
+  };
+  EXPECT_EQ(alpha(10, 50), 0);
+  EXPECT_EQ(alpha(190, 50), 0);
+  EXPECT_EQ(alpha(100, 50), 255);
+  EXPECT_EQ(image.rgba[4 * (50 * 200 + 10)], 0) << "nothing shines through";
+}
+
+TEST(Offscreen, APaintedReliefKeepsItsColoursWithoutLampsAndIsShadedWithThem) {
+  const SyntheticRelief relief = makeRelief(50, 100, domeWithRidges);
+  std::vector<std::uint8_t> colours;
+  for (std::size_t i = 0; i < relief.heights_mm.size(); ++i) {
+    colours.insert(colours.end(), {20, 160, 220});
+  }
+  SurfaceGrid grid = relief.grid();
+  grid.colours = &colours;
+  grid.lit = false;
+  ReliefScene scene;
+  scene.setSurface(grid);
+  scene.setCamera({.rect = {0, 0, 100, 100}});
+  const RgbImage flat = renderOffscreen(scene, 100, 100);
+  for (const int x : {5, 50, 80}) EXPECT_EQ(at(flat, x, 50), (Rgb{20, 160, 220})) << x;
+  grid.lit = true;
+  scene.setSurface(grid);
+  const RgbImage lit = renderOffscreen(scene, 100, 100);
+  EXPECT_NE(at(lit, 20, 30), at(lit, 80, 70));
+  EXPECT_GT(at(lit, 30, 30)[2], 3 * at(lit, 30, 30)[0]) << "still blue";
+  const SurfaceGrid stone = relief.grid();
+  scene.setSurface(stone);
+  const Rgb c = at(renderOffscreen(scene, 100, 100), 30, 30);
+  EXPECT_NEAR(c[0], c[2], 20);
+}
+
+TEST(Offscreen, TheEyesMoveWhatIsHighApartAndNothingUpOrDown) {
+  const SyntheticRelief relief = makeRelief(200, 100, domeWithRidges);
+  ReliefScene scene;
+  shownFromAbove(scene, relief).setStereo({.zero_plane_mm = 0});
+  scene.setEyeTurn(-3);
+  const RgbImage left = renderOffscreen(scene, 300, 300);
+  scene.setEyeTurn(3);
+  const RgbImage right = renderOffscreen(scene, 300, 300);
+  // The left eye's red and the right eye's green, as in an anaglyph.
+  RgbImage both = left;
+  for (std::size_t i = 0; i < both.rgb.size(); i += 3) both.rgb[i + 1] = right.rgb[i + 1];
+  const ChannelShift top = channelShift(both, 0, 1, {120, 120, 180, 180}, 20);
+  // 10 mm high, 3 pixels a millimetre: 2 sin(3 degrees) 30 pixels toward the left for the right
+  // eye.
+  EXPECT_NEAR(top.x, -2 * std::sin(3 * std::numbers::pi / 180) * 30, 0.6);
+  EXPECT_NEAR(top.y, 0, 0.2);
 }
 
 TEST(Offscreen, ABlackPictureIsToldFromADrawnOne) {

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/measure/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "core/base/error.h"
+#include "core/measure/piece.h"
+
+namespace relievo {
+namespace {
+
+Cell nearest(const DepthMap& map, PlaceMm p) {
+  const GridFrame& f = map.frame;
+  return {.col = static_cast<int>(std::lround((p.x - f.first_x_mm) / f.spacing_mm)),
+          .row = static_cast<int>(std::lround((p.y - f.first_y_mm) / f.spacing_mm))};
+}
+
+/// Bilinear over those of the four samples around that are on the object.
+double heightAt(const DepthMap& map, PlaceMm p) {
+  const GridFrame& f = map.frame;
+  const double u = std::clamp((p.x - f.first_x_mm) / f.spacing_mm, 0.0, f.size.cols - 1.0);
+  const double v = std::clamp((p.y - f.first_y_mm) / f.spacing_mm, 0.0, f.size.rows - 1.0);
+  const int col = std::min(static_cast<int>(u), std::max(f.size.cols - 2, 0));
+  const int row = std::min(static_cast<int>(v), std::max(f.size.rows - 2, 0));
+  double sum = 0;
+  double weights = 0;
+  for (int dr = 0; dr <= 1; ++dr) {
+    for (int dc = 0; dc <= 1; ++dc) {
+      const Cell cell{.col = col + dc, .row = row + dr};
+      if (!f.size.contains(cell) || map.origin(cell) == Origin::outside) continue;
+      const double weight =
+          (dc == 1 ? u - col : 1 - (u - col)) * (dr == 1 ? v - row : 1 - (v - row));
+      sum += weight * static_cast<double>(map.heightMm(cell));
+      weights += weight;
+    }
+  }
+  return weights > 0 ? sum / weights : static_cast<double>(map.heightMm(nearest(map, p)));
+}
+
+double halfRange(const DepthMap& map, Cell at) {
+  float low = map.heightMm(at);
+  float high = low;
+  for (int dr = -1; dr <= 1; ++dr) {
+    for (int dc = -1; dc <= 1; ++dc) {
+      const Cell cell{.col = at.col + dc, .row = at.row + dr};
+      if (!map.frame.size.contains(cell) || map.origin(cell) == Origin::outside) continue;
+      low = std::min(low, map.heightMm(cell));
+      high = std::max(high, map.heightMm(cell));
+    }
+  }
+  return 0.5 * static_cast<double>(high - low);
+}
+
+using Function = std::function<double(const std::vector<ViewMm>&)>;
+
+double angleDeg(const std::vector<ViewMm>& p) {
+  const ViewMm a = p[0] - p[1];
+  const ViewMm b = p[2] - p[1];
+  const double lengths = norm(a) * norm(b);
+  if (!(lengths > 0)) throw ArgumentError("An angle needs three different points.");
+  return std::acos(std::clamp(dot(a, b) / lengths, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+/// f and the sum of what each coordinate's own uncertainty does to it.
+Quantity propagated(std::string_view title, std::string_view unit, const Function& f,
+                    const std::vector<SurfacePoint>& points, double spacing_mm) {
+  std::vector<ViewMm> at;
+  for (const SurfacePoint& p : points) at.push_back(p.at);
+  const double value = f(at);
+  double uncertainty = 0;
+  const auto add = [&](double& coordinate, double by) {
+    const double before = coordinate;
+    double most = 0;
+    for (const double sign : {-1.0, 1.0}) {
+      coordinate = before + sign * by;
+      most = std::max(most, std::abs(f(at) - value));
+    }
+    coordinate = before;
+    uncertainty += most;
+  };
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    add(at[i].x, 0.5 * spacing_mm);
+    add(at[i].y, 0.5 * spacing_mm);
+    add(at[i].z, points[i].height_uncertainty_mm);
+  }
+  return {.title = title, .value = value, .uncertainty = uncertainty, .unit = unit};
+}
+
+double notMeasured(const std::vector<SurfacePoint>& points) {
+  const auto count = std::count_if(points.begin(), points.end(), [](const SurfacePoint& p) {
+    return p.origin != Origin::measured;
+  });
+  return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
+}
+
+void readProfile(const DepthMap& map, const Measurement& m, Reading& reading) {
+  const std::vector<ProfileRow> rows = profile(map, m.places);
+  if (rows.size() < 2) throw ArgumentError("The profile's line is not on the object.");
+  std::vector<SurfacePoint> points;
+  double low = rows.front().point.at.z;
+  double high = low;
+  double surface = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    points.push_back(rows[i].point);
+    low = std::min(low, rows[i].point.at.z);
+    high = std::max(high, rows[i].point.at.z);
+    if (i > 0) surface += norm(rows[i].point.at - rows[i - 1].point.at);
+  }
+  double lowest_off = 0;
+  double highest_off = 0;
+  for (const SurfacePoint& p : points) {
+    if (p.at.z == low) lowest_off = p.height_uncertainty_mm;
+    if (p.at.z == high) highest_off = p.height_uncertainty_mm;
+  }
+  const double s = map.frame.spacing_mm;
+  reading.quantities = {
+      {.title = "length", .value = rows.back().along_mm, .uncertainty = s, .unit = "mm"},
+      {.title = "height range",
+       .value = high - low,
+       .uncertainty = lowest_off + highest_off,
+       .unit = "mm"},
+      {.title = "along the surface", .value = surface, .uncertainty = s, .unit = "mm"}};
+  reading.not_measured = notMeasured(points);
+}
+
+void readArea(const DepthMap& map, const Measurement& m, Reading& reading) {
+  const Piece piece = pieceOf(map, m.places, m.plane_mm);
+  reading.quantities = {{.title = "area in the view",
+                         .value = piece.area_mm2,
+                         .uncertainty = piece.area_off_mm2,
+                         .unit = "mm\u00b2"},
+                        {.title = "volume above the plane",
+                         .value = piece.volume_mm3,
+                         .uncertainty = piece.volume_off_mm3,
+                         .unit = "mm\u00b3"},
+                        {.title = "area of the surface",
+                         .value = piece.surface_mm2,
+                         .uncertainty = piece.surface_off_mm2,
+                         .unit = "mm\u00b2"}};
+  reading.not_measured = piece.not_measured;
+}
+
+}  // namespace
+
+std::optional<MeasureKind> measureKind(std::string_view name) {
+  const auto* const found = std::find(kMeasureKindNames.begin(), kMeasureKindNames.end(), name);
+  if (found == kMeasureKindNames.end()) return std::nullopt;
+  return static_cast<MeasureKind>(found - kMeasureKindNames.begin());
+}
+
+int placesNeeded(MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::point:
+      return 1;
+    case MeasureKind::distance:
+    case MeasureKind::depth:
+    case MeasureKind::profile:
+      return 2;
+    case MeasureKind::angle:
+    case MeasureKind::area:
+      return 3;
+  }
+  return 1;
+}
+
+bool takesMore(MeasureKind kind) {
+  return kind == MeasureKind::profile || kind == MeasureKind::area;
+}
+
+std::optional<SurfacePoint> surfacePoint(const DepthMap& map, PlaceMm place) {
+  if (!std::isfinite(place.x) || !std::isfinite(place.y)) return std::nullopt;
+  const double right = map.leftMm() + map.widthMm();
+  const double top = map.bottomMm() + map.heightExtentMm();
+  if (place.x < map.leftMm() || place.y < map.bottomMm() || place.x > right || place.y > top) {
+    return std::nullopt;
+  }
+  Cell cell = nearest(map, place);
+  cell.col = std::clamp(cell.col, 0, map.frame.size.cols - 1);
+  cell.row = std::clamp(cell.row, 0, map.frame.size.rows - 1);
+  if (map.origin(cell) == Origin::outside) return std::nullopt;
+  return SurfacePoint{.at = {place.x, place.y, heightAt(map, place)},
+                      .height_uncertainty_mm = halfRange(map, cell),
+                      .origin = map.origin(cell)};
+}
+
+Reading read(const DepthMap& map, const Measurement& m) {
+  if (static_cast<int>(m.places.size()) < placesNeeded(m.kind)) {
+    throw ArgumentError("A measurement of kind " + std::string(name(m.kind)) + " needs " +
+                        std::to_string(placesNeeded(m.kind)) + " places.");
+  }
+  Reading reading;
+  for (const PlaceMm& place : m.places) {
+    const auto point = surfacePoint(map, place);
+    // A piece's corners and a profile's ends may lie beside the object.
+    if (!point && !takesMore(m.kind)) {
+      throw ArgumentError("There is no surface at x " + std::to_string(place.x) + ", y " +
+                          std::to_string(place.y) + " mm. Choose a place on the object.");
+    }
+    reading.points.push_back(point.value_or(SurfacePoint{.at = {place.x, place.y, m.plane_mm}}));
+  }
+  reading.not_measured = notMeasured(reading.points);
+  const double s = map.frame.spacing_mm;
+  const auto distance = [](const std::vector<ViewMm>& p) { return norm(p[1] - p[0]); };
+  const auto depth = [](const std::vector<ViewMm>& p) { return p[1].z - p[0].z; };
+  switch (m.kind) {
+    case MeasureKind::point:
+      reading.quantities = {{.title = "height",
+                             .value = reading.points[0].at.z,
+                             .uncertainty = reading.points[0].height_uncertainty_mm,
+                             .unit = "mm"}};
+      break;
+    case MeasureKind::distance:
+      reading.quantities = {propagated("distance", "mm", distance, reading.points, s),
+                            propagated("depth difference", "mm", depth, reading.points, s)};
+      break;
+    case MeasureKind::depth:
+      reading.quantities = {propagated("depth difference", "mm", depth, reading.points, s),
+                            propagated("distance", "mm", distance, reading.points, s)};
+      break;
+    case MeasureKind::angle:
+      reading.quantities = {propagated("angle", "\u00b0", angleDeg, reading.points, s)};
+      break;
+    case MeasureKind::profile:
+      readProfile(map, m, reading);
+      break;
+    case MeasureKind::area:
+      readArea(map, m, reading);
+      break;
+  }
+  return reading;
+}
+
+std::vector<ProfileRow> profile(const DepthMap& map, const std::vector<PlaceMm>& places) {
+  if (places.size() < 2) throw ArgumentError("A profile needs at least two places.");
+  std::vector<ProfileRow> rows;
+  double before = 0;
+  const double s = map.frame.spacing_mm;
+  for (std::size_t leg = 0; leg + 1 < places.size(); ++leg) {
+    const PlaceMm a = places[leg];
+    const PlaceMm b = places[leg + 1];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const int steps = std::max(1, static_cast<int>(std::ceil(length / s - 1e-9)));
+    for (int i = leg == 0 ? 0 : 1; i <= steps; ++i) {
+      const double t = static_cast<double>(i) / steps;
+      const PlaceMm place{.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)};
+      const auto point = surfacePoint(map, place);
+      if (point) rows.push_back({.along_mm = before + t * length, .point = *point});
+    }
+    before += length;
+  }
+  return rows;
+}
+
+}  // namespace relievo

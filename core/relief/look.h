@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace relievo {
+
+struct LightOptions {
+  double azimuth_deg =
+      315;  ///< From where the key light shines: 0 = up, clockwise (315 = upper left).
+  double elevation_deg = 45;  ///< Above the base plane.
+  friend bool operator==(const LightOptions&, const LightOptions&) = default;
+};
+
+/// What a relief is painted with.
+enum class ReliefKind {
+  lit,              ///< Matt stone under lamps: the ordinary picture.
+  height,           ///< Height as colour, lit.
+  hillshade,        ///< Brightness under the key light alone (Horn 1981).
+  multi_hillshade,  ///< Four lights weighted by aspect (Mark 1992).
+  slope,            ///< Steepness, degrees.
+  local_relief,     ///< Height above the smoothed surface, mm.
+  sky_view,         ///< Sky-view factor, 0 .. 1 (Zaksek, Ostir, Kokalj 2011).
+  openness,         ///< Positive openness, degrees (Yokoyama, Shirasawa, Pike 2002).
+};
+inline constexpr std::array<std::string_view, 8> kReliefKindNames{
+    "lit", "height", "hillshade", "multi", "slope", "local", "skyview", "openness"};
+inline constexpr std::string_view name(ReliefKind kind) noexcept {
+  return kReliefKindNames[static_cast<std::size_t>(kind)];
+}
+std::optional<ReliefKind> reliefKind(std::string_view name);
+
+enum class ColourMap { grey, viridis, cividis };
+inline constexpr std::array<std::string_view, 3> kColourMapNames{"grey", "viridis", "cividis"};
+inline constexpr std::string_view name(ColourMap map) noexcept {
+  return kColourMapNames[static_cast<std::size_t>(map)];
+}
+std::optional<ColourMap> colourMap(std::string_view name);
+
+/// How a relief is painted; the same record for screen, figure and file.
+struct ReliefLook {
+  ReliefKind kind = ReliefKind::lit;
+  ColourMap colours = ColourMap::viridis;  ///< Not of `lit` and the hillshades, which are grey.
+  LightOptions light = {};
+  double radius_mm = 0;  ///< Of local relief, sky view and openness; 0: 10 samples.
+  /// Values at the colours' ends; nothing: from the data.
+  std::optional<std::array<double, 2>> range = std::nullopt;
+  friend bool operator==(const ReliefLook&, const ReliefLook&) = default;
+};
+
+enum class StereoMode { off, anaglyph };
+struct StereoOptions {
+  StereoMode mode = StereoMode::off;
+  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, 0.5 .. 10.
+  std::optional<double> zero_plane_mm =
+      std::nullopt;  ///< View z of zero parallax; nothing: mid height.
+  friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
+};
+
+}  // namespace relievo

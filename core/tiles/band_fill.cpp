@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/band_fill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/depth/mask.h"
+#include "core/depth/push_pull.h"
+#include "core/depth/see_through.h"
+#include "core/tiles/lowest_values.h"
+#include "core/tiles/threads.h"
+#include "core/tiles/tile_layout.h"
+
+namespace relievo {
+namespace {
+
+// Push-pull layers from this one on are kept whole (a 64th of the cells); the finer ones are made
+// anew for each band. A band must begin at a multiple of 2^kPull and needs as many rows around.
+constexpr int kPull = 3;
+constexpr int kPullRows = 1 << kPull;
+
+bool isMeasured(float depth) {
+  return !std::isnan(depth);
+}
+
+/// Layers 0 ... kPull of a band, pulled only.
+std::vector<PushPullLayer> pulledLayers(const std::vector<float>& depths, GridSize size) {
+  std::vector<PushPullLayer> layers(1);
+  layers[0] = {.size = size, .values = depths, .weights = std::vector<float>(depths.size())};
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const bool known = isMeasured(depths[i]);
+    layers[0].weights[i] = known ? 1.0F : 0.0F;
+    if (!known) layers[0].values[i] = 0;
+  }
+  while (static_cast<int>(layers.size()) <= kPull) layers.push_back(pulled(layers.back()));
+  return layers;
+}
+
+PushPullLayer rowsOfLayer(const PushPullLayer& layer, int first, int rows) {
+  const auto start = static_cast<std::ptrdiff_t>(layer.size.index({.col = 0, .row = first}));
+  const auto end = start + static_cast<std::ptrdiff_t>(rows) * layer.size.cols;
+  return {.size = {.cols = layer.size.cols, .rows = rows},
+          .values = {layer.values.begin() + start, layer.values.begin() + end},
+          .weights = {layer.weights.begin() + start, layer.weights.begin() + end}};
+}
+
+}  // namespace
+
+struct BandFill::CoarseLayer {
+  PushPullLayer layer;
+};
+
+BandFill::Band BandFill::bandOf(int number, int margin, int align) const noexcept {
+  Band band;
+  band.first = number * kTileSide;
+  band.rows = std::min(kTileSide, frame_.size.rows - band.first);
+  const int from = std::max(0, band.first - margin);
+  band.from = from / align * align;
+  const int to = band.first + band.rows + margin;
+  band.to = std::min(frame_.size.rows, (to + align - 1) / align * align);
+  return band;
+}
+
+int BandFill::bandCount() const noexcept {
+  return TileLayout{frame_.size}.down();
+}
+
+std::vector<float> BandFill::read(const RowsOf& rows, const Band& band) const {
+  const int count = band.to - band.from;
+  std::vector<float> values(static_cast<std::size_t>(count) *
+                            static_cast<std::size_t>(frame_.size.cols));
+  rows(band.from, count, values.data());
+  return values;
+}
+
+BandFill::BandFill(RowsOf depths, const GridFrame& frame, const FillSource& source,
+                   const HoleChoice& choice, const BandOptions& options, const Task& task)
+    : depths_(std::move(depths)),
+      frame_(frame),
+      source_(source),
+      choice_(choice),
+      options_(options),
+      threads_(threadCount(options.threads)),
+      measured_(frame.size),
+      empty_(frame.size) {
+  markMeasured(task);
+  int radius = source_.has_sampling_gaps ? gapRadius() : 0;
+  if (radius > 0) {
+    dropSeenThroughBands(radius + 1, task);
+    radius = gapRadius();
+  }
+  pullAll(task);
+  findHoles(radius, task);
+}
+
+void BandFill::markMeasured(const Task& task) {
+  std::vector<std::vector<float>> bands(static_cast<std::size_t>(threads_));
+  inOrder(
+      bandCount(), threads_,
+      [&](int place, int number) {
+        task.check();
+        bands[static_cast<std::size_t>(place)] = read(depths_, bandOf(number, 0, 1));
+      },
+      [&](int place, int number) {
+        task.report("Looking for gaps", static_cast<double>(number) / bandCount());
+        const float* depth = bands[static_cast<std::size_t>(place)].data();
+        const Band band = bandOf(number, 0, 1);
+        for (int row = band.first; row < band.first + band.rows; ++row) {
+          for (int col = 0; col < frame_.size.cols; ++col) {
+            if (isMeasured(*depth++)) measured_.set({.col = col, .row = row});
+          }
+        }
+      });
+}
+
+int BandFill::gapRadius() const {
+  const int side = occupancySide(measured_.count(), frame_.size);
+  if (side == 0) return 0;
+  const auto cols = static_cast<std::size_t>(frame_.size.cols);
+  std::vector<double> shares;
+  for (int row0 = 0; row0 + side <= frame_.size.rows; row0 += side) {
+    const Mask mask = measured_.bytes(row0, side);
+    for (std::size_t col0 = 0; col0 + static_cast<std::size_t>(side) <= cols;
+         col0 += static_cast<std::size_t>(side)) {
+      int ones = 0;
+      for (std::size_t row = 0; row < static_cast<std::size_t>(side); ++row) {
+        for (int col = 0; col < side; ++col) {
+          ones += mask[row * cols + col0 + static_cast<std::size_t>(col)];
+        }
+      }
+      if (ones > 0) shares.push_back(static_cast<double>(ones) / (side * side));
+    }
+  }
+  return samplingGapRadius(std::move(shares), frame_.size);
+}
+
+void BandFill::dropSeenThroughBands(int radius, const Task& task) {
+  kept_ = std::make_unique<RowStore>(frame_.size, options_.memory_bytes / 2, options_.spill_folder);
+  std::vector<std::vector<float>> bands(static_cast<std::size_t>(threads_));
+  inOrder(
+      bandCount(), threads_,
+      [&](int place, int number) {
+        task.check();
+        // It looks twice, the second time at what the first has left.
+        const Band band = bandOf(number, 2 * radius, 1);
+        FrontDepths depths = read(depths_, band);
+        GridFrame frame = frame_;
+        frame.size.rows = band.to - band.from;
+        dropSeenThrough(depths, frame, radius, task);
+        bands[static_cast<std::size_t>(place)] = std::move(depths);
+      },
+      [&](int place, int number) {
+        task.report("Looking through gaps", static_cast<double>(number) / bandCount());
+        const Band band = bandOf(number, 2 * radius, 1);
+        const float* depth = bands[static_cast<std::size_t>(place)].data() +
+                             frame_.size.index({.col = 0, .row = band.first - band.from});
+        kept_->write(band.first, band.rows, depth);
+        for (int row = band.first; row < band.first + band.rows; ++row) {
+          for (int col = 0; col < frame_.size.cols; ++col) {
+            const Cell cell{.col = col, .row = row};
+            if (isMeasured(*depth++) || !measured_.at(cell)) continue;
+            measured_.clear(cell);
+            ++seen_through_;
+          }
+        }
+      });
+  depths_ = [this](int first, int rows, float* out) { kept_->read(first, rows, out); };
+}
+
+void BandFill::pullAll(const Task& task) {
+  LowestValues lowest(measured_.count(), source_.base_quantile);
+  const GridSize size = frame_.size;
+  const int coarse_cols = (size.cols + kPullRows - 1) / kPullRows;
+  const int coarse_rows = (size.rows + kPullRows - 1) / kPullRows;
+  PushPullLayer coarse{
+      .size = {.cols = coarse_cols, .rows = coarse_rows}, .values = {}, .weights = {}};
+  struct Pulled {
+    std::vector<float> depths;
+    PushPullLayer top;
+  };
+  std::vector<Pulled> bands(static_cast<std::size_t>(threads_));
+  inOrder(
+      bandCount(), threads_,
+      [&](int place, int number) {
+        task.check();
+        const Band band = bandOf(number, 0, 1);
+        Pulled& made = bands[static_cast<std::size_t>(place)];
+        made.depths = read(depths_, band);
+        made.top =
+            std::move(pulledLayers(made.depths, {.cols = size.cols, .rows = band.rows}).back());
+      },
+      [&](int place, int number) {
+        task.report("Filling gaps", 0.5 * number / bandCount());
+        const Pulled& made = bands[static_cast<std::size_t>(place)];
+        lowest.add(made.depths);
+        coarse.values.insert(coarse.values.end(), made.top.values.begin(), made.top.values.end());
+        coarse.weights.insert(coarse.weights.end(), made.top.weights.begin(),
+                              made.top.weights.end());
+      });
+  base_z_mm_ = lowest.quantile();
+  std::vector<PushPullLayer> layers;
+  layers.push_back(std::move(coarse));
+  while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
+    task.check();
+    layers.push_back(pulled(layers.back()));
+  }
+  for (std::size_t l = layers.size() - 1; l-- > 0;) {
+    task.check();
+    pushInto(layers[l], layers[l + 1]);
+  }
+  coarse_ = std::make_shared<CoarseLayer>(CoarseLayer{std::move(layers[0])});
+}
+
+void BandFill::findHoles(int radius, const Task& task) {
+  std::vector<Mask> bands(static_cast<std::size_t>(threads_));
+  inOrder(
+      bandCount(), threads_,
+      [&](int place, int number) {
+        task.check();
+        const Band band = bandOf(number, 2 * radius, 1);
+        const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
+        bands[static_cast<std::size_t>(place)] =
+            closed(measured_.bytes(band.from, size.rows), size, radius);
+      },
+      [&](int place, int number) {
+        const Band band = bandOf(number, 2 * radius, 1);
+        const Mask& mask = bands[static_cast<std::size_t>(place)];
+        for (int row = band.first; row < band.first + band.rows; ++row) {
+          empty_.addRow(&mask[frame_.size.index({.col = 0, .row = row - band.from})]);
+        }
+        if (empty_.bytes() > options_.memory_bytes) {
+          throw ArgumentError(
+              "The map's empty areas are so ragged that they alone take more than the memory "
+              "allowed. Nothing was made. Allow more memory, or choose larger cells.",
+              "E102");
+        }
+      });
+  empty_.join();
+  enclosed_ = empty_.enclosed(frame_);
+  for (Hole& hole : enclosed_.holes) {
+    hole.filled = choice_.rule == HoleRule::interpolate && hole.area_mm2 <= choice_.max_area_mm2;
+  }
+}
+
+void BandFill::placeOrigins(const Band& band, std::vector<Origin>& origins) const {
+  for (int row = band.first; row < band.first + band.rows; ++row) {
+    const std::size_t start = frame_.size.index({.col = 0, .row = row - band.first});
+    for (const EmptyRuns::Run& run : empty_.row(row)) {
+      const std::ptrdiff_t hole = enclosed_.hole_of_area[run.area];
+      const Origin origin =
+          hole < 0 ? Origin::outside
+                   : originOfHole(enclosed_.holes[static_cast<std::size_t>(hole)], choice_.rule);
+      std::fill(origins.begin() + static_cast<std::ptrdiff_t>(start) + run.first_col,
+                origins.begin() + static_cast<std::ptrdiff_t>(start) + run.end_col, origin);
+    }
+    for (int col = 0; col < frame_.size.cols; ++col) {
+      if (measured_.at({.col = col, .row = row})) {
+        origins[start + static_cast<std::size_t>(col)] = Origin::measured;
+      }
+    }
+  }
+}
+
+void BandFill::fillBand(const Band& band, std::vector<float>& heights,
+                        std::vector<Origin>& origins) const {
+  const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
+  std::vector<PushPullLayer> layers = pulledLayers(read(depths_, band), size);
+  layers.back() = rowsOfLayer(coarse_->layer, band.from / kPullRows, layers.back().size.rows);
+  for (std::size_t l = layers.size() - 1; l-- > 0;) pushInto(layers[l], layers[l + 1]);
+
+  const std::size_t count =
+      static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(size.cols);
+  origins.assign(count, Origin::interpolated);
+  placeOrigins(band, origins);
+  heights.assign(count, 0.0F);
+  const float* filled = &layers[0].values[size.index({.col = 0, .row = band.first - band.from})];
+  for (std::size_t i = 0; i < count; ++i) {
+    if (origins[i] == Origin::measured || origins[i] == Origin::interpolated) {
+      heights[i] = static_cast<float>(static_cast<double>(filled[i]) - base_z_mm_);
+    }
+  }
+}
+
+void BandFill::write(const TakeRow& take, const Task& task) const {
+  struct Filled {
+    std::vector<float> heights;
+    std::vector<Origin> origins;
+  };
+  std::vector<Filled> bands(static_cast<std::size_t>(threads_));
+  inOrder(
+      bandCount(), threads_,
+      [&](int place, int number) {
+        task.check();
+        Filled& filled = bands[static_cast<std::size_t>(place)];
+        fillBand(bandOf(number, kPullRows, kPullRows), filled.heights, filled.origins);
+      },
+      [&](int place, int number) {
+        task.report("Writing levels", static_cast<double>(number) / bandCount());
+        const Filled& filled = bands[static_cast<std::size_t>(place)];
+        const Band band = bandOf(number, 0, 1);
+        for (int row = 0; row < band.rows; ++row) {
+          if (row % 16 == 0) task.check();
+          const std::size_t start = frame_.size.index({.col = 0, .row = row});
+          take(band.first + row, &filled.heights[start], &filled.origins[start]);
+        }
+      });
+}
+
+}  // namespace relievo

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/level_files.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <system_error>
+
+#include "core/io/number_text.h"
+#include "core/tiles/tile_raster.h"
+
+namespace relievo {
+
+std::filesystem::path levelFile(const std::filesystem::path& finest, int level) {
+  if (level == 0) return finest;
+  std::filesystem::path stem = finest.stem();
+  if (stem.extension() == ".L0") stem = stem.stem();
+  return finest.parent_path() /
+         (stem.string() + ".L" + std::to_string(level) + finest.extension().string());
+}
+
+std::filesystem::path originFile(const std::filesystem::path& level) {
+  std::filesystem::path file = level;
+  return file.replace_extension(".origin.tif");
+}
+
+struct LevelFiles::Level {
+  Level(const std::filesystem::path& file, const GridFrame& frame, int number)
+      : heights(file, frame, {.cell_bytes = 4, .bands = 1, .nan_is_nodata = number == 0}),
+        origins(originFile(file), frame, {.cell_bytes = 1, .bands = 2}),
+        line(static_cast<std::size_t>(frame.size.cols)),
+        codes(line.size()),
+        shares(line.size()) {
+    if (number > 0) mask.emplace(frame.size);
+  }
+
+  TileRasterWriter heights, origins;
+  std::optional<BitRows> mask;
+  std::vector<float> line;
+  std::vector<std::uint8_t> codes, shares;
+};
+
+LevelFiles::LevelFiles(const std::filesystem::path& finest, const GridFrame& map,
+                       const PyramidOptions& options)
+    : finest_(finest),
+      options_(options),
+      frames_(PyramidRows::frames(map, options)),
+      pyramid_(map, options, [this](const LevelRow& row) { take(row); }) {
+  for (int level = 0; level < static_cast<int>(frames_.size()); ++level) {
+    levels_.push_back(std::make_unique<Level>(levelFile(finest, level),
+                                              frames_[static_cast<std::size_t>(level)], level));
+  }
+}
+
+LevelFiles::~LevelFiles() = default;
+
+void LevelFiles::add(const float* heights_mm, const Origin* origins) {
+  pyramid_.add(heights_mm, origins);
+}
+
+void LevelFiles::take(const LevelRow& row) {
+  Level& level = *levels_[static_cast<std::size_t>(row.level.value)];
+  for (std::size_t col = 0; col < level.line.size(); ++col) {
+    const bool outside = row.origins[col] == Origin::outside;
+    level.codes[col] = static_cast<std::uint8_t>(row.origins[col]);
+    level.shares[col] = static_cast<std::uint8_t>(std::lround(255 * row.measured[col]));
+    level.line[col] = row.heights_mm[col];
+    if (level.mask) {
+      if (!outside) level.mask->set({.col = static_cast<int>(col), .row = row.row});
+    } else {
+      if (outside) level.line[col] = std::numeric_limits<float>::quiet_NaN();
+      // One multiplication per cell: it need not withstand an attack.
+      content_ =
+          (content_ ^ std::bit_cast<std::uint32_t>(row.heights_mm[col])) * 0x9e3779b97f4a7c15ULL;
+      content_ ^= content_ >> 29U;
+    }
+  }
+  const std::array<const void*, 1> heights{level.line.data()};
+  level.heights.add(heights);
+  const std::array<const void*, 2> origins{level.codes.data(), level.shares.data()};
+  level.origins.add(origins);
+}
+
+void LevelFiles::finish(const ViewFromFile& view_from_file) {
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    const GridFrame& frame = frames_[l];
+    RasterFacts facts{{"RELIEVO_UNIT", "mm"},
+                      {"RELIEVO_VERSION", RELIEVO_VERSION_STRING},
+                      {"RELIEVO_VIEW_FROM_FILE", roundTripText(view_from_file.m)},
+                      {"RELIEVO_FRAME", roundTripText(std::array{frame.first_x_mm, frame.first_y_mm,
+                                                                 frame.spacing_mm})},
+                      {"RELIEVO_LEVEL", std::to_string(l)},
+                      {"RELIEVO_LEVELS", std::to_string(levels_.size())},
+                      {"RELIEVO_FACTOR", roundTripText(std::array{options_.factor})},
+                      {"RELIEVO_MAP_CONTENT", std::to_string(content_)}};
+    Level& level = *levels_[l];
+    level.heights.close(facts, level.mask ? &*level.mask : nullptr);
+    facts["RELIEVO_CONTENT"] = "origins";
+    level.origins.close(facts, nullptr);
+  }
+  // The finest last: it is the one that says how many levels there are.
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    levels_[l]->origins.keep();
+    levels_[l]->heights.keep();
+  }
+  std::error_code ignored;
+  for (int l = static_cast<int>(levels_.size());; ++l) {
+    const std::filesystem::path stale = levelFile(finest_, l);
+    if (!std::filesystem::remove(stale, ignored)) break;
+    std::filesystem::remove(originFile(stale), ignored);
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "core/pyramid/pyramid.h"
+#include "core/tiles/pyramid_rows.h"
+
+namespace relievo {
+
+/// File of a level beside the finest: MAP.tif -> MAP.L1.tif, and MAP.L0.tif -> MAP.L1.tif.
+std::filesystem::path levelFile(const std::filesystem::path& finest, int level);
+/// MAP.tif -> MAP.origin.tif.
+std::filesystem::path originFile(const std::filesystem::path& level);
+
+/// A tiled map on disk: per level one GeoTIFF of raw 256 x 256 float tiles and, beside it, one of
+/// origins (band 1) and of the share of measured cells in 1/255 (band 2). Each file says where its
+/// own nodes lie (cell centres at first + i M^l dx, exactly), so that every program that reads
+/// GeoTIFF sees every level in its place; overviews inside one file could not, because a GeoTIFF's
+/// overviews cover the same rectangle as the whole, which shifts the nodes. Cells outside the
+/// object are NaN in the finest level and masked in the others. docs/adr/0037.
+class LevelFiles {
+ public:
+  /// @param finest  file of level 0 @throw WriteError, ArgumentError
+  LevelFiles(const std::filesystem::path& finest, const GridFrame& map,
+             const PyramidOptions& options);
+  ~LevelFiles();
+  LevelFiles(const LevelFiles&) = delete;
+  LevelFiles& operator=(const LevelFiles&) = delete;
+
+  /// The map's next row, lowest first, as in DepthMap. [worker] @throw WriteError
+  void add(const float* heights_mm, const Origin* origins);
+
+  /// After the last row: all files get their names; before, nothing is changed on disk but files
+  /// with temporary names. Levels of an older map that go further are removed.
+  /// @throw WriteError
+  void finish(const ViewFromFile& view_from_file);
+
+  const std::vector<GridFrame>& frames() const noexcept { return frames_; }
+
+ private:
+  struct Level;
+  void take(const LevelRow& row);
+
+  std::filesystem::path finest_;
+  PyramidOptions options_;
+  std::vector<GridFrame> frames_;
+  std::vector<std::unique_ptr<Level>> levels_;
+  PyramidRows pyramid_;
+  std::uint64_t content_ = 0;  ///< Of level 0; tells which levels belong together.
+};
+
+}  // namespace relievo

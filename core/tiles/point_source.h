@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "core/base/task.h"
+#include "core/base/transform.h"
+#include "core/cloud/scan.h"
+
+namespace relievo {
+
+/// Points that can be had block by block, by their number, on any thread: PointStream of core/io,
+/// or points in memory.
+struct PointSource {
+  std::uint64_t count = 0;
+  /// Fills the block with the points from `first` on; coordinates that are not finite mark points
+  /// that do not count. @return  points given
+  std::function<std::size_t(std::uint64_t first, std::span<FilePoint> block)> read;
+};
+
+/// Calls take(block) for all points of first ... end - 1 in blocks of at most 16384.
+void forEachBlock(const PointSource& source, std::uint64_t first, std::uint64_t end,
+                  const std::function<void(std::span<const FilePoint>)>& take);
+
+struct SourceBounds {
+  std::uint64_t finite_points = 0;
+  ViewMm min, max;  ///< After view_from_file; meaningful if there are finite points.
+  FileBounds file;  ///< In file coordinates, likewise.
+};
+
+/// Reads everything once. @param threads  0: as many as there are cores, at most 4 [worker]
+/// @throw Cancelled, FileError
+SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
+                      const Task& task);
+
+}  // namespace relievo

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "core/base/grid.h"
+#include "core/base/task.h"
+#include "core/depth/depth_request.h"
+#include "core/depth/point_rule.h"
+#include "core/tiles/point_source.h"
+#include "core/tiles/tile_store.h"
+
+namespace relievo {
+
+/// Can the rule be computed from CellState alone?
+bool isMergeable(PointRule rule);
+
+/// Reads all points and puts each into the tile of its nearest sample; those outside the grid are
+/// left out. [worker]
+/// @throw Cancelled, FileError, WriteError
+void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
+                      const GridFrame& frame, TileStore& store, const Task& task);
+
+/// proposeRule of core/depth on up to 16 tiles spread over the map. Only if the store does not
+/// merge. [worker] @throw Cancelled
+RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task);
+
+/// Front depths of the whole map by a rule, tile row after tile row, lowest first: core/depth's own
+/// scatterPoints on each tile with `kRuleReach` cells around it; for a store that merges, from the
+/// states. [worker]
+/// @param take  gets rows first ... first + rows - 1 of the map, NaN where there is no point
+/// @throw Cancelled, WriteError
+using TakeDepths = std::function<void(int first_row, int rows, const float* depths)>;
+void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
+                const Task& task);
+
+/// Cells; no rule looks farther.
+inline constexpr int kRuleReach = 8;
+
+}  // namespace relievo

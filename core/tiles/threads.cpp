@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/threads.h"
+
+#include <algorithm>
+#include <thread>
+
+#include "core/base/bands.h"
+
+namespace relievo {
+
+int threadCount(int wanted) {
+  constexpr int kMost = 4;  // Disk and memory are the limit.
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  return wanted > 0 ? wanted : std::clamp(cores, 1, kMost);
+}
+
+void inParts(std::uint64_t first, std::uint64_t end, int threads,
+             const std::function<void(int part, std::uint64_t first, std::uint64_t end)>& work) {
+  const auto parts = static_cast<std::uint64_t>(std::max(threads, 1));
+  const auto edge = [&](int i) {
+    return first + (end - first) * static_cast<std::uint64_t>(i) / parts;
+  };
+  inBands(threads, threads, [&](int begin, int last) {
+    for (int part = begin; part < last; ++part) {
+      if (edge(part) < edge(part + 1)) work(part, edge(part), edge(part + 1));
+    }
+  });
+}
+
+void inOrder(int count, int threads, const std::function<void(int place, int piece)>& make,
+             const std::function<void(int place, int piece)>& take) {
+  for (int first = 0; first < count; first += threads) {
+    const int together = std::min(threads, count - first);
+    inBands(together, together, [&](int begin, int end) {
+      for (int place = begin; place < end; ++place) make(place, first + place);
+    });
+    for (int place = 0; place < together; ++place) take(place, first + place);
+  }
+}
+
+}  // namespace relievo

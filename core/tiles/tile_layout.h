@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/base/grid.h"
+
+namespace relievo {
+
+inline constexpr int kTileSide = 256;  ///< Cells; 256 KiB of heights.
+
+/// A grid cut into tiles of 256 x 256 cells, counted row by row from cell (0, 0); those at the far
+/// borders may be smaller.
+struct TileLayout {
+  GridSize map;
+
+  int across() const noexcept { return (map.cols + kTileSide - 1) / kTileSide; }
+  int down() const noexcept { return (map.rows + kTileSide - 1) / kTileSide; }
+  int count() const noexcept { return across() * down(); }
+
+  Cell firstCell(int tile) const noexcept {
+    return {.col = tile % across() * kTileSide, .row = tile / across() * kTileSide};
+  }
+  GridSize sizeOf(int tile) const noexcept {
+    const Cell first = firstCell(tile);
+    return {.cols = std::min(kTileSide, map.cols - first.col),
+            .rows = std::min(kTileSide, map.rows - first.row)};
+  }
+};
+
+/// A point in its tile: the cell (row by row in sizeOf(tile)), its place from the cell's sample in
+/// cells, each in [-0.5, 0.5], and its view z in mm. Finite, and 0 rather than -0: else the order
+/// of points would show.
+struct CellPoint {
+  float z = 0, du = 0, dv = 0;
+  std::uint16_t cell = 0;
+};
+
+/// And which tile that is.
+struct TilePoint {
+  std::uint32_t tile = 0;
+  CellPoint point;
+};
+
+}  // namespace relievo

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/tile_raster.h"
+
+#include <cpl_error.h>
+#include <fcntl.h>
+#include <gdal_priv.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <mutex>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/tiles/tile_layout.h"
+
+namespace relievo {
+namespace {
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+/// Collects what GDAL complains about on this thread while it lives, instead of printing it.
+class GdalErrors {
+ public:
+  GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::collect, this); }
+  ~GdalErrors() { CPLPopErrorHandler(); }
+  GdalErrors(const GdalErrors&) = delete;
+  GdalErrors& operator=(const GdalErrors&) = delete;
+  bool any() const noexcept { return !first_.empty(); }
+  const std::string& first() const noexcept { return first_; }
+
+ private:
+  static void collect(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
+    auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
+    if (severity >= CE_Failure && self->first_.empty()) self->first_ = message;
+  }
+  std::string first_;
+};
+
+GDALDriver& geoTiffDriver() {
+  static std::once_flag registered;
+  std::call_once(registered, [] {
+    GDALRegister_GTiff();
+    // By default a twentieth of the machine's memory. Tiles pass through once; none is read again.
+    GDALSetCacheMax64(64LL << 20U);
+  });
+  return *GetGDALDriverManager()->GetDriverByName("GTiff");
+}
+
+Dataset openGeoTiff(const std::filesystem::path& file) {
+  geoTiffDriver();
+  const char* const drivers[] = {"GTiff", nullptr};
+  return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+}
+
+RasterFacts factsOf(GDALDataset& dataset) {
+  RasterFacts facts;
+  char** const metadata = dataset.GetMetadata();
+  for (int i = 0; i < CSLCount(metadata); ++i) {
+    const std::string entry = metadata[i];
+    const std::size_t equals = entry.find('=');
+    if (equals != std::string::npos) facts[entry.substr(0, equals)] = entry.substr(equals + 1);
+  }
+  return facts;
+}
+
+[[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
+  throw WriteError("Cannot write " + file.string() + ": " + reason +
+                   ". Check the folder, its permissions and the free space.");
+}
+
+}  // namespace
+
+struct TileRasterWriter::Impl {
+  std::filesystem::path file, temporary;
+  GridFrame frame;
+  Layout layout;
+  Dataset dataset;
+  std::vector<std::vector<std::byte>> rows;  ///< Per band: the rows of one row of tiles.
+  int next_row = 0;                          ///< From the lowest.
+  bool kept = false;
+
+  GDALDataType type() const { return layout.cell_bytes == 4 ? GDT_Float32 : GDT_Byte; }
+  std::size_t lineBytes() const {
+    return static_cast<std::size_t>(frame.size.cols) * layout.cell_bytes;
+  }
+
+  void create();
+  void writeTiles(int file_tile_row, int lines, const GdalErrors& errors);
+  void writeMask(const BitRows& mask, const GdalErrors& errors);
+};
+
+void TileRasterWriter::Impl::create() {
+  const GdalErrors errors;
+  const char* const options[] = {
+      "TILED=YES",        "BLOCKXSIZE=256", "BLOCKYSIZE=256",    "INTERLEAVE=BAND",
+      "BIGTIFF=IF_SAFER", "COMPRESS=NONE",  "ENDIANNESS=LITTLE", nullptr};
+  const GridSize size = frame.size;
+  dataset.reset(geoTiffDriver().Create(temporary.c_str(), size.cols, size.rows, layout.bands,
+                                       type(), const_cast<char**>(options)));
+  if (!dataset) cannotWrite(file, errors.first());
+  const double s = frame.spacing_mm;
+  std::array<double, 6> transform{frame.first_x_mm - 0.5 * s,         s, 0,
+                                  frame.yMm(size.rows - 1) + 0.5 * s, 0, -s};
+  dataset->SetGeoTransform(transform.data());
+  if (layout.nan_is_nodata) {
+    dataset->GetRasterBand(1)->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
+  }
+  rows.resize(static_cast<std::size_t>(layout.bands));
+  for (auto& band : rows) band.resize(kTileSide * lineBytes());
+}
+
+/// @param lines  of the file's row of tiles that are in `rows`, the rest is beyond the raster
+void TileRasterWriter::Impl::writeTiles(int file_tile_row, int lines, const GdalErrors& errors) {
+  const std::size_t tile_line = kTileSide * layout.cell_bytes;
+  std::vector<std::byte> tile(kTileSide * tile_line);
+  for (int band = 0; band < layout.bands; ++band) {
+    const std::vector<std::byte>& from = rows[static_cast<std::size_t>(band)];
+    for (std::size_t start = 0, x = 0; start < lineBytes(); start += tile_line, ++x) {
+      const std::size_t bytes = std::min(tile_line, lineBytes() - start);
+      std::fill(tile.begin(), tile.end(), std::byte{0});
+      for (std::size_t line = 0; line < static_cast<std::size_t>(lines); ++line) {
+        std::copy_n(from.data() + line * lineBytes() + start, bytes,
+                    tile.data() + line * tile_line);
+      }
+      if (dataset->GetRasterBand(band + 1)->WriteBlock(static_cast<int>(x), file_tile_row,
+                                                       tile.data()) != CE_None ||
+          errors.any()) {
+        cannotWrite(file, errors.first());
+      }
+    }
+  }
+}
+
+void TileRasterWriter::Impl::writeMask(const BitRows& mask, const GdalErrors& errors) {
+  CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
+  const CPLErr made = dataset->CreateMaskBand(GMF_PER_DATASET);
+  CPLSetThreadLocalConfigOption("GDAL_TIFF_INTERNAL_MASK", nullptr);
+  if (made != CE_None) cannotWrite(file, errors.first());
+  GDALRasterBand& band = *dataset->GetRasterBand(1)->GetMaskBand();
+  const GridSize size = frame.size;
+  for (int top = 0; top < size.rows; top += kTileSide) {
+    const int lines = std::min(kTileSide, size.rows - top);
+    // In the file the highest row comes first.
+    std::vector<std::uint8_t> cells = mask.bytes(size.rows - top - lines, lines);
+    for (std::uint8_t& cell : cells) cell = cell != 0 ? 255 : 0;
+    std::uint8_t* highest = cells.data() + size.index({.col = 0, .row = lines - 1});
+    if (band.RasterIO(GF_Write, 0, top, size.cols, lines, highest, size.cols, lines, GDT_Byte, 1,
+                      -static_cast<GSpacing>(size.cols), nullptr) != CE_None) {
+      cannotWrite(file, errors.first());
+    }
+  }
+}
+
+TileRasterWriter::TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame,
+                                   const Layout& layout)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->file = file;
+  impl_->temporary = file.parent_path() /
+                     ("." + file.stem().string() + "." + std::to_string(::getpid()) + ".tmp.tif");
+  impl_->frame = frame;
+  impl_->layout = layout;
+  impl_->create();
+}
+
+TileRasterWriter::~TileRasterWriter() {
+  if (impl_->kept) return;
+  const GdalErrors silent;
+  impl_->dataset.reset();
+  std::error_code ignored;
+  std::filesystem::remove(impl_->temporary, ignored);
+}
+
+void TileRasterWriter::add(std::span<const void* const> bands) {
+  const int file_row = impl_->frame.size.rows - 1 - impl_->next_row;
+  const std::size_t line = static_cast<std::size_t>(file_row % kTileSide) * impl_->lineBytes();
+  for (std::size_t band = 0; band < bands.size(); ++band) {
+    std::memcpy(impl_->rows[band].data() + line, bands[band], impl_->lineBytes());
+  }
+  ++impl_->next_row;
+  if (file_row % kTileSide != 0) return;
+  const GdalErrors errors;
+  const int lines = std::min(kTileSide, impl_->frame.size.rows - file_row);
+  impl_->writeTiles(file_row / kTileSide, lines, errors);
+}
+
+void TileRasterWriter::close(const RasterFacts& facts, const BitRows* mask) {
+  const GdalErrors errors;
+  if (mask != nullptr) impl_->writeMask(*mask, errors);
+  CPLStringList metadata;
+  for (const auto& [name, text] : facts) metadata.SetNameValue(name.c_str(), text.c_str());
+  impl_->dataset->SetMetadata(metadata.List());
+  impl_->dataset.reset();  // Flushes; a full disk shows itself here at the latest.
+  if (errors.any()) cannotWrite(impl_->file, errors.first());
+}
+
+void TileRasterWriter::keep() {
+  std::error_code error;
+  std::filesystem::rename(impl_->temporary, impl_->file, error);
+  if (error) cannotWrite(impl_->file, error.message());
+  impl_->kept = true;
+}
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw FileError("Cannot read " + shownName(file) + " as a tiled map: " + reason +
+                  ". Make the levels again with relievo pyramid --memory.");
+}
+
+void checkLayout(GDALDataset& dataset, const std::filesystem::path& file, std::size_t cell_bytes,
+                 int bands) {
+  if (dataset.GetRasterCount() != bands) refuse(file, "it has another number of bands");
+  const char* const compression = dataset.GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE");
+  const char* const interleave = dataset.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
+  if (compression != nullptr) refuse(file, "it is compressed");
+  if (bands > 1 && (interleave == nullptr || std::strcmp(interleave, "BAND") != 0)) {
+    refuse(file, "its bands are mixed");
+  }
+  GDALRasterBand& band = *dataset.GetRasterBand(1);
+  int width = 0;
+  int height = 0;
+  band.GetBlockSize(&width, &height);
+  if (width != kTileSide || height != kTileSide) refuse(file, "its tiles have another size");
+  if (band.GetRasterDataType() != (cell_bytes == 4 ? GDT_Float32 : GDT_Byte)) {
+    refuse(file, "its cells are of another type");
+  }
+  const std::string head = readHead(file, 2);
+  if (head != "II") refuse(file, "its bytes are in another order");
+}
+
+std::uint64_t tileOffset(GDALDataset& dataset, const std::filesystem::path& file, int band, int x,
+                         int y, std::uint64_t last) {
+  const std::string name = "BLOCK_OFFSET_" + std::to_string(x) + "_" + std::to_string(y);
+  const char* const text = dataset.GetRasterBand(band)->GetMetadataItem(name.c_str(), "TIFF");
+  const std::uint64_t offset = text == nullptr ? 0 : std::strtoull(text, nullptr, 10);
+  if (offset == 0 || offset > last) refuse(file, "a tile is missing");
+  return offset;
+}
+
+}  // namespace
+
+TileRaster::TileRaster(const std::filesystem::path& file, std::size_t cell_bytes, int bands)
+    : file_(file), cell_bytes_(cell_bytes) {
+  const std::uint64_t bytes = checkedFileSize(file);
+  const GdalErrors errors;
+  const Dataset dataset = openGeoTiff(file);
+  if (!dataset) refuse(file, "it is no readable GeoTIFF");
+  checkLayout(*dataset, file, cell_bytes, bands);
+  size_ = {.cols = dataset->GetRasterXSize(), .rows = dataset->GetRasterYSize()};
+  facts_ = factsOf(*dataset);
+  if (bytes < tileBytes()) refuse(file, "a tile is missing");
+  const TileLayout layout{size_};
+  for (int band = 1; band <= bands; ++band) {
+    for (int y = 0; y < layout.down(); ++y) {
+      for (int x = 0; x < layout.across(); ++x) {
+        offsets_.push_back(tileOffset(*dataset, file, band, x, y, bytes - tileBytes()));
+      }
+    }
+  }
+  fd_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  if (fd_ < 0) refuse(file, std::strerror(errno));
+}
+
+TileRaster::~TileRaster() {
+  if (fd_ >= 0) ::close(fd_);
+}
+
+std::size_t TileRaster::tileBytes() const noexcept {
+  return static_cast<std::size_t>(kTileSide) * kTileSide * cell_bytes_;
+}
+
+int TileRaster::tilesAcross() const noexcept {
+  return TileLayout{size_}.across();
+}
+
+void TileRaster::read(int band, int tile, std::span<std::byte> out) const {
+  const auto tiles = static_cast<std::size_t>(TileLayout{size_}.count());
+  std::uint64_t at =
+      offsets_[static_cast<std::size_t>(band) * tiles + static_cast<std::size_t>(tile)];
+  while (!out.empty()) {
+    const ssize_t got = ::pread(fd_, out.data(), out.size(), static_cast<off_t>(at));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) refuse(file_, "it became shorter while it was read, or its disk failed");
+    at += static_cast<std::uint64_t>(got);
+    out = out.subspan(static_cast<std::size_t>(got));
+  }
+}
+
+RasterFacts rasterFacts(const std::filesystem::path& file) {
+  const GdalErrors silent;
+  const Dataset dataset = openGeoTiff(file);
+  return dataset ? factsOf(*dataset) : RasterFacts{};
+}
+
+}  // namespace relievo

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/tile_store.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+#include "core/base/bands.h"
+#include "core/tiles/threads.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kSpillDownTo = 0.75;  // Of the budget: many tiles at once, in long runs.
+
+template <class T>
+std::span<const std::byte> bytesOf(const std::vector<T>& values) {
+  return std::as_bytes(std::span(values));
+}
+
+/// State of one cell in the spill file.
+struct StoredState {
+  CellState state;
+  std::uint16_t cell = 0;
+};
+
+}  // namespace
+
+double sumUnit(std::uint64_t points, double most_mm) {
+  constexpr int kFinest = -30;  // 1 nm / 1000; finer than any float height.
+  const double most = std::max(static_cast<double>(points) * most_mm, 1e-300);
+  // Half a bit of rounding per point needs no more than one bit in all.
+  const int exponent = static_cast<int>(std::ceil(std::log2(most))) - 61;
+  return std::ldexp(1.0, std::max(exponent, kFinest));
+}
+
+TileStore::TileStore(GridSize map, TileStoreOptions options)
+    : layout_{map},
+      options_(std::move(options)),
+      units_per_mm_(1 / options_.sum_unit_mm),
+      tiles_(static_cast<std::size_t>(layout_.count())),
+      starts_(tiles_.size() + 1),
+      spill_(options_.spill_folder) {
+  threads_ = threadCount(options_.threads);
+}
+
+TileStore::~TileStore() = default;
+
+std::size_t TileStore::leastMemoryBytes(GridSize map) {
+  return 2 * static_cast<std::size_t>(TileLayout{map}.count()) * (sizeof(Block) + sizeof(Tile));
+}
+
+std::size_t TileStore::pointsAtOnce() const noexcept {
+  constexpr std::size_t kBytesAPoint = 40;  // As read, and sorted.
+  return std::clamp<std::size_t>(options_.memory_bytes / 8 / kBytesAPoint, 1024, 1U << 20U);
+}
+
+std::size_t TileStore::statesBytes(std::uint32_t tile) const {
+  return layout_.sizeOf(static_cast<int>(tile)).count() * sizeof(CellState);
+}
+
+void TileStore::add(std::span<const TilePoint> points) {
+  if (points.empty()) return;
+  ++adds_;
+  point_count_ += points.size();
+  const std::vector<Share> shares = sortByTile(points);
+  const std::size_t needed = bytesNeeded(shares);
+  if (resident_bytes_ + needed > options_.memory_bytes) makeRoom(needed);
+  for (const Share& share : shares) prepare(share);
+  // Each tile belongs to one thread, so that none waits for another.
+  inBands(static_cast<int>(shares.size()), threads_, [&](int first, int end) {
+    for (int i = first; i < end; ++i) take(shares[static_cast<std::size_t>(i)]);
+  });
+  for (const Share& share : shares) {
+    Tile& tile = tiles_[share.tile];
+    if (!tile.states.empty() && !tile.blocks.empty()) giveBack(tile);
+  }
+}
+
+std::vector<TileStore::Share> TileStore::sortByTile(std::span<const TilePoint> points) {
+  std::fill(starts_.begin(), starts_.end(), 0);
+  for (const TilePoint& point : points) ++starts_[point.tile + 1];
+  std::vector<Share> shares;
+  sorted_.resize(points.size());
+  for (std::uint32_t tile = 0; tile < tiles_.size(); ++tile) {
+    const std::uint32_t count = starts_[tile + 1];
+    starts_[tile + 1] += starts_[tile];
+    if (count > 0) {
+      shares.push_back({.tile = tile, .points = {sorted_.data() + starts_[tile], count}});
+    }
+  }
+  std::vector<std::uint32_t> next = starts_;
+  for (const TilePoint& point : points) sorted_[next[point.tile]++] = point;
+  return shares;
+}
+
+std::size_t TileStore::bytesNeeded(const std::vector<Share>& shares) const {
+  std::size_t bytes = 0;
+  for (const Share& share : shares) {
+    const Tile& tile = tiles_[share.tile];
+    if (!tile.states.empty()) continue;
+    const std::size_t blocks = (share.points.size() + kBlockPoints - 1) / kBlockPoints;
+    const std::size_t as_points = blocks * sizeof(Block);
+    bytes += options_.merges ? std::min(as_points, statesBytes(share.tile)) : as_points;
+  }
+  return bytes;
+}
+
+void TileStore::makeRoom(std::size_t needed) {
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t i = 0; i < tiles_.size(); ++i) {
+    if (tiles_[i].points > 0 || !tiles_[i].states.empty()) order.push_back(i);
+  }
+  const auto bytes = [&](std::uint32_t i) {
+    return tiles_[i].states.empty() ? tiles_[i].blocks.size() * sizeof(Block) : statesBytes(i);
+  };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (tiles_[a].touched != tiles_[b].touched) return tiles_[a].touched < tiles_[b].touched;
+    return bytes(a) != bytes(b) ? bytes(a) > bytes(b) : a < b;
+  });
+  const auto target =
+      static_cast<std::size_t>(kSpillDownTo * static_cast<double>(options_.memory_bytes));
+  for (const std::uint32_t i : order) {
+    if (resident_bytes_ + needed <= target) break;
+    spill(tiles_[i]);
+  }
+}
+
+std::unique_ptr<TileStore::Block> TileStore::takeBlock() {
+  resident_bytes_ += sizeof(Block);
+  if (free_blocks_.empty()) return std::make_unique<Block>();
+  std::unique_ptr<Block> block = std::move(free_blocks_.back());
+  free_blocks_.pop_back();
+  return block;
+}
+
+void TileStore::giveBack(Tile& tile) {
+  resident_bytes_ -= tile.blocks.size() * sizeof(Block);
+  const std::size_t most_spare = options_.memory_bytes / 16 / sizeof(Block);
+  for (std::unique_ptr<Block>& block : tile.blocks) {
+    if (free_blocks_.size() < most_spare) free_blocks_.push_back(std::move(block));
+  }
+  tile.blocks.clear();
+  tile.points = 0;
+}
+
+/// Room for the share's points, so that `take` allocates nothing.
+void TileStore::prepare(const Share& share) {
+  Tile& tile = tiles_[share.tile];
+  tile.touched = adds_;
+  if (!tile.states.empty()) return;
+  const std::size_t points = tile.points + share.points.size();
+  const std::size_t blocks = (points + kBlockPoints - 1) / kBlockPoints;
+  if (options_.merges && blocks * sizeof(Block) > statesBytes(share.tile)) {
+    tile.states.resize(layout_.sizeOf(static_cast<int>(share.tile)).count());
+    resident_bytes_ += statesBytes(share.tile);
+    return;
+  }
+  while (tile.blocks.size() < blocks) tile.blocks.push_back(takeBlock());
+}
+
+void TileStore::mergeInto(std::vector<CellState>& states, const CellPoint& p) const {
+  states[p.cell].add(p.z, std::llround(static_cast<double>(p.z) * units_per_mm_));
+}
+
+void TileStore::mergeBlocks(const Tile& tile, std::vector<CellState>& states) const {
+  for (std::size_t i = 0; i < tile.points; ++i) {
+    mergeInto(states, (*tile.blocks[i / kBlockPoints])[i % kBlockPoints]);
+  }
+}
+
+void TileStore::take(const Share& share) {
+  Tile& tile = tiles_[share.tile];
+  if (!tile.states.empty()) {
+    mergeBlocks(tile, tile.states);  // None, but when the tile begins to merge.
+    for (const TilePoint& point : share.points) mergeInto(tile.states, point.point);
+    return;
+  }
+  for (const TilePoint& point : share.points) {
+    (*tile.blocks[tile.points / kBlockPoints])[tile.points % kBlockPoints] = point.point;
+    ++tile.points;
+  }
+}
+
+void TileStore::spill(Tile& tile) {
+  if (!tile.states.empty()) spillStates(tile);
+  if (tile.points > 0) spillPoints(tile);
+  giveBack(tile);
+}
+
+void TileStore::spillPoints(Tile& tile) {
+  std::vector<CellPoint> points(tile.points);
+  for (std::size_t i = 0; i < tile.points; ++i) {
+    points[i] = (*tile.blocks[i / kBlockPoints])[i % kBlockPoints];
+  }
+  tile.runs.push_back({.at = spill_.append(bytesOf(points)),
+                       .count = static_cast<std::uint32_t>(points.size()),
+                       .states = false});
+}
+
+void TileStore::spillStates(Tile& tile) {
+  std::vector<StoredState> stored;
+  for (std::size_t cell = 0; cell < tile.states.size(); ++cell) {
+    if (tile.states[cell].count == 0) continue;
+    stored.push_back({.state = tile.states[cell], .cell = static_cast<std::uint16_t>(cell)});
+  }
+  tile.runs.push_back({.at = spill_.append(bytesOf(stored)),
+                       .count = static_cast<std::uint32_t>(stored.size()),
+                       .states = true});
+  resident_bytes_ -= tile.states.size() * sizeof(CellState);
+  std::vector<CellState>().swap(tile.states);
+}
+
+void TileStore::mergeRun(const Run& run, std::vector<CellState>& states) const {
+  if (run.states) {
+    std::vector<StoredState> stored(run.count);
+    spill_.read(run.at, std::as_writable_bytes(std::span(stored)));
+    for (const StoredState& s : stored) states[s.cell].merge(s.state);
+  } else {
+    std::vector<CellPoint> stored(run.count);
+    spill_.read(run.at, std::as_writable_bytes(std::span(stored)));
+    for (const CellPoint& p : stored) mergeInto(states, p);
+  }
+}
+
+std::vector<CellState> TileStore::states(int tile_number) const {
+  const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
+  std::vector<CellState> states = tile.states;
+  states.resize(layout_.sizeOf(tile_number).count());
+  mergeBlocks(tile, states);
+  for (const Run& run : tile.runs) mergeRun(run, states);
+  return states;
+}
+
+std::vector<CellPoint> TileStore::points(int tile_number) const {
+  assert(!options_.merges);
+  const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
+  std::vector<CellPoint> points;
+  for (const Run& run : tile.runs) {
+    const std::size_t start = points.size();
+    points.resize(start + run.count);
+    spill_.read(run.at, std::as_writable_bytes(std::span(points).subspan(start)));
+  }
+  for (std::size_t i = 0; i < tile.points; ++i) {
+    points.push_back((*tile.blocks[i / kBlockPoints])[i % kBlockPoints]);
+  }
+  std::sort(points.begin(), points.end(), [](const CellPoint& a, const CellPoint& b) {
+    return std::tie(a.cell, a.z, a.du, a.dv) < std::tie(b.cell, b.z, b.du, b.dv);
+  });
+  return points;
+}
+
+}  // namespace relievo

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/tiles/cell_state.h"
+#include "core/tiles/spill_file.h"
+#include "core/tiles/tile_layout.h"
+
+namespace relievo {
+
+struct TileStoreOptions {
+  /// The rule only asks for CellState, so that a full tile may forget its points.
+  bool merges = false;
+  std::size_t memory_bytes = std::size_t{512} << 20U;  ///< For points and states.
+  std::filesystem::path spill_folder = ".";
+  double sum_unit_mm = 1.0 / (1 << 20);  ///< A power of two; see sumUnit.
+  int threads = 0;                       ///< 0: as many as there are cores, at most 4.
+};
+
+/// The largest resolution at which `points` heights of at most `most_mm` add up without overflow.
+double sumUnit(std::uint64_t points, double most_mm);
+
+/// The points of a map that is larger than memory, tile by tile. A tile begins as a list of points
+/// and, where the rule allows, becomes an array of states once that is smaller. Above the memory
+/// budget the tiles that were not touched for longest go to one spill file, as runs that are never
+/// read before the tile is asked for: nothing is written or read twice. What a tile holds at the
+/// end depends on the points alone, not on order, blocks, threads or budget.
+class TileStore {
+ public:
+  TileStore(GridSize map, TileStoreOptions options);
+  ~TileStore();
+  TileStore(const TileStore&) = delete;
+  TileStore& operator=(const TileStore&) = delete;
+
+  /// Adds some points. They cost 40 bytes each for a while. [owner] @throw WriteError
+  void add(std::span<const TilePoint> points);
+
+  const TileLayout& layout() const noexcept { return layout_; }
+  double sumUnitMm() const noexcept { return options_.sum_unit_mm; }
+  bool merges() const noexcept { return options_.merges; }
+  int threads() const noexcept { return threads_; }
+  /// How many points are best added at once.
+  std::size_t pointsAtOnce() const noexcept;
+
+  /// The state of every cell of a tile. [any thread, after the last add] @throw WriteError
+  std::vector<CellState> states(int tile) const;
+
+  /// All points of a tile, sorted by cell, then height, then place. Only if the store does not
+  /// merge. [any thread, after the last add] @throw WriteError
+  std::vector<CellPoint> points(int tile) const;
+
+  std::uint64_t pointCount() const noexcept { return point_count_; }
+  std::size_t residentBytes() const noexcept { return resident_bytes_; }
+  std::uint64_t spilledBytes() const noexcept { return spill_.size(); }
+
+  /// A budget below this cannot be kept: each tile keeps one block of points.
+  static std::size_t leastMemoryBytes(GridSize map);
+
+ private:
+  static constexpr std::size_t kBlockPoints = 1024;
+  using Block = std::array<CellPoint, kBlockPoints>;
+  /// Part of a tile in the spill file.
+  struct Run {
+    std::uint64_t at = 0;
+    std::uint32_t count = 0;
+    bool states = false;
+  };
+  struct Tile {
+    std::vector<std::unique_ptr<Block>> blocks;
+    std::size_t points = 0;         ///< In the blocks.
+    std::vector<CellState> states;  ///< Empty until the tile merges.
+    std::vector<Run> runs;
+    std::uint64_t touched = 0;  ///< Number of the last add.
+  };
+  struct Share {  ///< Of an add: points of one tile, contiguous after sorting.
+    std::uint32_t tile = 0;
+    std::span<const TilePoint> points;
+  };
+
+  std::vector<Share> sortByTile(std::span<const TilePoint> points);
+  std::size_t bytesNeeded(const std::vector<Share>& shares) const;
+  void makeRoom(std::size_t needed);
+  void prepare(const Share& share);
+  void take(const Share& share);
+  void mergeInto(std::vector<CellState>& states, const CellPoint& point) const;
+  void mergeBlocks(const Tile& tile, std::vector<CellState>& states) const;
+  void mergeRun(const Run& run, std::vector<CellState>& states) const;
+  void spill(Tile& tile);
+  void spillPoints(Tile& tile);
+  void spillStates(Tile& tile);
+  std::unique_ptr<Block> takeBlock();
+  void giveBack(Tile& tile);
+  std::size_t statesBytes(std::uint32_t tile) const;
+
+  TileLayout layout_;
+  TileStoreOptions options_;
+  int threads_ = 1;
+  double units_per_mm_ = 1;
+  std::vector<Tile> tiles_;
+  std::vector<std::unique_ptr<Block>> free_blocks_;
+  std::vector<TilePoint> sorted_;
+  std::vector<std::uint32_t> starts_;  ///< Per tile, for sorting.
+  std::size_t resident_bytes_ = 0;
+  std::uint64_t adds_ = 0;
+  std::uint64_t point_count_ = 0;
+  SpillFile spill_;
+};
+
+}  // namespace relievo

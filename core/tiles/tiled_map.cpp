@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/tiled_map.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/io/number_text.h"
+#include "core/tiles/level_files.h"
+#include "core/tiles/tile_cache.h"
+#include "core/tiles/tile_layout.h"
+#include "core/tiles/tile_raster.h"
+
+namespace relievo {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw FileError("Cannot read " + shownName(file) + " as a tiled map: " + reason +
+                  ". Make the levels again with relievo pyramid --memory.");
+}
+
+std::string textOf(const RasterFacts& facts, const std::string& name) {
+  const auto found = facts.find(name);
+  return found == facts.end() ? std::string() : found->second;
+}
+
+template <std::size_t N>
+std::array<double, N> numbersOf(const RasterFacts& facts, const std::string& name,
+                                const std::filesystem::path& file) {
+  const auto numbers = parseNumbers<N>(textOf(facts, name).c_str());
+  if (!numbers) refuse(file, "its entry " + name + " is missing or makes no sense");
+  return *numbers;
+}
+
+/// Heights of the finest level are NaN outside the object, where a window has 0.
+void checkHeights(std::span<std::byte> bytes, bool nan_is_outside,
+                  const std::filesystem::path& file) {
+  auto* heights = reinterpret_cast<float*>(bytes.data());
+  for (std::size_t i = 0; i < bytes.size() / sizeof(float); ++i) {
+    if (std::isfinite(heights[i])) continue;
+    if (!nan_is_outside || !std::isnan(heights[i])) refuse(file, "a height is not finite");
+    heights[i] = 0;
+  }
+}
+
+void checkOrigins(std::span<const std::byte> bytes, const std::filesystem::path& file) {
+  const auto most = static_cast<std::byte>(kOriginCount - 1);
+  if (*std::max_element(bytes.begin(), bytes.end()) > most) {
+    refuse(file, "a code is none of an origin");
+  }
+}
+
+struct LevelTiles {
+  LevelTiles(const std::filesystem::path& file, int number)
+      : heights_file(file),
+        origins_file(originFile(file)),
+        level(number),
+        heights(heights_file, sizeof(float), 1),
+        origins(origins_file, 1, 2) {}
+
+  std::filesystem::path heights_file, origins_file;
+  int level;
+  TileRaster heights, origins;
+};
+
+enum class TileKind { heights, origins };
+
+}  // namespace
+
+struct TiledMap::Impl {
+  Impl(const std::filesystem::path& finest, std::size_t cache_bytes);
+  void checkLevel(const LevelTiles& tiles, const RasterFacts& facts) const;
+  TileCache::Tile tile(const LevelTiles& tiles, TileKind kind, int number) const;
+
+  std::filesystem::path file;
+  double factor = 2;
+  ViewFromFile view_from_file;
+  std::vector<GridFrame> frames;
+  DetailLadder ladder;
+  std::vector<std::unique_ptr<LevelTiles>> levels;
+  mutable TileCache cache;
+};
+
+TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_bytes)
+    : file(finest), cache(cache_bytes) {
+  levels.push_back(std::make_unique<LevelTiles>(finest, 0));
+  const RasterFacts& facts = levels[0]->heights.facts();
+  constexpr double kMostLevels = 10'000;
+  const double count = numbersOf<1>(facts, "RELIEVO_LEVELS", finest)[0];
+  factor = numbersOf<1>(facts, "RELIEVO_FACTOR", finest)[0];
+  view_from_file = {numbersOf<16>(facts, "RELIEVO_VIEW_FROM_FILE", finest)};
+  if (!(count >= 1 && count <= kMostLevels) || !(factor > 1) || !(factor <= kMostFactor)) {
+    refuse(finest, "its number of levels or its factor makes no sense");
+  }
+  for (int l = 1; l < static_cast<int>(count); ++l) {
+    levels.push_back(std::make_unique<LevelTiles>(levelFile(finest, l), l));
+  }
+  const auto [x, y, spacing] = numbersOf<3>(facts, "RELIEVO_FRAME", finest);
+  if (!(spacing > 0)) refuse(finest, "its spacing is not above 0");
+  const GridFrame map{
+      .size = levels[0]->heights.size(), .spacing_mm = spacing, .first_x_mm = x, .first_y_mm = y};
+  // As many levels as the files have, whatever number of samples the coarsest was to have.
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    GridFrame frame = map;
+    frame.size = levels[l]->heights.size();
+    frame.spacing_mm = map.spacing_mm * std::pow(factor, static_cast<double>(l));
+    frames.push_back(frame);
+    checkLevel(*levels[l], facts);
+  }
+  ladder = {.left_mm = map.first_x_mm - 0.5 * map.spacing_mm,
+            .bottom_mm = map.first_y_mm - 0.5 * map.spacing_mm,
+            .width_mm = map.size.cols * map.spacing_mm,
+            .height_mm = map.size.rows * map.spacing_mm,
+            .spacings_mm = {},
+            .factor = factor};
+  for (const GridFrame& frame : frames) ladder.spacings_mm.push_back(frame.spacing_mm);
+}
+
+void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& finest) const {
+  const auto belongs = [&](const TileRaster& raster) {
+    const RasterFacts& facts = raster.facts();
+    return textOf(facts, "RELIEVO_MAP_CONTENT") == textOf(finest, "RELIEVO_MAP_CONTENT") &&
+           textOf(facts, "RELIEVO_LEVEL") == std::to_string(tiles.level);
+  };
+  if (!belongs(tiles.heights)) refuse(tiles.heights_file, "it is a level of another map");
+  if (!belongs(tiles.origins) || !(tiles.origins.size() == tiles.heights.size())) {
+    refuse(tiles.origins_file, "it belongs to another map");
+  }
+  if (tiles.level == 0) return;
+  const GridSize finer = frames[static_cast<std::size_t>(tiles.level) - 1].size;
+  const GridSize here = tiles.heights.size();
+  if (here.cols != PyramidRows::reducedSize(finer, factor).cols ||
+      here.rows != PyramidRows::reducedSize(finer, factor).rows) {
+    refuse(tiles.heights_file, "its size is not that of the level");
+  }
+}
+
+TileCache::Tile TiledMap::Impl::tile(const LevelTiles& tiles, TileKind kind, int number) const {
+  const bool is_heights = kind == TileKind::heights;
+  const TileCache::Key key{.level = tiles.level, .kind = is_heights ? 0 : 1, .tile = number};
+  return cache.get(key, [&] {
+    const TileRaster& raster = is_heights ? tiles.heights : tiles.origins;
+    std::vector<std::byte> bytes(raster.tileBytes());
+    raster.read(0, number, bytes);
+    if (is_heights) {
+      checkHeights(bytes, tiles.level == 0, tiles.heights_file);
+    } else {
+      checkOrigins(bytes, tiles.origins_file);
+    }
+    return bytes;
+  });
+}
+
+namespace {
+
+/// Rows of one band put together from tiles; the tiles of the last row of tiles stay at hand.
+template <class Cell>
+class TileRows {
+ public:
+  using Fetch = std::function<TileCache::Tile(int tile)>;
+  TileRows(GridSize size, Fetch fetch) : size_(size), fetch_(std::move(fetch)) {}
+
+  const Cell* operator()(int row, int first_col, int count) {
+    const int file_row = size_.rows - 1 - row;
+    const int first = first_col / kTileSide;
+    const int last = (first_col + count - 1) / kTileSide;
+    load(file_row / kTileSide, first, last);
+    const auto line = static_cast<std::ptrdiff_t>(file_row % kTileSide) * kTileSide;
+    if (first == last) return cells(0) + line + first_col % kTileSide;
+    line_.resize(static_cast<std::size_t>(count));
+    for (int tile = first; tile <= last; ++tile) {
+      const int from = std::max(first_col, tile * kTileSide);
+      const int to = std::min(first_col + count, (tile + 1) * kTileSide);
+      std::copy_n(cells(tile - first) + line + from % kTileSide, to - from,
+                  line_.data() + (from - first_col));
+    }
+    return line_.data();
+  }
+
+ private:
+  const Cell* cells(int place) const {
+    return reinterpret_cast<const Cell*>(held_[static_cast<std::size_t>(place)]->data());
+  }
+  void load(int tile_row, int first, int last) {
+    if (tile_row == tile_row_ && first == first_ && last == last_) return;
+    held_.clear();
+    const int across = TileLayout{size_}.across();
+    for (int tile = first; tile <= last; ++tile) held_.push_back(fetch_(tile_row * across + tile));
+    tile_row_ = tile_row;
+    first_ = first;
+    last_ = last;
+  }
+
+  GridSize size_;
+  Fetch fetch_;
+  std::vector<TileCache::Tile> held_;
+  int tile_row_ = -1, first_ = -1, last_ = -1;
+  std::vector<Cell> line_;
+};
+
+}  // namespace
+
+bool TiledMap::isOne(const std::filesystem::path& file) {
+  const RasterFacts facts = rasterFacts(file);
+  return textOf(facts, "RELIEVO_LEVEL") == "0" && facts.contains("RELIEVO_LEVELS") &&
+         !facts.contains("RELIEVO_CONTENT");
+}
+
+TiledMap::TiledMap(const std::filesystem::path& finest, std::size_t cache_bytes)
+    : impl_(std::make_unique<Impl>(finest, cache_bytes)) {}
+TiledMap::~TiledMap() = default;
+
+const std::filesystem::path& TiledMap::file() const noexcept {
+  return impl_->file;
+}
+const std::vector<GridFrame>& TiledMap::frames() const noexcept {
+  return impl_->frames;
+}
+const ViewFromFile& TiledMap::viewFromFile() const noexcept {
+  return impl_->view_from_file;
+}
+const DetailLadder& TiledMap::ladder() const noexcept {
+  return impl_->ladder;
+}
+std::size_t TiledMap::tilesRead() const noexcept {
+  return impl_->cache.loads();
+}
+
+RegionWindow TiledMap::window(const Region& region, double gain) const {
+  if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) {
+    throw ArgumentError("The region names a level that the map does not have.");
+  }
+  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(region.level.value)];
+  const GridFrame& frame = impl_->frames[static_cast<std::size_t>(region.level.value)];
+  TileRows<float> heights(frame.size,
+                          [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
+  TileRows<Origin> origins(frame.size,
+                           [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+  return sampleWindow({.map = impl_->frames[0],
+                       .nodes = frame,
+                       .cells = frame,
+                       .levels = impl_->ladder.levels(),
+                       .heights = std::ref(heights),
+                       .origins = std::ref(origins)},
+                      region, gain);
+}
+
+DepthMap TiledMap::levelMap(Level number) const {
+  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(number.value)];
+  DepthMap map;
+  map.frame = impl_->frames[static_cast<std::size_t>(number.value)];
+  TileRows<float> heights(map.frame.size,
+                          [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
+  TileRows<Origin> origins(map.frame.size,
+                           [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+  const int cols = map.frame.size.cols;
+  for (int row = 0; row < map.frame.size.rows; ++row) {
+    const float* z = heights(row, 0, cols);
+    map.heights_mm.insert(map.heights_mm.end(), z, z + cols);
+    const Origin* origin = origins(row, 0, cols);
+    map.origins.insert(map.origins.end(), origin, origin + cols);
+  }
+  return map;
+}
+
+void TiledMap::prefetch(const Region& region) const {
+  if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) return;
+  if (!(region.side_mm > 0) || !std::isfinite(region.x_mm + region.y_mm + region.side_mm)) return;
+  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(region.level.value)];
+  const GridFrame& frame = impl_->frames[static_cast<std::size_t>(region.level.value)];
+  const auto node = [&](double mm, double first_mm, int count) {
+    return std::clamp(static_cast<int>(std::clamp((mm - first_mm) / frame.spacing_mm, -1.0,
+                                                  static_cast<double>(count))),
+                      0, count - 1);
+  };
+  const int left = node(region.x_mm, frame.first_x_mm, frame.size.cols);
+  const int right = node(region.x_mm + region.side_mm, frame.first_x_mm, frame.size.cols);
+  const int bottom = node(region.y_mm, frame.first_y_mm, frame.size.rows);
+  const int top = node(region.y_mm + region.side_mm, frame.first_y_mm, frame.size.rows);
+  const int across = TileLayout{frame.size}.across();
+  for (int y = (frame.size.rows - 1 - top) / kTileSide;
+       y <= (frame.size.rows - 1 - bottom) / kTileSide; ++y) {
+    for (int x = left / kTileSide; x <= right / kTileSide; ++x) {
+      impl_->tile(tiles, TileKind::heights, y * across + x);
+      impl_->tile(tiles, TileKind::origins, y * across + x);
+    }
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/transform.h"
+#include "core/region/region.h"
+#include "core/region/window.h"
+
+namespace relievo {
+
+/// A map whose levels lie in files (core/tiles/level_files.h) and of which only the tiles under
+/// recent windows are in memory. Immutable but for that cache; safe from every thread.
+class TiledMap {
+ public:
+  /// Does this file say it is the finest level of a tiled map? False for all other files.
+  static bool isOne(const std::filesystem::path& file);
+
+  /// Opens all levels; reads no tile.
+  /// @param cache_bytes  for tiles; a window touches up to nine of 256 KiB and nine of 64 KiB
+  /// @throw FileError  a level is missing, belongs to another map, or was rewritten
+  explicit TiledMap(const std::filesystem::path& finest,
+                    std::size_t cache_bytes = std::size_t{64} << 20U);
+  ~TiledMap();
+  TiledMap(const TiledMap&) = delete;
+  TiledMap& operator=(const TiledMap&) = delete;
+
+  const std::filesystem::path& file() const noexcept;
+  const std::vector<GridFrame>& frames() const noexcept;  ///< Per level, finest first.
+  const ViewFromFile& viewFromFile() const noexcept;
+  const DetailLadder& ladder() const noexcept;
+
+  /// What sampleWindow gives for the same map in memory, bit for bit; but the origins at a coarse
+  /// level are those of its nodes, because the map's own would touch every tile. Takes what is not
+  /// in the cache from the files and keeps it there. [any thread]
+  /// @throw ArgumentError  as sampleWindow. FileError  a file was damaged or cut meanwhile
+  RegionWindow window(const Region& region, double gain = 1) const;
+
+  /// A whole level as a map of its own: heights as a window has them, origins of its nodes.
+  /// [any thread] @pre level exists @throw FileError
+  DepthMap levelMap(Level level) const;
+
+  /// Loads the tiles that a window of this region needs. [any thread] @throw FileError
+  void prefetch(const Region& region) const;
+
+  /// Tiles read from files since opening.
+  std::size_t tilesRead() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One worker thread that loads the tiles around the newest window before they are needed: a
+/// quarter of a window to each side, and the same place one level finer and one coarser.
+class TilePrefetcher {
+ public:
+  explicit TilePrefetcher(std::shared_ptr<const TiledMap> map);
+  ~TilePrefetcher();
+  TilePrefetcher(const TilePrefetcher&) = delete;
+  TilePrefetcher& operator=(const TilePrefetcher&) = delete;
+
+  /// The window that is shown now; what was asked for before is dropped. Does not wait. [owner]
+  void around(const Region& region);
+  /// Waits until nothing is left to load. What a file refuses is left for `window` to say. [owner]
+  void wait();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/falcon/falcon_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace relievo::falcon {
+
+namespace {
+std::uint32_t withPlusAndMinusSwapped(std::uint32_t buttons) RELIEVO_REALTIME {
+  return (buttons & 0b0110U) | (buttons & 1U) << 3U | (buttons >> 3U & 1U);
+}
+}  // namespace
+
+FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
+                           FalconSettings settings, LinkLimits limits)
+    : settings_(settings), bus_(std::move(bus)), firmware_(std::move(firmware)), limits_(limits) {
+  info_.id = kFalconId;
+  info_.name = "Falcon";
+  // Reachable all round at every height in it (falcon geometry: 50 mm at z = 160).
+  info_.workspace.half_extent = {40, 40, 35};
+  info_.max_force_n = limits.max_force_n;
+  info_.max_stiffness_n_per_mm = 1.5;
+  info_.position_step_mm = 0.048;  // Sideways in the middle; 0.028 in and out.
+  info_.force_delay_ticks = 2;     // Up to one until it is sent, one until the motors show it.
+  setGain(settings.counts_per_n_mm);
+}
+
+FalconDevice::~FalconDevice() {
+  close();
+}
+
+void FalconDevice::open() {
+  if (thread_.joinable()) return;
+  Opening opening = bus_->open();
+  if (opening.presence != Presence::present) {
+    LinkStatus status;
+    constexpr std::array<LinkState, 5> kStates{LinkState::checking, LinkState::absent,
+                                               LinkState::forbidden, LinkState::busy,
+                                               LinkState::broken};
+    status.state = kStates[static_cast<std::size_t>(opening.presence)];
+    opening.detail.copy(status.detail.data(), status.detail.size() - 1);
+    const LinkMessage message = describe(status);
+    mailbox_.status.write(status);
+    throw DeviceError(message.screen, message.code);
+  }
+  start(std::move(opening.port));
+}
+
+void FalconDevice::openWhenPlugged() {
+  if (!thread_.joinable()) start(nullptr);
+}
+
+void FalconDevice::start(std::unique_ptr<Port> port) {
+  try {
+    thread_ = std::jthread([this, p = std::move(port)](const std::stop_token& stop) mutable {
+      Link(*bus_, mailbox_, firmware_, limits_).run(stop, std::move(p));
+    });
+  } catch (const std::system_error& error) {
+    throw DeviceError(std::string("The Falcon's thread could not be started: ") + error.what());
+  }
+}
+
+void FalconDevice::close() noexcept {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+}
+
+DeviceReading FalconDevice::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
+  mailbox_.readings.update();
+  const LinkReading& newest = mailbox_.readings.front();
+  mailbox_.cut.store(false, std::memory_order_relaxed);
+  mailbox_.orders.write({force, now_ns, newest.epoch});
+  DeviceReading reading{newest.position, newest.buttons, newest.time_ns, newest.fault};
+  if (settings_.left_handed) reading.buttons = withPlusAndMinusSwapped(reading.buttons);
+  if (newest.epoch != epoch_seen_) {
+    epoch_seen_ = newest.epoch;
+    // One that was over before this tick is told all the same: the force was off.
+    if (reading.fault == DeviceFault::none) reading.fault = newest.interruption;
+  }
+  return reading;
+}
+
+const LinkStatus& FalconDevice::status() {
+  mailbox_.status.update();
+  return mailbox_.status.front();
+}
+
+void FalconDevice::retry() {
+  ++wish_.retries;
+  mailbox_.wishes.write(wish_);
+}
+
+void FalconDevice::setGain(double counts_per_n_mm) {
+  const double gain = std::isfinite(counts_per_n_mm) ? counts_per_n_mm : kNominalCountsPerNmm / 2;
+  wish_.counts_per_n_mm = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);
+  mailbox_.wishes.write(wish_);
+}
+
+void FalconDevice::showLights(std::uint8_t lights) {
+  wish_.show_lights = true;
+  wish_.lights = lights;
+  mailbox_.wishes.write(wish_);
+}
+
+void FalconDevice::showStateLights() {
+  wish_.show_lights = false;
+  mailbox_.wishes.write(wish_);
+}
+
+}  // namespace relievo::falcon

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <thread>
+
+#include "haptics/device/device.h"
+#include "haptics/device/falcon/link.h"
+
+namespace relievo::falcon {
+
+/// What is known of one Falcon and kept between sessions.
+struct FalconSettings {
+  /// Motor counts for one N mm. Half of the nominal value until a weight was hung on.
+  double counts_per_n_mm = kNominalCountsPerNmm / 2;
+  bool left_handed = false;  ///< Plus and minus change sides.
+};
+inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
+inline constexpr double kMostCountsPerNmm = kNominalCountsPerNmm;
+
+inline constexpr const char* kFalconId = "falcon:0";
+
+/// The Novint Falcon. `exchange` never waits: a thread of its own (docs/threads.md) keeps the
+/// device going at its own pace and leaves the newest place of the hand for the loop. Until
+/// firmware and homing are done, readings carry the fault `not_ready`; after an unplugging they
+/// carry `disconnected` until it is back and homed. No force is shown meanwhile.
+class FalconDevice : public Device {
+ public:
+  FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware, FalconSettings settings = {},
+               LinkLimits limits = {});
+  ~FalconDevice() override;
+
+  const DeviceInfo& info() const noexcept override { return info_; }
+  /// Finds it and starts its thread; does not wait for firmware and homing.
+  /// @throw DeviceError  absent, forbidden (E301), busy (E304)
+  void open() override;
+  /// As open(), but one that is absent, forbidden or busy is waited for.
+  void openWhenPlugged();
+  void close() noexcept override;
+  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+  void cutForce() noexcept override { mailbox_.cut.store(true); }
+
+  /// The newest. [owner]
+  const LinkStatus& status();
+  /// [owner] Tries again after a failure.
+  void retry();
+  /// [owner] Counts per N mm, kept within the possible.
+  void setGain(double counts_per_n_mm);
+  /// [owner] Shows these lights instead of those that tell the state.
+  void showLights(std::uint8_t lights);
+  void showStateLights();
+
+ private:
+  void start(std::unique_ptr<Port> port);
+
+  DeviceInfo info_;
+  FalconSettings settings_;
+  std::unique_ptr<Bus> bus_;
+  FirmwareSource firmware_;
+  LinkLimits limits_;
+  LinkMailbox mailbox_;
+  LinkWish wish_;                 // [owner]
+  std::uint32_t epoch_seen_ = 0;  // [haptic loop]
+  std::jthread thread_;
+};
+
+}  // namespace relievo::falcon

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/falcon/firmware.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "core/base/error.h"
+#include "haptics/device/falcon/boot_image.h"
+
+namespace relievo::falcon {
+
+namespace fs = std::filesystem;
+
+namespace {
+struct KnownImage {
+  const char* sha256;
+  const char* name;
+};
+constexpr std::array<KnownImage, 4> kKnownImages{{
+    {"1119e39c39fab1f37678ea62dfc715b23dd86ee7f13d78f88f707d9f09b896a1",
+     "nvent_firmware.bin (recommended)"},
+    {"b2700d5cd5ca217e48565fb4de5a502a636c53f6e01ebd0cad193e9f84856c6a", "test_firmware.bin"},
+    {"ae838730af34b5822c9c3949859b446614af0410730b832cc17a6ad627ea64a4", "novint_T0.bin"},
+    {"e0ae3598670fa1c8d9277bd6943c99b3152b97c400c46c1c42c60de77ff4e816", "novint_T2.bin"},
+}};
+constexpr std::array<const char*, 5> kNames{"nvent_firmware.bin", "test_firmware.bin",
+                                            "novint_T0.bin", "novint_T2.bin", "falcon.bin"};
+constexpr const char* kAcceptedList = "accepted";  // One hash per line.
+
+std::string sha256Of(const std::vector<std::uint8_t>& bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned size = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw FileError("The hash of the firmware could not be computed.");
+  }
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (unsigned i = 0; i < size; ++i) {
+    text += kDigits[digest[i] >> 4U];
+    text += kDigits[digest[i] & 15U];
+  }
+  return text;
+}
+
+bool isThere(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+std::optional<fs::path> namedIn(const fs::path& folder) {
+  for (const char* name : kNames) {
+    if (isThere(folder / name)) return folder / name;
+  }
+  return std::nullopt;
+}
+
+/// What the user named by hand: a file, or a folder with one.
+Firmware readNamed(const fs::path& named, const std::string& by) {
+  std::error_code ignored;
+  if (!fs::is_directory(named, ignored)) {
+    if (!isThere(named)) {
+      throw FileError("The Falcon firmware \"" + named.string() + "\" that " + by +
+                      " names does not exist. Correct it, or clear it to search the usual places.");
+    }
+    return readFirmware(named);
+  }
+  const std::optional<fs::path> file = namedIn(named);
+  if (!file) {
+    throw FileError("The folder \"" + named.string() + "\" that " + by +
+                    " names has no Falcon firmware (such as nvent_firmware.bin).");
+  }
+  return readFirmware(*file);
+}
+
+std::string notFound(const std::vector<fs::path>& searched) {
+  std::string text =
+      "The Falcon is connected but has no firmware loaded. relievo cannot include Novint's "
+      "firmware. Run 'relievo devices firmware FILE' with the file nvent_firmware.bin (8492 bytes) "
+      "from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched:";
+  for (const fs::path& place : searched) text += " " + place.string();
+  return text + ".";
+}
+
+Firmware accepted(Firmware firmware, const FirmwarePlaces& places) {
+  if (isAccepted(firmware, places)) return firmware;
+  throw FileError("The Falcon firmware \"" + firmware.file.string() +
+                  "\" has the form of a boot image, but nobody knows this one (sha256 " +
+                  firmware.sha256 +
+                  "); it was not loaded. If you trust it, run 'relievo devices "
+                  "firmware FILE --accept' once.");
+}
+}  // namespace
+
+Firmware readFirmware(const fs::path& file) {
+  const std::string named = "\"" + file.string() + "\"";
+  std::error_code error;
+  if (!fs::exists(file, error)) throw FileError("There is no file " + named + ".");
+  if (!fs::is_regular_file(file, error)) {
+    throw FileError(named + " is not a regular file; it was not read as Falcon firmware.");
+  }
+  if (fs::file_size(file, error) > kMostImageBytes && !error) {
+    throw FileError(named + " is no Falcon firmware: it has more than " +
+                    std::to_string(kMostImageBytes) + " bytes.");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw FileError(named + " cannot be read: " + std::strerror(errno) +
+                    ". Check its permissions.");
+  }
+  Firmware firmware;
+  firmware.file = file;
+  firmware.bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  if (stream.bad()) throw FileError(named + " could not be read to its end.");
+  const BootImage image = inspectBootImage(firmware.bytes);
+  if (!image.good()) {
+    throw FileError(named + " is no Falcon firmware: " + image.problem +
+                    ". Nothing was loaded. Choose another file.");
+  }
+  firmware.sha256 = sha256Of(firmware.bytes);
+  for (const KnownImage& known : kKnownImages) {
+    if (firmware.sha256 == known.sha256) firmware.known_as = known.name;
+  }
+  return firmware;
+}
+
+FirmwarePlaces firmwarePlaces(const fs::path& setting) {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+    return std::string(value == nullptr ? "" : value);
+  };
+  FirmwarePlaces places;
+  places.setting = setting;
+  places.environment = variable("RELIEVO_FALCON_FIRMWARE");
+  const std::string data = variable("XDG_DATA_HOME");
+  // The base directory specification: a relative path is ignored.
+  const fs::path home =
+      data.starts_with('/') ? fs::path(data) : fs::path(variable("HOME")) / ".local/share";
+  places.data_home = home / "relievo/falcon";
+  places.system = {"/usr/local/share/relievo/falcon", "/usr/share/relievo/falcon",
+                   "/lib/firmware/novint"};
+  return places;
+}
+
+Firmware findFirmware(const FirmwarePlaces& places) {
+  if (!places.setting.empty()) {
+    return accepted(readNamed(places.setting, "the setting"), places);
+  }
+  if (!places.environment.empty()) {
+    return accepted(readNamed(places.environment, "RELIEVO_FALCON_FIRMWARE"), places);
+  }
+  std::vector<fs::path> searched{places.data_home};
+  searched.insert(searched.end(), places.system.begin(), places.system.end());
+  for (const fs::path& folder : searched) {
+    if (const auto file = namedIn(folder)) return accepted(readFirmware(*file), places);
+  }
+  throw FileError(notFound(searched));
+}
+
+std::function<std::vector<std::uint8_t>()> firmwareSource(const fs::path& setting) {
+  return [setting] { return findFirmware(firmwarePlaces(setting)).bytes; };
+}
+
+bool isAccepted(const Firmware& firmware, const FirmwarePlaces& places) {
+  if (!firmware.known_as.empty()) return true;
+  std::ifstream list(places.data_home / kAcceptedList);
+  for (std::string line; std::getline(list, line);) {
+    if (line == firmware.sha256) return true;
+  }
+  return false;
+}
+
+fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places) {
+  const auto refuse = [&places](const std::string& why) {
+    throw WriteError("The firmware could not be copied to \"" + places.data_home.string() +
+                     "\": " + why + ". Nothing was changed.");
+  };
+  std::error_code error;
+  fs::create_directories(places.data_home, error);
+  if (error) refuse(error.message());
+  // The first name that is looked for, so that this choice wins over older ones.
+  const fs::path target = places.data_home / kNames[0];
+  const fs::path part = places.data_home / "firmware.part";
+  {
+    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
+    for (const std::uint8_t byte : firmware.bytes) stream.put(static_cast<char>(byte));
+    stream.close();
+    if (!stream) {
+      fs::remove(part, error);
+      refuse("it cannot be written");
+    }
+  }
+  if (!isAccepted(firmware, places)) {
+    std::ofstream list(places.data_home / kAcceptedList, std::ios::app);
+    list << firmware.sha256 << '\n';
+    list.close();
+    if (!list) refuse("the list of accepted images cannot be written");
+  }
+  fs::rename(part, target, error);
+  if (error) refuse(error.message());
+  return target;
+}
+
+}  // namespace relievo::falcon

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/rt/realtime.h"
+
+namespace relievo::falcon {
+
+/// While it lives, a process that calls exit() or ends by a signal sends its Falcon zero force
+/// first: a crash (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT), an interruption (SIGINT, SIGTERM,
+/// SIGHUP, SIGQUIT), or a halt from the terminal (SIGTSTP). Signals that something else handles are
+/// left alone. The handler makes two system calls and then lets the signal do what it would have
+/// done. One at a time: a process has one set of signal handlers (docs/adr/0027).
+class LastWords {
+ public:
+  /// @param descriptor  of the open usbfs node
+  explicit LastWords(int descriptor);
+  ~LastWords();
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+
+  /// They were said: nothing may be sent after them.
+  static bool spoken() RELIEVO_REALTIME;
+};
+
+}  // namespace relievo::falcon

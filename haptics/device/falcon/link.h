@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "haptics/device/device.h"
+#include "haptics/device/falcon/kinematics.h"
+#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/port.h"
+#include "haptics/rt/triple_buffer.h"
+
+namespace relievo::falcon {
+
+/// What the link tells the loop. [link thread writes, haptic loop reads]
+struct LinkReading {
+  DeviceMm position;
+  std::uint32_t buttons = 0;
+  std::int64_t time_ns = 0;
+  /// Grows with every interruption. A force that was made from a reading of an earlier epoch is
+  /// not shown any more.
+  std::uint32_t epoch = 0;
+  DeviceFault fault = DeviceFault::not_ready;
+  DeviceFault interruption = DeviceFault::none;  ///< What began the epoch.
+};
+
+/// What the loop tells the link. [haptic loop writes, link thread reads]
+struct ForceOrder {
+  DeviceN force;
+  std::int64_t time_ns = 0;
+  std::uint32_t epoch = 0;
+};
+
+/// What the owner tells the link. [owner writes, link thread reads]
+struct LinkWish {
+  std::uint32_t retries = 0;  ///< Raise it to try again after a failure.
+  double counts_per_n_mm = kNominalCountsPerNmm / 2;
+  bool show_lights = false;  ///< `lights` instead of those that tell the state.
+  std::uint8_t lights = lights_off;
+};
+
+struct LinkMailbox {
+  TripleBuffer<LinkReading> readings;
+  TripleBuffer<ForceOrder> orders;
+  TripleBuffer<LinkWish> wishes;
+  TripleBuffer<LinkStatus> status;
+  std::atomic<bool> cut{false};  ///< No force until the next order. [watchdog sets, loop clears]
+};
+
+/// The firmware's bytes. @throw FileError  says where was looked, or what is wrong with the file
+using FirmwareSource = std::function<std::vector<std::uint8_t>()>;
+
+/// Limits that hold whatever the loop asks for.
+struct LinkLimits {
+  double max_force_n = 5;
+  double rise_n_per_s = 50;                  ///< During the first 200 ms after every interruption.
+  std::int64_t stale_order_ns = 20'000'000;  ///< An older force counts as zero: the loop hangs.
+  int attempts = 10;                         ///< To start the firmware.
+};
+
+/// Keeps one Falcon going: finds it, starts its firmware, homes it, then one frame after the other,
+/// exactly one question under way. Every interruption sends zero force first, and force comes back
+/// only with orders made from readings after it. Waits nowhere but in `Bus` and `Port`; runs on
+/// their clock. All of it: [device thread].
+class Link {
+ public:
+  Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits limits = {});
+
+  /// Until stopped; leaves with motors at zero force and lights off.
+  /// @param port  already open, or null: waits for one
+  void run(const std::stop_token& stop, std::unique_ptr<Port> port);
+
+ private:
+  enum class Leave : std::uint8_t { stopped, gone, silent };
+  enum class Upload : std::uint8_t { done, no_hello, no_lock, wrong_echo, no_start, gone };
+
+  std::unique_ptr<Port> waitForDevice(const std::stop_token& stop);
+  void serve(const std::stop_token& stop, std::unique_ptr<Port>& port);
+  bool requestAll(std::initializer_list<BridgeRequest> requests);
+  bool prepareToRun();
+  bool answers(int questions);
+  bool waitForRetry(const std::stop_token& stop);
+
+  // link_start.cpp
+  bool start(const std::stop_token& stop, std::unique_ptr<Port>& port);
+  Upload uploadOnce(const std::stop_token& stop, const std::vector<std::uint8_t>& firmware);
+  bool hello();
+  bool lockBaud();
+  bool echoes(std::span<const std::uint8_t> chunk);
+
+  // link_operate.cpp
+  Leave operate(const std::stop_token& stop);
+  void takeReport(const Report& report, std::int64_t now_ns);
+  void follow(const Report& report);
+  void debounce(std::uint8_t raw);
+  void countFrame(std::int64_t now_ns);
+  std::optional<Leave> watch(std::int64_t now_ns);
+  bool ask(std::int64_t now_ns, bool neutral);
+  std::array<std::int16_t, kArms> motorCounts(std::int64_t now_ns);
+  std::uint8_t lights(std::int64_t now_ns) const;
+  bool isWanted(std::int64_t now_ns);
+  void wake();
+  void rest(std::int64_t now_ns);
+  void sayGoodbye();
+
+  void interrupt(DeviceFault fault, std::int64_t now_ns);
+  void setState(LinkState state, const std::string& detail = {});
+  void publishStatus();
+  void publishReading(std::int64_t now_ns);
+
+  Bus& bus_;
+  LinkMailbox& mailbox_;
+  FirmwareSource firmware_;
+  LinkLimits limits_;
+  Port* port_ = nullptr;
+
+  ReportReader reader_;
+  LinkStatus status_;
+  LinkReading reading_;
+  std::uint32_t retries_seen_ = 0;
+  std::int64_t slept_ = 0;
+
+  // Of operate().
+  std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
+  std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, gate_ns_ = 0, force_ns_ = 0;
+  std::int64_t published_ns_ = 0, rate_mark_ns_ = 0;
+  std::uint64_t rate_frames_ = 0, malformed_seen_ = 0;
+  double answer_sum_ms_ = 0;
+  int under_way_ = 0;     // Questions without an answer.
+  int silence_step_ = 0;  // How far the measures against silence have gone.
+  int homed_frames_ = 0;  // In a row, with all arms homed.
+  bool seen_unhomed_ = false;
+  bool zero_next_ = false;
+  bool resting_ = false;
+  bool doubtful_ = false;  // One of the questions under way may have lost its answer.
+  std::array<std::uint8_t, 4> button_frames_{};
+};
+
+}  // namespace relievo::falcon

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Running: question and answer, homing, force, and what is done when answers stay away.
+#include <algorithm>
+#include <cmath>
+
+#include "haptics/device/falcon/link.h"
+
+namespace relievo::falcon {
+
+namespace {
+constexpr std::int64_t kMs = 1'000'000;
+constexpr double kPulledOutMm = 170 - kCentre.z;
+constexpr int kSureFrames = 3;  // In a row, before arms count as homed or a button as pressed.
+/// While no loop asks: the chip's longest latency, so that nobody is woken for nothing.
+constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 100 * kMs;
+constexpr std::uint8_t kRestLatencyMs = 255;
+
+/// Measures against silence: after 5, 10 and 15 ms, then one every 20 ms. All ask again, with zero
+/// force: a bad line gets many chances before the processor is taken for dead.
+constexpr std::int64_t kFirstMeasureNs = 5 * kMs, kNextMeasureNs = 20 * kMs;
+constexpr int kStall = 3;                       // At 20 ms.
+constexpr int kPurgeEvery = 25, kGiveUp = 100;  // Of 20 ms: 500 ms, 2 s.
+constexpr std::int64_t measureAfter(int step) {
+  return step < kStall ? (step + 1) * kFirstMeasureNs : (step - kStall + 1) * kNextMeasureNs;
+}
+}  // namespace
+
+Link::Leave Link::operate(const std::stop_token& stop) {
+  std::int64_t now = bus_.now();
+  last_answer_ns_ = gate_ns_ = rate_mark_ns_ = now;
+  malformed_seen_ = reader_.malformed();
+  rate_frames_ = status_.counts.frames;
+  under_way_ = silence_step_ = homed_frames_ = 0;
+  seen_unhomed_ = resting_ = doubtful_ = false;
+  status_.homed = 0;
+  jacobian_.reset();
+  setState(LinkState::homing);
+  std::array<std::uint8_t, 512> bytes{};
+  if (!ask(now, true)) return Leave::gone;
+  while (!stop.stop_requested()) {
+    const std::int64_t patience = resting_ ? 4 * kRestNs : 0;
+    const std::int64_t silent_at = last_answer_ns_ + patience + measureAfter(silence_step_);
+    // At least now and then to the stop token, whatever the clock did.
+    const std::int64_t until = std::clamp(silent_at, now, now + 50 * kMs);
+    const Port::Incoming in = port_->read(bytes, until);
+    if (in.result == PortResult::gone) return Leave::gone;
+    now = bus_.now();
+    if (const std::int64_t slept = bus_.slept(); slept != slept_) {
+      slept_ = slept;
+      interrupt(DeviceFault::timeout, now);
+    }
+    for (std::size_t i = 0; i < in.bytes; ++i) {
+      if (const auto report = reader_.take(bytes[i])) takeReport(*report, now);
+    }
+    if (reader_.malformed() != malformed_seen_) {
+      malformed_seen_ = reader_.malformed();
+      zero_next_ = true;
+      gate_ns_ = now;
+    }
+    const bool wanted = isWanted(now);
+    if (wanted && resting_) wake();
+    if (under_way_ == 0) {
+      if (!wanted) rest(now);
+      if (!ask(bus_.now(), false)) return Leave::gone;
+    } else if (now >= last_answer_ns_ + (resting_ ? patience : 0) + measureAfter(silence_step_)) {
+      if (const auto leave = watch(now)) return *leave;
+    }
+  }
+  sayGoodbye();
+  return Leave::stopped;
+}
+
+void Link::takeReport(const Report& report, std::int64_t now_ns) {
+  under_way_ = std::max(0, under_way_ - 1);
+  if (under_way_ == 0) doubtful_ = false;
+  countFrame(now_ns);
+  if (status_.state == LinkState::silent) setState(LinkState::homing);
+  last_answer_ns_ = now_ns;
+  silence_step_ = 0;
+  follow(report);
+  homed_frames_ = report.homed == kAllHomed ? std::min(homed_frames_ + 1, kSureFrames) : 0;
+  status_.homed = report.homed;
+  status_.encoders = report.encoders;
+  if (homed_frames_ == 0) {
+    seen_unhomed_ = true;
+    if (status_.state != LinkState::homing) setState(LinkState::homing);
+  } else if (homed_frames_ == kSureFrames && status_.state == LinkState::homing) {
+    // One that was homed before we came may be anywhere, and the loop waits until it is clear.
+    setState(seen_unhomed_ ? LinkState::pull_out : LinkState::ready);
+  } else if (status_.state == LinkState::pull_out && reading_.position.z > kPulledOutMm) {
+    setState(LinkState::ready);
+  }
+  debounce(report.buttons);
+  const bool ready = status_.state == LinkState::ready;
+  if (ready) reading_.fault = DeviceFault::none;
+  status_.position = reading_.position;
+  status_.buttons = reading_.buttons;
+  publishReading(now_ns);
+  if (now_ns - published_ns_ > 20 * kMs) {
+    published_ns_ = now_ns;
+    publishStatus();
+  }
+}
+
+void Link::follow(const Report& report) {
+  const Angles angles = anglesFromEncoders(report.encoders);
+  const std::optional<BaseMm> grip = gripFromAngles(angles);
+  jacobian_.reset();
+  if (!grip) {
+    ++status_.counts.impossible_poses;  // The last pose stays, without force.
+    zero_next_ = true;
+    return;
+  }
+  reading_.position = deviceFromBase(*grip);
+  jacobian_ = angleJacobian(*grip, angles);
+}
+
+void Link::debounce(std::uint8_t raw) {
+  for (std::size_t i = 0; i < button_frames_.size(); ++i) {
+    const std::uint32_t bit = 1U << i;
+    const bool differs = (raw & bit) != (reading_.buttons & bit);
+    button_frames_[i] = differs ? static_cast<std::uint8_t>(button_frames_[i] + 1) : 0;
+    if (button_frames_[i] < kSureFrames) continue;
+    reading_.buttons ^= bit;
+    button_frames_[i] = 0;
+  }
+}
+
+void Link::countFrame(std::int64_t now_ns) {
+  LinkCounts& counts = status_.counts;
+  const std::int64_t gap = now_ns - last_answer_ns_;
+  if (!resting_) {
+    std::size_t bin = 0;
+    while (bin < LinkCounts::kGapEdgesNs.size() && gap > LinkCounts::kGapEdgesNs[bin]) ++bin;
+    ++counts.gaps[bin];
+    counts.worst_gap_ns = std::max(counts.worst_gap_ns, gap);
+    const double answer_ms = 1e-6 * static_cast<double>(now_ns - asked_ns_);
+    answer_sum_ms_ += answer_ms;
+    status_.worst_answer_ms = std::max(status_.worst_answer_ms, answer_ms);
+  }
+  ++counts.frames;
+  constexpr std::uint64_t kFramesPerRate = 256;
+  const std::uint64_t frames = counts.frames - rate_frames_;
+  if (frames >= kFramesPerRate && now_ns > rate_mark_ns_) {
+    status_.rate_hz =
+        1e9 * static_cast<double>(frames) / static_cast<double>(now_ns - rate_mark_ns_);
+    status_.mean_answer_ms = answer_sum_ms_ / static_cast<double>(frames);
+    answer_sum_ms_ = 0;
+    rate_frames_ = counts.frames;
+    rate_mark_ns_ = now_ns;
+  }
+}
+
+std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
+  // A write that waits for the bridge takes longer than several measures.
+  while (silence_step_ < kStall && now_ns - last_answer_ns_ >= measureAfter(silence_step_ + 1)) {
+    ++silence_step_;
+  }
+  const int step = silence_step_++;
+  zero_next_ = true;
+  gate_ns_ = now_ns;
+  if (step < kStall) {
+    ++status_.counts.hiccups;
+  } else {
+    if (step == kStall) ++status_.counts.stalls;
+    interrupt(DeviceFault::timeout, now_ns);
+  }
+  const int stalled = step - kStall + 1;
+  if (stalled >= kGiveUp) return Leave::silent;
+  if (stalled > 0 && stalled % kPurgeEvery == 0) {
+    ++status_.counts.purges;
+    setState(LinkState::silent);
+    if (!requestAll({kPurge1, kPurge2})) return Leave::gone;
+    port_->discardInput();
+    reader_.reset();
+  }
+  if (!ask(now_ns, true)) return Leave::gone;
+  // The first time the answer may only be late, and two will come; else one would stay queued for
+  // ever. If only one comes, the next silence settles it.
+  doubtful_ = step == 0 && !doubtful_;
+  under_way_ = doubtful_ ? 2 : 1;
+  return std::nullopt;
+}
+
+bool Link::ask(std::int64_t now_ns, bool neutral) {
+  Command command;
+  command.lights = lights(now_ns);
+  if (neutral || zero_next_) {
+    gate_ns_ = now_ns;
+  } else {
+    command.motors = motorCounts(now_ns);
+  }
+  zero_next_ = false;
+  const PortResult result = port_->write(encode(command));
+  if (result == PortResult::gone) return false;
+  asked_ns_ = now_ns;
+  // What the device did not take counts as under way: silence is noticed, and zero sent.
+  ++under_way_;
+  return true;
+}
+
+std::array<std::int16_t, kArms> Link::motorCounts(std::int64_t now_ns) {
+  mailbox_.orders.update();
+  const ForceOrder& order = mailbox_.orders.front();
+  const bool fresh = !mailbox_.cut.load() && order.epoch == reading_.epoch && order.time_ns != 0 &&
+                     now_ns - order.time_ns <= limits_.stale_order_ns;
+  if (status_.state != LinkState::ready || !fresh || !jacobian_ || !isFinite(order.force)) {
+    gate_ns_ = now_ns;
+    return {};
+  }
+  const double asked_n = norm(order.force);
+  if (asked_n == 0) return {};
+  constexpr std::int64_t kRiseNs = 200 * kMs;
+  double allowed_n = limits_.max_force_n;
+  if (now_ns - gate_ns_ < kRiseNs) {
+    const double since_s = 1e-9 * static_cast<double>(now_ns - gate_ns_);
+    allowed_n = std::min(allowed_n, limits_.rise_n_per_s * since_s);
+  }
+  const DeviceN force = std::min(1.0, allowed_n / asked_n) * order.force;
+  const std::optional<Torques> torques = torquesForForce(*jacobian_, force);
+  if (!torques) return {};
+  mailbox_.wishes.update();
+  force_ns_ = now_ns;
+  return countsForTorques(*torques, mailbox_.wishes.front().counts_per_n_mm);
+}
+
+std::uint8_t Link::lights(std::int64_t now_ns) const {
+  const LinkWish& wish = mailbox_.wishes.front();
+  if (wish.show_lights) return wish.lights;
+  if (status_.state == LinkState::pull_out) return blue;
+  if (status_.state != LinkState::ready || reading_.fault != DeviceFault::none) return red;
+  constexpr std::int64_t kGreenNs = 2000 * kMs;
+  return force_ns_ != 0 && now_ns - force_ns_ < kGreenNs ? green : blue;
+}
+
+bool Link::isWanted(std::int64_t now_ns) {
+  mailbox_.orders.update();
+  mailbox_.wishes.update();
+  return now_ns - mailbox_.orders.front().time_ns < kRestAfterNs ||
+         mailbox_.wishes.front().show_lights || status_.state != LinkState::ready;
+}
+
+void Link::wake() {
+  port_->request(latencyTimer(1));
+  resting_ = false;
+  silence_step_ = 0;
+  last_answer_ns_ = bus_.now();
+}
+
+void Link::rest(std::int64_t now_ns) {
+  if (!resting_) {
+    resting_ = true;
+    ask(now_ns, true);  // Whatever the motors showed, they rest as well.
+    port_->request(latencyTimer(kRestLatencyMs));
+  }
+  std::array<std::uint8_t, 64> bytes{};
+  const std::int64_t until = now_ns + kRestNs;
+  while (bus_.now() < until) {
+    const Port::Incoming in = port_->read(bytes, until);
+    if (in.result == PortResult::gone) return;  // The next question finds out.
+    for (std::size_t i = 0; i < in.bytes; ++i) {
+      if (const auto report = reader_.take(bytes[i])) takeReport(*report, bus_.now());
+    }
+  }
+}
+
+void Link::sayGoodbye() {
+  interrupt(DeviceFault::not_ready, bus_.now());
+  // More than one: nobody repeats a frame that is lost now.
+  constexpr int kFrames = 3;
+  for (int i = 0; i < kFrames; ++i) {
+    std::array<std::uint8_t, 64> bytes{};
+    if (port_->write(encode({.homing = true, .lights = lights_off})) == PortResult::gone) return;
+    if (port_->read(bytes, bus_.now() + 5 * kMs).result == PortResult::gone) return;
+  }
+}
+
+}  // namespace relievo::falcon

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starting: hello to the boot loader, then the firmware, every byte echoed.
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "haptics/device/falcon/link.h"
+
+namespace relievo::falcon {
+
+namespace {
+constexpr std::int64_t kMs = 1'000'000;
+}
+
+bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
+  while (!stop.stop_requested()) {
+    std::vector<std::uint8_t> firmware;
+    try {
+      firmware = firmware_();
+    } catch (const FileError& error) {
+      setState(LinkState::no_firmware, error.what());
+      if (!waitForRetry(stop)) return false;
+      continue;
+    }
+    status_.firmware_bytes = static_cast<std::uint32_t>(firmware.size());
+    Upload result = Upload::no_hello;
+    for (int attempt = 1; attempt <= limits_.attempts && !stop.stop_requested(); ++attempt) {
+      status_.attempt = attempt;
+      status_.uploaded_bytes = 0;
+      setState(LinkState::starting);
+      // A port opened anew sometimes helps where repeating does not.
+      if (attempt > 1 && attempt % 3 == 1) {
+        port_ = nullptr;
+        port.reset();
+        port = bus_.open().port;
+        port_ = port.get();
+        if (!port) return false;
+      }
+      result = uploadOnce(stop, firmware);
+      if (result == Upload::done) return true;
+      if (result == Upload::gone) return false;
+    }
+    if (stop.stop_requested()) return false;
+    const std::string at =
+        "byte " + std::to_string(status_.uploaded_bytes) + " of " + std::to_string(firmware.size());
+    constexpr std::array<const char*, 5> kReasons{
+        "", "its boot loader did not answer", "it did not lock on to the baud rate",
+        "it echoed wrongly after ", "it did not run after loading"};
+    const auto reason = static_cast<std::size_t>(result);
+    setState(LinkState::not_started,
+             kReasons[reason] + (result == Upload::wrong_echo ? at : std::string()));
+    if (!waitForRetry(stop)) return false;
+  }
+  return false;
+}
+
+Link::Upload Link::uploadOnce(const std::stop_token& stop,
+                              const std::vector<std::uint8_t>& firmware) {
+  const auto failed = [this](Upload how) {
+    // Asking the chip anything tells whether it is still there.
+    return port_->request(kPurge1) == PortResult::gone ? Upload::gone : how;
+  };
+  if (!requestAll({kPurge1, kPurge2, latencyTimer(16), kHelloBaud, kData8N1, kFlowOff, kRtsLow,
+                   kDtrLow, kDtrHigh})) {
+    return failed(Upload::no_hello);
+  }
+  port_->discardInput();
+  if (!hello()) return failed(Upload::no_hello);
+  // Late answers to earlier hellos must not be taken for the echo.
+  if (!requestAll({kDtrLow, kUploadBaud, kPurge1, kPurge2})) return failed(Upload::no_lock);
+  port_->discardInput();
+  if (!lockBaud()) return failed(Upload::no_lock);
+  for (std::size_t at = 0; at < firmware.size(); at += kUploadChunk) {
+    if (stop.stop_requested()) return Upload::wrong_echo;
+    const std::size_t size = std::min(kUploadChunk, firmware.size() - at);
+    if (!echoes(std::span(firmware).subspan(at, size))) return failed(Upload::wrong_echo);
+    status_.uploaded_bytes = static_cast<std::uint32_t>(at + size);
+    publishStatus();
+  }
+  if (!prepareToRun()) return failed(Upload::no_start);
+  constexpr int kQuestions = 13;  // 40 ms each: the processor may need half a second.
+  return answers(kQuestions) ? Upload::done : failed(Upload::no_start);
+}
+
+bool Link::hello() {
+  constexpr int kTries = 10;
+  std::array<std::uint8_t, kPacketBytes> bytes{};
+  std::size_t matched = 0;
+  for (int i = 0; i < kTries; ++i) {
+    if (port_->write(kHello) != PortResult::ok) return false;
+    const std::int64_t until = bus_.now() + 150 * kMs;
+    while (bus_.now() < until) {
+      const Port::Incoming in = port_->read(bytes, until);
+      if (in.result == PortResult::gone) return false;
+      for (std::size_t k = 0; k < in.bytes; ++k) {
+        // Anywhere in the stream: zeros or an answer to an earlier hello may come first.
+        if (bytes[k] != kHelloAnswer[matched]) matched = 0;
+        if (bytes[k] == kHelloAnswer[matched]) ++matched;
+        if (matched == kHelloAnswer.size()) return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool Link::lockBaud() {
+  std::array<std::uint8_t, kPacketBytes> bytes{};
+  // Some devices raise CTS when they are ready; none is known to need it.
+  const std::int64_t ready_by = bus_.now() + 200 * kMs;
+  while (!port_->clearToSend() && bus_.now() < ready_by) {
+    if (port_->read(bytes, std::min(ready_by, bus_.now() + 20 * kMs)).result == PortResult::gone) {
+      return false;
+    }
+  }
+  port_->discardInput();
+  if (port_->write(std::array<std::uint8_t, 1>{kAutoBaud}) != PortResult::ok) return false;
+  const std::int64_t until = bus_.now() + 300 * kMs;
+  while (bus_.now() < until) {
+    const Port::Incoming in = port_->read(bytes, until);
+    if (in.result == PortResult::gone) return false;
+    for (std::size_t k = 0; k < in.bytes; ++k) {
+      if (bytes[k] == kAutoBaud) return true;
+    }
+  }
+  return false;
+}
+
+bool Link::echoes(std::span<const std::uint8_t> chunk) {
+  if (port_->write(chunk) != PortResult::ok) return false;
+  std::array<std::uint8_t, kPacketBytes> bytes{};
+  std::size_t same = 0;
+  const std::int64_t until = bus_.now() + 1000 * kMs;
+  while (same < chunk.size()) {
+    const Port::Incoming in = port_->read(bytes, until);
+    if (in.result == PortResult::gone || (in.bytes == 0 && bus_.now() >= until)) return false;
+    if (in.bytes > chunk.size() - same) return false;
+    const auto expected = chunk.subspan(same, in.bytes);
+    if (!std::equal(expected.begin(), expected.end(), bytes.begin())) return false;
+    same += in.bytes;
+  }
+  return true;
+}
+
+}  // namespace relievo::falcon

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/falcon/link_status.h"
+
+namespace relievo::falcon {
+
+namespace {
+std::string missingArms(std::uint8_t homed) {
+  constexpr std::array<const char*, kArms> kNames{"top", "right", "left"};
+  std::string text;
+  for (std::size_t i = 0; i < kArms; ++i) {
+    if ((homed >> i & 1U) != 0) continue;
+    text += (text.empty() ? "" : ", ") + std::string(kNames[i]);
+  }
+  return text;
+}
+}  // namespace
+
+LinkMessage describe(const LinkStatus& status) {
+  const std::string detail = status.detail.data();
+  switch (status.state) {
+    case LinkState::closed:
+      return {"", "The Falcon is not in use.", "The Falcon is not in use."};
+    case LinkState::absent:
+      if (status.unplugged > 0) {
+        return {"E305", "Falcon unplugged. Forces off. View and recording continue with the mouse.",
+                "Falcon unplugged. Forces are off."};
+      }
+      return {"", "No Falcon is plugged in. Plug in its power supply, then its USB cable.",
+              "No Falcon is plugged in."};
+    case LinkState::forbidden:
+      return {"E301",
+              "A Falcon is plugged in but this account may not use it. Install the rule shown "
+              "below once (needs an administrator), then replug.",
+              "Falcon found, but not allowed. Ask staff."};
+    case LinkState::busy:
+      return {"E304", "Another program is using the Falcon. Close it, then press Retry.",
+              "The Falcon is busy."};
+    case LinkState::broken:
+      return {"", "The Falcon could not be opened: " + detail + ". Replug it, or try another port.",
+              "The Falcon could not be opened."};
+    case LinkState::checking:
+      return {"", "Asking the Falcon whether it is ready.", "Falcon found."};
+    case LinkState::no_firmware:
+      return {"", detail, "The Falcon needs its firmware file."};
+    case LinkState::starting: {
+      const std::string count =
+          std::to_string(status.attempt) + " of " + std::to_string(status.attempts);
+      return {"E302", "Starting the Falcon – attempt " + count + ". This is normal.",
+              status.attempt > 3 ? "Still starting." : "Starting the Falcon."};
+    }
+    case LinkState::not_started:
+      return {"E303",
+              "The Falcon did not start after " + std::to_string(status.attempts) +
+                  " attempts. Plug it straight into the computer, check its power supply, then "
+                  "press Retry." +
+                  (detail.empty() ? "" : " (" + detail + ")"),
+              "The Falcon did not start. You can continue with the mouse."};
+    case LinkState::homing:
+      return {"E308",
+              "Please push the grip fully in, then pull it fully out. Still missing: " +
+                  missingArms(status.homed) + ".",
+              "Please push the grip fully in, then pull it fully out."};
+    case LinkState::pull_out:
+      return {"E308", "All three arms have found their place. Pull the grip fully out once more.",
+              "Pull the grip fully out."};
+    case LinkState::ready:
+      return {"", "Falcon ready.", "Falcon ready."};
+    case LinkState::silent:
+      return {"", "The Falcon does not answer. Forces are off; trying to wake it.",
+              "The Falcon does not answer. Forces are off."};
+  }
+  return {};
+}
+
+std::string udevRule() {
+  return "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"0403\", "
+         "ATTR{idProduct}==\"cb48\", MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"\n";
+}
+
+}  // namespace relievo::falcon

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+
+#include "core/base/vec3.h"
+#include "haptics/device/device.h"
+#include "haptics/device/falcon/protocol.h"
+
+namespace relievo::falcon {
+
+enum class LinkState : std::uint8_t {
+  closed,
+  absent,       ///< Not plugged in; waited for.
+  forbidden,    ///< E301
+  busy,         ///< E304
+  broken,       ///< The system refuses it otherwise; `detail` says how.
+  checking,     ///< Does its firmware run already?
+  no_firmware,  ///< It does not, and no file was found; `detail` says where was looked.
+  starting,     ///< Loading the firmware (E302).
+  not_started,  ///< All attempts failed (E303).
+  homing,       ///< E308
+  pull_out,     ///< Homed; no force until the grip was pulled out once.
+  ready,
+  silent,  ///< Stopped answering; being woken.
+};
+
+/// How evenly answers come.
+struct LinkCounts {
+  /// Upper edges of the histogram of times from answer to answer, ns; the last bin takes the rest.
+  static constexpr std::array<std::int64_t, 7> kGapEdgesNs{
+      800'000, 1'000'000, 1'200'000, 2'000'000, 5'000'000, 20'000'000, 100'000'000};
+
+  std::uint64_t frames = 0;     ///< Whole answers.
+  std::uint64_t malformed = 0;  ///< Pieces that were none; dropped.
+  std::uint64_t hiccups = 0;    ///< No answer for 5 ms: asked again, with zero force.
+  std::uint64_t stalls = 0;     ///< None for 20 ms: forces off.
+  std::uint64_t purges = 0;     ///< None for 500 ms: buffers emptied.
+  std::uint64_t impossible_poses = 0;
+  std::uint64_t overruns = 0, framing = 0;  ///< Told by the bridge chip.
+  std::int64_t worst_gap_ns = 0;
+  std::array<std::uint64_t, kGapEdgesNs.size() + 1> gaps{};
+};
+
+/// What the set-up assistant, `relievo devices` and the status bar show.
+struct LinkStatus {
+  LinkState state = LinkState::closed;
+  int attempt = 0, attempts = 0;  ///< Of starting.
+  std::uint32_t uploaded_bytes = 0, firmware_bytes = 0;
+  bool firmware_was_running = false;
+  std::uint8_t homed = 0;  ///< Bit i: arm i.
+  std::array<std::int16_t, kArms> encoders{};
+  std::uint32_t buttons = 0;
+  DeviceMm position;
+  double rate_hz = 0;           ///< Answers per second, over the last quarter second or so.
+  double mean_answer_ms = 0;    ///< From question to answer, over the same time.
+  double worst_answer_ms = 0;   ///< Since the link runs.
+  std::uint64_t unplugged = 0;  ///< How many times it went away while open.
+  LinkCounts counts;
+  std::array<char, 700> detail{};  ///< Zero-terminated; see the states.
+};
+static_assert(std::is_trivially_copyable_v<LinkStatus>);
+
+/// A message of the catalogue, for screen, log and speech.
+struct LinkMessage {
+  std::string code;    ///< "E301"; empty: only for information.
+  std::string screen;  ///< What happened, what the program did, what you can do.
+  std::string spoken;  ///< At most a dozen words.
+};
+LinkMessage describe(const LinkStatus& status);
+
+/// The rule that lets whoever sits at the computer use the Falcon, and one HID device class.
+std::string udevRule();
+
+}  // namespace relievo::falcon

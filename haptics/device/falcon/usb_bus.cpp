@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/falcon/usb_bus.h"
+
+#include <libusb.h>
+#include <poll.h>
+#include <ctime>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/base/error.h"
+#include "haptics/device/falcon/last_words.h"
+#include "haptics/rt/realtime_thread.h"
+
+namespace relievo::falcon {
+
+namespace {
+constexpr std::int64_t kMs = 1'000'000;
+constexpr unsigned kControlTimeoutMs = 1000, kWriteTimeoutMs = 100;
+constexpr std::uint8_t kToChip = 0x40;  // Vendor request, host to device.
+
+timeval timeLeft(std::int64_t until_ns) {
+  const std::int64_t us = std::max<std::int64_t>(0, until_ns - monotonicNs()) / 1000;
+  return {.tv_sec = us / 1'000'000, .tv_usec = us % 1'000'000};
+}
+
+bool isFalcon(libusb_device* device) {
+  libusb_device_descriptor descriptor{};
+  return libusb_get_device_descriptor(device, &descriptor) == 0 &&
+         descriptor.idVendor == kVendorId && descriptor.idProduct == kProductId;
+}
+
+/// All devices, and none of them lost.
+class DeviceList {
+ public:
+  explicit DeviceList(libusb_context* context) : count_(libusb_get_device_list(context, &list_)) {}
+  ~DeviceList() {
+    if (count_ >= 0) libusb_free_device_list(list_, 1);
+  }
+  DeviceList(const DeviceList&) = delete;
+  DeviceList& operator=(const DeviceList&) = delete;
+  std::span<libusb_device*> devices() const {
+    return {list_, static_cast<std::size_t>(std::max<ssize_t>(0, count_))};
+  }
+
+ private:
+  libusb_device** list_ = nullptr;
+  ssize_t count_;
+};
+
+/// The descriptor of the device's node: the one that libusb waits on for room to write.
+int nodeOf(libusb_context* context) {
+  const libusb_pollfd** list = libusb_get_pollfds(context);
+  int node = -1;
+  for (const libusb_pollfd** fd = list; fd != nullptr && *fd != nullptr; ++fd) {
+    if (((*fd)->events & POLLOUT) != 0) node = (*fd)->fd;
+  }
+  libusb_free_pollfds(list);
+  return node;
+}
+
+class UsbPort : public Port {
+ public:
+  UsbPort(libusb_context* context, libusb_device_handle* handle)
+      : context_(context), handle_(handle), last_words_(nodeOf(context)) {
+    for (Read& read : reads_) {
+      read.transfer = libusb_alloc_transfer(0);
+      read.owner = this;
+      libusb_fill_bulk_transfer(read.transfer, handle_, kEndpointIn, read.bytes.data(),
+                                static_cast<int>(read.bytes.size()), &UsbPort::onRead, &read, 0);
+      submit(read);
+    }
+    out_ = libusb_alloc_transfer(0);
+  }
+
+  ~UsbPort() override {
+    closing_ = true;
+    for (Read& read : reads_) {
+      if (read.under_way) libusb_cancel_transfer(read.transfer);
+    }
+    if (writing_) libusb_cancel_transfer(out_);
+    const std::int64_t give_up = monotonicNs() + 2000 * kMs;
+    while (busy() && monotonicNs() < give_up) handleEvents(monotonicNs() + 100 * kMs);
+    libusb_release_interface(handle_, 0);  // And the kernel's driver, if there was one, comes back.
+    libusb_close(handle_);
+    if (busy()) return;  // Never freed while the kernel may write to them.
+    for (Read& read : reads_) libusb_free_transfer(read.transfer);
+    libusb_free_transfer(out_);
+  }
+
+  PortResult request(const BridgeRequest& request) override {
+    if (gone_) return PortResult::gone;
+    const int result = libusb_control_transfer(handle_, kToChip, request.request, request.value,
+                                               request.index, nullptr, 0, kControlTimeoutMs);
+    if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
+    if (gone_) return PortResult::gone;
+    return result < 0 ? PortResult::timeout : PortResult::ok;
+  }
+
+  PortResult write(std::span<const std::uint8_t> bytes) override {
+    const std::int64_t give_up = monotonicNs() + (kWriteTimeoutMs + 50) * kMs;
+    while (writing_ && !gone_ && monotonicNs() < give_up) handleEvents(give_up);
+    if (gone_) return PortResult::gone;
+    if (LastWords::spoken()) return PortResult::timeout;
+    if (writing_ || !written_ || bytes.size() > out_bytes_.size()) {
+      written_ = true;  // Told once; the next write is tried again.
+      return PortResult::timeout;
+    }
+    std::copy(bytes.begin(), bytes.end(), out_bytes_.begin());
+    libusb_fill_bulk_transfer(out_, handle_, kEndpointOut, out_bytes_.data(),
+                              static_cast<int>(bytes.size()), &UsbPort::onWritten, this,
+                              kWriteTimeoutMs);
+    const int result = libusb_submit_transfer(out_);
+    if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
+    if (gone_) return PortResult::gone;
+    if (result != 0) return PortResult::timeout;
+    writing_ = true;
+    return PortResult::ok;
+  }
+
+  Incoming read(std::span<std::uint8_t> into, std::int64_t until_ns) override {
+    while (true) {
+      if (received_ > 0) {
+        const std::size_t bytes = std::min(into.size(), received_);
+        std::copy_n(buffer_.begin(), bytes, into.begin());
+        std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(bytes),
+                  buffer_.begin() + static_cast<std::ptrdiff_t>(received_), buffer_.begin());
+        received_ -= bytes;
+        return {bytes, PortResult::ok};
+      }
+      if (gone_) return {0, PortResult::gone};
+      if (monotonicNs() >= until_ns) return {0, PortResult::timeout};
+      handleEvents(until_ns);
+    }
+  }
+
+  void discardInput() override {
+    handleEvents(monotonicNs());
+    received_ = 0;
+  }
+  bool clearToSend() const override { return line_.clear_to_send; }
+  LineErrors lineErrors() const override { return errors_; }
+
+ private:
+  struct Read {
+    libusb_transfer* transfer = nullptr;
+    UsbPort* owner = nullptr;
+    std::array<std::uint8_t, kPacketBytes> bytes{};
+    bool under_way = false;
+  };
+
+  bool busy() const {
+    return writing_ || std::any_of(reads_.begin(), reads_.end(),
+                                   [](const Read& read) { return read.under_way; });
+  }
+
+  void submit(Read& read) {
+    const int result = libusb_submit_transfer(read.transfer);
+    read.under_way = result == 0;
+    if (result != 0) gone_ = true;
+  }
+
+  void handleEvents(std::int64_t until_ns) {
+    timeval left = timeLeft(until_ns);
+    if (libusb_handle_events_timeout_completed(context_, &left, nullptr) ==
+        LIBUSB_ERROR_NO_DEVICE) {
+      gone_ = true;
+    }
+  }
+
+  void take(std::span<const std::uint8_t> packet) {
+    line_.overrun = line_.framing = false;
+    std::array<std::uint8_t, kPacketBytes> payload{};
+    const std::size_t bytes = stripStatus(packet, payload, line_);
+    if (line_.overrun) ++errors_.overruns;
+    if (line_.framing) ++errors_.framing;
+    const std::size_t room = buffer_.size() - received_;
+    const std::size_t kept = std::min(bytes, room);
+    std::copy_n(payload.begin(), kept, buffer_.begin() + static_cast<std::ptrdiff_t>(received_));
+    received_ += kept;
+  }
+
+  static void LIBUSB_CALL onRead(libusb_transfer* transfer) {
+    auto& read = *static_cast<Read*>(transfer->user_data);
+    UsbPort& port = *read.owner;
+    read.under_way = false;
+    if (transfer->status == LIBUSB_TRANSFER_COMPLETED) {
+      port.take({read.bytes.data(), static_cast<std::size_t>(transfer->actual_length)});
+    } else if (transfer->status != LIBUSB_TRANSFER_CANCELLED) {
+      // A stalled or failing endpoint of this chip does not come back without a new open.
+      port.gone_ = true;
+    }
+    if (!port.gone_ && !port.closing_) port.submit(read);
+  }
+
+  static void LIBUSB_CALL onWritten(libusb_transfer* transfer) {
+    UsbPort& port = *static_cast<UsbPort*>(transfer->user_data);
+    port.writing_ = false;
+    port.written_ = transfer->status == LIBUSB_TRANSFER_COMPLETED;
+    if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) port.gone_ = true;
+  }
+
+  libusb_context* context_;
+  libusb_device_handle* handle_;
+  LastWords last_words_;
+  std::array<Read, 2> reads_;  // Two, so that one is always queued.
+  libusb_transfer* out_ = nullptr;
+  std::array<std::uint8_t, kPacketBytes> out_bytes_{};
+  std::array<std::uint8_t, 4096> buffer_{};
+  std::size_t received_ = 0;
+  LineStatus line_;
+  LineErrors errors_;
+  bool writing_ = false, written_ = true, gone_ = false, closing_ = false;
+};
+}  // namespace
+
+struct UsbBus::Impl {
+  libusb_context* context = nullptr;
+  libusb_hotplug_callback_handle callback = 0;
+  bool hears_plugs = false;
+  int plugs = 0;
+
+  static int LIBUSB_CALL onPlug(libusb_context* /*context*/, libusb_device* /*device*/,
+                                libusb_hotplug_event /*event*/, void* self) {
+    ++static_cast<Impl*>(self)->plugs;
+    return 0;
+  }
+};
+
+UsbBus::UsbBus() : impl_(std::make_unique<Impl>()) {
+  if (const int result = libusb_init(&impl_->context); result != 0) {
+    throw DeviceError(std::string("USB cannot be used: ") + libusb_strerror(result) + ".");
+  }
+  impl_->hears_plugs =
+      libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
+      libusb_hotplug_register_callback(
+          impl_->context, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT,
+          LIBUSB_HOTPLUG_NO_FLAGS, kVendorId, kProductId, LIBUSB_HOTPLUG_MATCH_ANY, &Impl::onPlug,
+          impl_.get(), &impl_->callback) == 0;
+}
+
+UsbBus::~UsbBus() {
+  if (impl_->hears_plugs) libusb_hotplug_deregister_callback(impl_->context, impl_->callback);
+  libusb_exit(impl_->context);
+}
+
+Opening UsbBus::open() {
+  const DeviceList list(impl_->context);
+  Opening opening;
+  for (libusb_device* device : list.devices()) {
+    if (!isFalcon(device)) continue;
+    libusb_device_handle* handle = nullptr;
+    int result = libusb_open(device, &handle);
+    if (result == 0) {
+      libusb_set_auto_detach_kernel_driver(handle, 1);
+      result = libusb_claim_interface(handle, 0);
+      if (result == 0) {
+        opening.presence = Presence::present;
+        opening.port = std::make_unique<UsbPort>(impl_->context, handle);
+        return opening;
+      }
+      libusb_close(handle);
+    }
+    switch (result) {
+      case LIBUSB_ERROR_ACCESS:
+        opening.presence = Presence::forbidden;
+        break;
+      case LIBUSB_ERROR_BUSY:
+        opening.presence = Presence::busy;
+        break;
+      case LIBUSB_ERROR_NO_DEVICE:
+        break;  // Left while we looked.
+      default:
+        opening.presence = Presence::broken;
+        opening.detail = libusb_strerror(result);
+    }
+  }
+  return opening;
+}
+
+void UsbBus::waitForChange(std::int64_t until_ns) {
+  const int before = impl_->plugs;
+  do {
+    timeval left = timeLeft(until_ns);
+    libusb_handle_events_timeout_completed(impl_->context, &left, nullptr);
+  } while (impl_->plugs == before && monotonicNs() < until_ns);
+}
+
+std::int64_t UsbBus::now() {
+  return monotonicNs();
+}
+
+std::int64_t UsbBus::slept() {
+  timespec with_sleep{};
+  clock_gettime(CLOCK_BOOTTIME, &with_sleep);
+  const std::int64_t boot_ns = with_sleep.tv_sec * 1'000'000'000 + with_sleep.tv_nsec;
+  // The clocks are read one after the other: whole seconds only.
+  return (boot_ns - monotonicNs() + 500 * kMs) / 1'000'000'000 * 1'000'000'000;
+}
+
+std::vector<SeenFalcon> seenFalcons() {
+  libusb_context* context = nullptr;
+  if (libusb_init(&context) != 0) return {};
+  std::vector<SeenFalcon> seen;
+  {
+    const DeviceList list(context);
+    for (libusb_device* device : list.devices()) {
+      if (!isFalcon(device)) continue;
+      const int speed = libusb_get_device_speed(device);
+      seen.push_back({libusb_get_bus_number(device), libusb_get_device_address(device),
+                      speed == LIBUSB_SPEED_FULL   ? 12
+                      : speed == LIBUSB_SPEED_HIGH ? 480
+                                                   : 0});
+    }
+  }
+  libusb_exit(context);
+  return seen;
+}
+
+}  // namespace relievo::falcon

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/vec3.h"
+#include "haptics/rt/realtime.h"
+
+namespace relievo {
+
+/// What one tick may send, said from its inputs alone and not by the stages that made the force.
+struct ForceBounds {
+  bool zero = false;       ///< Nothing may be sent.
+  double most_n = 0;       ///< Largest force.
+  double most_step_n = 0;  ///< Largest change from the last one; letting go is always allowed.
+};
+
+/// Second opinion on every tick, counted in the loop: nobody has to trust the force chain.
+struct ForceAudit {
+  std::uint64_t ticks = 0;
+  std::uint64_t zero_demanded = 0;     ///< Ticks whose inputs demand zero ...
+  std::uint64_t zero_violations = 0;   ///< ... and that sent something.
+  std::uint64_t limit_violations = 0;  ///< More than the cap, or no finite number.
+  std::uint64_t step_violations = 0;   ///< A larger change than the slew limit allows.
+  double largest_n = 0;                ///< Of all forces.
+  double largest_step_n = 0;           ///< Of all changes but those to zero.
+
+  std::uint64_t violations() const RELIEVO_REALTIME {
+    return zero_violations + limit_violations + step_violations;
+  }
+};
+
+/// @param before  the force of the tick before, as the device got it
+ForceAudit audited(ForceAudit audit, const ForceBounds& bounds, DeviceN before,
+                   DeviceN sent) RELIEVO_REALTIME;
+
+}  // namespace relievo

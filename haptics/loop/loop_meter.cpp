@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/loop/loop_meter.h"
+
+#include <algorithm>
+
+#include "haptics/rt/realtime_thread.h"
+
+namespace relievo {
+
+namespace {
+template <std::size_t Edges>
+void count(std::array<std::uint64_t, Edges + 1>& bins, const std::array<std::int64_t, Edges>& edges,
+           std::int64_t ns) RELIEVO_REALTIME {
+  std::size_t bin = 0;
+  while (bin < Edges && ns > edges[bin]) ++bin;
+  ++bins[bin];
+}
+}  // namespace
+
+bool LoopMeter::wake(std::int64_t deadline_ns, std::int64_t now_ns,
+                     std::int64_t period_ns) RELIEVO_REALTIME {
+  const std::int64_t delay = now_ns - deadline_ns;
+  count(stats_.delays, LoopStats::kDelayEdgesNs, delay);
+  ++stats_.ticks;
+  const bool late = delay > period_ns / 2;
+  if (late) ++stats_.late_ticks;
+  if (stats_.ticks > 1) {
+    stats_.worst_period_ms =
+        std::max(stats_.worst_period_ms, 1e-6 * static_cast<double>(now_ns - last_ns_));
+  } else {
+    faults_before_ = threadPageFaults();
+  }
+  last_ns_ = now_ns;
+  constexpr std::uint64_t kTicksPerRate = 256;
+  if (stats_.ticks % kTicksPerRate == 0 && now_ns > mark_ns_) {
+    stats_.rate_hz = 1e9 * kTicksPerRate / static_cast<double>(now_ns - mark_ns_);
+    stats_.page_faults = threadPageFaults() - faults_before_;
+    mark_ns_ = now_ns;
+  }
+  return late;
+}
+
+void LoopMeter::computed(std::int64_t tick_ns) RELIEVO_REALTIME {
+  const double us = 1e-3 * static_cast<double>(tick_ns);
+  stats_.mean_tick_us += (us - stats_.mean_tick_us) / static_cast<double>(stats_.ticks);
+  stats_.worst_tick_us = std::max(stats_.worst_tick_us, us);
+  count(stats_.work, LoopStats::kWorkEdgesNs, tick_ns);
+}
+
+void LoopMeter::note(const ForceAudit& audit, std::uint64_t watchdog_cuts) RELIEVO_REALTIME {
+  stats_.audit = audit;
+  stats_.watchdog_cuts = watchdog_cuts;
+}
+
+}  // namespace relievo

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stability map: how stiff a surface may be for each level and grip, with and without the
+// passivity stage, found with the virtual hand. Writes docs/dev/stability.md and its plot:
+//   cmake --build --preset release --target stability
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "app/batch/svg.h"
+#include "tests/haptics/stability.h"
+
+namespace relievo {
+namespace {
+
+using batch::fixedDigits;
+
+/// Largest stable stiffness of one scene, per grip, without and with the passivity stage.
+struct Row {
+  std::string scene;
+  int detail = 0;
+  std::array<std::array<double, 2>, kHandPresets.size()> k{};
+};
+
+std::vector<Row> measure() {
+  std::vector<Row> rows;
+  for (const test::StabilityScene& scene : test::stabilityScenes()) {
+    Row row{scene.name, scene.detail, {}};
+    for (std::size_t grip = 0; grip < kHandPresets.size(); ++grip) {
+      for (const bool passivity : {false, true}) {
+        row.k[grip][passivity ? 1 : 0] =
+            test::largestStable(*scene.space, kHandPresets[grip], passivity);
+      }
+    }
+    rows.push_back(row);
+    std::cerr << scene.name << ' ' << scene.detail << '\n';
+  }
+  return rows;
+}
+
+/// The least over the scenes that a level meets and all grips.
+double leastAt(const std::vector<Row>& rows, int detail, bool passivity) {
+  double least = 1e9;
+  for (const Row& row : rows) {
+    if (row.detail != 0 && row.detail != detail) continue;
+    for (const auto& k : row.k) least = std::min(least, k[passivity ? 1 : 0]);
+  }
+  return least;
+}
+
+std::string number(double k) {
+  return (k > 2.95 ? ">= " : "") + fixedDigits(k, 1);
+}
+
+void writePage(std::ostream& out, const std::vector<Row>& rows) {
+  out << "# How stiff a surface may be\n\n"
+         "Found with the virtual hand (`haptics/device/virtual_hand.h`: 0.2 kg, 1 N s/m, 0.1 N of "
+         "dry "
+         "friction,\n0.0635 mm per count, one tick of delay beside the loop's own) at 1 kHz, full "
+         "strength, the oscillation\nwatch off. A hand lands, slides at 30 mm/s for a second and "
+         "rests; pushes of 0.5, 2 and 4 N, two places.\nStable: in the last half second the force "
+         "swings by less than "
+      << fixedDigits(test::kStillN, 2)
+      << " N above 20 Hz, at this stiffness and\nat every lower one in steps of 0.1 N/mm. Largest "
+         "stable stiffness in N/mm, without -> with the passivity stage:\n\n| scene |";
+  for (const HandImpedance& grip : kHandPresets) out << ' ' << grip.name << " grip |";
+  out << "\n|---|";
+  for (std::size_t i = 0; i < kHandPresets.size(); ++i) out << "---:|";
+  out << '\n';
+  for (const Row& row : rows) {
+    out << "| " << row.scene;
+    if (row.detail > 0) {
+      out << " of Detail " << row.detail << ", "
+          << test::kTextureWaveMm[static_cast<std::size_t>(row.detail - 1)] << " mm waves";
+    }
+    out << " |";
+    for (const auto& k : row.k) out << ' ' << number(k[0]) << " -> " << number(k[1]) << " |";
+    out << '\n';
+  }
+  out << "\n![Largest stable stiffness and the default, per level](stability.svg)\n\n"
+         "Waves are in mm of hand; their amplitude is 1/20 of their length. A level meets the "
+         "flat, the\n"
+         "edge and its own texture; the least over scenes and grips bounds its default\n"
+         "(`stiffnessForDetail`). Detail 1 and 2 take at most 75 % of what is stable with the "
+         "stage.\n"
+         "Detail 3 and finer, which carry the texture, take no more than what is stable without "
+         "it, so\n"
+         "that the stage has nothing to do where the finest forces are felt; from Detail 4 on 0.5, "
+         "up\n"
+         "to which textured surfaces were found to be felt cleanly (Choi and Tan 2004).\n\n"
+         "| level | stable without | stable with | default |\n|---|---:|---:|---:|\n";
+  for (int detail = 1; detail <= 4; ++detail) {
+    out << "| Detail " << detail << (detail == 4 ? " and finer" : "") << " | "
+        << number(leastAt(rows, detail, false)) << " | " << number(leastAt(rows, detail, true))
+        << " | " << fixedDigits(stiffnessForDetail(detail), 2) << " |\n";
+  }
+  out << "\nGenerated: `cmake --build --preset release --target stability`. "
+         "`haptics/loop/stability_test` checks that the defaults\nare stable for every grip and "
+         "scene of their level, and one cell that needs the stage.\n";
+}
+
+constexpr double kLeft = 56, kTop = 34, kWidth = 560, kHeight = 240;
+
+double yOf(double k, double most) {
+  return kTop + kHeight * (1 - k / most);
+}
+
+std::string plot(const std::vector<Row>& rows) {
+  const double most = 2;
+  std::string svg =
+      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 330' width='640' height='330' "
+      "font-family='sans-serif' font-size='11'>\n<rect width='640' height='330' fill='white'/>\n";
+  svg += batch::textAt(kLeft, 20, "start", "Largest stable stiffness over scenes and grips (N/mm)",
+                       " font-size='13'");
+  for (int i = 0; i <= 8; ++i) {
+    const double k = 0.25 * i;
+    svg += batch::lineAt(kLeft, yOf(k, most), kLeft + kWidth, yOf(k, most), "#dddddd");
+    svg += batch::textAt(kLeft - 6, yOf(k, most) + 4, "end", fixedDigits(k, 2));
+  }
+  const auto bar = [&](double x, double k, const std::string& style) {
+    return "<rect x='" + fixedDigits(x, 1) + "' y='" +
+           fixedDigits(yOf(std::min(k, most), most), 1) + "' width='30' height='" +
+           fixedDigits(kTop + kHeight - yOf(std::min(k, most), most), 1) + "' " + style + "/>\n";
+  };
+  // Outline, grey and solid tell the three apart without colour, too.
+  constexpr const char* kWithout = "fill='white' stroke='#222222'";
+  constexpr const char* kWith = "fill='#9bb8e8' stroke='#1f5fd0'";
+  constexpr const char* kDefault = "fill='#222222'";
+  for (int detail = 1; detail <= 4; ++detail) {
+    const double x = kLeft + 25 + 140 * (detail - 1);
+    svg += bar(x, leastAt(rows, detail, false), kWithout);
+    svg += bar(x + 34, leastAt(rows, detail, true), kWith);
+    svg += bar(x + 68, stiffnessForDetail(detail), kDefault);
+    svg += batch::textAt(x + 49, kTop + kHeight + 16, "middle", "Detail " + std::to_string(detail));
+  }
+  const auto legend = [&](double x, const char* style, const char* text) {
+    return "<rect x='" + fixedDigits(x, 1) + "' y='302' width='12' height='12' " + style + "/>\n" +
+           batch::textAt(x + 18, 312, "start", text);
+  };
+  svg += legend(kLeft, kWithout, "without the passivity stage");
+  svg += legend(kLeft + 200, kWith, "with it");
+  svg += legend(kLeft + 300, kDefault, "default");
+  return svg + "</svg>\n";
+}
+
+bool write(const std::string& file, const auto& fill) {
+  std::ofstream out(file);
+  fill(out);
+  out.close();
+  if (!out) std::cerr << "stability_map: " << file << " cannot be written.\n";
+  return static_cast<bool>(out);
+}
+
+}  // namespace
+}  // namespace relievo
+
+int main(int argc, char** argv) {
+  using namespace relievo;
+  if (argc != 2) {
+    std::cerr << "Usage: stability_map FOLDER\n";
+    return 1;
+  }
+  const std::string folder = argv[1];
+  const std::vector<Row> rows = measure();
+  const bool done =
+      write(folder + "/stability.md", [&](std::ostream& out) { writePage(out, rows); }) &&
+      write(folder + "/stability.svg", [&](std::ostream& out) { out << plot(rows); });
+  return done ? 0 : 3;
+}

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/relief/relief_image.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "core/base/error.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kSpacing = 0.5;
+constexpr int kSide = 101;
+constexpr Cell kMiddle{.col = 50, .row = 50};
+
+/// Heights z(x, y) with the origin on the middle sample.
+DepthMap mapOf(const std::function<double(double, double)>& z) {
+  DepthMap map;
+  map.frame = {.size = {.cols = kSide, .rows = kSide},
+               .spacing_mm = kSpacing,
+               .first_x_mm = 0,
+               .first_y_mm = 0};
+  for (int row = 0; row < kSide; ++row) {
+    for (int col = 0; col < kSide; ++col) {
+      map.heights_mm.push_back(
+          static_cast<float>(z((col - kMiddle.col) * kSpacing, (row - kMiddle.row) * kSpacing)));
+    }
+  }
+  map.origins.assign(map.frame.size.count(), Origin::measured);
+  return map;
+}
+
+double valueAt(const DepthMap& map, const ReliefLook& look, Cell cell = kMiddle) {
+  return static_cast<double>(reliefValues(map, look).values[map.frame.size.index(cell)]);
+}
+
+/// A plane that rises by `slope_deg` toward `up_azimuth_deg` (0 = up, clockwise).
+std::function<double(double, double)> plane(double slope_deg, double up_azimuth_deg) {
+  const double t = std::tan(slope_deg * kDegree);
+  const double a = up_azimuth_deg * kDegree;
+  return [=](double x, double y) { return t * (x * std::sin(a) + y * std::cos(a)); };
+}
+
+/// A cone that opens upward, its tip cut off 5 mm from the axis: at a tip no grid is fine enough.
+double cone(double x, double y) {
+  return 0.75 * std::max(0.0, std::hypot(x, y) - 5);
+}
+/// Tangent of the angle at which its side stands 20 mm from the axis.
+constexpr double kConeTangent = 0.75 * 15 / 20;
+
+TEST(ReliefImage, AHillshadeIsTheCosineBetweenSurfaceAndLight) {
+  const ReliefLook look{.kind = ReliefKind::hillshade,
+                        .light = {.azimuth_deg = 315, .elevation_deg = 45}};
+  EXPECT_NEAR(valueAt(mapOf(plane(0, 0)), look), std::sin(45 * kDegree), 1e-6);
+  // A slope of 20 degrees that faces the light stands at 90 - 45 - 20 degrees from it.
+  EXPECT_NEAR(valueAt(mapOf(plane(20, 135)), look), std::cos(25 * kDegree), 1e-6);
+  EXPECT_NEAR(valueAt(mapOf(plane(20, 315)), look), std::cos(65 * kDegree), 1e-6);
+  EXPECT_EQ(valueAt(mapOf(plane(60, 315)), look), 0);
+}
+
+TEST(ReliefImage, FourLightsShowASlopeThatOneLightLeavesDark) {
+  const ReliefLook one{.kind = ReliefKind::hillshade};
+  const ReliefLook four{.kind = ReliefKind::multi_hillshade};
+  EXPECT_NEAR(valueAt(mapOf(plane(0, 0)), four), std::sin(45 * kDegree), 1e-6);
+  // Facing east: the weights sin^2(90 - azimuth) are 1/2, 0, 1/2, 1 for 225, 270, 315, 360 degrees;
+  // the shades (cos(aspect - azimuth) cos 45 sin 30 + sin 45 cos 30).
+  double sum = 0;
+  double weights = 0;
+  for (const double azimuth : {225.0, 270.0, 315.0, 360.0}) {
+    const double w = std::pow(std::sin((90 - azimuth) * kDegree), 2);
+    sum += w * std::max(0.0, std::cos((90 - azimuth) * kDegree) * std::cos(45 * kDegree) *
+                                     std::sin(30 * kDegree) +
+                                 std::sin(45 * kDegree) * std::cos(30 * kDegree));
+    weights += w;
+  }
+  const DepthMap east = mapOf(plane(30, 270));
+  EXPECT_NEAR(valueAt(east, four), sum / weights, 1e-6);
+  EXPECT_GT(valueAt(east, four), valueAt(east, one));
+}
+
+TEST(ReliefImage, SlopeIsThatOfThePlaneAndOfTheConeInDegrees) {
+  const ReliefLook look{.kind = ReliefKind::slope};
+  EXPECT_NEAR(valueAt(mapOf(plane(37, 200)), look), 37, 1e-4);
+  EXPECT_NEAR(valueAt(mapOf(plane(37, 200)), look, {.col = 0, .row = 0}), 37, 1e-4);
+  EXPECT_NEAR(valueAt(mapOf(cone), look, {.col = 90, .row = 50}), std::atan(0.75) / kDegree, 1e-3);
+}
+
+TEST(ReliefImage, LocalReliefOfAPlaneIsZeroAndOfABowlTheVarianceOfTheGaussian) {
+  const ReliefLook look{.kind = ReliefKind::local_relief, .radius_mm = 5};
+  EXPECT_NEAR(valueAt(mapOf(plane(25, 10)), look), 0, 1e-4);
+  // z = c (x^2 + y^2) smoothed is z + 2 c sigma^2; sigma is half the radius.
+  const double c = 0.02;
+  const DepthMap bowl = mapOf([c](double x, double y) { return c * (x * x + y * y); });
+  EXPECT_NEAR(valueAt(bowl, look), -2 * c * 2.5 * 2.5, 2e-3 * 2 * c * 2.5 * 2.5);
+}
+
+TEST(ReliefImage, TheSkyIsWholeOnAPlateauAndShutOutInAPit) {
+  const ReliefLook look{.kind = ReliefKind::sky_view, .radius_mm = 20};
+  EXPECT_NEAR(valueAt(mapOf(plane(0, 0)), look), 1, 1e-6);
+  // On the axis of a cone that opens upward all horizons stand equally high.
+  EXPECT_NEAR(valueAt(mapOf(cone), look), 1 - kConeTangent / std::hypot(1, kConeTangent), 1e-3);
+  // From the floor of a hemispherical pit the rim stands at 45 degrees.
+  const double r = 15;
+  const DepthMap pit = mapOf([r](double x, double y) {
+    const double d = std::hypot(x, y);
+    return d < r ? r - std::sqrt(r * r - d * d) : r;
+  });
+  EXPECT_NEAR(valueAt(pit, look), 1 - std::sqrt(0.5), 0.01);
+  // A slope of 30 degrees hides the sky uphill: the horizon toward an angle f has the tangent
+  // tan(30) cos(f).
+  double hidden = 0;
+  for (int d = 0; d < 16; ++d) {
+    const double t = std::max(0.0, std::tan(30 * kDegree) * std::cos(22.5 * d * kDegree));
+    hidden += t / std::hypot(1, t) / 16;
+  }
+  EXPECT_NEAR(valueAt(mapOf(plane(30, 90)), look), 1 - hidden, 1e-5);
+}
+
+TEST(ReliefImage, OpennessIsARightAngleOnAPlaneLessInAHollowAndMoreOnAPeak) {
+  const ReliefLook look{.kind = ReliefKind::openness, .radius_mm = 20};
+  EXPECT_NEAR(valueAt(mapOf(plane(0, 0)), look), 90, 1e-5);
+  EXPECT_NEAR(valueAt(mapOf(plane(30, 45)), look), 90, 1e-4);
+  const double side = std::atan(kConeTangent) / kDegree;
+  EXPECT_NEAR(valueAt(mapOf(cone), look), 90 - side, 0.05);
+  const auto tent = [](double x, double y) { return -0.75 * std::hypot(x, y); };
+  EXPECT_NEAR(valueAt(mapOf(tent), look), 90 + std::atan(0.75) / kDegree, 0.05);
+}
+
+TEST(ReliefImage, OutsideHasNoValueAndDoesNotDisturbItsNeighbours) {
+  DepthMap map = mapOf(plane(20, 0));
+  for (int row = 0; row < kSide; ++row) {
+    for (int col = 60; col < kSide; ++col) {
+      const std::size_t i = map.frame.size.index({.col = col, .row = row});
+      map.origins[i] = Origin::outside;
+      map.heights_mm[i] = -1000;
+    }
+  }
+  for (const ReliefKind kind : {ReliefKind::hillshade, ReliefKind::multi_hillshade,
+                                ReliefKind::slope, ReliefKind::openness}) {
+    const ReliefLook look{.kind = kind};
+    const auto values = reliefValues(map, look).values;
+    EXPECT_TRUE(std::isnan(values[map.frame.size.index({.col = 60, .row = 50})])) << name(kind);
+    EXPECT_TRUE(std::isfinite(values[map.frame.size.index({.col = 59, .row = 50})])) << name(kind);
+  }
+  EXPECT_NEAR(valueAt(map, {.kind = ReliefKind::slope}, {.col = 59, .row = 50}), 20, 1e-4);
+  EXPECT_NEAR(valueAt(map, {.kind = ReliefKind::local_relief}, {.col = 55, .row = 50}), 0, 1e-3);
+}
+
+TEST(ReliefImage, ColoursSpanTheDataAndAChosenRangeIsKept) {
+  const DepthMap map = mapOf(plane(45, 90));
+  ReliefLook look{.kind = ReliefKind::height};
+  const ReliefValues found = reliefValues(map, look);
+  EXPECT_NEAR(found.low, -24.5, 0.6);
+  EXPECT_NEAR(found.high, 24.5, 0.6);
+  look.range = {{0, 10}};
+  const ReliefValues chosen = reliefValues(map, look);
+  EXPECT_EQ(chosen.low, 0);
+  EXPECT_EQ(chosen.high, 10);
+  const auto colours = reliefColours(chosen, look);
+  ASSERT_EQ(colours.size(), 3 * map.heights_mm.size());
+  const auto colour_at = [&](int col) {
+    const std::size_t i = 3 * map.frame.size.index({.col = col, .row = 50});
+    return Rgb8{colours[i], colours[i + 1], colours[i + 2]};
+  };
+  EXPECT_EQ(colour_at(0), colourOf(ColourMap::viridis, 0));
+  EXPECT_EQ(colour_at(60), colourOf(ColourMap::viridis, 0.5));
+  EXPECT_EQ(colour_at(100), colourOf(ColourMap::viridis, 1));
+}
+
+TEST(ReliefImage, WrongNumbersAreRefused) {
+  const DepthMap map = mapOf(plane(0, 0));
+  EXPECT_THROW(reliefValues(map, {.kind = ReliefKind::sky_view, .radius_mm = -1}), ArgumentError);
+  EXPECT_THROW(reliefValues(map, {.light = {.azimuth_deg = 0, .elevation_deg = 91}}),
+               ArgumentError);
+  EXPECT_THROW(reliefValues(map, {.range = {{1, 1}}}), ArgumentError);
+}
+
+/// CIE 1976 lightness of an sRGB colour.
+double lightness(const Rgb8& rgb) {
+  double y = 0;
+  constexpr std::array<double, 3> kWeights{0.2126, 0.7152, 0.0722};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double c = rgb[i] / 255.0;
+    y += kWeights[i] * (c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+  return y > 0.008856 ? 116 * std::cbrt(y) - 16 : 903.3 * y;
+}
+
+TEST(ColourMaps, EveryMapGrowsLighterAllTheWayInEvenSteps) {
+  for (const ColourMap map : {ColourMap::grey, ColourMap::viridis, ColourMap::cividis}) {
+    double before = -1;
+    double least = 100;
+    double most = 0;
+    for (int i = 0; i <= 20; ++i) {
+      const double now = lightness(colourOf(map, i / 20.0));
+      if (i > 0) {
+        least = std::min(least, now - before);
+        most = std::max(most, now - before);
+      }
+      before = now;
+    }
+    EXPECT_GT(least, 1.5) << name(map);
+    EXPECT_LT(most, map == ColourMap::grey ? 7 : 6) << name(map);
+  }
+}
+
+TEST(ColourMaps, ViridisMeetsThePublishedColours) {
+  struct Anchor {
+    double t;
+    Rgb8 rgb;
+  };
+  for (const Anchor& a :
+       {Anchor{0, {68, 1, 84}}, Anchor{0.25, {59, 82, 139}}, Anchor{0.5, {33, 145, 140}},
+        Anchor{0.75, {94, 201, 98}}, Anchor{1, {253, 231, 37}}}) {
+    const Rgb8 made = colourOf(ColourMap::viridis, a.t);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(made[i], a.rgb[i], 5) << a.t;
+  }
+}
+
+TEST(ColourMaps, NamesFindTheirKinds) {
+  EXPECT_EQ(reliefKind("skyview"), ReliefKind::sky_view);
+  EXPECT_EQ(colourMap("cividis"), ColourMap::cividis);
+  EXPECT_FALSE(reliefKind("rainbow"));
+  EXPECT_FALSE(colourMap("jet"));
+}
+
+}  // namespace
+}  // namespace relievo

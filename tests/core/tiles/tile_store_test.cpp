@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/tiles/tile_store.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+#include "core/tiles/scatter.h"
+#include "tests/core/scan_fixtures.h"
+#include "tests/core/tiles/tile_fixtures.h"
+
+namespace relievo {
+namespace {
+
+constexpr GridFrame kFrame{
+    .size = {700, 600}, .spacing_mm = 0.25, .first_x_mm = 0.125, .first_y_mm = 0.125};
+
+/// Coordinates are multiples of 1/4096 mm, so that float holds them and their sums exactly.
+std::vector<FilePoint> randomPoints(std::size_t count) {
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> x(0, 700 * 1024 - 1);
+  std::uniform_int_distribution<int> y(0, 600 * 1024 - 1);
+  std::uniform_int_distribution<int> z(0, 20 * 4096);
+  std::vector<FilePoint> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back({x(random) / 4096.0, y(random) / 4096.0, z(random) / 4096.0});
+  }
+  return points;
+}
+
+struct How {
+  PointRule rule;
+  std::size_t memory_bytes = std::size_t{256} << 20U;
+  int threads = 2;
+};
+
+struct Gridded {
+  FrontDepths depths;
+  std::uint64_t spilled_bytes = 0;
+};
+
+Gridded grid(const std::vector<FilePoint>& points, const How& how) {
+  const test::TileFolder folder;
+  TileStore store(kFrame.size, {.merges = isMergeable(how.rule),
+                                .memory_bytes = how.memory_bytes,
+                                .spill_folder = folder.path(),
+                                .sum_unit_mm = sumUnit(points.size(), 21),
+                                .threads = how.threads});
+  scatterIntoTiles(test::sourceOf(points), {}, kFrame, store, {});
+  Gridded result;
+  makeDepths(store, how.rule, kFrame.spacing_mm,
+             [&](int first, int rows, const float* depths) {
+               EXPECT_EQ(kFrame.size.index({.col = 0, .row = first}), result.depths.size());
+               result.depths.insert(result.depths.end(), depths, depths + rows * kFrame.size.cols);
+             },
+             {});
+  result.spilled_bytes = store.spilledBytes();
+  EXPECT_LE(store.residentBytes(), how.memory_bytes);
+  return result;
+}
+
+void expectSameBytes(const Gridded& a, const Gridded& b) {
+  ASSERT_EQ(a.depths.size(), b.depths.size());
+  EXPECT_EQ(std::memcmp(a.depths.data(), b.depths.data(), 4 * a.depths.size()), 0);
+}
+
+constexpr PointRule kRules[] = {PointRule::front, PointRule::second, PointRule::mean,
+                                PointRule::median, PointRule::top_mean};
+
+TEST(TileStore, GivesTheSameBytesForEveryOrderBudgetAndNumberOfThreads) {
+  std::vector<FilePoint> points = randomPoints(600'000);
+  for (const PointRule rule : kRules) {
+    SCOPED_TRACE(describe(rule));
+    const Gridded all = grid(points, {.rule = rule, .threads = 1});
+    EXPECT_EQ(all.spilled_bytes, 0U);
+    const Gridded small = grid(points, {.rule = rule, .memory_bytes = 2'000'000, .threads = 3});
+    EXPECT_GT(small.spilled_bytes, 1'000'000U);
+    expectSameBytes(all, small);
+    std::shuffle(points.begin(), points.end(), std::mt19937(3));
+    expectSameBytes(all, grid(points, {.rule = rule, .memory_bytes = 3'000'000}));
+    std::sort(points.begin(), points.end(),
+              [](const FilePoint& a, const FilePoint& b) { return a.y < b.y; });
+    expectSameBytes(all, grid(points, {.rule = rule, .memory_bytes = 2'000'000}));
+  }
+}
+
+TEST(TileStore, MergesFullTilesAndForgetsTheirPoints) {
+  // All points in one tile: as points they would take 16 MB.
+  std::vector<FilePoint> points = randomPoints(1'000'000);
+  for (FilePoint& p : points) p = {p.x / 4, p.y / 4, p.z};
+  const How how{.rule = PointRule::mean, .memory_bytes = 6'000'000};
+  EXPECT_EQ(grid(points, how).spilled_bytes, 0U);
+}
+
+TEST(TileStore, GridsAsTheWholeMapDoes) {
+  const std::vector<FilePoint> points = randomPoints(900'000);
+  Scan scan;
+  for (const FilePoint& p : points) {
+    scan.points.push_back(
+        {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  }
+  for (const PointRule rule : kRules) {
+    SCOPED_TRACE(describe(rule));
+    const FrontDepths whole =
+        scatterPoints({.scan = scan, .view_from_file = {}, .frame = kFrame, .rule = rule});
+    const Gridded tiles = grid(points, {.rule = rule});
+    ASSERT_EQ(tiles.depths.size(), whole.size());
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      other += std::isnan(whole[i]) ? !std::isnan(tiles.depths[i]) : tiles.depths[i] != whole[i];
+    }
+    EXPECT_EQ(other, 0U);
+  }
+}
+
+TEST(TileStore, ProposesTheRuleOfTheWholeMap) {
+  for (const std::size_t count : {300'000U, 2'400'000U}) {
+    std::vector<FilePoint> points = randomPoints(count);
+    for (FilePoint& p : points) p.z = 0.01 * p.z + 0.1 * p.x;
+    Scan scan;
+    for (const FilePoint& p : points) {
+      scan.points.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    }
+    TileStore store(kFrame.size, {});
+    scatterIntoTiles(test::sourceOf(points), {}, kFrame, store, {});
+    const RuleProposal whole =
+        proposeRule({.scan = scan, .view_from_file = {}, .frame = kFrame}, Task{});
+    const RuleProposal tiles = proposeRule(store, kFrame.spacing_mm, {});
+    EXPECT_EQ(tiles.rule, whole.rule);
+    EXPECT_EQ(tiles.reason, whole.reason);
+  }
+}
+
+TEST(TileStore, CannotOverflowItsSums) {
+  const std::uint64_t points = 200'000'000;
+  const double unit = sumUnit(points, 1e7);
+  EXPECT_LT(static_cast<double>(points) * (1e7 / unit + 0.5), 9.2e18);
+  EXPECT_LT(unit, 1e-3);
+}
+
+TEST(TileStore, SaysWhenTheDiskIsNotThere) {
+  TileStore store({.cols = 512, .rows = 512},
+                  {.memory_bytes = 100'000, .spill_folder = "/nonexistent", .threads = 1});
+  const std::vector<TilePoint> points(20'000);
+  EXPECT_THROW(
+      {
+        for (int i = 0; i < 10; ++i) store.add(points);
+      },
+      WriteError);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A program that touches and then ends in one of many ways; see usb_test.
+// falcon_client FORCE_N MS ENDING: asks for FORCE_N outward for MS once the Falcon is ready.
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+#include <thread>
+
+#include "core/base/error.h"
+#include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/falcon/firmware.h"
+#include "haptics/device/falcon/usb_bus.h"
+#include "haptics/rt/realtime_thread.h"
+
+namespace {
+
+int endAs(const std::string& ending) {
+  if (ending == "normal") return 0;
+  if (ending == "exit") std::exit(0);  // Without destructors of what lives on the stack.
+  if (ending == "abort") std::abort();
+  if (ending == "throw") throw relievo::Error("nobody catches this");
+  std::raise(std::stoi(ending));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 4) return 1;
+  const double force_n = std::stod(argv[1]);
+  const int ms = std::stoi(argv[2]);
+  relievo::falcon::FalconDevice device(std::make_unique<relievo::falcon::UsbBus>(),
+                                       relievo::falcon::firmwareSource());
+  try {
+    device.open();
+  } catch (const relievo::DeviceError& error) {
+    std::cerr << error.what() << '\n';
+    return 6;
+  }
+  constexpr std::int64_t kMs = 1'000'000;
+  std::int64_t deadline = relievo::monotonicNs();
+  for (int ready = 0; ready < ms; deadline += kMs) {
+    relievo::sleepUntil(deadline);
+    const auto reading = device.exchange({0, 0, force_n}, relievo::monotonicNs());
+    if (reading.fault == relievo::DeviceFault::none) ++ready;
+    if (relievo::monotonicNs() - deadline > 20'000 * kMs) return 2;
+  }
+  return endAs(argv[3]);
+}

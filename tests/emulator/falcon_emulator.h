@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/emulator/falcon_body.h"
+
+namespace relievo::emulator {
+
+/// A command that arrived whole.
+struct SeenCommand {
+  std::int64_t time_ns = 0;
+  std::array<int, 3> motors{};
+  bool homing = false;
+  int lights = 0;  ///< 2 green, 4 blue, 8 red.
+  bool neutral() const { return motors == std::array<int, 3>{}; }
+};
+
+/// What goes wrong from now on; counters count down.
+struct Troubles {
+  int lose_answer_bytes = 0;   ///< Bytes to the host that vanish.
+  int lose_command_bytes = 0;  ///< Bytes from the host that vanish.
+  int short_answers = 0;       ///< Answers of fourteen bytes.
+  int overruns = 0;            ///< Packets that tell of an overrun and lack a byte.
+  int deaf_hellos = 0;         ///< Hellos without an answer.
+  int late_hellos = 0;         ///< Hellos that are answered only after the next one.
+  int wrong_echoes = 0;        ///< Uploads that echo one byte wrongly ...
+  int wrong_echo_at = 1000;    ///< ... this one.
+  bool silent = false;         ///< The processor hangs; commands vanish.
+  bool clogged = false;        ///< The bridge takes no more bytes.
+  bool frozen_encoders = false;
+};
+
+struct EmulatorOptions {
+  bool firmware_loaded = false;
+  bool homed = false;
+  /// false: answers leave at once, for measuring the host alone.
+  bool latency_timer = true;
+  std::int64_t start_delay_ns = 200'000'000;  ///< From the end of the upload to the first answer.
+  bool leading_zero = false;                  ///< Before the answer to hello.
+};
+
+/// A Falcon as USB sees it: an FT232R, behind it the processor with its boot loader or firmware,
+/// behind that the arms and a hand. Time comes from outside, in ns. It is written from the
+/// protocol's description and shares no code with the driver.
+class FalconEmulator {
+ public:
+  explicit FalconEmulator(EmulatorOptions options = {});
+
+  // USB.
+  /// A control request; a write without data, or a read of at most `answer`'s size.
+  /// @return bytes answered; nothing: the chip does not know this request
+  std::optional<std::size_t> control(const std::array<std::uint8_t, 8>& setup,
+                                     std::span<std::uint8_t> answer, std::int64_t now);
+  /// @return false: not taken now
+  bool bulkOut(std::span<const std::uint8_t> bytes, std::int64_t now);
+  /// A packet of 2 to 64 bytes, if one is due.
+  std::optional<std::vector<std::uint8_t>> bulkIn(std::int64_t now);
+  /// When bulkIn may have one next.
+  std::int64_t nextIn(std::int64_t now) const;
+
+  static std::vector<std::uint8_t> deviceDescriptor();
+  static std::vector<std::uint8_t> configurationDescriptor();
+
+  // The world around it.
+  FalconBody body;
+  Troubles troubles;
+  std::int64_t hold_answers_ns = 0;  ///< Packets with data leave this much later.
+  int buttons = 0;                   ///< Bits 0 to 3: plus, forward, centre, minus.
+  void powerCycle();
+  void unplug() { plugged_ = false; }
+  void plugIn() { plugged_ = true; }
+  bool plugged() const { return plugged_; }
+
+  // What happened to it.
+  const std::vector<SeenCommand>& commands() const { return commands_; }
+  std::uint64_t commandCount() const { return command_count_; }
+  void forgetCommands() { commands_.clear(); }
+  int uploads() const { return uploads_; }
+  int badCommands() const { return bad_commands_; }
+  const std::vector<std::uint8_t>& lastImage() const { return image_; }
+  int latencyMs() const { return latency_ms_; }
+  bool running() const { return mode_ == Mode::running; }
+
+ private:
+  enum class Mode { boot, hello_done, loading, starting, running };
+
+  void advance(std::int64_t now);
+  void receive(std::uint8_t byte, std::int64_t now);
+  void bootByte(std::uint8_t byte, std::int64_t now);
+  void loadByte(std::uint8_t byte, std::int64_t now);
+  void frameByte(std::uint8_t byte, std::int64_t now);
+  void answerCommand(std::int64_t now);
+  void send(std::uint8_t byte, std::int64_t now);
+  double byteNs() const;
+  std::size_t readyBytes(std::int64_t now) const;
+
+  EmulatorOptions options_;
+  bool plugged_ = true;
+
+  // Bridge chip.
+  int baud_divisor_ = 0;
+  int latency_ms_ = 16;
+  bool dtr_ = false;
+  struct Pending {
+    std::int64_t at;
+    std::uint8_t byte;
+  };
+  std::deque<Pending> to_host_;
+  std::int64_t wire_free_ = 0;  // When the line to the host has sent everything.
+  std::int64_t last_packet_ = 0;
+
+  // Processor.
+  Mode mode_;
+  std::vector<std::uint8_t> recent_;
+  std::vector<std::uint8_t> image_;
+  std::string frame_;
+  std::int64_t starts_at_ = 0;
+  std::int64_t body_time_ = 0;
+  int owed_hellos_ = 0;
+  bool homing_on_ = false;
+  std::array<int, 3> frozen_{};
+
+  std::vector<SeenCommand> commands_;
+  std::uint64_t command_count_ = 0;
+  int uploads_ = 0;
+  int bad_commands_ = 0;
+};
+
+/// For fronts in other threads than the test's.
+class SharedFalcon {
+ public:
+  explicit SharedFalcon(EmulatorOptions options = {}) : falcon_(options) {}
+  template <class Function>
+  auto with(Function function) {
+    const std::lock_guard lock(mutex_);
+    return function(falcon_);
+  }
+
+ private:
+  std::mutex mutex_;
+  FalconEmulator falcon_;
+};
+
+}  // namespace relievo::emulator

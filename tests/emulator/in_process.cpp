@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tests/emulator/in_process.h"
+
+#include <algorithm>
+#include <array>
+#include <thread>
+
+#include "haptics/rt/realtime_thread.h"
+
+namespace relievo::emulator {
+
+namespace {
+constexpr std::int64_t kMs = 1'000'000;
+
+class InProcessPort : public falcon::Port {
+ public:
+  InProcessPort(std::shared_ptr<SharedFalcon> falcon, std::shared_ptr<TestClock> clock)
+      : falcon_(std::move(falcon)), clock_(std::move(clock)) {}
+
+  falcon::PortResult request(const falcon::BridgeRequest& request) override {
+    const std::array<std::uint8_t, 8> setup{0x40,
+                                            request.request,
+                                            static_cast<std::uint8_t>(request.value & 0xffU),
+                                            static_cast<std::uint8_t>(request.value >> 8U),
+                                            static_cast<std::uint8_t>(request.index & 0xffU),
+                                            static_cast<std::uint8_t>(request.index >> 8U),
+                                            0,
+                                            0};
+    return falcon_->with([&](FalconEmulator& f) {
+      if (!f.plugged()) return falcon::PortResult::gone;
+      return f.control(setup, {}, clock_->now()) ? falcon::PortResult::ok
+                                                 : falcon::PortResult::timeout;
+    });
+  }
+
+  falcon::PortResult write(std::span<const std::uint8_t> bytes) override {
+    const std::int64_t give_up = clock_->now() + 100 * kMs;
+    while (true) {
+      const auto [plugged, taken] = falcon_->with([&](FalconEmulator& f) {
+        return std::pair{f.plugged(), f.plugged() && f.bulkOut(bytes, clock_->now())};
+      });
+      if (!plugged) return falcon::PortResult::gone;
+      if (taken) return falcon::PortResult::ok;
+      if (clock_->now() >= give_up) return falcon::PortResult::timeout;
+      clock_->waitUntil(clock_->now() + kMs);
+    }
+  }
+
+  Incoming read(std::span<std::uint8_t> into, std::int64_t until_ns) override {
+    while (true) {
+      bool plugged = true;
+      std::int64_t next = 0;
+      const auto packet = falcon_->with([&](FalconEmulator& f) {
+        plugged = f.plugged();
+        auto due = plugged ? f.bulkIn(clock_->now()) : std::nullopt;
+        next = f.nextIn(clock_->now());
+        return due;
+      });
+      if (!plugged) return {0, falcon::PortResult::gone};
+      if (packet) {
+        falcon::LineStatus line;
+        const std::size_t bytes = falcon::stripStatus(*packet, into, line);
+        cts_ = line.clear_to_send;
+        if (line.overrun) ++errors_.overruns;
+        if (line.framing) ++errors_.framing;
+        if (bytes > 0) return {bytes, falcon::PortResult::ok};
+        continue;
+      }
+      if (clock_->now() >= until_ns) return {0, falcon::PortResult::timeout};
+      // Now and then to the plug, even if the chip has nothing for a while.
+      clock_->waitUntil(std::min({until_ns, next, clock_->now() + 20 * kMs}));
+    }
+  }
+
+  void discardInput() override {}
+  bool clearToSend() const override { return cts_; }
+  falcon::LineErrors lineErrors() const override { return errors_; }
+
+ private:
+  std::shared_ptr<SharedFalcon> falcon_;
+  std::shared_ptr<TestClock> clock_;
+  falcon::LineErrors errors_;
+  bool cts_ = false;
+};
+}  // namespace
+
+std::int64_t TestClock::now() const {
+  return kind_ == Kind::real ? monotonicNs() : now_ns_;
+}
+
+void TestClock::waitUntil(std::int64_t until_ns) {
+  if (kind_ == Kind::real) {
+    const std::int64_t left = until_ns - monotonicNs();
+    if (left > 0) std::this_thread::sleep_for(std::chrono::nanoseconds(left));
+    return;
+  }
+  const std::int64_t next_ms = (now_ns_ / kMs + 1) * kMs;
+  if (until_ns < next_ms) {
+    now_ns_ = std::max(now_ns_, until_ns);
+    return;
+  }
+  now_ns_ = next_ms;
+  if (every_ms) every_ms(now_ns_);
+}
+
+falcon::Opening InProcessBus::open() {
+  const bool plugged = falcon_->with([](FalconEmulator& f) { return f.plugged(); });
+  falcon::Opening opening;
+  opening.presence = plugged ? pretend : falcon::Presence::absent;
+  if (opening.presence == falcon::Presence::broken) opening.detail = "Input/output error";
+  if (opening.presence == falcon::Presence::present) {
+    opening.port = std::make_unique<InProcessPort>(falcon_, clock_);
+  }
+  return opening;
+}
+
+void InProcessBus::waitForChange(std::int64_t until_ns) {
+  clock_->waitUntil(std::min(until_ns, clock_->now() + 10 * kMs));
+}
+
+}  // namespace relievo::emulator

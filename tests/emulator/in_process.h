@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "haptics/device/falcon/port.h"
+#include "tests/emulator/falcon_emulator.h"
+
+namespace relievo::emulator {
+
+/// The clock of a test. Made up: it runs as fast as it is waited for, and something can happen at
+/// each of its milliseconds. Or the computer's.
+class TestClock {
+ public:
+  enum class Kind { made_up, real };
+  explicit TestClock(Kind kind = Kind::made_up) : kind_(kind) {}
+  std::int64_t now() const;
+  /// Returns at `until_ns`, or earlier.
+  void waitUntil(std::int64_t until_ns);
+  /// [made up] Called once for every millisecond that passes.
+  std::function<void(std::int64_t now_ns)> every_ms;
+
+ private:
+  Kind kind_;
+  std::int64_t now_ns_ = 1'000'000'000;
+};
+
+/// The emulated Falcon without USB, for tests of the driver above the transport.
+class InProcessBus : public falcon::Bus {
+ public:
+  InProcessBus(std::shared_ptr<SharedFalcon> falcon, std::shared_ptr<TestClock> clock)
+      : falcon_(std::move(falcon)), clock_(std::move(clock)) {}
+  falcon::Opening open() override;
+  void waitForChange(std::int64_t until_ns) override;
+  std::int64_t now() override { return clock_->now(); }
+  std::int64_t slept() override { return slept_ns; }
+
+  falcon::Presence pretend = falcon::Presence::present;  ///< What open() finds, if not absent.
+  std::int64_t slept_ns = 0;
+
+ private:
+  std::shared_ptr<SharedFalcon> falcon_;
+  std::shared_ptr<TestClock> clock_;
+};
+
+}  // namespace relievo::emulator

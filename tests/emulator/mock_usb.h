@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "tests/emulator/falcon_emulator.h"
+
+namespace relievo::emulator {
+
+/// How the kernel's side of the mocked port behaves.
+struct MockPortState {
+  bool claimed_by_other = false;  ///< Another program has the interface.
+  bool kernel_driver = false;     ///< ftdi_sio is bound.
+};
+
+/// What programs have asked of it.
+struct MockPortCounts {
+  std::uint64_t reaps = 0, submits = 0, detached = 0, attached = 0;
+};
+
+/// The emulated Falcon on a USB port that the real libusb finds: sysfs, the device node's requests
+/// and the events of plugging are umockdev's. The process, and every client, must run with
+/// libumockdev-preload.
+class MockUsb {
+ public:
+  MockUsb();
+  ~MockUsb();
+  MockUsb(const MockUsb&) = delete;
+  MockUsb& operator=(const MockUsb&) = delete;
+
+  void plugIn(std::shared_ptr<SharedFalcon> falcon);
+  /// Pulls the plug: transfers under way fail, the node goes away, the event is sent.
+  void unplug();
+  /// Safe from the test's thread.
+  void set(const MockPortState& state);
+  MockPortCounts counts();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace relievo::emulator

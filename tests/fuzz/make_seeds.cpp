@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// fuzz_seeds FOLDER: writes FOLDER/<target>/<name>, small good files for the fuzzers to start from.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/io/raster.h"
+#include "core/io/scan_transport.h"
+#include "tests/core/io/e57_sample.h"
+#include "tests/core/io/las_sample.h"
+#include "tests/core/io/sample_files.h"
+
+namespace {
+
+using namespace relievo;
+using namespace relievo::test;
+using namespace std::string_literals;
+
+class Seeds {
+ public:
+  explicit Seeds(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  std::filesystem::path add(const std::string& target, const std::string& name,
+                            const std::string& bytes) const {
+    std::filesystem::create_directories(folder_ / target);
+    std::filesystem::path file = folder_ / target / name;
+    std::ofstream(file, std::ios::binary) << bytes;
+    return file;
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+void addPly(const Seeds& seeds) {
+  const std::string le = "binary_little_endian";
+  const std::string lists = "property list uchar int neighbours\n";
+  seeds.add("ply", "ascii", plyHeader("ascii", "3") + textRows(3));
+  seeds.add("ply", "ascii_faces",
+            plyHeader("ascii", "3", "double", kPlyFaces) + textRows(3) + "3 0 1 2\n4 0 1 2 1\n");
+  seeds.add("ply", "le", plyHeader(le, "3") + binaryRows<float>(3));
+  seeds.add("ply", "le_faces",
+            plyHeader(le, "5", "float", kPlyFaces) + binaryRows<float>(5) +
+                plyTriangles({0, 1, 2, 2, 3, 4}));
+  seeds.add("ply", "be_double",
+            plyHeader("binary_big_endian", "3", "double") + binaryRows<double>(3, true));
+  seeds.add("ply", "short", plyHeader(le, "3", "short") + binaryRows<std::int16_t>(3));
+  seeds.add("ply", "list",
+            plyHeader(le, "2", "float", lists) + binaryRows<float>(1) + "\1"s + bytesOf(7) +
+                binaryRows<float>(1) + "\0"s);
+  seeds.add("ply", "faces_first",
+            "ply\nformat ascii 1.0\nobj_info x\nelement face 1\nproperty list uchar int "
+            "vertex_index\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+            "z\nproperty uchar red\nend_header\n3 0 1 2\n0 0 0 1\n1 0 0 2\n0 1 0 3\n");
+  seeds.add("stream", "ply", plyHeader(le, "3") + binaryRows<float>(3));
+  seeds.add("stream", "ply_be",
+            plyHeader("binary_big_endian", "3", "double") + binaryRows<double>(3, true));
+}
+
+void addPcd(const Seeds& seeds) {
+  PcdWords words;
+  words.points = "3";
+  seeds.add("pcd", "ascii", pcdHeader(words) + textRows(3));
+  words.data = "binary";
+  seeds.add("pcd", "binary", pcdHeader(words) + binaryRows<float>(3));
+  words.size = "8 8 8";
+  seeds.add("pcd", "double", pcdHeader(words) + binaryRows<double>(3));
+  words.size = "4 4 4";
+  words.data = "binary_compressed";
+  // LZF: literals of at most 32 bytes, each after its length - 1.
+  std::string columns;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 3; ++i) columns += bytesOf(static_cast<float>(i + axis));
+  }
+  const std::string packed = "\x1F" + columns.substr(0, 32) + "\x03" + columns.substr(32);
+  seeds.add("pcd", "compressed",
+            pcdHeader(words) + bytesOf(static_cast<std::uint32_t>(packed.size())) +
+                bytesOf(static_cast<std::uint32_t>(columns.size())) + packed);
+  words.data = "binary";
+  words.points = "2";
+  words.fields = "t x y z";
+  words.size = "8 4 4 4";
+  words.type = "U F F F";
+  words.count = "2 1 1 1";
+  seeds.add("pcd", "wide",
+            pcdHeader(words) + std::string(16, 't') + binaryRows<float>(1) + std::string(16, 't') +
+                binaryRows<float>(1));
+}
+
+void addText(const Seeds& seeds) {
+  seeds.add("obj", "mesh",
+            "# x\nmtllib a\nv 0 0 0\nv 1 0 0.5 1 1 1\nv 0 1 0.25\nvt 0 0\n"
+            "vn 0 0 1\ng a\nf 1 2 3\nf 1/1/1 2//2 -1\nf 1 2 \\\n3\n");
+  seeds.add("text", "xyz", textRows(3));
+  seeds.add("text", "pts", "3\n" + textRows(3));
+  seeds.add("text", "csv", "x,y,z,\"red\"\n1,2,3,4\n1.5,,NULL,2\n");
+  seeds.add("text", "semicolons", "i;z;y;x\n1;1,5;2,5;3,5\n2;1;2;3\n");
+  seeds.add("text", "decimal_commas", "1,5 2,5 3,5\n// x\n#y\n1,0 2,5 1e3\n");
+  const std::string ptx_head =
+      "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n5 6 7 1\n";
+  seeds.add("ptx", "one", ptx_head + "1 2 3 0.5\n0 0 0 0.5\n");
+  seeds.add("ptx", "two", ptx_head + "1 2 3 0.5\n0 0 1 0.5\n" + ptx_head + "1 2 3 1\n4 5 6 1\n");
+  seeds.add("stl", "binary", binaryStl(2, 2));
+  seeds.add("stl", "ascii", asciiStl());
+}
+
+void addThreeDs(const Seeds& seeds) {
+  const auto chunk = [](std::uint16_t kind, const std::string& body) {
+    return bytesOf(kind) + bytesOf(static_cast<std::uint32_t>(6 + body.size())) + body;
+  };
+  const std::string vertices = chunk(0x4110, bytesOf(std::uint16_t{3}) + binaryRows<float>(3));
+  std::string face;
+  for (const int corner : {0, 1, 2, 7}) face += bytesOf(static_cast<std::uint16_t>(corner));
+  const std::string faces = chunk(0x4120, bytesOf(std::uint16_t{1}) + face);
+  const std::string object = chunk(0x4000, "a\0"s + chunk(0x4100, vertices + faces));
+  seeds.add("3ds", "mesh", chunk(0x4D4D, chunk(0x3D3D, object + object)));
+}
+
+void addLas(const Seeds& seeds) {
+  Las las = withRecord(geoKeys({{1024, 0, 1, 1}, {3076, 0, 1, 9003}, {4099, 0, 1, 9001}}));
+  las.count = 3;
+  las.promised = 3;
+  las.legacy_promised = 3;
+  const auto both = [&](const std::string& name) {
+    seeds.add("las", name, lasFile(las));
+    seeds.add("stream", name, lasFile(las));
+  };
+  both("geo_keys");
+  las.minor = 4;
+  las.format = 6;
+  const std::string text =
+      R"(COMPD_CS["d",PROJCS["a",GEOGCS["b",UNIT["degree",0.017]],UNIT["metre",1]],VERT_CS["e",UNIT["US survey foot",0.3048006096012192]]])";
+  las.variable_records = variableRecord(2112, text);
+  both("wkt");
+}
+
+void addE57(const Seeds& seeds) {
+  PackedBits bits;
+  for (int i = 0; i < 5; ++i) bits.add(static_cast<std::uint64_t>(i), 5);
+  const std::string whole =
+      R"(type="ScaledInteger" minimum="-4" maximum="20" scale="0.5" offset="1")";
+  const std::string pose =
+      "<pose><rotation><w>0</w><x>0</x><y>0</y><z>1</z></rotation><translation><x>1</x>"
+      "<y>2</y><z>3</z></translation></pose>";
+  const std::string real = R"(type="Float")";
+  const std::string single = R"(type="Float" precision="single")";
+  std::string doubles, floats;
+  for (int i = 0; i < 5; ++i) {
+    doubles += bytesOf(i * 0.5);
+    floats += bytesOf(static_cast<float>(i));
+  }
+  E57Sample sample;
+  sample.add({"5",
+              {{"cartesianX", whole, bits.bytes()},
+               {"cartesianY", real, doubles},
+               {"cartesianZ", single, floats}},
+              pose,
+              {}});
+  seeds.add("e57", "cartesian", sample.file());
+  sample.add({"5",
+              {{"sphericalRange", real, doubles},
+               {"sphericalAzimuth", real, doubles},
+               {"sphericalElevation", single, floats},
+               {"sphericalInvalidState", R"(type="Integer" minimum="0" maximum="2")", "\x24\0"s}},
+              {},
+              {},
+              16});
+  seeds.add("e57", "two_scans", sample.file());
+}
+
+void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
+  seeds.add("raster", "grid",
+            "ncols 3\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 0.5\nNODATA_value -9\n1 2 3\n4 "
+            "-9 6\n");
+  DepthMap map{.frame = {.size = {3, 2}, .spacing_mm = 0.5},
+               .heights_mm = {1, 2, 3, 4, 5, 6},
+               .origins = std::vector<Origin>(6, Origin::measured)};
+  map.origins[2] = Origin::outside;
+  std::filesystem::create_directories(folder / "raster");
+  writeMap(folder / "raster" / "map.tif", map, {});
+}
+
+void addAnswers(const Seeds& seeds) {
+  const auto add = [&](const std::string& name, const auto& content) {
+    const int fd = ::open(seeds.add("answer", name, "").c_str(), O_WRONLY | O_CLOEXEC);
+    sendAnswer(fd, content);
+    ::close(fd);
+  };
+  Scan scan;
+  scan.info.format = "PLY";
+  scan.info.points = 4;
+  scan.info.finite_points = 3;
+  scan.info.faces = 1;
+  scan.info.unit = LengthUnit::ft;
+  scan.info.warnings = {"One.", "Two."};
+  scan.info.bounds = FileBounds{{0, 0, 0}, {1, 1, 0}};
+  scan.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  scan.triangles = {{0, 1, 2}};
+  add("scan", scan);
+  add("refusal", WorkerRefusal{"Cannot read it.", "E101"});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("fuzz_seeds FOLDER\n", stderr);
+    return 1;
+  }
+  const std::filesystem::path folder = argv[1];
+  const Seeds seeds(folder);
+  addPly(seeds);
+  addPcd(seeds);
+  addText(seeds);
+  addThreeDs(seeds);
+  addLas(seeds);
+  addE57(seeds);
+  addRasters(seeds, folder);
+  addAnswers(seeds);
+  return 0;
+}

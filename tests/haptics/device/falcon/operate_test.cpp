@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Running: places, forces, buttons, lights, and every way of leaving.
+#include <gmock/gmock.h>
+
+#include "haptics/device/falcon/kinematics.h"
+#include "tests/haptics/device/falcon/falcon_fixture.h"
+
+namespace relievo::falcon {
+namespace {
+
+using test::FalconTest;
+using test::RunningFalconTest;
+
+TEST_F(RunningFalconTest, TellsWhereTheHandIs) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  for (const BaseMm place : {BaseMm{0, 0, 125}, BaseMm{30, -20, 110}, BaseMm{-25, 31, 150}}) {
+    hold(place.x, place.y, place.z);
+    step(4);
+    EXPECT_LT(norm(reading_.position - deviceFromBase(place)), 0.05) << "one count is up to 48 um";
+    EXPECT_EQ(reading_.fault, DeviceFault::none);
+    EXPECT_LT(clock_->now() - reading_.time_ns, 3'000'000);
+  }
+}
+
+TEST_F(RunningFalconTest, TheHandFeelsTheForceThatWasAskedFor) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  for (const BaseMm place : {BaseMm{0, 0, 125}, BaseMm{30, -20, 110}, BaseMm{-25, 21, 150}}) {
+    hold(place.x, place.y, place.z);
+    for (const DeviceN force : {DeviceN{1, 0, 0}, DeviceN{0, -1.5, 0}, DeviceN{0.3, 0.4, 3}}) {
+      force_ = force;
+      step(250);
+      // A count is a ten-thousandth of a newton metre, 3 to 6 mN at the grip.
+      EXPECT_LT(norm(felt() - force), 0.02) << place.x << ' ' << force.x << ' ' << force.z;
+    }
+  }
+}
+
+TEST_F(RunningFalconTest, KeepsItsOwnLimitAndDirectionWhateverIsAsked) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  hold(0, 0, 125);
+  force_ = {300, 0, 400};
+  step(400);
+  EXPECT_NEAR(norm(felt()), 5, 0.05);
+  EXPECT_NEAR(felt().x, 3, 0.05);
+  force_ = {std::nan(""), 0, 0};
+  step(5);
+  EXPECT_TRUE(lastCommand().neutral());
+}
+
+TEST_F(RunningFalconTest, ForceRisesGentlyAfterTheStart) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  hold(0, 0, 125);
+  force_ = {0, 0, 5};
+  double last = 0;
+  for (int i = 0; i < 150; ++i) {
+    step();
+    EXPECT_LT(norm(felt()) - last, 0.15) << "50 N/s, a frame may be two ticks";
+    last = norm(felt());
+  }
+  EXPECT_GT(last, 4.5);
+}
+
+TEST_F(RunningFalconTest, ButtonsAreDebounced) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  falcon([](auto& f) { f.buttons = 0b0001; });
+  step(2);
+  falcon([](auto& f) { f.buttons = 0; });
+  step(10);
+  EXPECT_EQ(reading_.buttons, 0U);
+  for (const unsigned pressed : {1U, 2U, 4U, 8U, 9U}) {
+    falcon([&](auto& f) { f.buttons = static_cast<int>(pressed); });
+    step(8);
+    EXPECT_EQ(reading_.buttons, pressed);
+  }
+}
+
+TEST_F(RunningFalconTest, LightsTellTheStateAndCanBeTried) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  step(5);
+  EXPECT_EQ(lastCommand().lights, blue);
+  force_ = {0, 0, 1};
+  step(50);
+  EXPECT_EQ(lastCommand().lights, green);
+  device_->showLights(red | green | blue);
+  step(5);
+  EXPECT_EQ(lastCommand().lights, red | green | blue);
+  device_->showStateLights();
+  step(5);
+  EXPECT_EQ(lastCommand().lights, green);
+}
+
+TEST_F(RunningFalconTest, ACalibratedGainChangesTheCounts) {
+  beginTouching();
+  step(200);
+  const auto full = lastCommand().motors;
+  device_->setGain(kNominalCountsPerNmm / 2);
+  step(5);
+  EXPECT_NEAR(lastCommand().motors[0], full[0] / 2.0, 1);
+  device_->setGain(1e9);
+  step(5);
+  EXPECT_EQ(lastCommand().motors, full) << "never above the nominal value";
+}
+
+TEST_F(RunningFalconTest, ClosingLeavesTheMotorsAtZeroAndTheLightsOff) {
+  beginTouching();
+  finish();
+  EXPECT_TRUE(lastCommand().neutral());
+  EXPECT_EQ(lastCommand().lights, lights_off);
+  EXPECT_EQ(device_->exchange({0, 0, 2}, clock_->now()).fault, DeviceFault::not_ready);
+}
+
+TEST_F(RunningFalconTest, ALoopThatHangsLosesItsForce) {
+  beginTouching();
+  loop_runs_ = false;
+  step(25);
+  EXPECT_TRUE(lastCommand().neutral());
+  EXPECT_LT(norm(felt()), 1e-9);
+}
+
+TEST_F(RunningFalconTest, NobodyAsksNobodyIsWoken) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  step(100);
+  loop_runs_ = false;
+  step(1100);
+  const auto count = [this] { return falcon([](auto& f) { return f.commandCount(); }); };
+  const std::uint64_t before = count();
+  step(2000);
+  EXPECT_LT(count() - before, 30U);
+  EXPECT_GT(count() - before, 3U) << "but it is looked after";
+  EXPECT_EQ(falcon([](auto& f) { return f.latencyMs(); }), 255);
+  loop_runs_ = true;
+  EXPECT_TRUE(stepUntil([&] { return clock_->now() - reading_.time_ns < 3'000'000; }, 600));
+  step(50);
+  const std::uint64_t again = count();
+  step(100);
+  EXPECT_GT(count() - again, 85U);
+  EXPECT_EQ(device_->status().counts.stalls, 0U);
+}
+
+TEST_F(RunningFalconTest, AsksOneQuestionPerAnswerAtTheChipsPace) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  step(2000);
+  const LinkStatus& status = device_->status();
+  EXPECT_EQ(status.counts.malformed, 0U);
+  EXPECT_EQ(status.counts.hiccups, 0U);
+  EXPECT_NEAR(status.rate_hz, 1000, 60);
+  EXPECT_GT(status.mean_answer_ms, 0.2);
+  EXPECT_LT(status.mean_answer_ms, 1.3);
+}
+
+}  // namespace
+}  // namespace relievo::falcon

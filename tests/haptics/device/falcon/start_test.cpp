@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From plug to touch: identification, firmware, homing.
+#include <gmock/gmock.h>
+
+#include "tests/haptics/device/falcon/falcon_fixture.h"
+
+namespace relievo::falcon {
+namespace {
+
+using test::FalconTest;
+using test::RunningFalconTest;
+using testing::HasSubstr;
+
+TEST_F(FalconTest, FromPlugToTouch) {
+  begin();
+  EXPECT_TRUE(becomes(LinkState::starting, 1000));
+  ASSERT_TRUE(becomes(LinkState::homing, 5000)) << describe(device_->status()).screen;
+  EXPECT_EQ(falcon([](auto& f) { return f.uploads(); }), 1);
+  EXPECT_EQ(falcon([](auto& f) { return f.lastImage(); }), firmware_) << "every byte, in order";
+  EXPECT_FALSE(device_->status().firmware_was_running);
+  step(50);
+  EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
+  EXPECT_EQ(lastCommand().lights, red);
+  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("top, right, left"));
+
+  hold(0, 0, 172);
+  step(20);
+  hold(0, 0, 90);
+  ASSERT_TRUE(becomes(LinkState::pull_out, 50));
+  step(10);
+  EXPECT_EQ(lastCommand().lights, blue);
+  EXPECT_EQ(reading_.fault, DeviceFault::not_ready) << "no force before it was pulled out";
+  hold(0, 0, 172);
+  ASSERT_TRUE(becomes(LinkState::ready, 50));
+  step(10);
+  EXPECT_EQ(reading_.fault, DeviceFault::none);
+  EXPECT_LT(clock_->now(), 21'000'000'000) << "within 20 seconds";
+}
+
+TEST_F(RunningFalconTest, NeedsNoFileWhenFirmwareRuns) {
+  firmware_.clear();
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 200));
+  EXPECT_TRUE(device_->status().firmware_was_running);
+  EXPECT_EQ(falcon([](auto& f) { return f.uploads(); }), 0);
+}
+
+TEST_F(FalconTest, OneArmThatIsNotHomedIsNamedAndKeepsForceOff) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 5000));
+  // Far to a side the top arm does not reach its place.
+  hold(0, 0, 172);
+  step(20);
+  hold(0, -25, 86);
+  step(200);
+  const LinkStatus& status = device_->status();
+  ASSERT_EQ(status.state, LinkState::homing);
+  ASSERT_NE(status.homed, 0);
+  ASSERT_NE(status.homed, kAllHomed);
+  force_ = {0, 0, 3};
+  step(50);
+  EXPECT_TRUE(lastCommand().neutral());
+  EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
+}
+
+TEST_F(FalconTest, TriesAgainWhenTheBootLoaderIsDeafLateOrEchoesWrongly) {
+  falcon([](auto& f) {
+    f.troubles.deaf_hellos = 3;
+    f.troubles.late_hellos = 2;
+    f.troubles.wrong_echoes = 2;
+  });
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 15'000)) << describe(device_->status()).screen;
+  EXPECT_EQ(device_->status().attempt, 3) << "two uploads broke off at the wrong echo";
+  EXPECT_EQ(falcon([](auto& f) { return f.lastImage(); }), firmware_);
+}
+
+TEST_F(FalconTest, GivesUpAfterTenAttemptsAndSaysWhereThenRetries) {
+  falcon([](auto& f) { f.troubles.wrong_echoes = 1000; });
+  begin();
+  ASSERT_TRUE(becomes(LinkState::not_started, 30'000));
+  const LinkMessage message = describe(device_->status());
+  EXPECT_EQ(message.code, "E303");
+  EXPECT_THAT(message.screen, HasSubstr("10 attempts"));
+  EXPECT_THAT(message.screen, HasSubstr("byte 992 of 8464")) << "the last whole chunk";
+  falcon([](auto& f) { f.troubles.wrong_echoes = 0; });
+  device_->retry();
+  EXPECT_TRUE(becomes(LinkState::homing, 5000));
+}
+
+TEST_F(FalconTest, SaysWhereFirmwareWasSoughtAndGoesOnWhenItIsThere) {
+  const std::vector<std::uint8_t> image = firmware_;
+  firmware_.clear();
+  begin();
+  ASSERT_TRUE(becomes(LinkState::no_firmware, 1000));
+  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("Places searched"));
+  firmware_ = image;
+  device_->retry();
+  EXPECT_TRUE(becomes(LinkState::homing, 5000));
+}
+
+class ZeroBeforeHelloTest : public FalconTest {
+ protected:
+  ZeroBeforeHelloTest() : FalconTest({.leading_zero = true}) {}
+};
+TEST_F(ZeroBeforeHelloTest, IsTolerated) {
+  begin();
+  EXPECT_TRUE(becomes(LinkState::homing, 5000));
+  EXPECT_EQ(device_->status().attempt, 1);
+}
+
+TEST_F(FalconTest, UnpluggedWhileStartingIsWaitedFor) {
+  begin();
+  ASSERT_TRUE(stepUntil([this] { return device_->status().uploaded_bytes > 2000; }, 5000));
+  falcon([](auto& f) {
+    f.unplug();
+    f.powerCycle();
+  });
+  ASSERT_TRUE(becomes(LinkState::absent, 500));
+  EXPECT_EQ(describe(device_->status()).code, "E305");
+  falcon([](auto& f) { f.plugIn(); });
+  EXPECT_TRUE(becomes(LinkState::homing, 6000));
+}
+
+TEST_F(FalconTest, AbsentForbiddenAndBusyAreToldApart) {
+  const auto failure = [this] {
+    try {
+      device_->open();
+    } catch (const DeviceError& error) {
+      return error.code + "|" + error.what();
+    }
+    return std::string("opened");
+  };
+  bus_->pretend = Presence::forbidden;
+  EXPECT_THAT(failure(), HasSubstr("E301|A Falcon is plugged in but this account"));
+  bus_->pretend = Presence::busy;
+  EXPECT_THAT(failure(), HasSubstr("E304|Another program"));
+  bus_->pretend = Presence::broken;
+  EXPECT_THAT(failure(), HasSubstr("Input/output error"));
+  falcon([](auto& f) { f.unplug(); });
+  EXPECT_THAT(failure(), HasSubstr("|No Falcon is plugged in"));
+}
+
+TEST_F(RunningFalconTest, OneThatIsBusyIsTakenWhenItIsFree) {
+  bus_->pretend = Presence::busy;
+  begin();
+  ASSERT_TRUE(becomes(LinkState::busy, 100));
+  bus_->pretend = Presence::present;
+  EXPECT_TRUE(becomes(LinkState::ready, 1500));
+}
+
+}  // namespace
+}  // namespace relievo::falcon

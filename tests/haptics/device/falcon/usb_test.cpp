@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The driver through the real libusb, on a port that umockdev makes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <functional>
+#include <thread>
+
+#include "core/base/error.h"
+#include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/falcon/usb_bus.h"
+#include "haptics/rt/realtime_thread.h"
+#include "tests/emulator/made_image.h"
+#include "tests/emulator/mock_usb.h"
+
+namespace relievo::falcon {
+namespace {
+
+using emulator::EmulatorOptions;
+using emulator::MockUsb;
+using emulator::SharedFalcon;
+
+constexpr std::int64_t kMs = 1'000'000;
+
+/// Generous: correctness is tested here, not speed.
+bool eventually(const std::function<bool()>& holds) {
+  const std::int64_t give_up = monotonicNs() + 60'000 * kMs;
+  while (!holds()) {
+    if (monotonicNs() > give_up) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+class FalconUsbTest : public ::testing::Test {
+ protected:
+  std::shared_ptr<SharedFalcon> plugged(EmulatorOptions options = {.firmware_loaded = true,
+                                                                   .homed = true}) {
+    auto falcon = std::make_shared<SharedFalcon>(options);
+    usb_.plugIn(falcon);
+    return falcon;
+  }
+  std::unique_ptr<FalconDevice> device() {
+    return std::make_unique<FalconDevice>(std::make_unique<UsbBus>(),
+                                          [] { return relievo::test::madeImage(); });
+  }
+  static bool becomes(FalconDevice& device, LinkState state) {
+    return eventually([&] { return device.status().state == state; });
+  }
+  MockUsb usb_;
+};
+
+TEST_F(FalconUsbTest, IsSeenAndOpened) {
+  EXPECT_TRUE(seenFalcons().empty());
+  plugged();
+  const std::vector<SeenFalcon> seen = seenFalcons();
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].speed_mbit, 12);
+  UsbBus bus;
+  const Opening opening = bus.open();
+  EXPECT_EQ(opening.presence, Presence::present);
+}
+
+TEST_F(FalconUsbTest, UploadsWithoutABadChunkAndHomes) {
+  const auto falcon = plugged({});
+  const auto device = this->device();
+  device->open();
+  ASSERT_TRUE(becomes(*device, LinkState::homing)) << describe(device->status()).screen;
+  EXPECT_EQ(device->status().attempt, 1) << "no chunk was bad";
+  falcon->with([](auto& f) {
+    EXPECT_EQ(f.lastImage(), relievo::test::madeImage());
+    f.body.hold({0, 0, 172});
+  });
+  falcon->with([](auto& f) { f.body.hold({0, 0, 90}); });
+  ASSERT_TRUE(becomes(*device, LinkState::pull_out));
+  falcon->with([](auto& f) { f.body.hold({0, 0, 172}); });
+  ASSERT_TRUE(becomes(*device, LinkState::ready));
+}
+
+TEST_F(FalconUsbTest, TenThousandFramesArriveAsTheyWereSent) {
+  const auto falcon = plugged({.firmware_loaded = true, .homed = true, .latency_timer = false});
+  UsbBus bus;
+  const Opening opening = bus.open();
+  ASSERT_EQ(opening.presence, Presence::present);
+  Port& port = *opening.port;
+  for (const BridgeRequest& request : {latencyTimer(1), kRunBaud, kPurge1, kPurge2}) {
+    ASSERT_EQ(port.request(request), PortResult::ok);
+  }
+  falcon->with([](auto& f) { f.forgetCommands(); });
+  ReportReader reader;
+  constexpr int kFrames = 10'000;
+  std::uint32_t random = 1;
+  std::vector<std::array<std::int16_t, 3>> sent;
+  for (int i = 0; i < kFrames; ++i) {
+    Command command;
+    for (std::int16_t& motor : command.motors) {
+      random = random * 1664525U + 1013904223U;
+      motor = static_cast<std::int16_t>(static_cast<int>(random >> 19U) - 4096);
+      motor = std::max<std::int16_t>(motor, -4095);
+    }
+    sent.push_back(command.motors);
+    ASSERT_EQ(port.write(encode(command)), PortResult::ok);
+    bool answered = false;
+    while (!answered) {
+      std::array<std::uint8_t, 64> bytes{};
+      const Port::Incoming in = port.read(bytes, monotonicNs() + 5000 * kMs);
+      ASSERT_EQ(in.result, PortResult::ok) << "frame " << i;
+      for (std::size_t k = 0; k < in.bytes; ++k) answered |= reader.take(bytes[k]).has_value();
+    }
+  }
+  EXPECT_EQ(reader.malformed(), 0U);
+  EXPECT_EQ(port.lineErrors().framing + port.lineErrors().overruns, 0U);
+  falcon->with([&](auto& f) {
+    ASSERT_EQ(f.commands().size(), sent.size());
+    EXPECT_EQ(f.badCommands(), 0);
+    for (std::size_t i = 0; i < sent.size(); ++i) {
+      for (std::size_t arm = 0; arm < 3; ++arm) {
+        ASSERT_EQ(f.commands()[i].motors[arm], sent[i][arm]) << i;
+      }
+    }
+  });
+}
+
+TEST_F(FalconUsbTest, TakesTheInterfaceFromTheKernelsDriverAndGivesItBack) {
+  usb_.set({.kernel_driver = true});
+  plugged();
+  {
+    UsbBus bus;
+    EXPECT_EQ(bus.open().presence, Presence::present);
+  }
+  EXPECT_EQ(usb_.counts().detached, 1U);
+  EXPECT_EQ(usb_.counts().attached, 1U);
+}
+
+TEST_F(FalconUsbTest, OneThatAnotherProgramUsesIsBusy) {
+  usb_.set({.claimed_by_other = true});
+  plugged();
+  const auto device = this->device();
+  try {
+    device->open();
+    FAIL() << "opened";
+  } catch (const DeviceError& error) {
+    EXPECT_EQ(error.code, "E304");
+  }
+}
+
+TEST_F(FalconUsbTest, UnpluggedWhileTouchingThenReplugged) {
+  const auto falcon = plugged();
+  const auto device = this->device();
+  device->open();
+  ASSERT_TRUE(becomes(*device, LinkState::ready)) << describe(device->status()).screen;
+  DeviceReading reading;
+  const auto exchange = [&] {
+    reading = device->exchange({0, 0, 2}, monotonicNs());
+    return reading.fault;
+  };
+  ASSERT_TRUE(eventually([&] {
+    exchange();
+    return falcon->with([](auto& f) { return std::abs(f.body.force()[2]) > 0.5; });
+  }));
+  usb_.unplug();
+  ASSERT_TRUE(eventually([&] { return exchange() == DeviceFault::disconnected; }));
+  ASSERT_TRUE(becomes(*device, LinkState::absent));
+  const auto again = plugged({});
+  ASSERT_TRUE(becomes(*device, LinkState::homing)) << describe(device->status()).screen;
+  exchange();
+  again->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });
+}
+
+TEST_F(FalconUsbTest, AnOpenFalconThatNobodyAsksIsLeftInPeace) {
+  const auto falcon = plugged();
+  const auto device = this->device();
+  device->open();
+  ASSERT_TRUE(becomes(*device, LinkState::ready));
+  ASSERT_TRUE(
+      eventually([&] { return falcon->with([](auto& f) { return f.latencyMs(); }) == 255; }));
+  const std::uint64_t before = usb_.counts().submits;
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  EXPECT_LT(usb_.counts().submits - before, 60U) << "frames and packets a second";
+}
+
+class FalconEndingTest : public FalconUsbTest, public ::testing::WithParamInterface<const char*> {};
+
+TEST_P(FalconEndingTest, LeavesTheMotorsAtZero) {
+  const auto falcon = plugged();
+  falcon->with([](auto& f) { f.body.hold({0, 0, 125}); });
+  const std::string client = RELIEVO_BINARY_DIR "/tests/falcon_client";
+  const pid_t child = fork();
+  if (child == 0) {
+    execl(client.c_str(), client.c_str(), "2", "300", GetParam(), nullptr);
+    _exit(99);
+  }
+  int status = 0;
+  if (std::string(GetParam()) == std::to_string(SIGTSTP)) {
+    ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+    EXPECT_TRUE(WIFSTOPPED(status));
+  } else {
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_NE(WIFEXITED(status) ? WEXITSTATUS(status) : 0, 99);
+    EXPECT_NE(WIFEXITED(status) ? WEXITSTATUS(status) : 0, 6);
+  }
+  falcon->with([](auto& f) {
+    ASSERT_FALSE(f.commands().empty());
+    const bool pushed = std::any_of(f.commands().begin(), f.commands().end(),
+                                    [](const auto& c) { return !c.neutral(); });
+    EXPECT_TRUE(pushed) << "it did touch";
+    EXPECT_TRUE(f.commands().back().neutral());
+  });
+  if (WIFSTOPPED(status)) {
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+}
+// Signals by number: 2 INT, 15 TERM, 1 HUP, 11 SEGV, 7 BUS, 8 FPE, 20 TSTP.
+INSTANTIATE_TEST_SUITE_P(Endings, FalconEndingTest,
+                         ::testing::Values("normal", "abort", "throw", "exit", "2", "15", "1", "11",
+                                           "7", "8", "20"));
+
+}  // namespace
+}  // namespace relievo::falcon

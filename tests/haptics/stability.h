@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/haptics/closed_loop.h"
+#include "tests/haptics/haptic_fixture.h"
+
+namespace relievo::test {
+
+/// A surface on which stability is judged.
+struct StabilityScene {
+  std::string name;
+  int detail = 0;  ///< Which level's texture; 0: the same at every level.
+  std::unique_ptr<HapticSpace> space;
+};
+
+/// What a level carries: the finer, the shorter its waves under the hand. Amplitude 1/20 of the
+/// wavelength, so that all have the same slopes.
+inline constexpr std::array<double, 4> kTextureWaveMm{40, 16, 6, 2};
+
+inline std::vector<StabilityScene> stabilityScenes() {
+  const double turn = 2 * std::acos(-1.0);
+  std::vector<StabilityScene> scenes;
+  scenes.push_back({"flat", 0, spaceOf(80, [](double, double) { return 0.0; })});
+  scenes.push_back({"edge", 0, spaceOf(80, [](double x, double) { return -std::abs(x - 40); })});
+  for (std::size_t i = 0; i < kTextureWaveMm.size(); ++i) {
+    const double wave = kTextureWaveMm[i];
+    scenes.push_back({"texture", static_cast<int>(i) + 1, spaceOf(80, [=](double x, double y) {
+                        return wave / 20 * std::sin(turn * x / wave) * std::cos(turn * y / wave);
+                      })});
+  }
+  return scenes;
+}
+
+/// One try: a hand lands, slides for a second at 30 mm/s, and rests for one and a half.
+struct StabilityTry {
+  double k_n_per_mm = 0.5;
+  double push_n = 2;  ///< What the hand means to press with.
+  double start_x_mm = 0;
+  bool passivity = true;
+};
+
+/// How much the force still swings above 20 Hz in the last half second, on the worst axis, N.
+inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
+                          const StabilityTry& what) {
+  VirtualHandOptions hand;
+  hand.hand = grip;
+  HapticOptions options;
+  options.stiffness_by_detail = false;
+  options.force.stiffness_n_per_mm = what.k_n_per_mm;
+  options.force.strength = 1;
+  options.force.passivity.on = what.passivity;
+  options.force.oscillation.on = false;  // It would soften what is to be judged.
+  ClosedLoop loop(space, hand, options);
+  const auto topAt = [&space](double x, double y) {
+    const GridPoint p = space.gridFromDevice({x, y, 0});
+    return space.deviceFromGrid({p.x, p.y, surfaceHeight(space, p.x, p.y)}).z;
+  };
+  const double reach_mm = what.push_n / grip.stiffness_n_per_mm;
+  double x = what.start_x_mm;
+  constexpr double kRowMm = 0.13;  // Off the scenes' symmetry lines.
+  const auto aim = [&](double height_mm) {
+    return DeviceMm{x, kRowMm, topAt(x, kRowMm) + height_mm};
+  };
+  loop.switchOn(aim(3));
+  constexpr int kLandTicks = 500, kSlideTicks = 1000, kRestTicks = 1500, kJudgedTicks = 500;
+  for (int i = 0; i < kLandTicks; ++i) loop.tick(aim(-reach_mm));
+  for (int i = 0; i < kSlideTicks; ++i) {
+    x += 0.03;
+    loop.tick(aim(-reach_mm));
+  }
+  std::array<Swing, 3> swings;
+  for (int i = 0; i < kRestTicks; ++i) {
+    const DeviceN force = loop.tick(aim(-reach_mm)).force;
+    if (i == kRestTicks - kJudgedTicks) {
+      for (Swing& swing : swings) swing.restart();
+    }
+    swings[0].add(force.x);
+    swings[1].add(force.y);
+    swings[2].add(force.z);
+  }
+  return std::max({swings[0].peakToPeak(), swings[1].peakToPeak(), swings[2].peakToPeak()});
+}
+
+/// A hand that rests must feel a force that rests; less than this is not felt.
+inline constexpr double kStillN = 0.05;
+
+/// Largest stiffness up to which every try is still, in steps of 0.1 N/mm.
+inline double largestStable(const HapticSpace& space, const HandImpedance& grip, bool passivity) {
+  constexpr double kStep = 0.1, kMost = 3;
+  double stable = 0;
+  for (int i = 1; i * kStep <= kMost + 1e-9; ++i) {
+    for (const double push : {0.5, 2.0, 4.0}) {
+      for (const double start : {-20.3, -8.1}) {
+        if (swingAtRest(space, grip, {i * kStep, push, start, passivity}) > kStillN) return stable;
+      }
+    }
+    stable = i * kStep;
+  }
+  return stable;
+}
+
+}  // namespace relievo::test

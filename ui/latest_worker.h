@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <QObject>
+#include <QString>
+#include <thread>
+
+#include "core/base/task.h"
+
+namespace relievo {
+
+/// Runs one job at a time off the GUI thread. A newer job, or cancel(), stops the older one; its
+/// end is then not told. [GUI thread]
+class LatestWorker : public QObject {
+  Q_OBJECT
+ public:
+  using Job = std::function<void(const Task&)>;  ///< [worker] Throws nothing; checks its Task.
+  using Done = std::function<void()>;            ///< [GUI thread] After the job, unless stopped.
+
+  explicit LatestWorker(QObject* parent = nullptr);
+  ~LatestWorker() override;
+
+  void start(Job job, Done done);
+  /// @return false: nothing was running
+  bool cancel();
+  bool busy() const { return wanted_ != 0; }
+
+ Q_SIGNALS:
+  void busyChanged(bool busy);
+  void progressed(const QString& step, double fraction);  ///< At most 30 times a second.
+
+ private:
+  struct Request {
+    std::uint64_t id = 0;
+    Job job;
+    Done done;
+  };
+  void launch(Request request);
+  void finish(std::uint64_t id, const Done& done);
+
+  std::uint64_t last_id_ = 0;
+  std::uint64_t wanted_ = 0;  ///< The one whose end is waited for; 0: none.
+  bool running_ = false;
+  std::unique_ptr<Request> pending_;
+  std::jthread thread_;
+};
+
+}  // namespace relievo
