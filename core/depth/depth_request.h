@@ -63,6 +63,7 @@ struct CapturedDepths {
   std::vector<std::uint8_t> steep;      ///< Per cell 1: the surface in it rises by more than
                                         ///< `kSteepRise`; empty if not known.
   std::optional<HiddenSurface> hidden;  ///< If the engine counted it.
+  bool one_layer = false;  ///< The rule is one for surfaces without a back: nothing shows through.
   std::string rule;        ///< Which rule and why, in words; empty where there was no choice.
   std::size_t flyers = 0;  ///< Points far off all their neighbours (core/depth/flyers.h); left out.
 

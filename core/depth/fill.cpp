@@ -175,7 +175,7 @@ FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const
   FrontDepths filled = depths.front;
   Mask measured = maskOf(filled);
   int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
-  if (radius > 0) {
+  if (radius > 0 && !depths.one_layer) {
     result.seen_through = dropSeenThrough(filled, frame, radius + 1, task);
     for (std::size_t i = 0; i < depths.quality.counts.size(); ++i) {
       if (measured[i] != 0 && std::isnan(filled[i])) {
