@@ -20,8 +20,8 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
-  return {infoVerb(),       depthmapVerb(),    pyramidVerb(), renderVerb(),
-          touchVerb(words), recordVerb(words), replayVerb()};
+  return {infoVerb(),    depthmapVerb(),   pyramidVerb(),     renderVerb(), figureVerb(),
+          devicesVerb(), touchVerb(words), recordVerb(words), replayVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
@@ -78,17 +78,22 @@ void tell(const std::string& message) {
 }
 
 Surface loadForVerb(const MapArguments& arguments, const Task& task) {
-  const SurfaceOptions options = surfaceOptions(arguments);
   ImportOptions import;
   import.accept_incomplete = arguments.accept_incomplete;
+  return loadForVerb(arguments.file, surfaceOptions(arguments), import, task);
+}
+
+Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
+                    const ImportOptions& import, const Task& task) {
   Surface surface;
   if (options.engine == "depthbuffer") {
     const DisplayGuard display;
-    surface = loadSurface(arguments.file, options, captureDepths, import, task);
+    surface = loadSurface(file, options, captureDepths, import, task);
   } else {
-    surface = loadSurface(arguments.file, options, rasterize, import, task);
+    surface = loadSurface(file, options, rasterize, import, task);
   }
   for (const std::string& message : surface.messages) tell(message);
+  for (const std::string& message : surface.not_done) tell(message);
   return surface;
 }
 

@@ -7,9 +7,11 @@
 
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "core/region/hand.h"
+#include "core/session/tiled_surface.h"
 #include "haptics/device_catalog.h"
 #include "haptics/proxy/surface.h"
 #include "haptics/record/events.h"
@@ -189,11 +191,11 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   setup.core = strokeHapticOptions(setup.options);
   if (!a.device.empty()) setup.core = withinDevice(setup.core, makeDevice(a.device)->info());
   const SurfaceKind kind = surfaceKind(a);
-  setup.surface = loadForVerb(a.map, task);
+  setup.surface = openForVerb(a.map, task);
   const Surface& surface = setup.surface;
   const Region region = chosenRegion(surface, a.region);
   warnIfAliased(surface, region);
-  setup.window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  setup.window = windowOf(surface, region, a.region.gain);
   setup.space = std::make_unique<HapticSpace>();
   fill(*setup.space, setup.window,
        {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()}, kind);
