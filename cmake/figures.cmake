@@ -52,14 +52,14 @@ list(APPEND user_figures
   COMMAND relievo figure ${panel} --region 110,80,60,60 --width-mm 160 --dpi 150
     -o ${figures}/figure_reference.png --caption ${figures}/figure_reference.txt
   COMMAND relievo figure ${panel} --region 110,80,60,60 --layout detail --width-mm 85 --dpi 150
-    --stereo grey -o ${figures}/figure_anaglyph.png
+    --stereo grey --without legend -o ${figures}/figure_anaglyph.png
   COMMAND relievo figure ${panel} --region 110,80,60,60 --layout levels --width-mm 160 --dpi 150
     -o ${figures}/figure_levels.png
   COMMAND relievo figure ${samples}/relief_f.ply --level 0 --region 65,75,50,50 --layout plot
     --recording ${figures}/force_curved.csv --width-mm 160 --dpi 150 -o ${figures}/figure_plot.png)
 foreach(relief IN ITEMS lit height hillshade multi slope local skyview openness)
   list(APPEND user_figures COMMAND relievo figure ${panel} --region 110,80,60,60 --layout detail
-    --relief ${relief} --without scalebar,heightbar,up,letters --width-mm 42 --dpi 150 --text-pt 6
+    --relief ${relief} --without scalebar,heightbar,up,legend --width-mm 42 --dpi 150 --text-pt 6
     -o ${figures}/relief_${relief}.png)
 endforeach()
 

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 4> kHoleRuleNames{"base", "interpolate", "none", "membrane"};
+constexpr std::array<const char*, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
 constexpr std::array<const char*, 7> kRuleNames{"front", "second", "topmean",  "median",
                                                 "mean",  "splat",  "quadratic"};
 
@@ -48,7 +48,9 @@ Json optionsJson(const SurfaceOptions& o) {
   json["unit"] = o.unit ? Json(name(*o.unit)) : Json(nullptr);
   json["unit_source"] = name(o.unit_source);
   if (o.view) {
-    json["view"] = {{"name", o.view->name}, {"rotation", optionalJson(o.view->rotation)}};
+    json["view"] = {{"name", o.view->name},
+                    {"rotation", optionalJson(o.view->rotation)},
+                    {"turn_deg", o.view->turn_deg}};
   } else {
     json["view"] = nullptr;
   }
@@ -76,7 +78,8 @@ SurfaceOptions optionsFrom(const Json& json) {
   if (json.contains("view") && !json.at("view").is_null()) {
     const Json& view = json.at("view");
     o.view =
-        ViewChoice{view.at("name").get<std::string>(), optionalFrom<Rotation>(view, "rotation")};
+        ViewChoice{view.at("name").get<std::string>(), optionalFrom<Rotation>(view, "rotation"),
+                   view.value("turn_deg", std::array<double, 3>{})};
   }
   o.cells = optionalFrom<int>(json, "cells");
   o.spacing_mm = optionalFrom<double>(json, "spacing_mm");
