@@ -82,7 +82,7 @@ Json jsonOf(const LargeMap& map) {
                     {"hole", share(Origin::base_plane)},
                     {"steep", share(Origin::steep)},
                     {"outside", share(Origin::outside)}};
-  json["view_from_file"] = jsonOf(map.view_from_file);
+  json["view_from_file"] = batch::jsonOf(map.view_from_file);
   json["height_mm"] = {{"min", map.heights.min_mm}, {"max", map.heights.max_mm}};
   json["seconds"] = {{"first_view", map.first_view_s},
                      {"read", map.seconds.read},
