@@ -20,7 +20,8 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs() {
-  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), touchVerb()};
+  return {infoVerb(),    depthmapVerb(), fillVerb(), pyramidVerb(),
+          convertVerb(), renderVerb(),   touchVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
