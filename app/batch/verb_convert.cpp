@@ -30,6 +30,7 @@ Source load(const ConvertArguments& a, const Task& task) {
   RasterMap raster = importRaster(a.map.file, {}, task);
   Source source{makeSurface(raster, surfaceOptions(a.map), task), std::move(raster)};
   for (const std::string& message : source.surface.messages) tell(message);
+  for (const std::string& message : source.surface.not_done) tell(message);
   return source;
 }
 
@@ -78,7 +79,8 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
           .lines = {a.out + ": " + std::to_string(grid.size.cols) + " x " +
                     std::to_string(grid.size.rows) + " cells of " + json["spacing"].dump() + " " +
                     grid.unit + ", " + std::to_string(heights) + " with a height, frame " +
-                    json["frame"].get<std::string>()}};
+                    json["frame"].get<std::string>()},
+          .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace

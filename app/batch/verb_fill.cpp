@@ -41,20 +41,6 @@ FilledMap refilled(const DepthMap& map, const HoleChoice& choice, const Task& ta
   return filled;
 }
 
-/// What was asked for and could not be done; empty if nothing.
-std::string shortcoming(const std::vector<Hole>& holes, const HoleChoice& choice) {
-  if (choice.rule != HoleRule::interpolate) return {};
-  const auto left =
-      std::find_if(holes.begin(), holes.end(), [](const Hole& h) { return !h.filled; });
-  if (left == holes.end()) return {};
-  const auto count =
-      std::count_if(holes.begin(), holes.end(), [](const Hole& h) { return !h.filled; });
-  return std::to_string(count) + " of " + std::to_string(holes.size()) +
-         " holes were not filled and rest on the base plane; the largest has " +
-         Json(left->area_mm2).dump() + " mm2, the limit is " + Json(choice.max_area_mm2).dump() +
-         " mm2. Give a larger limit to fill it.";
-}
-
 Outcome runFill(const FillArguments& a, const Task& task) {
   const HoleChoice choice = surfaceOptions(a.map).holes;
   MapArguments as_it_is = a.map;
@@ -64,7 +50,7 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   writeMap(a.out, filled.map, {.view_from_file = surface.view_from_file});
 
   Outcome outcome;
-  const std::string missing = shortcoming(filled.holes, choice);
+  const std::string missing = holesLeft(filled.holes, choice);
   if (!missing.empty()) {
     tell(missing);
     outcome.exit_code = 4;

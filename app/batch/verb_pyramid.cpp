@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
 
@@ -10,6 +11,7 @@ namespace {
 
 struct PyramidArguments {
   MapArguments map;
+  std::optional<double> memory_mb;
   std::string out;
 };
 
@@ -21,6 +23,7 @@ std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t le
 }
 
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
+  if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, levelFile(a.out, 0), task);
   const Surface surface = loadForVerb(a.map, task);
   Json levels = Json::array();
   Outcome outcome;
@@ -42,6 +45,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   outcome.json =
       Json{{"levels", levels}, {"factor", factor}, {"gain_at_nyquist", gainAtNyquist(factor)}}.dump(
           2);
+  outcome.exit_code = exitCodeAfter(surface);
   return outcome;
 }
 
@@ -54,6 +58,7 @@ Verb pyramidVerb() {
           .declare =
               [arguments](CLI::App& verb) {
                 addMapOptions(verb, arguments->map);
+                addMemoryOption(verb, arguments->memory_mb);
                 verb.add_option("-o,--output", arguments->out, "OUT.tif becomes OUT.L0.tif, ...")
                     ->required();
               },

@@ -2,7 +2,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/verb.h"
+#include "core/base/error.h"
+#include "core/session/tiled_surface.h"
+#include "ui/figure/figure.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/relief_scene.h"
 
@@ -17,6 +21,7 @@ struct RenderArguments {
   std::optional<double> zero_plane_mm;
   int pixels = 800;
   bool scale_bar = false;
+  std::string from_image;
   std::string out;
 };
 
@@ -29,12 +34,34 @@ StereoOptions stereoOptions(const RenderArguments& a) {
           .zero_plane_mm = a.zero_plane_mm};
 }
 
+/// What a picture of ours shows, drawn again: its state is that of a figure.
+Outcome runFromImage(const RenderArguments& a, const Task& task) {
+  if (!a.map.file.empty()) {
+    throw ArgumentError("Give FILE or --from-image, not both. Nothing was drawn.");
+  }
+  const Stored stored = loadFromImage(a.from_image, task);
+  const DisplayGuard display;
+  const FigureSession session;
+  const FigureFacts facts = writeFigure(stored.surface, stored.project, a.out, task);
+  Json json;
+  json["pixels"] = {facts.width_px, facts.height_px};
+  json["mm_per_pixel"] = facts.mm_per_pixel;
+  json["level"] = stored.project.region.level.value;
+  json["region_mm"] = jsonOf(stored.project.region);
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                    std::to_string(facts.height_px) + " pixels, as " + a.from_image},
+          .exit_code = stored.input_changed ? 5 : 0};
+}
+
 Outcome runRender(const RenderArguments& a, const Task& task) {
+  if (!a.from_image.empty()) return runFromImage(a, task);
+  if (a.map.file.empty()) throw ArgumentError("FILE is missing. Nothing was drawn.");
   const StereoOptions stereo = stereoOptions(a);
-  const Surface surface = loadForVerb(a.map, task);
+  const Surface surface = openForVerb(a.map, task);
   const Region region = chosenRegion(surface, a.region);
   warnIfAliased(surface, region);
-  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, region, a.region.gain);
+  const RegionWindow window = windowOf(surface, region, a.region.gain);
   writeWindowIfAsked(a.region, surface, window);
 
   const DisplayGuard display;
@@ -67,7 +94,8 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   return {.json = text,
           .lines = {a.out + ": " + std::to_string(image.width) + " x " +
                     std::to_string(image.height) + " pixels, " + json["mm_per_pixel"].dump() +
-                    " mm each, level " + std::to_string(region.level.value)}};
+                    " mm each, level " + std::to_string(region.level.value)},
+          .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace
@@ -79,6 +107,9 @@ Verb renderVerb() {
           .declare =
               [arguments](CLI::App& verb) {
                 addMapOptions(verb, arguments->map);
+                verb.get_option("FILE")->required(false);
+                verb.add_option("--from-image", arguments->from_image,
+                                "Draw again what a figure shows, from the state it carries");
                 addRegionOptions(verb, arguments->region);
                 verb.add_option("--stereo", arguments->stereo, "off or anaglyph (red/cyan)");
                 verb.add_option("--eye-angle", arguments->eye_angle_deg,

@@ -88,7 +88,7 @@ std::string rounded(double value) {
 
 }  // namespace
 
-CellProposal proposeCells(const Scan& scan, const Rotation& rotation) {
+CellProposal proposeCells(const Scan& scan, const Rotation& rotation, std::uint64_t points_in_all) {
   if (!scan.triangles.empty()) {
     return {.cells = kPaperCells, .reason = "mesh: the paper's grid of 800 samples"};
   }
@@ -98,7 +98,8 @@ CellProposal proposeCells(const Scan& scan, const Rotation& rotation) {
   const double side = std::max(*right - *left, *top - *bottom);
   if (!(side > 0)) return {.cells = 2, .reason = "all points lie on one spot"};
 
-  const auto count = static_cast<double>(scan.points.size());
+  const auto count =
+      static_cast<double>(std::max<std::uint64_t>(scan.points.size(), points_in_all));
   const std::optional<double> step_x = evenSpacing(planar.x);
   const std::optional<double> step_y = evenSpacing(planar.y);
   if (step_x && step_y && std::abs(*step_x - *step_y) < 0.01 * *step_x) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/cloud/scan.h"
@@ -16,6 +17,8 @@ struct CellProposal {
 
 /// Points on a regular grid: that grid. Other clouds: about 2.5 points a cell. Meshes: 800, the
 /// paper's grid. [worker]
-CellProposal proposeCells(const Scan& scan, const Rotation& rotation);
+/// @param points_in_all  if `scan` is a sample of so many points; 0: it is all of them
+CellProposal proposeCells(const Scan& scan, const Rotation& rotation,
+                          std::uint64_t points_in_all = 0);
 
 }  // namespace relievo

@@ -2,7 +2,11 @@
 #include "core/tiles/scatter.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "core/depth/grid_points.h"
@@ -57,18 +61,84 @@ std::vector<TilePoint> readPart(const PointSource& source, const TileFromPoint& 
   return points;
 }
 
-/// The tile alone as a request to core/depth: a scan whose file frame is the tile's grid in mm.
-FrontDepths depthsByRule(const TileStore& store, int tile, PointRule rule, double spacing_mm) {
-  const GridSize size = store.layout().sizeOf(tile);
-  Scan scan;
-  for (const CellPoint& p : store.points(tile)) {
-    const int col = p.cell % size.cols;
-    const int row = p.cell / size.cols;
+using Points = std::vector<CellPoint>;
+
+/// Adds a tile's points to a scan whose file frame is a grid in mm, the tile's cell (0, 0) at
+/// `corner` of it; points outside the grid are left out.
+void placeTile(const Points& points, GridSize tile, Cell corner, const GridFrame& frame,
+               Scan& scan) {
+  // So far from the cell's border that float cannot carry a point across it.
+  constexpr float kInside = 0.4999F;
+  for (const CellPoint& p : points) {
+    const Cell cell{.col = corner.col + p.cell % tile.cols, .row = corner.row + p.cell / tile.cols};
+    if (!frame.size.contains(cell)) continue;
+    const auto x = static_cast<double>(std::clamp(p.du, -kInside, kInside)) + cell.col;
+    const auto y = static_cast<double>(std::clamp(p.dv, -kInside, kInside)) + cell.row;
     scan.points.push_back(
-        {static_cast<float>(col * spacing_mm), static_cast<float>(row * spacing_mm), p.z});
+        {static_cast<float>(x * frame.spacing_mm), static_cast<float>(y * frame.spacing_mm), p.z});
   }
-  const GridFrame frame{.size = size, .spacing_mm = spacing_mm, .first_x_mm = 0, .first_y_mm = 0};
-  return scatterPoints({.scan = scan, .view_from_file = {}, .frame = frame, .rule = rule});
+}
+
+/// The points of three rows of tiles, so that each tile is sorted once.
+class SortedTiles {
+ public:
+  explicit SortedTiles(const TileStore& store) : store_(store) {}
+
+  /// Loads a row of tiles and its neighbours, drops the others.
+  void centre(int tile_row) {
+    const TileLayout& layout = store_.layout();
+    std::erase_if(rows_, [&](const auto& row) { return std::abs(row.first - tile_row) > 1; });
+    const int last = std::min(tile_row + 1, layout.down() - 1);
+    for (int row = std::max(tile_row - 1, 0); row <= last; ++row) {
+      if (rows_.contains(row)) continue;
+      std::vector<Points>& tiles = rows_[row];
+      tiles.resize(static_cast<std::size_t>(layout.across()));
+      inParts(0, tiles.size(), store_.threads(), [&](int, std::uint64_t first, std::uint64_t end) {
+        for (std::uint64_t x = first; x < end; ++x) {
+          tiles[x] = store_.points(row * layout.across() + static_cast<int>(x));
+        }
+      });
+    }
+  }
+  const Points& at(int x, int y) const { return rows_.at(y)[static_cast<std::size_t>(x)]; }
+
+ private:
+  const TileStore& store_;
+  std::map<int, std::vector<Points>> rows_;
+};
+
+/// One tile with kRuleReach cells around it as a request to core/depth.
+FrontDepths depthsByRule(const SortedTiles& sorted, const TileLayout& layout, int tile,
+                         PointRule rule, double spacing_mm) {
+  const Cell first = layout.firstCell(tile);
+  const GridSize size = layout.sizeOf(tile);
+  const Cell low{.col = std::max(first.col - kRuleReach, 0),
+                 .row = std::max(first.row - kRuleReach, 0)};
+  const Cell end{.col = std::min(first.col + size.cols + kRuleReach, layout.map.cols),
+                 .row = std::min(first.row + size.rows + kRuleReach, layout.map.rows)};
+  const GridFrame frame{.size = {.cols = end.col - low.col, .rows = end.row - low.row},
+                        .spacing_mm = spacing_mm,
+                        .first_x_mm = 0,
+                        .first_y_mm = 0};
+  Scan scan;
+  for (int y = low.row / kTileSide; y <= (end.row - 1) / kTileSide; ++y) {
+    for (int x = low.col / kTileSide; x <= (end.col - 1) / kTileSide; ++x) {
+      const int other = y * layout.across() + x;
+      const Cell corner = layout.firstCell(other);
+      placeTile(sorted.at(x, y), layout.sizeOf(other),
+                {.col = corner.col - low.col, .row = corner.row - low.row}, frame, scan);
+    }
+  }
+  const FrontDepths around =
+      scatterPoints({.scan = scan, .view_from_file = {}, .frame = frame, .rule = rule}).front;
+  FrontDepths depths(size.count());
+  for (int row = 0; row < size.rows; ++row) {
+    const std::size_t from =
+        frame.size.index({.col = first.col - low.col, .row = first.row - low.row + row});
+    std::copy_n(around.begin() + static_cast<std::ptrdiff_t>(from), size.cols,
+                depths.begin() + static_cast<std::ptrdiff_t>(row) * size.cols);
+  }
+  return depths;
 }
 
 FrontDepths depthsFromStates(const TileStore& store, int tile, PointRule rule) {
@@ -112,9 +182,64 @@ void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_f
   }
 }
 
-FrontDepths tileDepths(const TileStore& store, int tile, PointRule rule, double spacing_mm) {
-  return store.merges() ? depthsFromStates(store, tile, rule)
-                        : depthsByRule(store, tile, rule, spacing_mm);
+RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task) {
+  constexpr int kAcross = 4;
+  const TileLayout& layout = store.layout();
+  Scan scan;
+  const GridFrame frame{.size = {.cols = kAcross * kTileSide, .rows = kAcross * kTileSide},
+                        .spacing_mm = spacing_mm,
+                        .first_x_mm = 0,
+                        .first_y_mm = 0};
+  // Not in even steps: those could follow the map's columns.
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  std::set<int> seen;
+  double position = 0.5;
+  int placed = 0;
+  for (int i = 0; i < 8 * kAcross * kAcross && placed < kAcross * kAcross; ++i) {
+    task.check();
+    const int tile = static_cast<int>(position * layout.count());
+    position += kGoldenRatio;
+    if (position >= 1) position -= 1;
+    if (!seen.insert(tile).second) continue;
+    const Points points = store.points(tile);
+    if (points.empty()) continue;
+    placeTile(points, layout.sizeOf(tile),
+              {.col = placed % kAcross * kTileSide, .row = placed / kAcross * kTileSide}, frame,
+              scan);
+    ++placed;
+  }
+  return proposeRule({.scan = scan, .view_from_file = {}, .frame = frame}, task);
+}
+
+void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
+                const Task& task) {
+  const TileLayout& layout = store.layout();
+  SortedTiles sorted(store);
+  FrontDepths band;
+  for (int y = 0; y < layout.down(); ++y) {
+    task.check();
+    task.report("Heights of cells", static_cast<double>(y) / layout.down());
+    if (!store.merges()) sorted.centre(y);
+    const int rows = layout.sizeOf(y * layout.across()).rows;
+    const GridSize size{.cols = layout.map.cols, .rows = rows};
+    band.resize(size.count());
+    inParts(0, static_cast<std::uint64_t>(layout.across()), store.threads(),
+            [&](int, std::uint64_t first, std::uint64_t end) {
+              for (int x = static_cast<int>(first); x < static_cast<int>(end); ++x) {
+                task.check();
+                const int tile = y * layout.across() + x;
+                const FrontDepths depths =
+                    store.merges() ? depthsFromStates(store, tile, rule)
+                                   : depthsByRule(sorted, layout, tile, rule, spacing_mm);
+                const int cols = layout.sizeOf(tile).cols;
+                for (int row = 0; row < rows; ++row) {
+                  std::copy_n(depths.begin() + static_cast<std::ptrdiff_t>(row) * cols, cols,
+                              &band[size.index({.col = x * kTileSide, .row = row})]);
+                }
+              }
+            });
+    take(y * kTileSide, rows, band.data());
+  }
 }
 
 }  // namespace relievo

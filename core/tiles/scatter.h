@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+
 #include "core/base/grid.h"
 #include "core/base/task.h"
 #include "core/depth/depth_request.h"
@@ -19,8 +21,20 @@ bool isMergeable(PointRule rule);
 void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
                       const GridFrame& frame, TileStore& store, const Task& task);
 
-/// Heights of one tile by a rule, NaN where it has no point: core/depth's own function for rules
-/// that need the points, the states for the others. [any thread]
-FrontDepths tileDepths(const TileStore& store, int tile, PointRule rule, double spacing_mm);
+/// proposeRule of core/depth on up to 16 tiles spread over the map. Only if the store does not
+/// merge. [worker] @throw Cancelled
+RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task);
+
+/// Front depths of the whole map by a rule, tile row after tile row, lowest first: core/depth's own
+/// scatterPoints on each tile with `kRuleReach` cells around it; for a store that merges, from the
+/// states. [worker]
+/// @param take  gets rows first ... first + rows - 1 of the map, NaN where there is no point
+/// @throw Cancelled, WriteError
+using TakeDepths = std::function<void(int first_row, int rows, const float* depths)>;
+void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
+                const Task& task);
+
+/// Cells; no rule looks farther.
+inline constexpr int kRuleReach = 8;
 
 }  // namespace relievo

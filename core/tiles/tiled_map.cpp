@@ -250,6 +250,24 @@ RegionWindow TiledMap::window(const Region& region, double gain) const {
                       region, gain);
 }
 
+DepthMap TiledMap::levelMap(Level number) const {
+  const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(number.value)];
+  DepthMap map;
+  map.frame = impl_->frames[static_cast<std::size_t>(number.value)];
+  TileRows<float> heights(map.frame.size,
+                          [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
+  TileRows<Origin> origins(map.frame.size,
+                           [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
+  const int cols = map.frame.size.cols;
+  for (int row = 0; row < map.frame.size.rows; ++row) {
+    const float* z = heights(row, 0, cols);
+    map.heights_mm.insert(map.heights_mm.end(), z, z + cols);
+    const Origin* origin = origins(row, 0, cols);
+    map.origins.insert(map.origins.end(), origin, origin + cols);
+  }
+  return map;
+}
+
 void TiledMap::prefetch(const Region& region) const {
   if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) return;
   if (!(region.side_mm > 0) || !std::isfinite(region.x_mm + region.y_mm + region.side_mm)) return;

@@ -40,6 +40,10 @@ class TiledMap {
   /// @throw ArgumentError  as sampleWindow. FileError  a file was damaged or cut meanwhile
   RegionWindow window(const Region& region, double gain = 1) const;
 
+  /// A whole level as a map of its own: heights as a window has them, origins of its nodes.
+  /// [any thread] @pre level exists @throw FileError
+  DepthMap levelMap(Level level) const;
+
   /// Loads the tiles that a window of this region needs. [any thread] @throw FileError
   void prefetch(const Region& region) const;
 

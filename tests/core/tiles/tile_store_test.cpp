@@ -37,7 +37,7 @@ struct How {
 };
 
 struct Gridded {
-  std::vector<FrontDepths> tiles;
+  FrontDepths depths;
   std::uint64_t spilled_bytes = 0;
 };
 
@@ -50,21 +50,20 @@ Gridded grid(const std::vector<FilePoint>& points, const How& how) {
                                 .threads = how.threads});
   scatterIntoTiles(test::sourceOf(points), {}, kFrame, store, {});
   Gridded result;
-  for (int tile = 0; tile < store.layout().count(); ++tile) {
-    result.tiles.push_back(tileDepths(store, tile, how.rule, kFrame.spacing_mm));
-  }
+  makeDepths(store, how.rule, kFrame.spacing_mm,
+             [&](int first, int rows, const float* depths) {
+               EXPECT_EQ(kFrame.size.index({.col = 0, .row = first}), result.depths.size());
+               result.depths.insert(result.depths.end(), depths, depths + rows * kFrame.size.cols);
+             },
+             {});
   result.spilled_bytes = store.spilledBytes();
   EXPECT_LE(store.residentBytes(), how.memory_bytes);
   return result;
 }
 
 void expectSameBytes(const Gridded& a, const Gridded& b) {
-  ASSERT_EQ(a.tiles.size(), b.tiles.size());
-  for (std::size_t i = 0; i < a.tiles.size(); ++i) {
-    ASSERT_EQ(a.tiles[i].size(), b.tiles[i].size());
-    EXPECT_EQ(std::memcmp(a.tiles[i].data(), b.tiles[i].data(), 4 * a.tiles[i].size()), 0)
-        << "tile " << i;
-  }
+  ASSERT_EQ(a.depths.size(), b.depths.size());
+  EXPECT_EQ(std::memcmp(a.depths.data(), b.depths.data(), 4 * a.depths.size()), 0);
 }
 
 constexpr PointRule kRules[] = {PointRule::front, PointRule::second, PointRule::mean,
@@ -102,27 +101,36 @@ TEST(TileStore, GridsAsTheWholeMapDoes) {
     scan.points.push_back(
         {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
   }
-  for (const PointRule rule : {PointRule::front, PointRule::second, PointRule::mean}) {
+  for (const PointRule rule : kRules) {
     SCOPED_TRACE(describe(rule));
     const FrontDepths whole =
         scatterPoints({.scan = scan, .view_from_file = {}, .frame = kFrame, .rule = rule});
     const Gridded tiles = grid(points, {.rule = rule});
-    const TileLayout layout{kFrame.size};
+    ASSERT_EQ(tiles.depths.size(), whole.size());
     std::size_t other = 0;
-    for (int tile = 0; tile < layout.count(); ++tile) {
-      const Cell first = layout.firstCell(tile);
-      const GridSize size = layout.sizeOf(tile);
-      for (int row = 0; row < size.rows; ++row) {
-        for (int col = 0; col < size.cols; ++col) {
-          const float in_tile =
-              tiles.tiles[static_cast<std::size_t>(tile)][size.index({.col = col, .row = row})];
-          const float in_map =
-              whole[kFrame.size.index({.col = first.col + col, .row = first.row + row})];
-          other += std::isnan(in_map) ? !std::isnan(in_tile) : in_tile != in_map;
-        }
-      }
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      other += std::isnan(whole[i]) ? !std::isnan(tiles.depths[i]) : tiles.depths[i] != whole[i];
     }
     EXPECT_EQ(other, 0U);
+  }
+}
+
+TEST(TileStore, ProposesTheRuleOfTheWholeMap) {
+  for (const std::size_t count : {300'000U, 2'400'000U}) {
+    std::vector<FilePoint> points = randomPoints(count);
+    for (FilePoint& p : points) p.z = 0.01 * p.z + 0.1 * p.x;
+    Scan scan;
+    for (const FilePoint& p : points) {
+      scan.points.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+    }
+    TileStore store(kFrame.size, {});
+    scatterIntoTiles(test::sourceOf(points), {}, kFrame, store, {});
+    const RuleProposal whole =
+        proposeRule({.scan = scan, .view_from_file = {}, .frame = kFrame}, Task{});
+    const RuleProposal tiles = proposeRule(store, kFrame.spacing_mm, {});
+    EXPECT_EQ(tiles.rule, whole.rule);
+    EXPECT_EQ(tiles.reason, whole.reason);
   }
 }
 

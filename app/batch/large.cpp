@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/large.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "app/batch/json.h"
+#include "core/session/large_map.h"
+#include "core/session/tiled_surface.h"
+#include "core/tiles/level_files.h"
+#include "core/tiles/tiled_map.h"
+
+namespace relievo::batch {
+namespace {
+
+/// Steps and percents on one line of a terminal, nothing into files and pipes.
+class ProgressLine {
+ public:
+  explicit ProgressLine(bool shown) : shown_(shown) {}
+  ~ProgressLine() { clear(); }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(std::string_view step, double fraction) {
+    if (!shown_) return;
+    const int percent = static_cast<int>(100 * fraction);
+    if (step == step_ && percent == percent_) return;
+    step_ = step;
+    percent_ = percent;
+    std::cerr << "\r\033[Krelievo: " << step << ", " << percent << " %" << std::flush;
+  }
+  void clear() {
+    if (shown_ && percent_ >= 0) std::cerr << "\r\033[K" << std::flush;
+    percent_ = -1;
+  }
+
+ private:
+  bool shown_;
+  std::string step_;
+  int percent_ = -1;
+};
+
+void sayView(const Surface& view) {
+  const HeightRange range = heightRange(view.map);
+  const GridSize size = view.map.frame.size;
+  tell(view.messages.back() + " " + std::to_string(size.cols) + " x " + std::to_string(size.rows) +
+       " cells of " + Json(view.map.frame.spacing_mm).dump() + " mm, heights " +
+       Json(range.min_mm).dump() + " to " + Json(range.max_mm).dump() + " mm.");
+}
+
+Json levelsJson(const LargeMap& map) {
+  Json levels = Json::array();
+  for (std::size_t l = 0; l < map.frames.size(); ++l) {
+    const GridFrame& frame = map.frames[l];
+    levels.push_back({{"level", l},
+                      {"cells", {frame.size.cols, frame.size.rows}},
+                      {"spacing_mm", frame.spacing_mm},
+                      {"file", levelFile(map.file, static_cast<int>(l)).string()}});
+  }
+  return levels;
+}
+
+Json jsonOf(const LargeMap& map) {
+  const auto share = [&](Origin origin) { return map.shares[static_cast<std::size_t>(origin)]; };
+  Json holes = Json::array();
+  for (const Hole& hole : map.holes) {
+    holes.push_back({{"cells", hole.cells},
+                     {"area_mm2", hole.area_mm2},
+                     {"centre_mm", {hole.centre_x_mm, hole.centre_y_mm}},
+                     {"filled", hole.filled}});
+  }
+  const GridFrame& frame = map.frames.front();
+  Json json;
+  json["cells"] = {frame.size.cols, frame.size.rows};
+  json["spacing_mm"] = frame.spacing_mm;
+  json["engine"] = map.engine;
+  json["rule"] = map.rule;
+  json["shares"] = {{"measured", share(Origin::measured)},
+                    {"interpolated", share(Origin::interpolated)},
+                    {"hole", share(Origin::base_plane)},
+                    {"steep", share(Origin::steep)},
+                    {"outside", share(Origin::outside)}};
+  json["view_from_file"] = jsonOf(map.view_from_file);
+  json["height_mm"] = {{"min", map.heights.min_mm}, {"max", map.heights.max_mm}};
+  json["seconds"] = {{"first_view", map.first_view_s},
+                     {"read", map.seconds.read},
+                     {"grid", map.seconds.grid},
+                     {"fill", map.seconds.fill},
+                     {"pyramid", map.seconds.pyramid}};
+  json["spilled_bytes"] = map.spilled_bytes;
+  json["view"] = map.view_name;
+  json["unit"] = name(map.unit);
+  json["unit_source"] = name(map.unit_source);
+  json["holes"] = holes;
+  json["levels"] = levelsJson(map);
+  return json;
+}
+
+}  // namespace
+
+void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
+  verb.add_option("--memory", memory_mb,
+                  "Make the map by tiles within so many MB (LAS, binary PLY, rasters); all levels "
+                  "are written");
+}
+
+Outcome runByTiles(const MapArguments& arguments, double memory_mb,
+                   const std::filesystem::path& finest, const Task& task) {
+  if (!(memory_mb > 0) || !(memory_mb < 1e9)) {
+    throw ArgumentError("--memory must be a number of megabytes above 0.");
+  }
+  ImportOptions import;
+  import.accept_incomplete = arguments.accept_incomplete;
+  ProgressLine line(::isatty(STDERR_FILENO) != 0);
+  const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {
+                     line.show(step, fraction);
+                   }};
+  LargeMapOptions large{.file = finest,
+                        .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
+                        .threads = 0,
+                        .on_view = [&](const Surface& view) {
+                          line.clear();
+                          sayView(view);
+                        }};
+  const LargeMap map =
+      makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
+  line.clear();
+  for (const std::string& message : map.messages) tell(message);
+  const Json json = jsonOf(map);
+  Outcome outcome{.json = json.dump(2), .lines = {}};
+  for (const Json& level : json["levels"]) {
+    outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +
+                            " x " + level["cells"][1].dump());
+  }
+  outcome.lines.push_back("shares " + json["shares"].dump());
+  return outcome;
+}
+
+Surface openForVerb(const MapArguments& arguments, const Task& task) {
+  if (!TiledMap::isOne(arguments.file)) return loadForVerb(arguments, task);
+  surfaceOptions(arguments);  // Words that make no sense are refused here as well.
+  Surface surface = openTiledSurface(arguments.file);
+  if (surface.ladder.factor != arguments.factor) {
+    tell("The map's levels were made with M = " + Json(surface.ladder.factor).dump() +
+         " and are used as they are.");
+  }
+  return surface;
+}
+
+}  // namespace relievo::batch

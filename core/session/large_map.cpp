@@ -1,0 +1,406 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/large_map.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/depth/point_rule.h"
+#include "core/depth/rasterize.h"
+#include "core/io/file_check.h"
+#include "core/io/ply_header.h"
+#include "core/io/point_stream.h"
+#include "core/io/raster.h"
+#include "core/io/scan_builder.h"
+#include "core/session/choices.h"
+#include "core/session/large_memory.h"
+#include "core/tiles/band_fill.h"
+#include "core/tiles/level_files.h"
+#include "core/tiles/scatter.h"
+#include "core/tiles/threads.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kFirstSample = 250'000;
+constexpr std::uint64_t kSecondSample = 2'000'000;
+constexpr int kFirstViewCells = 400;
+constexpr int kSecondViewCells = 800;
+
+using Clock = std::chrono::steady_clock;
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// @throw FileError  triangles would be lost
+void refuseMesh(const std::filesystem::path& file) {
+  const std::string head = readHead(file, kMaxHeaderBytes);
+  if (!head.starts_with("ply")) return;
+  const PlyHeader header = parsePlyHeader(head, file);
+  if (header.face_element && header.elements[*header.face_element].count > 0) {
+    throw FileError(shownName(file) +
+                    ": a mesh's triangles cannot be read in blocks. Nothing was made. Leave out "
+                    "--memory, or save it without faces.");
+  }
+}
+
+void requireStreamable(const std::filesystem::path& file) {
+  if (!PointStream::canStream(file)) {
+    throw FileError(shownName(file) +
+                    ": only LAS and binary PLY clouds and rasters are read in blocks. Nothing was "
+                    "made. Convert it to LAS, or leave out --memory.");
+  }
+  refuseMesh(file);
+}
+
+PointSource sourceOf(const PointStream& stream) {
+  return {.count = stream.info().points,
+          .read = [&stream](std::uint64_t first, std::span<FilePoint> block) {
+            return stream.read(first, block);
+          }};
+}
+
+/// About `wanted` points in short runs at even distances: scans are often stored line by line, and
+/// single points would each cost a page of the disk.
+Scan sampleOf(const PointStream& stream, std::uint64_t wanted, const Task& task) {
+  constexpr std::uint64_t kRun = 256;
+  const std::uint64_t count = stream.info().points;
+  const std::uint64_t runs = std::max<std::uint64_t>(1, wanted / kRun);
+  ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
+  std::vector<FilePoint> block(kRun);
+  std::uint64_t next = 0;  // Overlapping runs in small files are read once.
+  for (std::uint64_t i = 0; i < runs; ++i) {
+    if (i % 256 == 0) task.check();
+    const std::uint64_t start = std::max(next, count / runs * i + count % runs * i / runs);
+    const std::size_t got = stream.read(start, block);
+    for (std::size_t k = 0; k < got; ++k) builder.addPoint(block[k].x, block[k].y, block[k].z);
+    next = start + got;
+  }
+  ScanInfo info = stream.info();
+  Scan scan = builder.finish();
+  info.bounds = scan.info.bounds;
+  info.finite_points = scan.info.finite_points;
+  scan.info = info;
+  if (scan.points.empty()) {
+    throw FileError(shownName(info.file) +
+                    ": none of its points that were looked at is finite. "
+                    "Nothing was made.");
+  }
+  return scan;
+}
+
+Surface viewOf(const Scan& sample, SurfaceOptions options, int most_cells, const Task& task) {
+  const double share = static_cast<double>(sample.points.size()) /
+                       static_cast<double>(std::max<std::uint64_t>(sample.info.points, 1));
+  // As fine as its points carry, and never finer than what is asked for.
+  const int cells = std::min(
+      most_cells, static_cast<int>(std::sqrt(static_cast<double>(sample.points.size()) / 2)));
+  options.cells = std::min(options.cells.value_or(cells), std::max(cells, 24));
+  options.spacing_mm.reset();
+  options.engine = "cpu";
+  Surface surface = makeSurface(sample, options, rasterize, task);
+  surface.messages.push_back("A first view from " +
+                             std::to_string(static_cast<int>(std::ceil(100 * share))) +
+                             " % of the points.");
+  return surface;
+}
+
+/// Counts what the report says of the finest level.
+class FinestLevel {
+ public:
+  void add(const float* heights_mm, const Origin* origins, int cols) {
+    for (int i = 0; i < cols; ++i) {
+      ++counts_[static_cast<std::size_t>(origins[i])];
+      if (origins[i] == Origin::outside) continue;
+      low_ = std::min(low_, heights_mm[i]);
+      high_ = std::max(high_, heights_mm[i]);
+    }
+  }
+  void into(LargeMap& map) const {
+    std::uint64_t all = 0;
+    for (const std::uint64_t count : counts_) all += count;
+    for (std::size_t i = 0; i < counts_.size(); ++i) {
+      map.shares[i] = static_cast<double>(counts_[i]) / static_cast<double>(all);
+    }
+    if (low_ <= high_) map.heights = {.min_mm = low_, .max_mm = high_};
+  }
+
+ private:
+  std::array<std::uint64_t, kOriginCount> counts_{};
+  float low_ = std::numeric_limits<float>::infinity();
+  float high_ = -std::numeric_limits<float>::infinity();
+};
+
+std::filesystem::path spillFolder(const LargeMapOptions& large) {
+  return large.file.parent_path().empty() ? "." : large.file.parent_path();
+}
+
+void copyFacts(const Surface& from, LargeMap& to) {
+  to.info = from.info;
+  to.unit = from.unit;
+  to.unit_source = from.unit_source;
+  to.view_name = from.view_name;
+  to.messages = from.messages;
+}
+
+/// From depths to files: what both kinds of input have in common.
+/// @param view  gives the matrix for the base plane that was found
+void fillAndWrite(LargeMap& map, const RowsOf& depths, const GridFrame& frame,
+                  const FillSource& source, const SurfaceOptions& options,
+                  const LargeMapOptions& large, std::size_t memory_bytes,
+                  const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
+  const auto start = Clock::now();
+  const BandFill fill(
+      depths, frame, source, options.holes,
+      {.memory_bytes = memory_bytes, .spill_folder = spillFolder(large), .threads = large.threads},
+      task);
+  map.seconds.fill = secondsSince(start);
+  map.view_from_file = view(fill.baseZMm());
+  map.holes = fill.holes();
+  if (fill.seenThrough() > 0) {
+    map.messages.push_back(std::to_string(fill.seenThrough()) +
+                           " cells showed the object's back through gaps of its front; they were "
+                           "interpolated instead.");
+  }
+  const auto write_start = Clock::now();
+  LevelFiles files(large.file, frame, options.pyramid);
+  FinestLevel finest;
+  fill.write(
+      [&](int, const float* heights, const Origin* origins) {
+        finest.add(heights, origins, frame.size.cols);
+        files.add(heights, origins);
+      },
+      task);
+  files.finish(map.view_from_file);
+  finest.into(map);
+  map.frames = files.frames();
+  map.seconds.pyramid = secondsSince(write_start);
+}
+
+/// The cloud's frame, its view and what the points are mapped with, z from the lowest point.
+struct Placed {
+  GridFrame frame;
+  ViewFromFile view_from_file;
+  NamedRotation rotation;
+  double lowest_mm = 0, range_mm = 0;
+};
+
+Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
+             const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
+  Placed placed;
+  placed.rotation = chooseRotation(sample, options.view, task);
+  const double mm = mmPer(facts.unit);
+  const SourceBounds bounds = boundsOf(
+      sourceOf(stream), viewFromFile(placed.rotation.rotation, mm, 0, 0, 0), large.threads, task);
+  facts.info.finite_points = bounds.finite_points;
+  facts.info.bounds = bounds.file;
+  placed.frame = chooseFrame(facts, sample, options, placed.rotation.rotation,
+                             {.min = bounds.min, .max = bounds.max}, bounds.finite_points);
+  placed.lowest_mm = bounds.min.z;
+  placed.range_mm = bounds.max.z - bounds.min.z;
+  placed.view_from_file =
+      viewFromFile(placed.rotation.rotation, mm, placed.frame.first_x_mm - bounds.min.x,
+                   placed.frame.first_y_mm - bounds.min.y, -bounds.min.z);
+  facts.view_name = placed.rotation.name;
+  return placed;
+}
+
+void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
+  map.rule = rule.reason + ": " + std::string(describe(rule.rule));
+  map.messages.push_back("Heights: " + map.rule + ".");
+  if (merges) {
+    map.messages.emplace_back("The points were merged as they came; flyers were not looked for.");
+  }
+}
+
+/// Points to front depths, in files or memory.
+std::unique_ptr<RowStore> gridPoints(LargeMap& map, const PointStream& stream, const Placed& placed,
+                                     const SurfaceOptions& options, const LargeMapOptions& large,
+                                     std::size_t memory_bytes, const Task& task) {
+  TileStore store(placed.frame.size, {.merges = options.rule && isMergeable(*options.rule),
+                                      .memory_bytes = memory_bytes,
+                                      .spill_folder = spillFolder(large),
+                                      .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
+                                      .threads = large.threads});
+  scatterIntoTiles(sourceOf(stream), placed.view_from_file, placed.frame, store, task);
+  const RuleProposal rule = options.rule
+                                ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
+                                : proposeRule(store, placed.frame.spacing_mm, task);
+  sayRule(map, rule, store.merges());
+  map.spilled_bytes = store.spilledBytes();
+  // The store has its memory; depths go to the disk.
+  auto depths = std::make_unique<RowStore>(placed.frame.size, 0, spillFolder(large));
+  makeDepths(
+      store, rule.rule, placed.frame.spacing_mm,
+      [&](int first, int rows, const float* values) { depths->write(first, rows, values); }, task);
+  return depths;
+}
+
+LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& options,
+                    const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+  const auto start = Clock::now();
+  requireStreamable(file);
+  if (options.engine != "cpu") {
+    throw ArgumentError("Maps by tiles are made by the cpu engine. Nothing was made.");
+  }
+  const PointStream stream(file, import);
+  LargeMap map;
+  if (large.on_view) {
+    const Scan sample = sampleOf(stream, kFirstSample, task);
+    const Surface view = viewOf(sample, options, kFirstViewCells, task);
+    map.first_view_s = secondsSince(start);
+    large.on_view(view);
+  }
+  Surface facts;
+  facts.info = stream.info();
+  facts.messages = stream.info().warnings;
+  chooseUnit(facts, options);
+  Scan sample = sampleOf(stream, kSecondSample, task);
+  const Placed placed = place(facts, stream, sample, options, large, task);
+  const MemoryPlan plan = planMemory(placed.frame, large);
+  if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
+  sample = {};
+  copyFacts(facts, map);
+  map.engine = "cpu";
+  map.seconds.read = secondsSince(start);
+
+  const auto grid_start = Clock::now();
+  const auto depths = gridPoints(map, stream, placed, options, large, plan.points_bytes, task);
+  map.seconds.grid = secondsSince(grid_start);
+  fillAndWrite(
+      map, [&](int first, int rows, float* out) { depths->read(first, rows, out); }, placed.frame,
+      {.has_sampling_gaps = true}, options, large, plan.depths_bytes,
+      [&](double base_z_mm) {
+        ViewFromFile view = placed.view_from_file;
+        view.m[11] = -placed.lowest_mm - base_z_mm;
+        return view;
+      },
+      task);
+  return map;
+}
+
+/// Heights of a foreign raster in mm above its lowest sample.
+RowsOf depthsOf(const RasterMap& raster, double lowest, double mm) {
+  return [&raster, lowest, mm](int first, int rows, float* out) {
+    std::size_t i = raster.size.index({.col = 0, .row = first});
+    const std::size_t end = raster.size.index({.col = 0, .row = first + rows});
+    for (; i < end; ++i) {
+      const double height = (static_cast<double>(raster.values[i]) - lowest) * mm;
+      *out++ =
+          raster.valid[i] ? static_cast<float>(height) : std::numeric_limits<float>::quiet_NaN();
+    }
+  };
+}
+
+double lowestOf(const RasterMap& raster) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < raster.values.size(); ++i) {
+    if (raster.valid[i]) lowest = std::min(lowest, static_cast<double>(raster.values[i]));
+  }
+  return lowest;
+}
+
+/// An own map's rows become levels as they are.
+void writeOwnMap(LargeMap& map, const RasterMap& raster, const GridFrame& frame,
+                 const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
+  const auto start = Clock::now();
+  LevelFiles files(large.file, frame, options.pyramid);
+  FinestLevel finest;
+  std::vector<float> heights(static_cast<std::size_t>(frame.size.cols));
+  std::vector<Origin> origins(heights.size());
+  for (int row = 0; row < frame.size.rows; ++row) {
+    if (row % 16 == 0) task.check();
+    for (int col = 0; col < frame.size.cols; ++col) {
+      const std::size_t i = frame.size.index({.col = col, .row = row});
+      const auto c = static_cast<std::size_t>(col);
+      origins[c] = raster.origins.empty() ? Origin::measured : raster.origins[i];
+      if (!raster.valid[i]) origins[c] = Origin::outside;
+      heights[c] = origins[c] == Origin::outside ? 0.0F : raster.values[i];
+    }
+    finest.add(heights.data(), origins.data(), frame.size.cols);
+    files.add(heights.data(), origins.data());
+  }
+  map.view_from_file = raster.view_from_file.value_or(ViewFromFile{});
+  files.finish(map.view_from_file);
+  finest.into(map);
+  map.frames = files.frames();
+  map.seconds.pyramid = secondsSince(start);
+}
+
+LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& options,
+                    const LargeMapOptions& large, const Task& task) {
+  const auto start = Clock::now();
+  const RasterMap raster = readRaster(file);
+  LargeMap map;
+  Surface facts;
+  facts.info = raster.info;
+  facts.messages = raster.info.warnings;
+  facts.view_name = raster.is_own_map ? "as stored" : "top";
+  if (raster.is_own_map) {
+    facts.unit_source = UnitSource::file;
+    if (raster.origins.empty()) {
+      facts.messages.emplace_back(
+          "The map's origin file is missing; every height was taken as measured.");
+    }
+  } else {
+    chooseUnit(facts, options);
+  }
+  copyFacts(facts, map);
+  map.engine = raster.is_own_map ? "as stored" : "raster";
+  map.rule = "as stored";
+  const double mm = mmPer(facts.unit);
+  const double spacing = raster.pixel * mm;
+  GridFrame frame{.size = raster.size,
+                  .spacing_mm = spacing,
+                  .first_x_mm = 0.5 * spacing,
+                  .first_y_mm = 0.5 * spacing};
+  if (raster.is_own_map) {
+    frame.first_x_mm = raster.first.x;
+    frame.first_y_mm = raster.first.y;
+  }
+  const std::uint64_t raster_bytes =
+      raster.values.size() * sizeof(float) + raster.origins.size() + raster.valid.size() / 8;
+  const MemoryPlan plan = planMemory(frame, large, raster_bytes);
+  map.seconds.read = secondsSince(start);
+  if (raster.is_own_map) {
+    writeOwnMap(map, raster, frame, options, large, task);
+    return map;
+  }
+  if (options.view && options.view->name != "top" && options.view->name != "auto") {
+    throw ArgumentError("A raster is a height map already and is seen from the top only.");
+  }
+  const double lowest = lowestOf(raster);
+  fillAndWrite(
+      map, depthsOf(raster, lowest, mm), frame, {.has_sampling_gaps = false, .base_quantile = 0},
+      options, large, plan.depths_bytes,
+      [&](double base_z_mm) {
+        return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
+                            frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * mm));
+      },
+      task);
+  return map;
+}
+
+}  // namespace
+
+LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
+                      const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+  LargeMap map = looksLikeRaster(file) ? fromRaster(file, options, large, task)
+                                       : fromPoints(file, options, large, import, task);
+  map.file = large.file;
+  return map;
+}
+
+Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& options,
+                      std::uint64_t points, const ImportOptions& import, const Task& task) {
+  requireStreamable(file);
+  const PointStream stream(file, import);
+  return viewOf(sampleOf(stream, points, task), options, kSecondViewCells, task);
+}
+
+}  // namespace relievo

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/origin.h"
+#include "core/base/task.h"
+#include "core/io/import.h"
+#include "core/session/surface.h"
+
+namespace relievo {
+
+struct LargeMapOptions {
+  std::filesystem::path file;                  ///< Of the finest level; the others lie beside it.
+  std::uint64_t memory_bytes = 2'000'000'000;  ///< For all but the program itself.
+  int threads = 0;                             ///< 0: as many as there are cores, at most 4.
+  /// Called with surfaces made from a sample of the points: first after a fraction of a second from
+  /// some 250 000, then from some 2 000 000 found while the whole is measured. Each covers the
+  /// object as `LargeMap` will, but for points not seen yet. For rasters never. [worker]
+  std::function<void(const Surface& view)> on_view;
+};
+
+/// A map made by tiles and what is known of it; its heights are in files only (TiledMap).
+struct LargeMap {
+  std::filesystem::path file;
+  ScanInfo info;
+  LengthUnit unit = LengthUnit::mm;
+  UnitSource unit_source = UnitSource::assumed;
+  ViewFromFile view_from_file;
+  std::string view_name, engine, rule;
+  std::vector<GridFrame> frames;              ///< Per level, finest first.
+  std::array<double, kOriginCount> shares{};  ///< Of the finest level's cells, by origin.
+  HeightRange heights;                        ///< Over cells that are not outside.
+  std::vector<Hole> holes;                    ///< Enclosed holes, largest first.
+  std::vector<std::string> messages;
+  StageSeconds seconds;
+  double first_view_s = 0;  ///< From the call to the first on_view; 0: none.
+  std::uint64_t spilled_bytes = 0;
+};
+
+/// Makes the map of a LAS or binary PLY cloud or of a raster by tiles, within a memory budget, and
+/// writes all levels (core/tiles/level_files.h): grid, rule, holes, base plane and levels as
+/// makeSurface chooses them, for any budget the same bytes. [worker]
+/// @throw FileError  also for meshes and files that cannot be read in blocks
+/// @throw ArgumentError  E102 if the budget is too small for this map; WriteError, Cancelled
+LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
+                      const LargeMapOptions& large, const ImportOptions& import = {},
+                      const Task& task = {});
+
+/// A surface from about `points` of the file's points, spread evenly over it: the first view of a
+/// large file. [worker] @throw FileError, ArgumentError, Cancelled
+Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& options,
+                      std::uint64_t points, const ImportOptions& import = {},
+                      const Task& task = {});
+
+}  // namespace relievo

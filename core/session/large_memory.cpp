@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/large_memory.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/tiles/threads.h"
+#include "core/tiles/tile_layout.h"
+#include "core/tiles/tile_store.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kMegabyte = 1'000'000;
+constexpr std::uint64_t kProgram = 80 * kMegabyte;  ///< Code, libraries, GDAL's blocks of tiles.
+
+/// Bands of one row of tiles while gaps are filled: depths, layers and masks of each thread.
+std::uint64_t bandBytes(GridSize size, int threads) {
+  constexpr std::uint64_t kBytesPerCell = 40;
+  constexpr std::uint64_t kRows = kTileSide + 32;
+  return kBytesPerCell * kRows * static_cast<std::uint64_t>(size.cols) *
+         static_cast<std::uint64_t>(threads);
+}
+
+/// Rows of tiles of every level that are being written, and one bit and a 64th of push-pull per
+/// cell.
+std::uint64_t writingBytes(GridSize size) {
+  return 2 * 6 * static_cast<std::uint64_t>(kTileSide) * static_cast<std::uint64_t>(size.cols) +
+         size.count() / 2;
+}
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB";
+}
+
+}  // namespace
+
+MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
+                      std::uint64_t held_bytes) {
+  const int threads = threadCount(large.threads);
+  const std::uint64_t always = kProgram + held_bytes;
+  const std::uint64_t filling = bandBytes(frame.size, threads) + writingBytes(frame.size);
+  // While points are sorted into tiles: the store and a block of points being sorted; while cells
+  // get their heights: the store and three rows of tiles, which hold what the store let go of.
+  const std::uint64_t gridding = 2 * TileStore::leastMemoryBytes(frame.size) + 64 * kMegabyte;
+  const std::uint64_t needed = always + std::max(filling, gridding);
+  if (needed > large.memory_bytes) {
+    throw ArgumentError("A map of " + std::to_string(frame.size.cols) + " x " +
+                            std::to_string(frame.size.rows) + " cells needs at least " +
+                            megabytes(needed) + " of memory when made by tiles; " +
+                            megabytes(large.memory_bytes) +
+                            " are allowed. Nothing was made. Allow more with --memory, or choose "
+                            "larger cells.",
+                        "E102");
+  }
+  const std::uint64_t free_bytes = large.memory_bytes - always;
+  return {.points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
+          .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10)};
+}
+
+}  // namespace relievo
