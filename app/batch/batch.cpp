@@ -20,8 +20,9 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
-  return {infoVerb(),    depthmapVerb(),   pyramidVerb(),     renderVerb(), figureVerb(),
-          devicesVerb(), touchVerb(words), recordVerb(words), replayVerb()};
+  return {infoVerb(),       depthmapVerb(),    fillVerb(),   pyramidVerb(),
+          convertVerb(),    renderVerb(),      figureVerb(), devicesVerb(),
+          touchVerb(words), recordVerb(words), replayVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
