@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/batch/arguments.h"
 
+#include <algorithm>
 #include <charconv>
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -21,15 +23,40 @@ double number(const std::string& option, std::string_view text) {
   return value;
 }
 
+/// base, none, membrane, interpolate:MAX_MM2 or membrane:MAX_MM2.
 HoleChoice holeChoice(const std::string& text) {
   if (text == "base") return {.rule = HoleRule::base};
   if (text == "none") return {.rule = HoleRule::none};
-  constexpr std::string_view kPrefix = "interpolate:";
-  if (text.starts_with(kPrefix)) {
-    const double area = number("--holes", std::string_view(text).substr(kPrefix.size()));
-    if (area >= 0) return {.rule = HoleRule::interpolate, .max_area_mm2 = area};
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  if (text == "membrane") return {.rule = HoleRule::membrane, .max_area_mm2 = kAll};
+  const auto limit_after = [&](std::string_view prefix) -> std::optional<double> {
+    if (!text.starts_with(prefix)) return std::nullopt;
+    const double area = number("--holes", std::string_view(text).substr(prefix.size()));
+    if (area < 0) throw ArgumentError("--holes: the largest area must not be below 0.");
+    return area;
+  };
+  if (const auto area = limit_after("interpolate:")) {
+    return {.rule = HoleRule::interpolate, .max_area_mm2 = *area};
   }
-  throw ArgumentError("--holes: '" + text + "' is none of base, interpolate:MAX_MM2 and none.");
+  if (const auto area = limit_after("membrane:")) {
+    return {.rule = HoleRule::membrane, .max_area_mm2 = *area};
+  }
+  throw ArgumentError("--holes: '" + text +
+                      "' is none of base, interpolate:MAX_MM2, membrane, membrane:MAX_MM2 and "
+                      "none.");
+}
+
+ViewChoice viewChoice(const MapArguments& a) {
+  ViewChoice view{.name = a.view.empty() ? "auto" : a.view, .rotation = std::nullopt};
+  if (std::find(kViewNames.begin(), kViewNames.end(), view.name) == kViewNames.end()) {
+    throw ArgumentError("--view: '" + a.view +
+                        "' is none of front, back, left, right, top, bottom, auto, fit and axes.");
+  }
+  if (!a.turn.empty()) {
+    const std::vector<double> turn = numberList("--turn", a.turn, 3);
+    view.turn_deg = {turn[0], turn[1], turn[2]};
+  }
+  return view;
 }
 
 }  // namespace
@@ -56,13 +83,18 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
                   "or MAP.tif")
       ->required();
   verb.add_option("--unit", a.unit, "Unit of the file's coordinates: mm cm m in ft us-ft");
-  verb.add_option("--view", a.view, "front back left right top bottom auto");
+  verb.add_option("--view", a.view,
+                  "front back left right top bottom; auto: what shows most; fit: "
+                  "on the best-fit plane; axes: by the principal axes");
+  verb.add_option("--turn", a.turn, "X,Y,Z: then turned about the view's axes by so many degrees");
   verb.add_option("--cells", a.cells, "Samples across the longer side");
   verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm");
   verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
   verb.add_option("--rule", a.rule,
-                  "A cell's height from its points: front second topmean median mean");
-  verb.add_option("--holes", a.holes, "base, interpolate:MAX_MM2 or none");
+                  "A cell's height from its points: auto front second topmean median mean splat "
+                  "quadratic");
+  verb.add_option("--holes", a.holes,
+                  "base (the paper's), interpolate:MAX_MM2, membrane, membrane:MAX_MM2 or none");
   verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
   verb.add_flag("--load-incomplete", a.accept_incomplete,
                 "Load the complete records of a cut file (E101)");
@@ -76,21 +108,16 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
       throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
     }
   }
-  if (!a.view.empty()) {
-    if (a.view != "auto" && !standardRotation(a.view)) {
-      throw ArgumentError("--view: '" + a.view +
-                          "' is none of front, back, left, right, top, bottom and auto.");
-    }
-    options.view = ViewChoice{.name = a.view, .rotation = std::nullopt};
-  }
+  if (!a.view.empty() || !a.turn.empty()) options.view = viewChoice(a);
   if (a.engine != "cpu" && a.engine != "depthbuffer") {
     throw ArgumentError("--engine: '" + a.engine + "' is neither cpu nor depthbuffer.");
   }
-  if (!a.rule.empty()) {
+  if (!a.rule.empty() && a.rule != "auto") {
     options.rule = pointRule(a.rule);
     if (!options.rule) {
       throw ArgumentError("--rule: '" + a.rule +
-                          "' is none of front, second, topmean, median and mean.");
+                          "' is none of auto, front, second, topmean, median, mean, splat and "
+                          "quadratic.");
     }
   }
   if (a.cells && *a.cells < 2) throw ArgumentError("--cells must be at least 2.");

@@ -21,6 +21,7 @@ struct MapArguments {
   std::string file;
   std::string unit;  ///< Empty: as the file says.
   std::string view;  ///< Empty: default.
+  std::string turn;  ///< "X,Y,Z" in degrees; empty: not turned.
   std::optional<int> cells;
   std::optional<double> spacing_mm;
   std::string engine = "cpu";

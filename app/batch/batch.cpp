@@ -88,6 +88,7 @@ Surface loadForVerb(const MapArguments& arguments, const Task& task) {
     surface = loadSurface(arguments.file, options, rasterize, import, task);
   }
   for (const std::string& message : surface.messages) tell(message);
+  for (const std::string& message : surface.not_done) tell(message);
   return surface;
 }
 

@@ -37,6 +37,11 @@ Verb touchVerb();
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);
 
+/// 0, or 4 if a requested step could not be done.
+inline int exitCodeAfter(const Surface& surface) {
+  return surface.not_done.empty() ? 0 : 4;
+}
+
 /// Says so on stderr where a level is much finer than the 200 samples across its region.
 void warnIfAliased(const Surface& surface, const Region& region);
 

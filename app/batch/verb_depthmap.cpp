@@ -37,6 +37,33 @@ Json holesJson(const Surface& surface) {
   return holes;
 }
 
+/// How the points carry the cells, over the cells that have any; null where not known.
+Json qualityJson(const Surface& surface) {
+  const QualityMap& quality = surface.quality;
+  std::size_t cells = 0;
+  double points = 0;
+  double spread = 0;
+  for (std::size_t i = 0; i < quality.counts.size(); ++i) {
+    if (quality.counts[i] == 0) continue;
+    ++cells;
+    points += quality.counts[i];
+    spread += static_cast<double>(quality.spreads_mm[i]);
+  }
+  if (cells == 0) return nullptr;
+  const auto count = static_cast<double>(cells);
+  return {{"cells_with_points", cells},
+          {"mean_points", points / count},
+          {"mean_spread_mm", spread / count}};
+}
+
+Json lossesJson(const Surface& surface) {
+  if (!surface.losses) return nullptr;
+  return {{"hidden_share", surface.losses->hidden_share},
+          {"undercut_share", surface.losses->undercut_share},
+          {"steep_share", surface.losses->steep_share},
+          {"flyers", surface.losses->flyers}};
+}
+
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
   const Surface surface = loadForVerb(a.map, task);
@@ -63,11 +90,16 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["unit"] = name(surface.unit);
   json["unit_source"] = name(surface.unit_source);
   json["holes"] = holesJson(surface);
+  json["quality"] = qualityJson(surface);
+  json["losses"] = lossesJson(surface);
+  json["not_done"] = surface.not_done;
   return {.json = json.dump(2),
           .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +
                         std::to_string(frame.size.rows) + " cells of " + json["spacing_mm"].dump() +
                         " mm, view " + surface.view_name + ", engine " + surface.engine,
-                    "shares " + json["shares"].dump()}};
+                    "heights: " + surface.rule, "shares " + json["shares"].dump(),
+                    "losses " + json["losses"].dump()},
+          .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace

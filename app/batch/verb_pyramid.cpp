@@ -45,6 +45,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   outcome.json =
       Json{{"levels", levels}, {"factor", factor}, {"gain_at_nyquist", gainAtNyquist(factor)}}.dump(
           2);
+  outcome.exit_code = exitCodeAfter(surface);
   return outcome;
 }
 

@@ -69,7 +69,8 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   return {.json = text,
           .lines = {a.out + ": " + std::to_string(image.width) + " x " +
                     std::to_string(image.height) + " pixels, " + json["mm_per_pixel"].dump() +
-                    " mm each, level " + std::to_string(region.level.value)}};
+                    " mm each, level " + std::to_string(region.level.value)},
+          .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace

@@ -2,11 +2,15 @@
 #include "core/depth/fill.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <numeric>
+#include <string>
 
 #include "core/depth/mask.h"
+#include "core/depth/membrane.h"
 #include "core/depth/push_pull.h"
 #include "core/depth/see_through.h"
 
@@ -76,22 +80,104 @@ std::vector<float> measuredValues(const FrontDepths& depths) {
   return values;
 }
 
+/// Cells of every hole that gets a membrane, in the order of `holes`.
+std::vector<std::vector<std::size_t>> cellsOf(const std::vector<LabelledHole>& holes,
+                                              const EmptyAreas& areas) {
+  std::vector<std::vector<std::size_t>> cells(holes.size());
+  std::vector<int> hole_of_label(areas.cells.size(), -1);
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    if (holes[k].hole.filled) {
+      hole_of_label[static_cast<std::size_t>(holes[k].label)] = static_cast<int>(k);
+    }
+  }
+  for (std::size_t i = 0; i < areas.label.size(); ++i) {
+    if (areas.label[i] < 0) continue;
+    const int k = hole_of_label[static_cast<std::size_t>(areas.label[i])];
+    if (k >= 0) cells[static_cast<std::size_t>(k)].push_back(i);
+  }
+  return cells;
+}
+
+/// Membranes over the holes that are to be filled; a hole that cannot be is no longer.
+void layMembranes(std::vector<LabelledHole>& holes, const EmptyAreas& areas, const Mask& covered,
+                  FrontDepths& depths, GridSize size, const Task& task) {
+  const auto cells = cellsOf(holes, areas);
+  for (std::size_t k = 0; k < holes.size(); ++k) {
+    if (!holes[k].hole.filled) continue;
+    task.report("Filling holes", static_cast<double>(k) / static_cast<double>(holes.size()));
+    holes[k].hole.filled = fillWithMembrane(depths, covered, cells[k], size, task);
+  }
+}
+
+std::string squareMm(double area_mm2) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g mm2", area_mm2);
+  return text.data();
+}
+
 }  // namespace
+
+Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame) {
+  Mask steep = depths.steep.empty() ? Mask(measured.size(), 0) : depths.steep;
+  const auto limit = static_cast<float>(kSteepRise * frame.spacing_mm);
+  const auto runs_through = [&](std::size_t before, std::size_t here, std::size_t after) {
+    const float in = depths.front[here] - depths.front[before];  // False for NaN.
+    const float out = depths.front[after] - depths.front[here];
+    return (in > limit && out > limit) || (in < -limit && out < -limit);
+  };
+  const auto cols = static_cast<std::size_t>(frame.size.cols);
+  const auto rows = static_cast<std::size_t>(frame.size.rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t col = 0; col < cols; ++col) {
+      const std::size_t i = row * cols + col;
+      if (measured[i] == 0) continue;
+      const bool along_x = col > 0 && col + 1 < cols && runs_through(i - 1, i, i + 1);
+      const bool along_y = row > 0 && row + 1 < rows && runs_through(i - cols, i, i + cols);
+      if (along_x || along_y) steep[i] = 1;
+    }
+  }
+  return steep;
+}
+
+bool isToBeFilled(const Hole& hole, const HoleChoice& choice) {
+  const bool fills = choice.rule == HoleRule::interpolate || choice.rule == HoleRule::membrane;
+  return fills && hole.area_mm2 <= choice.max_area_mm2;
+}
 
 Origin originOfHole(const Hole& hole, HoleRule rule) {
   if (hole.filled) return Origin::interpolated;
   return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
 }
 
-FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const FillSource& source,
+std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice) {
+  if (choice.rule != HoleRule::interpolate && choice.rule != HoleRule::membrane) return {};
+  const auto filled =
+      std::count_if(holes.begin(), holes.end(), [](const Hole& h) { return h.filled; });
+  const auto left =
+      std::find_if(holes.begin(), holes.end(), [](const Hole& h) { return !h.filled; });
+  if (left == holes.end()) return {};
+  std::string text = std::to_string(filled) + " of " + std::to_string(holes.size()) +
+                     " holes filled. The largest left (" + squareMm(left->area_mm2) + ") ";
+  text += left->area_mm2 > choice.max_area_mm2
+              ? "is larger than the limit of " + squareMm(choice.max_area_mm2)
+              : "is too large for a membrane or has too little rim";
+  return text + " and now rests on the base plane.";
+}
+
+FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task) {
   FilledMap result;
   const std::size_t count = frame.size.count();
-  FrontDepths filled = depths;
+  FrontDepths filled = depths.front;
   Mask measured = maskOf(filled);
   int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
   if (radius > 0) {
     result.seen_through = dropSeenThrough(filled, frame, radius + 1, task);
+    for (std::size_t i = 0; i < depths.quality.counts.size(); ++i) {
+      if (measured[i] != 0 && std::isnan(filled[i])) {
+        result.seen_through_points += depths.quality.counts[i];
+      }
+    }
     measured = maskOf(filled);
     radius = samplingGapRadius(measured, frame.size);
   }
@@ -101,30 +187,40 @@ FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const Fi
   task.check();
   const EmptyAreas areas = emptyAreas(covered, frame.size);
   std::vector<LabelledHole> holes = enclosedHoles(areas, frame);
+  for (LabelledHole& labelled : holes) labelled.hole.filled = isToBeFilled(labelled.hole, choice);
+
+  // What the rule found between the points stands; the rest comes from the cells around.
+  Mask known = measured;
+  for (std::size_t i = 0; i < depths.between.size(); ++i) {
+    if (known[i] != 0 || covered[i] == 0 || std::isnan(depths.between[i])) continue;
+    filled[i] = depths.between[i];
+    known[i] = 1;
+  }
+  pushPull(filled, known, frame.size, task);
+  task.check();
+  if (choice.rule == HoleRule::membrane) {
+    layMembranes(holes, areas, covered, filled, frame.size, task);
+  }
 
   std::vector<Origin> origin_of_label(areas.cells.size(), Origin::outside);
-  for (LabelledHole& labelled : holes) {
-    labelled.hole.filled =
-        choice.rule == HoleRule::interpolate && labelled.hole.area_mm2 <= choice.max_area_mm2;
+  for (const LabelledHole& labelled : holes) {
     origin_of_label[static_cast<std::size_t>(labelled.label)] =
         originOfHole(labelled.hole, choice.rule);
     result.holes.push_back(labelled.hole);
   }
 
-  pushPull(filled, measured, frame.size, task);
-  task.check();
-
+  const Mask steep = steepCells(depths, measured, frame);
   DepthMap& map = result.map;
   map.frame = frame;
   map.heights_mm.assign(count, 0.0F);
   map.origins.assign(count, Origin::outside);
   for (std::size_t i = 0; i < count; ++i) {
     const int label = areas.label[i];
-    const Origin origin = measured[i] != 0 ? Origin::measured
+    const Origin origin = measured[i] != 0 ? (steep[i] != 0 ? Origin::steep : Origin::measured)
                           : label < 0      ? Origin::interpolated
                                            : origin_of_label[static_cast<std::size_t>(label)];
     map.origins[i] = origin;
-    if (origin == Origin::measured || origin == Origin::interpolated) {
+    if (origin != Origin::base_plane && origin != Origin::outside) {
       map.heights_mm[i] = static_cast<float>(static_cast<double>(filled[i]) - result.base_z_mm);
     }
   }

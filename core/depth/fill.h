@@ -10,17 +10,19 @@
 #include "core/base/task.h"
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
+#include "core/depth/mask.h"
 
 namespace relievo {
 
 enum class HoleRule {
   base,         ///< Enclosed holes rest on the base plane (the paper's rule).
-  interpolate,  ///< Holes up to max_area_mm2 are interpolated from their rim.
+  interpolate,  ///< Holes up to max_area_mm2 are filled with averages of their rim (push-pull).
+  membrane,     ///< Holes up to max_area_mm2 get a membrane that leaves the rim without a crease.
   none,         ///< Holes are left open: outside, NaN in files.
 };
 struct HoleChoice {
   HoleRule rule = HoleRule::base;
-  double max_area_mm2 = 0;
+  double max_area_mm2 = 0;  ///< For interpolate and membrane; larger holes rest on the base plane.
 };
 
 /// One enclosed hole of the map, after sampling gaps were closed.
@@ -34,11 +36,24 @@ struct Hole {
 /// What the cells of a hole become.
 Origin originOfHole(const Hole& hole, HoleRule rule);
 
+/// Does the choice ask for this hole to be filled?
+bool isToBeFilled(const Hole& hole, const HoleChoice& choice);
+
+/// Measured cells that the engine saw to be steep, and those from which the surface rises to one
+/// side and falls to the other by more than `kSteepRise`: walls that a cloud's points stand on one
+/// by one. Looks at the four neighbours.
+Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame);
+
+/// E202: "2 of 3 holes filled. ..." if the choice asked for filling and a hole was left; else
+/// empty.
+std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice);
+
 struct FilledMap {
   DepthMap map;             ///< Heights above the base plane.
   double base_z_mm = 0;     ///< View z of the base plane, to be subtracted from view_from_file.
   std::vector<Hole> holes;  ///< Largest first.
-  std::size_t seen_through = 0;  ///< Points of the back seen through the front's gaps, left out.
+  std::size_t seen_through = 0;  ///< Cells that showed the back through gaps of the front ...
+  std::size_t seen_through_points = 0;  ///< ... and the points in them, if the engine counted.
 };
 
 /// What the depths come from.
@@ -50,7 +65,7 @@ struct FillSource {
 /// From raw front depths to a depth map: sampling gaps (empty cells smaller than the data's own
 /// spacing) are interpolated, enclosed holes treated as chosen, the rest is outside. [worker]
 /// @throw ArgumentError  no cell was hit
-FilledMap fillDepths(const FrontDepths& depths, const GridFrame& frame, const FillSource& source,
+FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task = {});
 
 }  // namespace relievo

@@ -9,7 +9,7 @@
 
 namespace relievo {
 
-/// "front", "second", "topmean", "median" and "mean"; nothing for other words.
+/// "front", "second", "topmean", "median", "mean", "splat", "quadratic"; nothing for other words.
 std::optional<PointRule> pointRule(std::string_view name);
 /// In words, for people: "front-most point", "median of the points", ...
 std::string_view describe(PointRule rule);
@@ -20,15 +20,20 @@ struct RuleProposal {
   std::string reason;  ///< "2.5 points per cell"
 };
 
-/// From the cells the points fall into: below 4 points a cell the front-most point (noise has
-/// little to average); from 4 on the median if nearly all cells see one layer (coins, terrain),
-/// else the mean of the top layer, so that an object's back does not mix with its front. [worker]
+/// From the cells the points fall into, or from evenly spaced rows of them. One point at every
+/// sample: that point. Several layers (an object and its back): the mean of the top layer, so that
+/// the back does not mix with the front. One layer: local quadratics below 4 points a cell, else
+/// the median. [worker]
 /// @throw Cancelled
 RuleProposal proposeRule(const DepthRequest& request, const Task& task = {});
 
-/// Height of every cell from its points by request.rule; NaN where there is none. The points' order
-/// matters to no more than the last bits of a mean. [worker]
+/// Standard deviation of the points about local quadratics, the median over some rows. [worker]
 /// @throw Cancelled
-FrontDepths scatterPoints(const DepthRequest& request, const Task& task = {});
+double pointNoise(const DepthRequest& request, const Task& task = {});
+
+/// Height of every cell from its points by request.rule; NaN where there is none, and how well the
+/// points carry it. Points off all their neighbours are left out. [worker]
+/// @throw Cancelled
+CapturedDepths scatterPoints(const DepthRequest& request, const Task& task = {});
 
 }  // namespace relievo

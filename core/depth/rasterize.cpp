@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "core/depth/grid_points.h"
@@ -12,10 +13,6 @@ namespace relievo {
 namespace {
 
 constexpr float kEmpty = std::numeric_limits<float>::quiet_NaN();
-void raise(float& cell, double z) {
-  const auto height = static_cast<float>(z);
-  if (!(cell >= height)) cell = height;  // Also true where the cell is still NaN.
-}
 
 /// The part of the line v = row that lies in the triangle; empty if low > high.
 struct Span {
@@ -39,11 +36,13 @@ struct Span {
 };
 
 void drawTriangle(const GridPoint& a, const GridPoint& b, const GridPoint& c, GridSize size,
-                  FrontDepths& depths) {
+                  double spacing_mm, CapturedDepths& out) {
   const double area = (b.u - a.u) * (c.v - a.v) - (c.u - a.u) * (b.v - a.v);
   if (std::abs(area) < 1e-14) return;  // Seen edge-on: no surface toward the viewer.
   const double slope_u = ((b.z - a.z) * (c.v - a.v) - (c.z - a.z) * (b.v - a.v)) / area;
   const double slope_v = ((c.z - a.z) * (b.u - a.u) - (b.z - a.z) * (c.u - a.u)) / area;
+  const auto steep =
+      static_cast<std::uint8_t>(std::hypot(slope_u, slope_v) > kSteepRise * spacing_mm ? 1 : 0);
   const double z_low = std::min({a.z, b.z, c.z});
   const double z_high = std::max({a.z, b.z, c.z});
   const auto first_row =
@@ -62,12 +61,16 @@ void drawTriangle(const GridPoint& a, const GridPoint& b, const GridPoint& c, Gr
       // Clamped: a needle seen almost edge-on must not shoot beyond its own corners.
       const double z =
           std::clamp(a.z + slope_u * (col - a.u) + slope_v * (row - a.v), z_low, z_high);
-      raise(depths[size.index({.col = col, .row = row})], z);
+      const std::size_t cell = size.index({.col = col, .row = row});
+      const auto height = static_cast<float>(z);
+      if (out.front[cell] >= height) continue;  // False where the cell is still NaN.
+      out.front[cell] = height;
+      out.steep[cell] = steep;
     }
   }
 }
 
-void drawTriangles(const DepthRequest& request, FrontDepths& depths, const Task& task) {
+void drawTriangles(const DepthRequest& request, CapturedDepths& out, const Task& task) {
   const GridFromPoint grid_from_point(request);
   std::vector<GridPoint> corners;
   corners.reserve(request.scan.points.size());
@@ -79,17 +82,20 @@ void drawTriangles(const DepthRequest& request, FrontDepths& depths, const Task&
       task.report("Depth map", static_cast<double>(i) / static_cast<double>(count));
     }
     const auto& t = request.scan.triangles[i];
-    drawTriangle(corners[t[0]], corners[t[1]], corners[t[2]], request.frame.size, depths);
+    drawTriangle(corners[t[0]], corners[t[1]], corners[t[2]], request.frame.size,
+                 request.frame.spacing_mm, out);
   }
 }
 
 }  // namespace
 
-FrontDepths rasterize(const DepthRequest& request, const Task& task) {
+CapturedDepths rasterize(const DepthRequest& request, const Task& task) {
   if (request.scan.triangles.empty()) return scatterPoints(request, task);
-  FrontDepths depths(request.frame.size.count(), kEmpty);
-  drawTriangles(request, depths, task);
-  return depths;
+  CapturedDepths out;
+  out.front.assign(request.frame.size.count(), kEmpty);
+  out.steep.assign(out.front.size(), 0);
+  drawTriangles(request, out, task);
+  return out;
 }
 
 }  // namespace relievo

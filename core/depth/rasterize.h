@@ -8,6 +8,6 @@ namespace relievo {
 /// The CPU depth engine, in double precision: triangles by z-buffer at the sample points, edges
 /// included; points by the request's rule. Deterministic. [worker]
 /// @throw Cancelled
-FrontDepths rasterize(const DepthRequest& request, const Task& task = {});
+CapturedDepths rasterize(const DepthRequest& request, const Task& task = {});
 
 }  // namespace relievo

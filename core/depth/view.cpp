@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
+
+#include "core/depth/principal_axes.h"
 
 namespace relievo {
 namespace {
@@ -101,6 +105,96 @@ int sensorSide(const Scan& scan, const Rotation& rotation) {
   return box.max.z < 0 ? 1 : -1;
 }
 
+constexpr double kTrimmedShare = 0.02;  // Flyers and stray points do not tilt the plane.
+constexpr double kCertain = 1.02;       // Spreads closer than this could change places.
+
+Axis cross(const Axis& a, const Axis& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Axis scaled(const Axis& a, double factor) {
+  return {factor * a[0], factor * a[1], factor * a[2]};
+}
+Axis unit(const Axis& a) {
+  return scaled(a, 1 / std::hypot(a[0], a[1], a[2]));
+}
+
+/// Rows: right, the direction that completes them, toward the viewer.
+Rotation rotationOf(const Axis& right, const Axis& toward) {
+  const Axis up = cross(toward, right);
+  return {right[0], right[1], right[2], up[0], up[1], up[2], toward[0], toward[1], toward[2]};
+}
+
+/// The picture stands upright: the file's axis that leans least toward the viewer's line of sight
+/// is up, z before y before x, as it would be in the standard view nearest to this one.
+Rotation upright(const Axis& toward) {
+  std::string_view nearest = "top";
+  double most = -2;
+  for (const auto& [name, rotation] : kStandardViews) {
+    const double along =
+        rotation[6] * toward[0] + rotation[7] * toward[1] + rotation[8] * toward[2];
+    if (along > most + 1e-9) {
+      most = along;
+      nearest = name;
+    }
+  }
+  const Rotation standard = *standardRotation(nearest);
+  const Axis up{standard[3], standard[4], standard[5]};
+  return rotationOf(unit(cross(up, toward)), toward);
+}
+
+/// Of the two sides of a plane the one that shows more; above, if they show the same.
+Axis showingSide(const Scan& scan, const Axis& normal, const Task& task) {
+  const auto score = [&](const Axis& toward) {
+    task.check();
+    const Rotation rotation = upright(toward);
+    const Look look = lookFrom(scan, rotation);
+    return look.area * look.visible * (1 + 0.25 * facing(scan, rotation)) *
+           (1 + 0.25 * sensorSide(scan, rotation)) * (toward[2] > 0 ? 1.15 : 1);
+  };
+  const Axis back = scaled(normal, -1);
+  return score(back) > score(normal) ? back : normal;
+}
+
+NamedRotation bestFit(const Scan& scan, const Task& task) {
+  const PrincipalAxes found = principalAxes(scan, kTrimmedShare, task);
+  NamedRotation view{.name = "fit", .rotation = upright(showingSide(scan, found.axes[2], task))};
+  if (found.spreads[1] < kCertain * found.spreads[2]) {
+    view.note = "The object is as thick one way as the other; its best-fit plane is not certain.";
+  }
+  return view;
+}
+
+NamedRotation principalView(const Scan& scan, const Task& task) {
+  const PrincipalAxes found = principalAxes(scan, 0, task);
+  const Axis toward = showingSide(scan, found.axes[2], task);
+  // The long axis to the right, and rather as the file has it than upside down.
+  const Rotation standing = upright(toward);
+  const double along = standing[0] * found.axes[0][0] + standing[1] * found.axes[0][1] +
+                       standing[2] * found.axes[0][2];
+  NamedRotation view{.name = "axes",
+                     .rotation = rotationOf(scaled(found.axes[0], along < 0 ? -1 : 1), toward)};
+  if (found.spreads[0] < kCertain * found.spreads[1] ||
+      found.spreads[1] < kCertain * found.spreads[2]) {
+    view.note = "The object is as long one way as the other; its principal axes are not certain.";
+  }
+  return view;
+}
+
+NamedRotation untouched(const Scan& scan, const ViewChoice& choice, const Task& task) {
+  if (choice.name == "auto") return automaticRotation(scan, task);
+  if (choice.name == "fit") return bestFit(scan, task);
+  if (choice.name == "axes") return principalView(scan, task);
+  if (choice.name == "free") {
+    if (!choice.rotation) throw ArgumentError("A free view needs its rotation.");
+    return {.name = "free", .rotation = *choice.rotation};
+  }
+  if (const auto rotation = standardRotation(choice.name)) {
+    return {.name = choice.name, .rotation = *rotation};
+  }
+  throw ArgumentError("There is no view '" + choice.name +
+                      "'. Choose front, back, left, right, top, bottom, auto, fit or axes.");
+}
+
 }  // namespace
 
 std::optional<Rotation> standardRotation(std::string_view name) {
@@ -128,6 +222,39 @@ NamedRotation automaticRotation(const Scan& scan, const Task& task) {
     }
   }
   return best;
+}
+
+Rotation turned(const Rotation& rotation, const std::array<double, 3>& turn_deg) {
+  Rotation result = rotation;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (turn_deg[axis] == 0) continue;  // No rounding where nothing turns.
+    const double angle = turn_deg[axis] * std::numbers::pi / 180;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const std::size_t first = 3 * ((axis + 1) % 3);
+    const std::size_t second = 3 * ((axis + 2) % 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = result[first + k];
+      const double b = result[second + k];
+      result[first + k] = c * a - s * b;
+      result[second + k] = s * a + c * b;
+    }
+  }
+  return result;
+}
+
+NamedRotation chosenRotation(const Scan& scan, const ViewChoice& choice, const Task& task) {
+  const auto& turn = choice.turn_deg;
+  if (!std::all_of(turn.begin(), turn.end(), [](double deg) { return std::isfinite(deg); })) {
+    throw ArgumentError("A view is turned by finite numbers of degrees.");
+  }
+  NamedRotation view = untouched(scan, choice, task);
+  if (turn == std::array<double, 3>{}) return view;
+  view.rotation = turned(view.rotation, turn);
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), " + %g, %g, %g degrees", turn[0], turn[1], turn[2]);
+  view.name += text.data();
+  return view;
 }
 
 RotatedBounds rotatedBounds(const Scan& scan, const Rotation& rotation, double mm_per_unit) {

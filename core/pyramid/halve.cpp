@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "core/pyramid/bands.h"
+#include "core/base/bands.h"
 #include "core/pyramid/kernel.h"
 
 // Wider vectors where the processor has them. The resolver of such functions runs before a

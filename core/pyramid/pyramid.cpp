@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/bands.h"
 #include "core/base/error.h"
-#include "core/pyramid/bands.h"
 #include "core/pyramid/halve.h"
 #include "core/pyramid/kernel.h"
 #include "core/pyramid/row_reducer.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
-#include "core/pyramid/bands.h"
+#include "core/base/bands.h"
 #include "core/relief/horizon.h"
 #include "core/relief/smooth.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/pyramid/bands.h"
+#include "core/base/bands.h"
 
 namespace relievo {
 namespace {

@@ -2,10 +2,13 @@
 #include "core/session/surface.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "core/depth/cell_size.h"
+#include "core/depth/losses.h"
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
 #include "core/session/choices.h"
@@ -15,6 +18,8 @@ namespace relievo {
 namespace {
 
 constexpr double kMostCells = 268'435'456;  // 16384^2: 1 GiB of heights.
+
+constexpr double kHiddenWorthSaying = 0.1;
 
 class Stopwatch {
  public:
@@ -46,20 +51,6 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
         "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
         "another.");
   }
-}
-
-NamedRotation chooseRotation(const Scan& scan, const std::optional<ViewChoice>& choice,
-                             const Task& task) {
-  if (!choice || choice->name == "auto") return automaticRotation(scan, task);
-  if (choice->name == "free") {
-    if (!choice->rotation) throw ArgumentError("A free view needs its rotation.");
-    return {.name = "free", .rotation = *choice->rotation};
-  }
-  if (const auto rotation = standardRotation(choice->name)) {
-    return {.name = choice->name, .rotation = *rotation};
-  }
-  throw ArgumentError("There is no view '" + choice->name +
-                      "'. Choose front, back, left, right, top, bottom or auto.");
 }
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
@@ -108,24 +99,64 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
           .first_y_mm = 0.5 * spacing};
 }
 
-/// Decides request.rule and says so.
-void chooseRule(Surface& surface, DepthRequest& request, const SurfaceOptions& options,
-                const Task& task) {
-  const bool any = options.engine == "cpu" && request.scan.triangles.empty();
+/// What the engine may choose from. @throw ArgumentError
+std::optional<PointRule> requestedRule(const Scan& scan, const SurfaceOptions& options) {
+  const bool any = options.engine == "cpu" && scan.triangles.empty();
   if (!any && options.rule && *options.rule != PointRule::front) {
     throw ArgumentError(
         "Rules other than front are for point clouds in the cpu engine. Nothing was made.");
   }
-  if (!request.scan.triangles.empty()) {
+  return any ? options.rule : PointRule::front;
+}
+
+void sayRule(Surface& surface, const Scan& scan, const CapturedDepths& depths) {
+  if (!scan.triangles.empty()) {
     surface.rule = "front-most triangle";
     return;
   }
-  RuleProposal chosen{.rule = options.rule.value_or(PointRule::front), .reason = "as chosen"};
-  if (any && !options.rule) chosen = proposeRule(request, task);
-  if (!any) chosen.reason = "depth buffer";
-  request.rule = chosen.rule;
-  surface.rule = chosen.reason + ": " + std::string(describe(chosen.rule));
+  surface.rule = depths.rule.empty() ? "depth buffer: " + std::string(describe(PointRule::front))
+                                     : depths.rule;
   surface.messages.push_back("Heights: " + surface.rule + ".");
+}
+
+std::string percent(double share) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
+  return text.data();
+}
+
+/// What was lost on the way, in words; only what somebody should act on or wonder at.
+void sayLosses(Surface& surface, const FilledMap& filled) {
+  const DepthLosses& losses = *surface.losses;
+  if (losses.hidden_share >= kHiddenWorthSaying) {
+    surface.messages.push_back("Seen from here " + percent(losses.hidden_share) +
+                               " of the scan is hidden and cannot be felt. Turn the object, or "
+                               "continue.");
+  }
+  if (losses.flyers > 0) {
+    surface.messages.push_back(std::to_string(losses.flyers) +
+                               " points far off all their neighbours were left out.");
+  }
+  if (filled.seen_through > 0) {
+    surface.messages.push_back(std::to_string(filled.seen_through) +
+                               " cells showed the object's back through gaps of its front; they "
+                               "were interpolated instead.");
+  }
+  const auto shares = originShares(surface.map);
+  const double measured = shares[static_cast<std::size_t>(Origin::measured)];
+  const double made_up = shares[static_cast<std::size_t>(Origin::interpolated)];
+  if (made_up > measured) {
+    surface.messages.push_back("Most cells are interpolated: " + percent(measured) +
+                               " of the map is measured. A coarser grid would rest on more.");
+  }
+}
+
+/// Holes and what could not be done about them.
+void takeHoles(Surface& surface, std::vector<Hole> holes, const HoleChoice& choice) {
+  surface.holes = std::move(holes);
+  if (std::string left = holesLeft(surface.holes, choice); !left.empty()) {
+    surface.not_done.push_back(std::move(left));
+  }
 }
 
 ViewFromFile viewFromFile(const Rotation& r, double mm, double dx, double dy, double dz) {
@@ -192,7 +223,8 @@ void takeOwnMap(Surface& surface, const RasterMap& raster) {
 void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceOptions& options,
                        const Task& task) {
   chooseUnit(surface, options);
-  if (options.view && options.view->name != "top" && options.view->name != "auto") {
+  if (options.view && (options.view->turn_deg != std::array<double, 3>{} ||
+                       (options.view->name != "top" && options.view->name != "auto"))) {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
   const double mm = mmPer(surface.unit);
@@ -209,7 +241,7 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
       viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
                    frame.first_y_mm - mm * raster.first.y, -filled.base_z_mm);
   surface.map = std::move(filled.map);
-  surface.holes = std::move(filled.holes);
+  takeHoles(surface, std::move(filled.holes), options.holes);
 }
 
 }  // namespace
@@ -221,7 +253,9 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   surface.messages = scan.info.warnings;
   chooseUnit(surface, options);
   Stopwatch watch;
-  const NamedRotation view = chooseRotation(scan, options.view, task);
+  const NamedRotation view =
+      chosenRotation(scan, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
+  if (!view.note.empty()) surface.messages.push_back(view.note);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
   const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
@@ -229,27 +263,28 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
-  DepthRequest request{.scan = scan,
-                       .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
-                       .frame = frame};
-  chooseRule(surface, request, options, task);
-  const FrontDepths depths = engine(request, task);
+  const DepthRequest request{.scan = scan,
+                             .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
+                             .frame = frame,
+                             .rule = requestedRule(scan, options)};
+  CapturedDepths depths = engine(request, task);
+  sayRule(surface, scan, depths);
+  const HiddenSurface hidden =
+      depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
   surface.seconds.grid = watch.lap();
 
   task.report("Filling gaps", 0.0);
   FilledMap filled =
       fillDepths(depths, frame, {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
   surface.seconds.fill = watch.lap();
-  if (filled.seen_through > 0) {
-    surface.messages.push_back(std::to_string(filled.seen_through) +
-                               " cells showed the object's back through gaps of its front; they "
-                               "were interpolated instead.");
-  }
   surface.view_name = view.name;
   surface.engine = options.engine;
   surface.view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z - filled.base_z_mm);
   surface.map = std::move(filled.map);
-  surface.holes = std::move(filled.holes);
+  surface.quality = std::move(depths.quality);
+  surface.losses = lossesOf(hidden, depths.flyers, filled.seen_through_points, surface.map);
+  sayLosses(surface, filled);
+  takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);
   return surface;
 }
@@ -262,6 +297,10 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
   Stopwatch watch;
   if (raster.is_own_map) {
     takeOwnMap(surface, raster);
+    if (options.holes.rule != HoleRule::base) {
+      surface.not_done.emplace_back(
+          "A map written by this program is taken as it is; its holes were not treated anew.");
+    }
   } else {
     takeForeignRaster(surface, raster, options, task);
   }

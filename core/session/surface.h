@@ -14,6 +14,7 @@
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
 #include "core/depth/fill.h"
+#include "core/depth/quality.h"
 #include "core/depth/view.h"
 #include "core/pyramid/pyramid.h"
 #include "core/region/region.h"
@@ -47,14 +48,18 @@ struct Surface {
   UnitSource unit_source = UnitSource::assumed;
   ViewFromFile view_from_file;
   std::string view_name;  ///< "top", ..., "free"; what automatic chose.
-  std::string engine, rule;
+  std::string engine;
+  std::string rule;  ///< Which rule and why, in words: "1.6 points per cell: local quadratic".
   DepthMap map;
+  QualityMap quality;                 ///< Points and spread per cell; empty if not known.
+  std::optional<DepthLosses> losses;  ///< Nothing for rasters: their points are gone.
   Pyramid pyramid;
   /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
   std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;
   std::vector<Hole> holes;            ///< Enclosed holes, largest first.
   std::vector<std::string> messages;  ///< For people: how the grid was chosen, what was assumed.
+  std::vector<std::string> not_done;  ///< Requested steps that could not be done; exit status 4.
   StageSeconds seconds;
 };
 

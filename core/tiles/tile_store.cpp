@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/pyramid/bands.h"
+#include "core/base/bands.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {

@@ -199,7 +199,7 @@ TEST_F(Batch, DepthmapTakesAPointRuleAndSaysWhichWasUsed) {
     return std::pair{report["rule"].get<std::string>(), report["height_mm"]["max"].get<double>()};
   };
   using Said = std::pair<std::string, double>;
-  EXPECT_EQ(rule_and_highest({}), Said("1.5 points per cell: front-most point", 6));
+  EXPECT_EQ(rule_and_highest({}), Said("1.5 points per cell: local quadratic", 3));
   EXPECT_EQ(rule_and_highest({"--rule", "median"}), Said("as chosen: median of the points", 2));
   EXPECT_EQ(rule_and_highest({"--rule", "mean"}), Said("as chosen: mean of the points", 3));
   EXPECT_EQ(rule_and_highest({"--rule", "second"}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/depth/fill.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -206,6 +207,83 @@ TEST(Closed, ClosesGapsSmallerThanTheSquareAndKeepsLargerOnes) {
   EXPECT_EQ(result[size.index({.col = 5, .row = 5})], 1);
   EXPECT_EQ(result[size.index({.col = 13, .row = 13})], 0);
   EXPECT_EQ(std::count(result.begin(), result.end(), 0), 16);
+}
+
+TEST(FillDepths, AMembraneGoesOnThroughAHoleAsTheSurfaceWas) {
+  // A cubic is its own thin plate; the hole is given back to rounding.
+  const GridFrame frame = squareFrame(80, 0.5);
+  const auto height = [](double x, double y) {
+    const double u = (x - 20) / 10;
+    const double v = (y - 20) / 10;
+    return 10 + u * u * u - 2 * u * v * v + 0.5 * v * v + 3 * u;
+  };
+  FrontDepths depths(frame.size.count());
+  for (int row = 0; row < 80; ++row) {
+    for (int col = 0; col < 80; ++col) {
+      const double x = frame.xMm(col);
+      const double y = frame.yMm(row);
+      depths[frame.size.index({.col = col, .row = row})] =
+          std::hypot(x - 22, y - 18) < 6 ? kNothing : static_cast<float>(height(x, y));
+    }
+  }
+  const HoleChoice membrane{.rule = HoleRule::membrane, .max_area_mm2 = 1e9};
+  const FilledMap filled = fillDepths(depths, frame, {}, membrane);
+  ASSERT_EQ(filled.holes.size(), 1U);
+  EXPECT_TRUE(filled.holes[0].filled);
+  double worst = 0;
+  for (int row = 0; row < 80; ++row) {
+    for (int col = 0; col < 80; ++col) {
+      const double truth = height(frame.xMm(col), frame.yMm(row)) - filled.base_z_mm;
+      const auto z = static_cast<double>(filled.map.heightMm({.col = col, .row = row}));
+      worst = std::max(worst, std::abs(z - truth));
+    }
+  }
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_GT(countOf(filled.map, Origin::interpolated), 400U);
+  EXPECT_TRUE(holesLeft(filled.holes, membrane).empty());
+}
+
+TEST(FillDepths, AHoleThatCannotBeFilledIsSaidAndRestsOnTheBasePlane) {
+  const GridFrame frame = squareFrame(200, 0.5);
+  const FrontDepths depths = discMissing(frame, 60, 50, 10, 0);
+  const HoleChoice choice{.rule = HoleRule::membrane, .max_area_mm2 = 100};
+  const FilledMap filled = fillDepths(depths, frame, {}, choice);
+  EXPECT_EQ(countOf(filled.map, Origin::interpolated), 0U);
+  EXPECT_THAT(holesLeft(filled.holes, choice), testing::StartsWith("0 of 1 holes filled. "));
+  EXPECT_TRUE(holesLeft(filled.holes, {}).empty()) << "the base plane was asked for";
+}
+
+TEST(FillDepths, CellsThatTheSurfaceRunsThroughAreSteepAndKeepTheirHeight) {
+  const GridFrame frame = squareFrame(20, 0.5);
+  FrontDepths depths(frame.size.count());
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const auto col = static_cast<int>(i % 20);
+    depths[i] = col < 9 ? 0.0F : col > 11 ? 16.0F : 4.0F * static_cast<float>(col - 8);
+  }
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  for (int col = 0; col < 20; ++col) {
+    const bool wall = col >= 9 && col <= 11;
+    EXPECT_EQ(filled.map.origin({.col = col, .row = 7}), wall ? Origin::steep : Origin::measured)
+        << col;
+  }
+  EXPECT_FLOAT_EQ(filled.map.heightMm({.col = 10, .row = 7}), 8);
+}
+
+TEST(FillDepths, WhatTheRuleFoundBetweenThePointsFillsTheGaps) {
+  const GridFrame frame = squareFrame(30, 0.5);
+  CapturedDepths depths(FrontDepths(frame.size.count(), 1.0F));
+  depths.between = depths.front;
+  std::mt19937 random(5);
+  for (std::size_t i = 0; i < depths.front.size(); ++i) {
+    if (random() % 10 < 4) depths.front[i] = kNothing;
+  }
+  const std::size_t gap = frame.size.index({.col = 10, .row = 10});
+  depths.front[gap] = depths.front[gap + 7] = kNothing;
+  depths.between[gap] = 1.25F;
+  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  EXPECT_EQ(filled.map.origins[gap], Origin::interpolated);
+  EXPECT_EQ(filled.map.origins[gap + 7], Origin::interpolated);
+  EXPECT_FLOAT_EQ(filled.map.heights_mm[gap], 0.25F);
 }
 
 }  // namespace

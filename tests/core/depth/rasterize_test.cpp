@@ -24,7 +24,7 @@ TEST(Rasterize, TiltedPlaneMeshComesBackAsThatPlaneAtEverySample) {
   const auto plane = [](double x, double y) { return 3 + 0.25 * x - 0.5 * y; };
   const Scan mesh = latticeMesh(4, 4, 10, plane);  // 30 x 30, far coarser than the samples.
   const GridFrame frame = frameOf(121, 121, 0.25);
-  const FrontDepths depths = rasterize({.scan = mesh, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths = rasterize({.scan = mesh, .view_from_file = {}, .frame = frame}).front;
   for (int row = 0; row < 121; ++row) {
     for (int col = 0; col < 121; ++col) {
       const float z = depths[frame.size.index({.col = col, .row = row})];
@@ -37,7 +37,7 @@ TEST(Rasterize, LatticePointsComeBackOneToOne) {
   const auto bump = [](double x, double y) { return std::sin(x) + std::cos(2 * y); };
   const Scan cloud = latticeScan(30, 20, 0.5, bump);
   const GridFrame frame = frameOf(30, 20, 0.5);
-  const FrontDepths depths = rasterize({.scan = cloud, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths = rasterize({.scan = cloud, .view_from_file = {}, .frame = frame}).front;
   for (std::size_t i = 0; i < depths.size(); ++i) ASSERT_EQ(depths[i], cloud.points[i][2]);
 }
 
@@ -54,7 +54,7 @@ TEST(Rasterize, TheFrontMostOfOverlappingSurfacesWins) {
     mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   }
   const GridFrame frame = frameOf(11, 11, 1);
-  const FrontDepths depths = rasterize({.scan = mesh, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths = rasterize({.scan = mesh, .view_from_file = {}, .frame = frame}).front;
   EXPECT_FLOAT_EQ(depths[frame.size.index({.col = 2, .row = 5})], 7);
   EXPECT_FLOAT_EQ(depths[frame.size.index({.col = 8, .row = 5})], 1);
 }
@@ -63,7 +63,7 @@ TEST(Rasterize, CellsWithoutSurfaceAreEmptyAndPointsOffTheGridAreIgnored) {
   Scan cloud = latticeScan(2, 1, 1, [](double, double) { return 0.0; });
   cloud.points.push_back({100.0F, 0.0F, 5.0F});
   const GridFrame frame = frameOf(5, 5, 1);
-  const FrontDepths depths = rasterize({.scan = cloud, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths = rasterize({.scan = cloud, .view_from_file = {}, .frame = frame}).front;
   std::size_t hit = 0;
   for (const float z : depths) hit += std::isnan(z) ? 0 : 1;
   EXPECT_EQ(hit, 2U);
@@ -75,7 +75,8 @@ TEST(Rasterize, GeoreferencedPointsKeepMillimetres) {
   ViewFromFile view;
   view.m = {1000, 0, 0, -512022250, 0, 1000, 0, -5403117500, 0, 0, 1000, -226750, 0, 0, 0, 1};
   const GridFrame frame = frameOf(50, 50, 10);
-  const FrontDepths depths = rasterize({.scan = cloud, .view_from_file = view, .frame = frame});
+  const FrontDepths depths =
+      rasterize({.scan = cloud, .view_from_file = view, .frame = frame}).front;
   for (std::size_t i = 0; i < depths.size(); ++i) {
     ASSERT_NEAR(depths[i], 1000 * static_cast<double>(cloud.points[i][2]), 1e-4);
   }
@@ -95,7 +96,7 @@ TEST(Rasterize, NeedleTrianglesStayWithinTheirCorners) {
   }
   test::finishScan(mesh);
   const FrontDepths depths =
-      rasterize({.scan = mesh, .view_from_file = {}, .frame = frameOf(81, 81, 0.25)});
+      rasterize({.scan = mesh, .view_from_file = {}, .frame = frameOf(81, 81, 0.25)}).front;
   for (const float z : depths) {
     if (std::isnan(z)) continue;
     ASSERT_GE(z, 0);

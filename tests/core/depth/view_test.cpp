@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "tests/core/scan_fixtures.h"
 
@@ -91,6 +92,74 @@ TEST(RotatedBounds, ScalesToMillimetresAndKeepsTheOrigin) {
   EXPECT_DOUBLE_EQ(box.min.x, 1'000'000);
   EXPECT_DOUBLE_EQ(box.max.y, 2'002'000);
   EXPECT_DOUBLE_EQ(box.max.z, 30'000);
+}
+
+/// A plate of 60 x 20 mm, 2 mm of relief, tilted and turned in space.
+Scan tiltedPlate(const Rotation& view_from_file, int flyers) {
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
+  Scan scan;
+  for (int i = 0; i < 20'000 + flyers; ++i) {
+    const double x = 60 * uniform(random);
+    const double y = 20 * uniform(random);
+    double z = 0.3 * std::sin(x) * std::cos(y);
+    if (i >= 20'000) z += 400;
+    const Rotation& r = view_from_file;  // Its transpose turns the other way.
+    scan.points.push_back({static_cast<float>(r[0] * x + r[3] * y + r[6] * z),
+                           static_cast<float>(r[1] * x + r[4] * y + r[7] * z),
+                           static_cast<float>(r[2] * x + r[5] * y + r[8] * z)});
+  }
+  test::finishScan(scan);
+  return scan;
+}
+
+double cosineOfNormals(const Rotation& a, const Rotation& b) {
+  return a[6] * b[6] + a[7] * b[7] + a[8] * b[8];
+}
+
+TEST(ChosenRotation, TheBestFitPlaneIsFacedAndFlyersDoNotTiltIt) {
+  const Rotation truth = relievo::turned(*standardRotation("top"), {25, -35, 0});
+  const Scan scan = tiltedPlate(truth, 40);
+  const NamedRotation view = chosenRotation(scan, {.name = "fit", .rotation = {}});
+  EXPECT_EQ(view.name, "fit");
+  EXPECT_GT(cosineOfNormals(view.rotation, truth), std::cos(0.1 * M_PI / 180));
+  EXPECT_NEAR(determinant(view.rotation), 1, 1e-9);
+  // Upright: the file's y does not point down in the picture.
+  EXPECT_GT(view.rotation[4], 0);
+}
+
+TEST(ChosenRotation, ThePrincipalAxesLieAlongTheLongSideAndTheShortOne) {
+  const Rotation truth = relievo::turned(*standardRotation("top"), {20, 10, 30});
+  const Scan scan = tiltedPlate(truth, 0);
+  const NamedRotation view = chosenRotation(scan, {.name = "axes", .rotation = {}});
+  EXPECT_GT(cosineOfNormals(view.rotation, truth), std::cos(0.1 * M_PI / 180));
+  const double along =
+      view.rotation[0] * truth[0] + view.rotation[1] * truth[1] + view.rotation[2] * truth[2];
+  EXPECT_GT(std::abs(along), std::cos(1 * M_PI / 180));
+  EXPECT_NEAR(determinant(view.rotation), 1, 1e-9);
+  EXPECT_TRUE(view.note.empty());
+}
+
+TEST(ChosenRotation, ACubesAxesAreSaidToBeUncertain) {
+  const Scan cube = test::latticeScan(20, 20, 1, [](double, double) { return 0.0; });
+  const NamedRotation view = chosenRotation(cube, {.name = "axes", .rotation = {}});
+  EXPECT_FALSE(view.note.empty());
+}
+
+TEST(ChosenRotation, TurnsAboutTheViewsOwnAxesInDegrees) {
+  const Rotation top = *standardRotation("top");
+  // A quarter about x brings what was up toward the viewer.
+  const Rotation x = relievo::turned(top, {90, 0, 0});
+  EXPECT_NEAR(x[7], 1, 1e-15);
+  EXPECT_EQ(relievo::turned(top, {0, 0, 0}), top);
+  const Rotation back = relievo::turned(relievo::turned(top, {0, 0, 37}), {0, 0, -37});
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(back[i], top[i], 1e-15);
+  const Scan scan = tiltedPlate(top, 0);
+  const NamedRotation named =
+      chosenRotation(scan, {.name = "front", .rotation = {}, .turn_deg = {0, 12.5, 0}});
+  EXPECT_EQ(named.name, "front + 0, 12.5, 0 degrees");
+  EXPECT_THROW(chosenRotation(scan, {.name = "top", .rotation = {}, .turn_deg = {NAN, 0, 0}}),
+               ArgumentError);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ Scan ball(double radius, double cx, double cy, double cz, int rings) {
 }
 
 void expectEnginesAgree(const DepthRequest& request, double jump_mm, double at_least_compared) {
-  expectEnginesAgree(rasterize(request), captureDepths(request), request.frame.size, jump_mm,
+  expectEnginesAgree(rasterize(request).front, captureDepths(request), request.frame.size, jump_mm,
                      at_least_compared);
 }
 
@@ -148,7 +148,7 @@ TEST(DepthCapture, PointsCountForTheirNearestSampleAndTheFrontMostWins) {
   }
   const GridFrame frame = frameOf(400, 400, 0.15);
   const DepthRequest request{.scan = cloud, .view_from_file = {}, .frame = frame};
-  const FrontDepths cpu = rasterize(request), gl = captureDepths(request);
+  const FrontDepths cpu = rasterize(request).front, gl = captureDepths(request);
   std::size_t same = 0, hit = 0;
   double largest = 0;
   for (std::size_t i = 0; i < cpu.size(); ++i) {

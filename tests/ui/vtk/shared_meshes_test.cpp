@@ -19,7 +19,7 @@ void expectEnginesAgreeOn(const std::string& name) {
   GridFrame frame;
   const DepthEngine both = [&](const DepthRequest& request, const Task& task) {
     frame = request.frame;
-    cpu = rasterize(request, task);
+    cpu = rasterize(request, task).front;
     gl = captureDepths(request, task);
     return cpu;
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/pyramid/bands.h"
+#include "core/base/bands.h"
 
 #include <algorithm>
 #include <exception>

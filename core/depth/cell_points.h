@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/grid.h"
+#include "core/base/task.h"
+#include "core/depth/depth_request.h"
+
+namespace relievo {
+
+/// A point in its cell: its place from the cell's sample, in cells, each in [-0.5, 0.5], and its
+/// view z in mm.
+struct PlacedPoint {
+  float du = 0, dv = 0, z = 0;
+};
+
+/// The points of some rows of the grid, sorted by cell; within a cell in the file's order.
+struct RowPoints {
+  int first_row = 0, end_row = 0, cols = 0;
+  std::vector<std::uint32_t> starts;  ///< Per cell of these rows its first point, and the end.
+  std::vector<PlacedPoint> points;
+
+  std::size_t cell(int col, int row) const noexcept {
+    return static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(cols) +
+           static_cast<std::size_t>(col);
+  }
+  /// Points of the cells first_col ... end_col - 1 of a row.
+  std::span<const PlacedPoint> of(int first_col, int end_col, int row) const noexcept {
+    const std::size_t first = starts[cell(first_col, row)];
+    const std::size_t end = starts[cell(end_col - 1, row) + 1];
+    return {points.data() + first, end - first};
+  }
+  std::size_t count(int first_col, int end_col, int row) const noexcept {
+    return starts[cell(end_col - 1, row) + 1] - starts[cell(first_col, row)];
+  }
+};
+
+/// The points of a request by rows of its grid: read once, then handed out some rows at a time, so
+/// that what is worked on fits into the cache. Keeps six bytes a point. The order of the points and
+/// so every result is the same for any number of threads.
+class CellPoints {
+ public:
+  /// [worker] @throw Cancelled
+  CellPoints(const DepthRequest& request, const Task& task);
+
+  /// Rows [first_row, end_row), clamped to the grid. [any thread]
+  RowPoints rows(int first_row, int end_row) const;
+
+  std::size_t onGrid() const noexcept { return indices_.size(); }
+  GridSize size() const noexcept { return request_.frame.size; }
+  const DepthRequest& request() const noexcept { return request_; }
+  int threads() const noexcept { return threads_; }
+
+ private:
+  const DepthRequest& request_;
+  int threads_ = 1;
+  std::vector<std::size_t> starts_;     ///< Per bucket of rows its first index, and the end.
+  std::vector<std::uint32_t> indices_;  ///< Points of the scan, bucket by bucket.
+};
+
+}  // namespace relievo
