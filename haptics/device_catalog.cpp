@@ -4,6 +4,10 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "haptics/device/falcon/falcon_device.h"
+#include "haptics/device/falcon/firmware.h"
+#include "haptics/device/falcon/settings_file.h"
+#include "haptics/device/falcon/usb_bus.h"
 #include "haptics/device/mouse_device.h"
 #include "haptics/device/virtual_hand.h"
 
@@ -24,6 +28,21 @@ std::unique_ptr<Device> makeVirtualHand(const std::string& id) {
   if (id == kVirtual) return std::make_unique<VirtualHand>();
   return std::make_unique<VirtualHand>(virtualHandNamed(id.substr(kVirtual.size() + 1)));
 }
+
+std::vector<std::string> falcons() {
+  // One is used at a time; which one, USB decides.
+  if (falcon::seenFalcons().empty()) return {};
+  return {std::string(falcon::kFalconId)};
+}
+
+std::unique_ptr<Device> makeFalcon(const std::string& id) {
+  if (id != "falcon" && id != falcon::kFalconId) {
+    throw DeviceError("There is no Falcon named \"" + id + "\"; one is used at a time, falcon:0.");
+  }
+  return std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
+                                                falcon::firmwareSource(),
+                                                falcon::readSettings(falcon::settingsFile()));
+}
 }  // namespace
 
 std::vector<DeviceDriver> deviceCatalog() {
@@ -32,7 +51,8 @@ std::vector<DeviceDriver> deviceCatalog() {
              if (id != "mouse") throw DeviceError("There is no mouse device named \"" + id + "\".");
              return std::make_unique<MouseDevice>();
            }},
-          {std::string(kVirtual), virtualHands, makeVirtualHand}};
+          {std::string(kVirtual), virtualHands, makeVirtualHand},
+          {"falcon", falcons, makeFalcon}};
 }
 
 std::unique_ptr<Device> makeDevice(const std::string& id) {

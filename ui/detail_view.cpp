@@ -157,6 +157,11 @@ void DetailView::mousePressEvent(QMouseEvent* event) {
   drag_start_ = document_.state().region;
   switch (event->button()) {
     case Qt::LeftButton:
+      if (picking_) {
+        const ViewMm p = onSurface(event->localPos());
+        Q_EMIT picked(p.x, p.y);
+        return;
+      }
       mouse_presses_ = true;
       key_depth_mm_ = 0;
       pointHandAt(event->localPos());
@@ -171,6 +176,19 @@ void DetailView::mousePressEvent(QMouseEvent* event) {
       break;
     default:
       QWidget::mousePressEvent(event);
+  }
+}
+
+void DetailView::setPicking(bool on) {
+  picking_ = on;
+  if (drag_ == Drag::none) setCursor(on ? Qt::PointingHandCursor : Qt::CrossCursor);
+}
+
+void DetailView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (picking_ && event->button() == Qt::LeftButton) {
+    Q_EMIT pickingEnded();
+  } else {
+    mousePressEvent(event);
   }
 }
 
@@ -204,7 +222,7 @@ void DetailView::mouseReleaseEvent(QMouseEvent* event) {
                     (drag_ == Drag::pan && event->button() == Qt::RightButton);
   if (!ends) return;
   drag_ = Drag::none;
-  setCursor(Qt::CrossCursor);
+  setCursor(picking_ ? Qt::PointingHandCursor : Qt::CrossCursor);
   document_.commit(tr("Move window"));
 }
 
@@ -287,6 +305,17 @@ void DetailView::keyPressEvent(QKeyEvent* event) {
     drag_ = Drag::none;
     setCursor(Qt::CrossCursor);
     return;
+  }
+  if (ours && picking_) {
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && inside_) {
+      Q_EMIT picked(hand_.x, hand_.y);
+      return;
+    }
+    if (event->key() == Qt::Key_F) {
+      Q_EMIT pickingEnded();
+      return;
+    }
   }
   const double cells = (event->modifiers() & Qt::ShiftModifier) != 0 ? 10 : 1;
   if (ours && moveHandByKey(event->key(), cells)) return;

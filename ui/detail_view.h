@@ -29,6 +29,9 @@ class DetailView : public SurfaceView {
   bool pressing() const { return mouse_presses_ || key_depth_mm_ > 0; }
   std::optional<ViewMm> hand() const { return inside_ ? std::optional(hand_) : std::nullopt; }
 
+  /// While something is measured, the left button and Enter pick places instead of pressing in.
+  void setPicking(bool on);
+
   bool isTurned() const;
   /// Back to looking straight down on the relief.
   void straighten();
@@ -39,6 +42,8 @@ class DetailView : public SurfaceView {
  Q_SIGNALS:
   void handMoved(relievo::ViewMm position, bool inside);
   void pressDepthChanged(double depth_hand_mm);
+  void picked(double x_mm, double y_mm);
+  void pickingEnded();  ///< A double click or the key F.
   void turned(bool away_from_straight);
 
  protected:
@@ -47,6 +52,7 @@ class DetailView : public SurfaceView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:
@@ -70,6 +76,7 @@ class DetailView : public SurfaceView {
   ViewMm hand_;
   bool inside_ = false;
   bool mouse_presses_ = false;
+  bool picking_ = false;
   double key_depth_mm_ = 0;  ///< Pressed in by keys, mm of hand; 0: hovering.
   double press_depth_mm_ = kPressDepthMm;
   int wheel_rest_ = 0;

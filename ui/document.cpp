@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QCryptographicHash>
 #include <QFile>
 #include <QUndoCommand>
 
 #include "core/io/import.h"
+#include "ui/figure/file_hash.h"
 
 namespace relievo {
 namespace {
@@ -45,19 +45,6 @@ class StateCommand : public QUndoCommand {
   int merge_id_;
 };
 
-/// Hexadecimal; empty if the file cannot be read again.
-QString sha256Of(const QString& path, const Task& task) {
-  constexpr qint64 kBlock = 4 << 20;
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly)) return {};
-  QCryptographicHash hash(QCryptographicHash::Sha256);
-  while (!file.atEnd()) {
-    task.check();
-    hash.addData(file.read(kBlock));
-  }
-  return QString::fromLatin1(hash.result().toHex());
-}
-
 bool sameGrid(const Surface& a, const Surface& b) {
   return a.map.frame == b.map.frame && a.ladder.spacings_mm == b.ladder.spacings_mm;
 }
@@ -90,8 +77,12 @@ void Document::open(const OpenRequest& request) {
   Work work;
   work.reads = true;
   work.open = request;
-  work.options.unit = request.unit;
-  work.options.view = request.view;
+  if (request.options) {
+    work.options = *request.options;
+  } else {
+    work.options.unit = request.unit;
+    work.options.view = request.view;
+  }
   start(std::move(work));
 }
 
@@ -174,7 +165,7 @@ void Document::read(Work& w, const Task& task) {
     const FilePoint size = mm * (info.bounds->max - info.bounds->min);
     Q_EMIT scanRead(w.open.file, size.x, size.y, size.z, info.points);
   }
-  w.sha256 = sha256Of(w.open.file, task);
+  w.sha256 = QString::fromStdString(sha256Of(file, task));
 }
 
 void Document::finish(const Work& work) {
@@ -212,6 +203,10 @@ void Document::showOpened(const Work& work) {
   history_.clear();
   const DetailLadder& ladder = next.surface->ladder;
   try {
+    if (work.open.exact_region && work.open.exact_region->level.value < ladder.levels()) {
+      next.region = *work.open.exact_region;
+      next.gain = work.open.gain;
+    }
     if (work.open.region) next.region = regionFromRect(ladder, *work.open.region);
     for (int d = 1; work.open.detail && d < *work.open.detail && !work.open.region; ++d) {
       const StepAbout about{next.region.centreX(), next.region.centreY(), false};

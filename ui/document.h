@@ -26,6 +26,10 @@ struct OpenRequest {
   std::optional<RectMm> region;  ///< First window, view mm.
   std::optional<int> detail;     ///< First detail, 1 = whole.
   bool accept_incomplete = false;
+  // A state that comes back, in place of the choices above.
+  std::optional<SurfaceOptions> options;
+  std::optional<Region> exact_region;
+  double gain = 1;
 };
 
 /// Everything that undo and redo bring back. Surfaces are shared and never change.

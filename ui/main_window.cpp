@@ -22,6 +22,7 @@
 
 #include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
+#include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
 #include "ui/reference_view.h"
@@ -151,6 +152,8 @@ void MainWindow::layOut() {
   panels_->add(tr("Window"), region_panel_);
   panels_->add(tr("View"), view_panel_);
   panels_->add(tr("Stereo"), stereo_panel_);
+  measure_panel_ = new MeasurePanel(document_);
+  panels_->add(tr("Measure"), measure_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
   setCentralWidget(centre);
@@ -181,6 +184,7 @@ void MainWindow::connectParts() {
     announce(command("forces") == nullptr ? open_now
                                           : tr("%1 Press F5 to switch forces on.").arg(open_now));
     askUnitIfAssumed();
+    showRestored();
     detail_->setFocus();
   });
   connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
@@ -212,6 +216,11 @@ void MainWindow::connectParts() {
   connect(detail_, &DetailView::handMoved, this, [this](const ViewMm& position, bool inside) {
     if (inside && !probe_) showPosition(position, {});
   });
+  connect(measure_panel_, &MeasurePanel::changed, this, &MainWindow::showMeasurements);
+  connect(measure_panel_, &MeasurePanel::said, this, &MainWindow::announce);
+  connect(measure_panel_, &MeasurePanel::saveAsked, this, &MainWindow::saveMeasurements);
+  connect(detail_, &DetailView::picked, measure_panel_, &MeasurePanel::addPlace);
+  connect(detail_, &DetailView::pickingEnded, measure_panel_, &MeasurePanel::finish);
   connect(detail_, &DetailView::pressDepthChanged, this, [this](double depth) {
     announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
@@ -219,6 +228,8 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::open(const QString& file) {
+  restoring_.reset();
+  if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
   OpenRequest request;
   request.file = file;
   open(request);
@@ -486,7 +497,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     if (stopForces()) return true;
     if (document_.busy()) {
+      restoring_.reset();
       document_.cancel();
+      return true;
+    }
+    if (measure_panel_->measuring()) {
+      measure_panel_->cancel();
       return true;
     }
     if (isFullScreen()) {

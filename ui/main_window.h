@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <span>
 
+#include "core/project/project.h"
 #include "core/region/probe.h"
 #include "ui/document.h"
 #include "ui/icons.h"
@@ -22,6 +23,7 @@ class QToolBar;
 namespace relievo {
 
 class DetailView;
+class MeasurePanel;
 class MessageStrip;
 class OverviewInset;
 class ReferenceView;
@@ -53,6 +55,11 @@ class MainWindow : public QMainWindow {
 
   void open(const OpenRequest& request);
   void open(const QString& file);
+  /// The present state, as projects and figures keep it.
+  Project project();
+  /// Brings a state back; `from` is the project or picture it came from.
+  void restore(const Project& project, const QString& from);
+  void saveProject(const QString& file);
   /// PNG of a view or the window, exactly `pixels` large.
   /// @throw WriteError, GraphicsError
   void writeImage(ImageSource source, const QSize& pixels, const QString& file);
@@ -129,9 +136,27 @@ class MainWindow : public QMainWindow {
   void chooseImage();
   void chooseDepthMap();
   void showKeys();
+  void showSteps();
   void showAbout();
   QAction* command(const char* name) const;
   QMenu* menu(const QString& title);
+
+  // main_window_project.cpp
+  void chooseFigure();
+  void saveProject();
+  void saveProjectAs();
+  void relink(const Project& project, const QString& from);
+  void showRestored();
+  bool restoreFromFile(const QString& file);
+  void showLook(const ReliefLook& look);
+  void showStereo(const StereoOptions& stereo);
+
+  // main_window_measure.cpp
+  void makeMeasureCommands();
+  void makeReliefCommands();
+  void beginMeasuring(MeasureKind kind);
+  void showMeasurements();
+  void saveMeasurements();
 
   // main_window_touch.cpp
   void showPosition(const ViewMm& position, std::optional<Origin> known);
@@ -156,12 +181,16 @@ class MainWindow : public QMainWindow {
   RegionPanel* region_panel_ = nullptr;
   ViewPanel* view_panel_ = nullptr;
   StereoPanel* stereo_panel_ = nullptr;
+  MeasurePanel* measure_panel_ = nullptr;
   TimePlot* plot_ = nullptr;
   StatusFields* status_ = nullptr;
   QToolBar* tools_ = nullptr;
   QComboBox* detail_choice_ = nullptr;
   QMenu* recent_menu_ = nullptr;
 
+  Project project_;                   ///< What of the state no other part holds.
+  std::optional<Project> restoring_;  ///< Until its file is open.
+  QString project_file_;
   std::optional<Probe> probe_;
   TouchReadout touch_;
   bool touch_present_ = false;

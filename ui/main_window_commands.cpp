@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QDoubleSpinBox>
 
+#include "ui/command_search.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/reference_view.h"
@@ -49,12 +50,30 @@ void MainWindow::makeCommands() {
         tr("Open a scan or a height map"),
         [this] { chooseFile(); },
         Icon::open});
+  make({"save_project",
+        tr("&Save project"),
+        {QKeySequence("Ctrl+S")},
+        tr("Keep this state: file, depth map, window, measurements"),
+        [this] { saveProject(); },
+        {}});
+  make({"save_project_as",
+        tr("Save project &as\u2026"),
+        {QKeySequence("Ctrl+Shift+S")},
+        tr("Keep this state in another file"),
+        [this] { saveProjectAs(); },
+        {}});
+  make({"figure",
+        tr("&Figure\u2026"),
+        {QKeySequence("Ctrl+E")},
+        tr("A figure for print, with scale bar, legend and caption"),
+        [this] { chooseFigure(); },
+        Icon::camera});
   make({"image",
         tr("&Image\u2026"),
         {QKeySequence("Ctrl+Shift+E")},
         tr("Save a picture of a view or of the window"),
         [this] { chooseImage(); },
-        Icon::camera});
+        {}});
   make({"quit",
         tr("&Quit"),
         {QKeySequence("Ctrl+Q")},
@@ -79,9 +98,27 @@ void MainWindow::makeCommands() {
         tr("All keys on one sheet"),
         [this] { showKeys(); },
         {}});
+  make({"history",
+        tr("&History\u2026"),
+        {},
+        tr("Every step so far; choose one to go back to it"),
+        [this] { showSteps(); },
+        {}});
+  make({"search_commands",
+        tr("&Search commands\u2026"),
+        {QKeySequence("Ctrl+K")},
+        tr("Find a command by its words and run it"),
+        [this] {
+          auto* search = new CommandSearch(findChildren<QAction*>(), this);
+          search->setAttribute(Qt::WA_DeleteOnClose);
+          search->show();
+        },
+        {}});
   make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
   makeSurfaceCommands();
   makeWindowCommands();
+  makeReliefCommands();
+  makeMeasureCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {

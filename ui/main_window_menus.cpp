@@ -10,6 +10,8 @@
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoView>
+#include <QVBoxLayout>
 
 #include "ui/depth_map_dialog.h"
 #include "ui/detail_view.h"
@@ -45,8 +47,8 @@ void MainWindow::makeMenus() {
   recent_menu_ = file->addMenu(tr("Open &recent"));
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
-  add(file, {"-", "image", "-", "quit"});
-  add(menu(tr("&Edit")), {"undo", "redo"});
+  add(file, {"save_project", "save_project_as", "-", "figure", "image", "-", "quit"});
+  add(menu(tr("&Edit")), {"undo", "redo", "history"});
   QMenu* view = menu(tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
   QMenu* turn = view->addMenu(tr("Turn &detail view"));
@@ -54,6 +56,18 @@ void MainWindow::makeMenus() {
   turn->setToolTipsVisible(true);
   add(turn, {"turn_left", "turn_right", "turn_up", "turn_down"});
   add(view, {"use_view", "fit", "-", "stereo", "-", "show_reference", "show_panels", "show_plots"});
+  QMenu* relief = view->addMenu(tr("Relief ima&ge"));
+  relief->menuAction()->setToolTip(tr("How heights are painted"));
+  relief->setToolTipsVisible(true);
+  for (const std::string_view name : kReliefKindNames) {
+    relief->addAction(command(("relief_" + std::string(name)).c_str()));
+  }
+  QMenu* colours = view->addMenu(tr("R&elief colours"));
+  colours->menuAction()->setToolTip(tr("Colours of heights, slopes and other values"));
+  colours->setToolTipsVisible(true);
+  for (const std::string_view name : kColourMapNames) {
+    colours->addAction(command(("colours_" + std::string(name)).c_str()));
+  }
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);
@@ -63,11 +77,13 @@ void MainWindow::makeMenus() {
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
+  add(menu(tr("&Measure")), {"measure_point", "measure_distance", "measure_depth", "measure_angle",
+                             "measure_profile", "measure_area", "-", "measure_save_list"});
   // Present from the start so that their order is fixed; shown once somebody adds an entry.
   for (const QString& title : {tr("&Touch"), tr("Re&cord")}) {
     menu(title)->menuAction()->setVisible(false);
   }
-  add(menu(tr("&Help")), {"keys", "about"});
+  add(menu(tr("&Help")), {"search_commands", "keys", "about"});
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {
@@ -140,7 +156,7 @@ void MainWindow::makeToolBar() {
   tools_->addAction(command("whole"));
   tools_->addSeparator();
   tools_->addAction(command("stereo"));
-  tools_->addAction(command("image"));
+  tools_->addAction(command("figure"));
   command("whole")->setIconText(tr("Whole"));
   command("stereo")->setIconText(tr("Stereo"));
   for (QToolButton* button : tools_->findChildren<QToolButton*>()) {
@@ -220,7 +236,9 @@ void MainWindow::chooseFile() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters(
-      {tr("Scans and height maps (%1)").arg(scanPatterns().join(' ')), tr("All files (*)")});
+      {tr("Scans, height maps, projects and figures (%1)")
+           .arg((scanPatterns() << QStringLiteral("*.json") << QStringLiteral("*.png")).join(' ')),
+       tr("All files (*)")});
   const QString folder = settings_.layout(QStringLiteral("folder")).toString();
   if (!folder.isEmpty()) dialog->setDirectory(folder);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
@@ -254,6 +272,21 @@ void MainWindow::chooseDepthMap() {
     strip_->close();
   });
   dialog->setModal(true);  // The document must not change below a preview of it.
+  dialog->show();
+}
+
+void MainWindow::showSteps() {
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName(QStringLiteral("history_dialog"));
+  dialog->setWindowTitle(tr("History"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* steps = new QUndoView(&document_.history());
+  steps->setObjectName(QStringLiteral("history_steps"));
+  steps->setAccessibleName(tr("Steps"));
+  steps->setEmptyLabel(tr("As opened"));
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(steps);
+  dialog->resize(320, 400);
   dialog->show();
 }
 

@@ -14,7 +14,13 @@ namespace relievo {
 struct HeldGrid {
   GridFrame frame;
   std::vector<float> heights_mm;
-  std::vector<Origin> origins;  ///< Same size.
+  std::vector<Origin> origins;             ///< Same size.
+  std::vector<std::uint8_t> colours = {};  ///< Three a sample, or none: stone.
+  bool lit = true;
+
+  SurfaceGrid drawn() const {
+    return {frame, &heights_mm, &origins, colours.empty() ? nullptr : &colours, lit};
+  }
 };
 
 /// What a view shows, apart from its pixels: drawn on screen and, again, into images.
@@ -23,6 +29,8 @@ struct SceneState {
   ReliefCamera camera{.rect = {-50, -50, 100, 100}};
   StereoOptions stereo;
   LightOptions light;
+  ReliefLook look;
+  std::vector<std::vector<ViewMm>> lines;  ///< Measurements.
   QColor background{0x23, 0x26, 0x2a};
   std::optional<RectMm> pink;
   std::optional<Probe> probe;

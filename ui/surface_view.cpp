@@ -13,6 +13,8 @@
 #include <QResizeEvent>
 #include <QTimerEvent>
 
+#include "core/relief/relief_image.h"
+#include "ui/colour_bar.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -43,7 +45,7 @@ void installAccessibleViews() {
 
 void SceneState::applyTo(ReliefScene& scene) const {
   if (grid) {
-    scene.setSurface({grid->frame, &grid->heights_mm, &grid->origins});
+    scene.setSurface(grid->drawn());
   } else {
     scene.clearSurface();
   }
@@ -53,6 +55,7 @@ void SceneState::applyTo(ReliefScene& scene) const {
   scene.setCamera(camera);
   scene.setPinkWindow(pink, true);
   scene.setProbe(probe, ball_radius_mm);
+  scene.setLines(lines);
   scene.setScaleBar(grid != nullptr);
 }
 
@@ -121,6 +124,7 @@ SurfaceView::SurfaceView(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 120);
   canvas_ = new Canvas(this, *scene_);
+  bar_ = new ColourBar(this);
   state_.applyTo(*scene_);
 }
 
@@ -143,6 +147,48 @@ void SurfaceView::setStereo(const StereoOptions& stereo) {
 void SurfaceView::setLight(const LightOptions& light) {
   state_.light = light;
   scene_->setLight(light);
+  state_.look.light = light;
+  if (state_.look.kind == ReliefKind::hillshade ||
+      state_.look.kind == ReliefKind::multi_hillshade) {
+    paintGrid();
+  }
+  requestRender();
+}
+
+void SurfaceView::setLook(const ReliefLook& look) {
+  const LightOptions light = state_.look.light;
+  state_.look = look;
+  state_.look.light = light;
+  paintGrid();
+}
+
+void SurfaceView::setLines(const std::vector<std::vector<ViewMm>>& lines) {
+  state_.lines = lines;
+  scene_->setLines(lines);
+  requestRender();
+}
+
+// A window's 200 x 200 samples and a reference of at most 400 x 400 are painted in a few
+// milliseconds; the horizon searches take some tens.
+void SurfaceView::paintGrid() {
+  state_.grid = plain_;
+  if (plain_ && state_.look.kind != ReliefKind::lit) {
+    auto painted = std::make_shared<HeldGrid>(*plain_);
+    const DepthMap map{plain_->frame, plain_->heights_mm, plain_->origins};
+    const ReliefValues values = reliefValues(map, state_.look);
+    painted->colours = reliefColours(values, state_.look);
+    painted->lit = isLit(state_.look.kind);
+    bar_->show(values, state_.look);
+    state_.grid = std::move(painted);
+  } else {
+    bar_->hide();
+  }
+  if (state_.grid) {
+    scene_->setSurface(state_.grid->drawn());
+  } else {
+    scene_->clearSurface();
+  }
+  scene_->setScaleBar(state_.grid != nullptr);
   requestRender();
 }
 
@@ -161,14 +207,8 @@ void SurfaceView::setWhereAmI(const QString& text) {
 }
 
 void SurfaceView::setGrid(std::shared_ptr<const HeldGrid> grid) {
-  state_.grid = std::move(grid);
-  if (state_.grid) {
-    scene_->setSurface({state_.grid->frame, &state_.grid->heights_mm, &state_.grid->origins});
-  } else {
-    scene_->clearSurface();
-  }
-  scene_->setScaleBar(state_.grid != nullptr);
-  requestRender();
+  plain_ = std::move(grid);
+  paintGrid();
 }
 
 void SurfaceView::setCamera(const ReliefCamera& camera) {
@@ -224,6 +264,7 @@ void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
 
 void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
   canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
+  bar_->place();
 }
 
 void SurfaceView::focusInEvent(QFocusEvent* event) {

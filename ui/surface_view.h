@@ -8,6 +8,8 @@
 
 namespace relievo {
 
+class ColourBar;
+
 /// A relief on screen: one scene in one OpenGL widget. Mouse and keys come to this widget as
 /// ordinary Qt events; VTK's own interaction is off. Accessible as one named object whose value is
 /// `whereAmI`. [GUI thread]
@@ -20,6 +22,9 @@ class SurfaceView : public QWidget {
   const SceneState& sceneState() const { return state_; }
   void setStereo(const StereoOptions& stereo);
   void setLight(const LightOptions& light);
+  /// How the relief is painted; its light is that of setLight.
+  void setLook(const ReliefLook& look);
+  void setLines(const std::vector<std::vector<ViewMm>>& lines);
   void setBackground(const QColor& colour);
 
   QString whereAmI() const { return where_am_i_; }
@@ -50,10 +55,13 @@ class SurfaceView : public QWidget {
  private:
   class Canvas;
   void requestRender();
+  void paintGrid();
 
   SceneState state_;
+  std::shared_ptr<const HeldGrid> plain_;  ///< As set; state_.grid may be painted.
   std::unique_ptr<ReliefScene> scene_;
   Canvas* canvas_ = nullptr;  ///< Child; owned by Qt.
+  ColourBar* bar_ = nullptr;  ///< Child; owned by Qt.
   QString where_am_i_;
 };
 

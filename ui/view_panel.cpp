@@ -167,6 +167,17 @@ void StereoPanel::setOn(bool on) {
   on_->setChecked(on);
 }
 
+void StereoPanel::show(const StereoOptions& options) {
+  {
+    const QSignalBlocker quiet(this);
+    automatic_->setChecked(!options.zero_plane_mm.has_value());
+    if (options.zero_plane_mm) plane_->setValue(*options.zero_plane_mm);
+    angle_->setValue(options.eye_angle_deg);
+    on_->setChecked(options.mode != StereoMode::off);
+  }
+  tell();
+}
+
 void StereoPanel::setHeights(double low_mm, double high_mm) {
   const QSignalBlocker quiet(plane_);
   const double range = high_mm - low_mm;

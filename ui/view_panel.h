@@ -43,6 +43,7 @@ class StereoPanel : public QWidget {
   explicit StereoPanel(QWidget* parent = nullptr);
   StereoOptions options() const;
   void setOn(bool on);
+  void show(const StereoOptions& options);
   /// The range the zero plane is chosen from.
   void setHeights(double low_mm, double high_mm);
 

@@ -19,8 +19,9 @@ namespace relievo {
 namespace batch {
 namespace {
 
-std::vector<Verb> verbs() {
-  return {infoVerb(), depthmapVerb(), pyramidVerb(), renderVerb(), touchVerb()};
+std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
+  return {infoVerb(),    depthmapVerb(),   pyramidVerb(),     renderVerb(), figureVerb(),
+          devicesVerb(), touchVerb(words), recordVerb(words), replayVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
@@ -77,15 +78,19 @@ void tell(const std::string& message) {
 }
 
 Surface loadForVerb(const MapArguments& arguments, const Task& task) {
-  const SurfaceOptions options = surfaceOptions(arguments);
   ImportOptions import;
   import.accept_incomplete = arguments.accept_incomplete;
+  return loadForVerb(arguments.file, surfaceOptions(arguments), import, task);
+}
+
+Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
+                    const ImportOptions& import, const Task& task) {
   Surface surface;
   if (options.engine == "depthbuffer") {
     const DisplayGuard display;
-    surface = loadSurface(arguments.file, options, captureDepths, import, task);
+    surface = loadSurface(file, options, captureDepths, import, task);
   } else {
-    surface = loadSurface(arguments.file, options, rasterize, import, task);
+    surface = loadSurface(file, options, rasterize, import, task);
   }
   for (const std::string& message : surface.messages) tell(message);
   for (const std::string& message : surface.not_done) tell(message);
@@ -120,7 +125,7 @@ bool isVerb(std::string_view word) {
 int runBatch(int argc, char** argv) {
   CLI::App app("relievo: feel and see scanned heritage at every scale", "relievo");
   app.require_subcommand(1);
-  std::vector<batch::Verb> verbs = batch::verbs();
+  std::vector<batch::Verb> verbs = batch::verbs({argv + 1, argv + argc});
   std::string format = "text";
   for (batch::Verb& verb : verbs) {
     CLI::App* sub = app.add_subcommand(verb.name, verb.help);

@@ -4,7 +4,9 @@
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/verb.h"
+#include "core/base/error.h"
 #include "core/session/tiled_surface.h"
+#include "ui/figure/figure.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/relief_scene.h"
 
@@ -19,6 +21,7 @@ struct RenderArguments {
   std::optional<double> zero_plane_mm;
   int pixels = 800;
   bool scale_bar = false;
+  std::string from_image;
   std::string out;
 };
 
@@ -31,7 +34,29 @@ StereoOptions stereoOptions(const RenderArguments& a) {
           .zero_plane_mm = a.zero_plane_mm};
 }
 
+/// What a picture of ours shows, drawn again: its state is that of a figure.
+Outcome runFromImage(const RenderArguments& a, const Task& task) {
+  if (!a.map.file.empty()) {
+    throw ArgumentError("Give FILE or --from-image, not both. Nothing was drawn.");
+  }
+  const Stored stored = loadFromImage(a.from_image, task);
+  const DisplayGuard display;
+  const FigureSession session;
+  const FigureFacts facts = writeFigure(stored.surface, stored.project, a.out, task);
+  Json json;
+  json["pixels"] = {facts.width_px, facts.height_px};
+  json["mm_per_pixel"] = facts.mm_per_pixel;
+  json["level"] = stored.project.region.level.value;
+  json["region_mm"] = jsonOf(stored.project.region);
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                    std::to_string(facts.height_px) + " pixels, as " + a.from_image},
+          .exit_code = stored.input_changed ? 5 : 0};
+}
+
 Outcome runRender(const RenderArguments& a, const Task& task) {
+  if (!a.from_image.empty()) return runFromImage(a, task);
+  if (a.map.file.empty()) throw ArgumentError("FILE is missing. Nothing was drawn.");
   const StereoOptions stereo = stereoOptions(a);
   const Surface surface = openForVerb(a.map, task);
   const Region region = chosenRegion(surface, a.region);
@@ -82,6 +107,9 @@ Verb renderVerb() {
           .declare =
               [arguments](CLI::App& verb) {
                 addMapOptions(verb, arguments->map);
+                verb.get_option("FILE")->required(false);
+                verb.add_option("--from-image", arguments->from_image,
+                                "Draw again what a figure shows, from the state it carries");
                 addRegionOptions(verb, arguments->region);
                 verb.add_option("--stereo", arguments->stereo, "off or anaglyph (red/cyan)");
                 verb.add_option("--eye-angle", arguments->eye_angle_deg,

@@ -57,7 +57,7 @@ std::string_view logColumns() noexcept {
   return "t_s,tick,hip_x_mm,hip_y_mm,hip_z_mm,proxy_x_mm,proxy_y_mm,proxy_z_mm,"
          "f_x_N,f_y_N,f_z_N,f_cmd_N,clamp,contact,nx,ny,nz,k_Npm,detail,region_id,origin,buttons,"
          "rate_Hz,event,dev_hip_x_mm,dev_hip_y_mm,dev_hip_z_mm,"
-         "dev_proxy_x_mm,dev_proxy_y_mm,dev_proxy_z_mm";
+         "dev_proxy_x_mm,dev_proxy_y_mm,dev_proxy_z_mm,age_s";
 }
 
 void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event) {
@@ -80,6 +80,7 @@ void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::
   to += ',';
   appendVec(to, sample.hip);
   appendVec(to, sample.proxy);
+  appendNumber(to, sample.age_s);
   to.back() = '\n';
 }
 
@@ -155,9 +156,14 @@ void LogWriter::giveUp(int error_number) {
                    "E401");
 }
 
-void LogWriter::close() {
+void LogWriter::close(std::string_view footer) {
   if (descriptor_ < 0) return;
   flush();
+  if (!footer.empty()) {
+    // The rows are safe: a footer that does not fit is left out.
+    const std::int64_t before = bytes_on_disk_;
+    if (!writeOut(commented(footer)) && ::ftruncate(descriptor_, before) != 0) giveUp(errno);
+  }
   const int descriptor = std::exchange(descriptor_, -1);
   // Some file systems report a full disk only here.
   if (::close(descriptor) != 0) {

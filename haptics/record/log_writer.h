@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "haptics/loop/haptic_core.h"
+#include "haptics/record/sample_log.h"
 
 namespace relievo {
 
@@ -20,24 +20,21 @@ void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::
 /// Writes a log file: lines that start with #, the columns, then rows. What is on disk is always
 /// whole rows: if the disk fills up, the file is cut after the last row that fits and stays
 /// readable. [one thread]
-class LogWriter {
+class LogWriter : public SampleLog {
  public:
   /// @param header  comment lines, each without "#"; "" for none. Separated by line ends.
   /// @throw WriteError  the file cannot be made
   explicit LogWriter(std::filesystem::path file, std::string_view header = {});
-  ~LogWriter();  ///< Closes; an error at this point is lost: call close() to hear of it.
-  LogWriter(const LogWriter&) = delete;
-  LogWriter& operator=(const LogWriter&) = delete;
+  ~LogWriter() override;
 
-  /// @throw WriteError (E401)  says how many rows are saved; the file is closed, rows() is exact
-  void write(const HapticSample& sample, double t_s, std::string_view event = {});
+  void write(const HapticSample& sample, double t_s, std::string_view event = {}) override;
   /// Writes out what is buffered. @throw WriteError (E401)  as above
   void flush();
-  /// flush() and close. Further calls do nothing. @throw WriteError (E401)
-  void close();
+  /// Footer lines follow the rows, each with "# " before it.
+  void close(std::string_view footer = {}) override;
 
-  std::uint64_t rows() const noexcept { return rows_; }  ///< Written; after an error: saved.
-  const std::filesystem::path& file() const noexcept { return file_; }
+  std::uint64_t rows() const noexcept override { return rows_; }
+  const std::filesystem::path& file() const noexcept override { return file_; }
 
  private:
   bool writeOut(std::string_view text);

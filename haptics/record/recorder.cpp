@@ -4,43 +4,36 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "haptics/record/events.h"
 
 namespace relievo {
 
-namespace {
-/// What happened between two samples, for the event column.
-std::string eventBetween(const HapticSample& before, const HapticSample& now) {
-  std::string event;
-  const auto add = [&event](const std::string& text) {
-    event += (event.empty() ? "" : "; ") + text;
-  };
-  if (now.tick != before.tick + 1) {
-    add(std::to_string(now.tick - before.tick - 1) + " samples dropped before this one");
-  }
-  if (now.window_id != before.window_id) add("new window");
-  if (now.fault != before.fault) add(std::string(describe(now.fault)));
-  return event;
-}
-}  // namespace
-
 Recorder::~Recorder() {
-  LogWriter* writer = nullptr;
+  SampleLog* writer = nullptr;
   while (commands_.pop(writer)) delete writer;
   RecordingEnd* end = nullptr;
   while (ends_.pop(end)) delete end;
+  std::string* footer = nullptr;
+  while (footers_.pop(footer)) delete footer;
 }
 
-void Recorder::start(const std::filesystem::path& file, std::string_view header) {
+void Recorder::start(const std::filesystem::path& file, std::string_view header,
+                     const HapticSpace* surface) {
   if (running_) throw Error("A recording is running already; stop it first.");
-  auto writer = std::make_unique<LogWriter>(file, header);
+  std::unique_ptr<SampleLog> writer = openLog(file, header, surface);
   counts_.update();
   if (!commands_.push(writer.get())) throw Error("The recorder does not answer; try again.");
-  [[maybe_unused]] const LogWriter* handed_over = writer.release();
+  [[maybe_unused]] const SampleLog* handed_over = writer.release();
   running_ = true;
 }
 
-void Recorder::stop() {
-  if (running_) commands_.push(nullptr);
+void Recorder::stop(const std::string& footer) {
+  if (!running_) return;
+  auto text = std::make_unique<std::string>(footer);
+  if (footers_.push(text.get())) {
+    [[maybe_unused]] const std::string* handed_over = text.release();
+  }
+  commands_.push(nullptr);
 }
 
 std::uint64_t Recorder::samples() noexcept {
@@ -66,7 +59,7 @@ void Recorder::take(std::span<const HapticSample> batch) {
 }
 
 void Recorder::switchOver() {
-  LogWriter* command = nullptr;
+  SampleLog* command = nullptr;
   while (commands_.pop(command)) {
     if (writer_) finish({});
     writer_.reset(command);
@@ -77,7 +70,7 @@ void Recorder::switchOver() {
 
 void Recorder::write(const HapticSample& sample) {
   if (first_) start_ns_ = sample.time_ns;
-  const std::string event = first_ ? std::string() : eventBetween(last_, sample);
+  const std::string event = first_ ? eventAtStart(sample) : eventBetween(last_, sample);
   first_ = false;
   last_ = sample;
   try {
@@ -90,7 +83,10 @@ void Recorder::write(const HapticSample& sample) {
 void Recorder::finish(std::string error) {
   if (error.empty()) {
     try {
-      writer_->close();
+      std::string* footer = nullptr;
+      std::unique_ptr<std::string> last;
+      while (footers_.pop(footer)) last.reset(footer);
+      writer_->close(last ? *last : std::string());
     } catch (const WriteError& late) {
       error = late.what();
     }

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "haptics/loop/haptic_core.h"
-#include "haptics/record/log_writer.h"
+#include "haptics/record/sample_log.h"
 #include "haptics/rt/spsc_ring.h"
 #include "haptics/rt/triple_buffer.h"
 
@@ -23,8 +23,8 @@ struct RecordingEnd {
   std::string error;          ///< Empty: all is saved. Else a sentence for people (E401).
 };
 
-/// Records every sample to a CSV file (conventions.md 5.5) from the drain thread. Samples that the
-/// loop had to drop, faults and changes of window are named in the event column.
+/// Records every sample to a CSV or HDF5 file (conventions.md 5.5) from the drain thread. Samples
+/// that the loop had to drop, faults and changes of window are named in the event column.
 class Recorder {
  public:
   Recorder() = default;
@@ -35,8 +35,10 @@ class Recorder {
   /// [GUI thread] Makes the file at once; recording starts with the drain's next batch.
   /// @throw WriteError  the file cannot be made
   /// @throw Error       a recording is running
-  void start(const std::filesystem::path& file, std::string_view header);
-  void stop();  ///< [GUI thread] Ends with the drain's next batch; see ended().
+  void start(const std::filesystem::path& file, std::string_view header,
+             const HapticSpace* surface = nullptr);
+  /// [GUI thread] Ends with the drain's next batch; see ended(). Footer lines end the file.
+  void stop(const std::string& footer = {});
   bool running() const noexcept { return running_; }  ///< [GUI thread] start() until ended().
   std::uint64_t samples() noexcept;                   ///< [GUI thread] Recorded so far.
   /// [GUI thread] Once per recording that came to its end.
@@ -50,12 +52,13 @@ class Recorder {
   void finish(std::string error);          // [drain thread]
 
   // GUI to drain: a file to write to, or null: stop. Drain to GUI: how it ended. The pointers own.
-  SpscRing<LogWriter*, 16> commands_;
+  SpscRing<SampleLog*, 16> commands_;
+  SpscRing<std::string*, 16> footers_;
   SpscRing<RecordingEnd*, 16> ends_;
   TripleBuffer<std::uint64_t> counts_;
   bool running_ = false;  // [GUI thread]
   // [drain thread]
-  std::unique_ptr<LogWriter> writer_;
+  std::unique_ptr<SampleLog> writer_;
   HapticSample last_;
   std::int64_t start_ns_ = 0;
   bool first_ = true;

@@ -5,6 +5,7 @@
 
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
+#include "plugins/haptics/recording_file.h"
 
 namespace relievo {
 
@@ -14,7 +15,9 @@ bool on(EngagePhase phase) {
 }
 }  // namespace
 
-LoopSession::LoopSession(const std::string& device_id) : plot_start_ns_(monotonicNs()) {
+LoopSession::LoopSession(const std::string& device_id)
+    : flight_(flightFolder().toStdString(), "relievo flight record, schema 1\ndevice " + device_id),
+      plot_start_ns_(monotonicNs()) {
   std::unique_ptr<Device> device = makeDevice(device_id);
   steered_ = dynamic_cast<SteeredDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
@@ -22,6 +25,7 @@ LoopSession::LoopSession(const std::string& device_id) : plot_start_ns_(monotoni
   drain_ = std::make_unique<SampleDrain>(
       loop_->samples(), std::vector<SampleSink>{
                             [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
+                            [this](std::span<const HapticSample> batch) { flight_.take(batch); },
                             [this](std::span<const HapticSample> batch) { plotSink(batch); }});
 }
 
@@ -39,12 +43,15 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
 }
 
 void LoopSession::show(const RegionWindow& window) {
-  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels});
+  const HapticSample& last = update();
+  std::optional<Anchor> touched;  // Stays under the hand.
+  if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
+  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels},
+       SurfaceKind::gated, touched);
   loop_->spaces().publish();
-  mapping_ = handMapping(window);
+  mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);
   if (steered_ == nullptr) return;
-  const HapticSample& last = update();
   ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
   if (first) over = {window.region.centreX(), window.region.centreY(), 0};
   const double depth = norm(last.proxy - last.hip);

@@ -10,6 +10,7 @@
 #include "core/region/window.h"
 #include "haptics/device/device.h"
 #include "haptics/loop/haptic_loop.h"
+#include "haptics/record/flight_record.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
 #include "plugins/api/plugin.h"
@@ -39,6 +40,7 @@ class LoopSession {
   std::vector<PlotSample> takePlot();  ///< Since the last call, every fifth sample.
   std::optional<ButtonEvent> takeButton();
   Recorder& recorder() noexcept { return recorder_; }
+  FlightRecord& flight() noexcept { return flight_; }
   HapticLoop& loop() noexcept { return *loop_; }
 
  private:
@@ -46,6 +48,7 @@ class LoopSession {
 
   // In this order: the drain goes first and still finds the recorder and the loop's ring.
   Recorder recorder_;
+  FlightRecord flight_;
   SpscRing<PlotSample, 4096> plot_;
   std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;

@@ -22,6 +22,12 @@ QString proposedRecording(const QDateTime& now) {
   return folder.filePath(name);
 }
 
+QString flightFolder() {
+  const QString state = qEnvironmentVariable("XDG_STATE_HOME");
+  const QString base = state.isEmpty() ? QDir::homePath() + QStringLiteral("/.local/state") : state;
+  return base + QStringLiteral("/relievo/flight");
+}
+
 QString recordingHeaderLines(const QString& from_host, const QString& device,
                              const HapticOptions& options, const QDateTime& now) {
   constexpr std::array<const char*, 3> kProxyNames{"converged", "equation", "successive"};

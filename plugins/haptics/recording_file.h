@@ -12,6 +12,9 @@ namespace relievo {
 /// with a number if that is taken. Makes the folder. @throw WriteError
 QString proposedRecording(const QDateTime& now);
 
+/// Where flight records go: the user's state folder. Not made here.
+QString flightFolder();
+
 /// Comment lines of a recording (conventions.md 5.5).
 QString recordingHeaderLines(const QString& from_host, const QString& device,
                              const HapticOptions& options, const QDateTime& now);

@@ -13,6 +13,7 @@ constexpr double kDegreesPerCount = 0.0364347;  // 1280 counts a turn, 14.25 mm 
 constexpr double kZeroDeg = 35;
 constexpr std::array<int, 3> kUnhomedOffset{-1500, 700, 260};
 constexpr double kGripKg = 0.15, kHandNPerMm = 0.25, kHandNsPerMm = 0.012;
+constexpr double kArmNsPerMm = 0.003;  // Of the arms alone.
 }  // namespace
 
 std::optional<Triple> FalconBody::anglesDeg(const Triple& place) {
@@ -46,8 +47,14 @@ void FalconBody::hold(const Triple& place) {
   moveTo(place);
 }
 
-void FalconBody::pullToward(const Triple& place) {
+void FalconBody::letGo(double weight_n) {
   held_ = false;
+  let_go_ = true;
+  weight_n_ = weight_n;
+}
+
+void FalconBody::pullToward(const Triple& place) {
+  held_ = let_go_ = false;
   wanted_ = place;
 }
 
@@ -91,7 +98,10 @@ void FalconBody::advance(double seconds) {
     const Triple motors = force();
     Triple next = grip_;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double hand = kHandNPerMm * (wanted_[i] - grip_[i]) - kHandNsPerMm * velocity_[i];
+      const double weight = i == 1 ? -weight_n_ : 0;
+      const double hand = let_go_
+                              ? weight - kArmNsPerMm * velocity_[i]
+                              : kHandNPerMm * (wanted_[i] - grip_[i]) - kHandNsPerMm * velocity_[i];
       velocity_[i] += (hand + motors[i]) / kGripKg * 1000 * dt;  // N/kg are m/s^2.
       next[i] += velocity_[i] * dt;
     }

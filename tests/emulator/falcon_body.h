@@ -32,6 +32,9 @@ class FalconBody {
   /// Every arm knows its zero, as when another program has used it before.
   void beHomed() { homed_ = 7; }
 
+  /// Nobody holds the grip; a weight hangs on it, N.
+  void letGo(double weight_n);
+
   double counts_per_n_mm = 10;  ///< The motors' truth; what the driver believes is its setting.
 
   /// Motor angles in degrees of a place; nothing: the arms do not reach it.
@@ -41,7 +44,8 @@ class FalconBody {
   void moveTo(const Triple& place);
 
   Triple grip_{0, 0, 110}, velocity_{}, wanted_{0, 0, 110};
-  bool held_ = true;
+  bool held_ = true, let_go_ = false;
+  double weight_n_ = 0;
   std::array<int, 3> counts_{};
   std::array<bool, 3> was_out_{};
   int homed_ = 0;

@@ -254,6 +254,24 @@ TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
   EXPECT_TRUE(text.contains("# input relief.ply\n"));
   EXPECT_TRUE(text.contains("\nt_s,tick,hip_x_mm"));
   EXPECT_TRUE(text.endsWith('\n'));
+  EXPECT_TRUE(text.contains("\n# loop ticks ")) << "how the loop ran";
+  EXPECT_TRUE(text.contains("\n# wake-up us "));
+  EXPECT_TRUE(text.contains("of detail"));
+}
+
+TEST_F(HapticsPluginTest, KeepsWhatLedToAFault) {
+  QTemporaryDir state;
+  qputenv("XDG_STATE_HOME", state.path().toUtf8());
+  host_.window = flatWindow(5, 42);
+  attach();
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 42; }));
+  Q_EMIT host_.handMoved({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, true});
+  ASSERT_TRUE(eventually(
+      [this] { return host_.announcements.join("|").contains("The last 0 s before the fault"); }));
+  const QDir folder(state.filePath("relievo/flight"));
+  EXPECT_EQ(folder.entryList({"flight-*.csv"}).size(), 1);
+  qunsetenv("XDG_STATE_HOME");
 }
 
 TEST_F(HapticsPluginTest, RemembersSettingsButNeverThatForcesWereOn) {

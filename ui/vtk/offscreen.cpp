@@ -101,6 +101,22 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
   return image;
 }
 
+std::vector<std::uint8_t> storedBytes(const RgbaImage& image) {
+  bool opaque = true;
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque = opaque && image.rgba[i] == 255;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(opaque ? image.rgba.size() / 4 * 3 : image.rgba.size());
+  for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+    const int alpha = image.rgba[i + 3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const int value = alpha == 0 ? 0 : (image.rgba[i + k] * 255 + alpha / 2) / alpha;
+      bytes.push_back(static_cast<std::uint8_t>(std::min(value, 255)));
+    }
+    if (!opaque) bytes.push_back(static_cast<std::uint8_t>(alpha));
+  }
+  return bytes;
+}
+
 RgbImage renderOffscreen(const ReliefScene& scene, int width, int height) {
   const RgbaImage picture = renderPicture(scene, {.width = width, .height = height});
   RgbImage image{width, height, {}};

@@ -50,6 +50,9 @@ struct RgbaImage {
   std::vector<std::uint8_t> rgba;
 };
 
+/// As files store it: three bytes a pixel if all are opaque, else four, colours not multiplied.
+std::vector<std::uint8_t> storedBytes(const RgbaImage& image);
+
 struct PictureOptions {
   int width = 0, height = 0;  ///< Pixels.
   bool transparent = false;   ///< Alpha 0 where there is no relief; without stereo.

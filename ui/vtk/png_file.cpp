@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "ui/vtk/offscreen.h"
+#include "ui/vtk/picture_file.h"
 
 namespace relievo {
 namespace {
@@ -21,9 +22,12 @@ struct PngText {
         throw WriteError("A PNG text entry's name has 1 to 79 characters, not '" + key + "'.");
       }
       png_text entry{};
-      // Plain ASCII as tEXt, which every reader knows; anything else as UTF-8 in iTXt.
-      const bool ascii = std::all_of(value.begin(), value.end(),
-                                     [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+      // Plain ASCII as tEXt, which every reader knows; anything else, and every entry of ours, as
+      // UTF-8 in iTXt.
+      const bool ours = key.rfind("relievo:", 0) == 0;
+      const bool ascii = !ours && std::all_of(value.begin(), value.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x80;
+      });
       entry.compression = ascii ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
       entry.key = const_cast<char*>(key.c_str());
       entry.text = const_cast<char*>(value.c_str());
@@ -43,8 +47,13 @@ struct PngText {
 }
 void beQuiet(png_structp, png_const_charp) {}
 
+struct PngShape {
+  int width = 0, height = 0, colour_type = PNG_COLOR_TYPE_RGB;
+  double dpi = 0;  ///< 0: not said.
+};
+
 // libpng leaves by longjmp: nothing with a destructor lives in this function.
-bool encode(std::FILE* file, const RgbImage& image, const png_byte* const* rows, PngText& text) {
+bool encode(std::FILE* file, const PngShape& shape, const png_byte* const* rows, PngText& text) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, beQuiet);
   png_infop info = png ? png_create_info_struct(png) : nullptr;
   if (!info || setjmp(png_jmpbuf(png))) {
@@ -53,9 +62,13 @@ bool encode(std::FILE* file, const RgbImage& image, const png_byte* const* rows,
   }
   png_init_io(png, file);
   png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
-               static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+  png_set_IHDR(png, info, static_cast<png_uint_32>(shape.width),
+               static_cast<png_uint_32>(shape.height), 8, shape.colour_type, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  if (shape.dpi > 0) {
+    const auto per_metre = static_cast<png_uint_32>(shape.dpi / 0.0254 + 0.5);
+    png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
+  }
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   if (!text.entries.empty()) {
     png_set_text(png, info, text.entries.data(), static_cast<int>(text.entries.size()));
@@ -67,27 +80,26 @@ bool encode(std::FILE* file, const RgbImage& image, const png_byte* const* rows,
   return true;
 }
 
-}  // namespace
-
-void writePng(const std::filesystem::path& file, const RgbImage& image,
-              const std::vector<std::pair<std::string, std::string>>& text) {
-  const std::size_t row_bytes = 3 * static_cast<std::size_t>(std::max(image.width, 0));
-  if (image.width <= 0 || image.height <= 0 ||
-      image.rgb.size() != row_bytes * static_cast<std::size_t>(image.height)) {
+// Written beside the target and renamed, so that a failure leaves nothing half done.
+void writeRows(const std::filesystem::path& file, const PngShape& shape,
+               const std::vector<std::uint8_t>& bytes, const PictureText& text) {
+  const std::size_t channels = shape.colour_type == PNG_COLOR_TYPE_RGB ? 3 : 4;
+  const std::size_t row_bytes = channels * static_cast<std::size_t>(std::max(shape.width, 0));
+  if (shape.width <= 0 || shape.height <= 0 ||
+      bytes.size() != row_bytes * static_cast<std::size_t>(shape.height)) {
     throw WriteError("There is no picture to write to '" + file.string() + "'.");
   }
   PngText entries(text);
   std::vector<const png_byte*> rows;
-  rows.reserve(static_cast<std::size_t>(image.height));
-  for (int row = 0; row < image.height; ++row) {
-    rows.push_back(image.rgb.data() + row_bytes * static_cast<std::size_t>(row));
+  rows.reserve(static_cast<std::size_t>(shape.height));
+  for (int row = 0; row < shape.height; ++row) {
+    rows.push_back(bytes.data() + row_bytes * static_cast<std::size_t>(row));
   }
-  // Written beside the target and renamed, so that a failure leaves nothing half done.
   std::filesystem::path part = file;
   part += ".part" + std::to_string(getpid());
   std::FILE* const out = std::fopen(part.c_str(), "wb");
   const bool opened = out != nullptr;
-  const bool encoded = opened && encode(out, image, rows.data(), entries);
+  const bool encoded = opened && encode(out, shape, rows.data(), entries);
   const bool closed = opened && std::fclose(out) == 0;
   std::error_code error;
   if (encoded && closed) {
@@ -98,6 +110,24 @@ void writePng(const std::filesystem::path& file, const RgbImage& image,
   if (opened) std::filesystem::remove(part, error);
   throw WriteError("Cannot write the picture '" + file.string() + "' (" + reason +
                    "). Choose another folder or free some space.");
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& file, const RgbImage& image, const PictureText& text) {
+  writeRows(file, {.width = image.width, .height = image.height}, image.rgb, text);
+}
+
+void writePng(const std::filesystem::path& file, const RgbaImage& image, double dpi,
+              const PictureText& text) {
+  const std::vector<std::uint8_t> bytes = storedBytes(image);
+  const bool opaque = 4 * bytes.size() == 3 * image.rgba.size();
+  writeRows(file,
+            {.width = image.width,
+             .height = image.height,
+             .colour_type = opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA,
+             .dpi = dpi},
+            bytes, text);
 }
 
 }  // namespace relievo

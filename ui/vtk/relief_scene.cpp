@@ -111,6 +111,7 @@ struct ReliefScene::Impl {
   bool pink_handles = false;
   std::optional<Probe> probe;
   double ball_radius_mm = 1;
+  std::vector<std::vector<ViewMm>> lines;
   bool scale_bar = false;
 
   // What draws it. Layer 0: surface; 1: proxy, line, arrow; 2: HIP, pink window, scale bar.
@@ -322,6 +323,10 @@ void ReliefScene::setProbe(const std::optional<Probe>& probe, double ball_radius
   impl_->probe_actors.set(probe, ball_radius_mm);
 }
 
+void ReliefScene::setLines(const std::vector<std::vector<ViewMm>>& lines) {
+  impl_->lines = lines;
+}
+
 void ReliefScene::setScaleBar(bool visible) {
   impl_->scale_bar = visible;
 }
@@ -350,7 +355,9 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
   impl_->marks.draw(view, {.corners = corners,
                            .handles = impl_->pink_handles,
                            .scale_bar = impl_->scale_bar,
+                           .lines = impl_->lines,
                            .scale = impl_->mark_scale,
+                           .dpi = impl_->window ? impl_->window->GetDPI() : 72,
                            .origin = {static_cast<double>(drawn.x), static_cast<double>(drawn.y)}});
 }
 
@@ -385,6 +392,7 @@ std::unique_ptr<ReliefScene> ReliefScene::copy() const {
   other->setMarkScale(impl_->mark_scale);
   other->setPinkWindow(impl_->pink, impl_->pink_handles);
   other->setProbe(impl_->probe, impl_->ball_radius_mm);
+  other->setLines(impl_->lines);
   other->setScaleBar(impl_->scale_bar);
   return other;
 }

@@ -68,6 +68,8 @@ class ReliefScene {
   /// Proxy: blue ball; HIP: red ring around a small ball; line between; arrow along the force.
   /// ball_radius_mm in view mm. Nothing hides them.
   void setProbe(const std::optional<Probe>& probe, double ball_radius_mm);
+  /// Measurements: lines through points on the surface, a dot at each. Nothing hides them.
+  void setLines(const std::vector<std::vector<ViewMm>>& lines);
   /// "|-- 10 mm --|" at the lower left.
   void setScaleBar(bool visible);
 

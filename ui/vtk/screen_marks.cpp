@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <tuple>
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -23,27 +23,6 @@ PixelPlace clamped(PixelPlace p) {
 }
 
 }  // namespace
-
-ScaleLength scaleLength(double at_most_mm) {
-  const double decade = std::pow(10, std::floor(std::log10(at_most_mm) + 1e-9));
-  double mm = decade;
-  for (const double step : {2.0, 5.0}) {
-    if (step * decade <= at_most_mm * (1 + 1e-9)) mm = step * decade;
-  }
-  struct Unit {
-    double from_mm, mm;
-    const char* name;
-  };
-  constexpr std::array<Unit, 5> kUnits{
-      {{1e6, 1e6, "km"}, {1e3, 1e3, "m"}, {100, 10, "cm"}, {0.01, 1, "mm"}, {0, 1e-3, "\u00b5m"}}};
-  for (const Unit& unit : kUnits) {
-    if (mm < unit.from_mm * (1 - 1e-9)) continue;
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), "%.4g %s", mm / unit.mm, unit.name);
-    return {mm, text.data()};
-  }
-  return {mm, {}};
-}
 
 ScreenMarks::ScreenMarks() {
   vtkNew<vtkPolyDataMapper2D> mapper;
@@ -68,6 +47,7 @@ void ScreenMarks::addTo(vtkRenderer* top_layer) {
 
 void ScreenMarks::draw(const SceneView& view, const Marks& marks) {
   scale_ = marks.scale;
+  text_scale_ = 72.0 / std::max(marks.dpi, 1);
   origin_ = marks.origin;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
@@ -77,6 +57,7 @@ void ScreenMarks::draw(const SceneView& view, const Marks& marks) {
   poly_->SetPolys(cells);
   poly_->GetCellData()->SetScalars(colours);
   if (marks.corners.size() == 4) pinkWindow(view, marks.corners, marks.handles);
+  for (const auto& course : marks.lines) line(view, course);
   label_->SetVisibility(marks.scale_bar);
   if (marks.scale_bar) scaleBar(view);
   poly_->Modified();
@@ -135,6 +116,19 @@ void ScreenMarks::pinkWindow(const SceneView& view, const std::vector<ViewMm>& c
   }
 }
 
+// Dark with a light core, and a square dot at each point: seen on any surface.
+void ScreenMarks::line(const SceneView& view, const std::vector<ViewMm>& points) {
+  const Colour dark{16, 16, 20, 255}, light{255, 226, 92, 255};
+  for (const auto& [half_width, dot, colour] :
+       {std::tuple{2.0 * scale_, 5.0 * scale_, dark}, std::tuple{scale_, 3.5 * scale_, light}}) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const PixelPlace p = clamped(view.pixelOf(points[i]));
+      if (i > 0) edge(clamped(view.pixelOf(points[i - 1])), p, half_width, colour);
+      box(p.x - dot, p.y - dot, p.x + dot, p.y + dot, colour);
+    }
+  }
+}
+
 void ScreenMarks::scaleBar(const SceneView& view) {
   const double scale = std::max(scale_, std::min(view.width_px, view.height_px) / 900.0);
   const double u = std::round(scale);  // One line of the drawing, in pixels.
@@ -144,7 +138,8 @@ void ScreenMarks::scaleBar(const SceneView& view) {
   const double margin = std::round(14 * scale), pad = std::round(9 * scale);
   const double tick = std::round(4 * scale);
   label_->SetInput(length.label.c_str());
-  label_->GetTextProperty()->SetFontSize(font_px);
+  label_->GetTextProperty()->SetFontSize(
+      std::max(1, static_cast<int>(std::lround(text_scale_ * font_px))));
   const double text_px = 0.62 * font_px * static_cast<double>(length.label.size());
   const double plate = std::round(std::max(bar, text_px) + 2 * pad);
   const double plate_height = std::round(2 * pad + tick + 4 * scale + font_px);

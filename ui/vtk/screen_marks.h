@@ -12,19 +12,12 @@
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 
+#include "ui/vtk/scale_length.h"
 #include "ui/vtk/scene_view.h"
 
 namespace relievo {
 
 inline constexpr std::array<std::uint8_t, 3> kPink{0xff, 0x4f, 0xa3};
-
-/// A round length for a scale bar and its label.
-struct ScaleLength {
-  double mm = 0;
-  std::string label;  ///< "5 mm", "20 cm", "2 m".
-};
-/// The longest of 1, 2, 5 x 10^n mm that is not longer than `at_most_mm` (> 0).
-ScaleLength scaleLength(double at_most_mm);
 
 /// What is drawn flat on the picture, in whole pixels, over everything else: the pink window and
 /// the scale bar.
@@ -36,7 +29,9 @@ class ScreenMarks {
   struct Marks {
     std::vector<ViewMm> corners;  ///< Of the pink window, in order; empty: none.
     bool handles = false, scale_bar = false;
+    std::vector<std::vector<ViewMm>> lines;
     double scale = 1;   ///< Pixels of a line of width 1.
+    int dpi = 72;       ///< Of the render window: VTK enlarges text by it.
     PixelPlace origin;  ///< Of the part of the picture that is drawn.
   };
   /// Draws anew for a picture.
@@ -49,11 +44,12 @@ class ScreenMarks {
   void edge(PixelPlace a, PixelPlace b, double half_width, const Colour& colour);
   void pinkWindow(const SceneView& view, const std::vector<ViewMm>& corners, bool handles);
   void scaleBar(const SceneView& view);
+  void line(const SceneView& view, const std::vector<ViewMm>& points);
 
   vtkNew<vtkPolyData> poly_;
   vtkNew<vtkActor2D> shapes_;
   vtkNew<vtkTextActor> label_;
-  double scale_ = 1;
+  double scale_ = 1, text_scale_ = 1;
   PixelPlace origin_;
 };
 

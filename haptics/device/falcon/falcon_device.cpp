@@ -19,12 +19,14 @@ std::uint32_t withPlusAndMinusSwapped(std::uint32_t buttons) RELIEVO_REALTIME {
 FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
                            FalconSettings settings, LinkLimits limits)
     : settings_(settings), bus_(std::move(bus)), firmware_(std::move(firmware)), limits_(limits) {
-  info_.id = "falcon:0";
+  info_.id = kFalconId;
   info_.name = "Falcon";
   // Reachable all round at every height in it (falcon geometry: 50 mm at z = 160).
   info_.workspace.half_extent = {40, 40, 35};
   info_.max_force_n = limits.max_force_n;
   info_.max_stiffness_n_per_mm = 1.5;
+  info_.position_step_mm = 0.048;  // Sideways in the middle; 0.028 in and out.
+  info_.force_delay_ticks = 2;     // Up to one until it is sent, one until the motors show it.
   setGain(settings.counts_per_n_mm);
 }
 
@@ -72,6 +74,7 @@ void FalconDevice::close() noexcept {
 DeviceReading FalconDevice::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
   mailbox_.readings.update();
   const LinkReading& newest = mailbox_.readings.front();
+  mailbox_.cut.store(false, std::memory_order_relaxed);
   mailbox_.orders.write({force, now_ns, newest.epoch});
   DeviceReading reading{newest.position, newest.buttons, newest.time_ns, newest.fault};
   if (settings_.left_handed) reading.buttons = withPlusAndMinusSwapped(reading.buttons);

@@ -19,6 +19,8 @@ struct FalconSettings {
 inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
 inline constexpr double kMostCountsPerNmm = kNominalCountsPerNmm;
 
+inline constexpr const char* kFalconId = "falcon:0";
+
 /// The Novint Falcon. `exchange` never waits: a thread of its own (docs/threads.md) keeps the
 /// device going at its own pace and leaves the newest place of the hand for the loop. Until
 /// firmware and homing are done, readings carry the fault `not_ready`; after an unplugging they
@@ -37,6 +39,7 @@ class FalconDevice : public Device {
   void openWhenPlugged();
   void close() noexcept override;
   DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+  void cutForce() noexcept override { mailbox_.cut.store(true); }
 
   /// The newest. [owner]
   const LinkStatus& status();

@@ -3,7 +3,7 @@
 
 #include <signal.h>
 #include <sys/ioctl.h>
-#include <time.h>
+#include <ctime>
 
 #include <linux/usbdevice_fs.h>
 

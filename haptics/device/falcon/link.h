@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -49,6 +50,7 @@ struct LinkMailbox {
   TripleBuffer<ForceOrder> orders;
   TripleBuffer<LinkWish> wishes;
   TripleBuffer<LinkStatus> status;
+  std::atomic<bool> cut{false};  ///< No force until the next order. [watchdog sets, loop clears]
 };
 
 /// The firmware's bytes. @throw FileError  says where was looked, or what is wrong with the file
@@ -102,6 +104,8 @@ class Link {
   bool ask(std::int64_t now_ns, bool neutral);
   std::array<std::int16_t, kArms> motorCounts(std::int64_t now_ns);
   std::uint8_t lights(std::int64_t now_ns) const;
+  bool isWanted(std::int64_t now_ns);
+  void wake();
   void rest(std::int64_t now_ns);
   void sayGoodbye();
 

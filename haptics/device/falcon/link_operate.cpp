@@ -15,12 +15,13 @@ constexpr int kSureFrames = 3;  // In a row, before arms count as homed or a but
 constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 100 * kMs;
 constexpr std::uint8_t kRestLatencyMs = 255;
 
-/// Measures against silence: the first after 5 ms, then one every 20 ms. All ask again, with zero
+/// Measures against silence: after 5, 10 and 15 ms, then one every 20 ms. All ask again, with zero
 /// force: a bad line gets many chances before the processor is taken for dead.
 constexpr std::int64_t kFirstMeasureNs = 5 * kMs, kNextMeasureNs = 20 * kMs;
-constexpr int kStall = 1, kPurgeEvery = 25, kGiveUp = 100;  // 20 ms, every 500 ms, 2 s.
+constexpr int kStall = 3;                       // At 20 ms.
+constexpr int kPurgeEvery = 25, kGiveUp = 100;  // Of 20 ms: 500 ms, 2 s.
 constexpr std::int64_t measureAfter(int step) {
-  return step == 0 ? kFirstMeasureNs : step * kNextMeasureNs;
+  return step < kStall ? (step + 1) * kFirstMeasureNs : (step - kStall + 1) * kNextMeasureNs;
 }
 }  // namespace
 
@@ -56,10 +57,12 @@ Link::Leave Link::operate(const std::stop_token& stop) {
       zero_next_ = true;
       gate_ns_ = now;
     }
+    const bool wanted = isWanted(now);
+    if (wanted && resting_) wake();
     if (under_way_ == 0) {
-      rest(now);
+      if (!wanted) rest(now);
       if (!ask(bus_.now(), false)) return Leave::gone;
-    } else if (now >= last_answer_ns_ + patience + measureAfter(silence_step_)) {
+    } else if (now >= last_answer_ns_ + (resting_ ? patience : 0) + measureAfter(silence_step_)) {
       if (const auto leave = watch(now)) return *leave;
     }
   }
@@ -149,6 +152,10 @@ void Link::countFrame(std::int64_t now_ns) {
 }
 
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
+  // A write that waits for the bridge takes longer than several measures.
+  while (silence_step_ < kStall && now_ns - last_answer_ns_ >= measureAfter(silence_step_ + 1)) {
+    ++silence_step_;
+  }
   const int step = silence_step_++;
   zero_next_ = true;
   gate_ns_ = now_ns;
@@ -158,8 +165,9 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
     if (step == kStall) ++status_.counts.stalls;
     interrupt(DeviceFault::timeout, now_ns);
   }
-  if (step >= kGiveUp) return Leave::silent;
-  if (step >= kPurgeEvery && step % kPurgeEvery == 0) {
+  const int stalled = step - kStall + 1;
+  if (stalled >= kGiveUp) return Leave::silent;
+  if (stalled > 0 && stalled % kPurgeEvery == 0) {
     ++status_.counts.purges;
     setState(LinkState::silent);
     if (!requestAll({kPurge1, kPurge2})) return Leave::gone;
@@ -169,7 +177,7 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   if (!ask(now_ns, true)) return Leave::gone;
   // The first time the answer may only be late, and two will come; else one would stay queued for
   // ever. If only one comes, the next silence settles it.
-  doubtful_ = step < kStall && !doubtful_;
+  doubtful_ = step == 0 && !doubtful_;
   under_way_ = doubtful_ ? 2 : 1;
   return std::nullopt;
 }
@@ -194,7 +202,7 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
 std::array<std::int16_t, kArms> Link::motorCounts(std::int64_t now_ns) {
   mailbox_.orders.update();
   const ForceOrder& order = mailbox_.orders.front();
-  const bool fresh = order.epoch == reading_.epoch && order.time_ns != 0 &&
+  const bool fresh = !mailbox_.cut.load() && order.epoch == reading_.epoch && order.time_ns != 0 &&
                      now_ns - order.time_ns <= limits_.stale_order_ns;
   if (status_.state != LinkState::ready || !fresh || !jacobian_ || !isFinite(order.force)) {
     gate_ns_ = now_ns;
@@ -225,19 +233,21 @@ std::uint8_t Link::lights(std::int64_t now_ns) const {
   return force_ns_ != 0 && now_ns - force_ns_ < kGreenNs ? green : blue;
 }
 
-void Link::rest(std::int64_t now_ns) {
+bool Link::isWanted(std::int64_t now_ns) {
   mailbox_.orders.update();
   mailbox_.wishes.update();
-  const bool wanted = now_ns - mailbox_.orders.front().time_ns < kRestAfterNs ||
-                      mailbox_.wishes.front().show_lights || status_.state != LinkState::ready;
-  if (wanted) {
-    if (resting_) {
-      port_->request(latencyTimer(1));
-      resting_ = false;
-      last_answer_ns_ = bus_.now();
-    }
-    return;
-  }
+  return now_ns - mailbox_.orders.front().time_ns < kRestAfterNs ||
+         mailbox_.wishes.front().show_lights || status_.state != LinkState::ready;
+}
+
+void Link::wake() {
+  port_->request(latencyTimer(1));
+  resting_ = false;
+  silence_step_ = 0;
+  last_answer_ns_ = bus_.now();
+}
+
+void Link::rest(std::int64_t now_ns) {
   if (!resting_) {
     resting_ = true;
     ask(now_ns, true);  // Whatever the motors showed, they rest as well.

@@ -14,7 +14,7 @@ struct SeenFalcon {
   int bus = 0, address = 0;
   int speed_mbit = 0;
 };
-/// @throw DeviceError  USB cannot be used at all
+/// None where USB cannot be used at all; opening says why.
 std::vector<SeenFalcon> seenFalcons();
 
 /// Falcons on USB through libusb. Made by one thread, then used by one.

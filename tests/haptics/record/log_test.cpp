@@ -221,10 +221,11 @@ TEST(Recorder, NamesDroppedSamplesFaultsAndNewWindows) {
   EXPECT_FALSE(recorder.running());
   const std::vector<Row> rows = rowsOf(file);
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0].at("event"), "\"\"");
+  EXPECT_EQ(rows[0].at("event"), "\"window 0 of detail 1; stiffness 0 N/m; forces off\"");
   EXPECT_EQ(number(rows[0], "t_s"), 0);
   EXPECT_EQ(rows[2].at("event"), "\"3 samples dropped before this one\"");
-  EXPECT_EQ(rows[3].at("event"), "\"new window; the device did not answer in time\"");
+  EXPECT_EQ(rows[3].at("event"),
+            "\"new window: window 4 of detail 1; the device did not answer in time\"");
 }
 
 TEST(Recorder, EndsWithAWordWhenTheDiskIsFull) {

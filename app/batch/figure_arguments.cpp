@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/figure_arguments.h"
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/error.h"
+
+namespace relievo::batch {
+namespace {
+
+template <class Names>
+std::string listOf(const Names& names) {
+  std::string list;
+  for (const auto& name : names) list += (list.empty() ? "" : " ") + std::string(name);
+  return list;
+}
+
+template <class Value, class Names>
+Value word(const char* option, const std::string& text, std::optional<Value> value,
+           const Names& names) {
+  if (value) return *value;
+  throw ArgumentError(std::string(option) + ": '" + text + "' is none of " + listOf(names) + ".");
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  while (start <= text.size()) {
+    const std::size_t end = std::min(text.find(at, start), text.size());
+    parts.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return parts;
+}
+
+constexpr std::array<const char*, 8> kMarks{"scalebar", "heightbar", "up",      "outline",
+                                            "hatch",    "legend",    "letters", "measurements"};
+
+}  // namespace
+
+void addFigureOptions(CLI::App& verb, FigureArguments& a) {
+  verb.add_option("--layout", a.layout, listOf(kFigureLayoutNames));
+  verb.add_option("--width-mm", a.width_mm, "Width on paper; 180");
+  verb.add_option("--dpi", a.dpi, "Dots per inch; 300");
+  verb.add_option("--scale", a.scale, "The region at 1:N instead of a width");
+  verb.add_option("--text-pt", a.text_pt, "Text size in points; 8");
+  verb.add_option("--relief", a.relief, listOf(kReliefKindNames));
+  verb.add_option("--colours", a.colours, listOf(kColourMapNames));
+  verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
+  verb.add_option("--radius", a.radius_mm, "Of local, skyview and openness, mm; 10 samples");
+  verb.add_option("--range", a.range, "LOW,HIGH: values at the colours' ends");
+  verb.add_option("--stereo", a.stereo, listOf(kStereoPrintNames));
+  verb.add_option("--eye-angle", a.eye_angle_deg, "Between the eyes' directions, degrees; 4");
+  verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height");
+  verb.add_flag("--swap-eyes", a.swap_eyes, "Left and right eye change places");
+  verb.add_flag("--any-parallax", a.any_parallax, "Do not keep to the comfort limit of 1 degree");
+  verb.add_option("--without", a.without, "Marks to leave out: " + listOf(kMarks))->delimiter(',');
+  verb.add_flag("--transparent", a.transparent, "No paper behind the relief");
+  verb.add_option("--recording", a.recording, "CSV of a recording, for --layout plot");
+  verb.add_option("--measure", a.measure,
+                  "NAME:KIND:X,Y;X,Y... in view mm, drawn and reported; KIND: " +
+                      listOf(kMeasureKindNames) + "; area: ...@PLANE_MM");
+}
+
+FigureRequest figureRequest(const FigureArguments& a) {
+  FigureRequest f;
+  f.layout = word("--layout", a.layout, figureLayout(a.layout), kFigureLayoutNames);
+  f.stereo = word("--stereo", a.stereo, stereoPrint(a.stereo), kStereoPrintNames);
+  f.look.kind = word("--relief", a.relief, reliefKind(a.relief), kReliefKindNames);
+  f.look.colours = word("--colours", a.colours, colourMap(a.colours), kColourMapNames);
+  if (!a.light.empty()) {
+    const std::vector<double> light = numberList("--light", a.light, 2);
+    f.look.light = {.azimuth_deg = light[0], .elevation_deg = light[1]};
+  }
+  if (!a.range.empty()) {
+    const std::vector<double> range = numberList("--range", a.range, 2);
+    f.look.range = {{range[0], range[1]}};
+  }
+  f.look.radius_mm = a.radius_mm.value_or(f.look.radius_mm);
+  f.width_mm = a.width_mm.value_or(f.width_mm);
+  f.dpi = a.dpi.value_or(f.dpi);
+  f.text_pt = a.text_pt.value_or(f.text_pt);
+  f.scale_1_to = a.scale;
+  f.eye_angle_deg = a.eye_angle_deg.value_or(f.eye_angle_deg);
+  f.zero_plane_mm = a.zero_plane_mm;
+  f.swap_eyes = a.swap_eyes;
+  f.limit_parallax = !a.any_parallax;
+  f.transparent = a.transparent;
+  f.recording = a.recording;
+  const std::array<bool*, kMarks.size()> marks{&f.scale_bar,      &f.height_bar,  &f.up_mark,
+                                               &f.window_outline, &f.hatch,       &f.legend,
+                                               &f.letters,        &f.measurements};
+  for (const std::string& mark : a.without) {
+    const auto* const found = std::find(kMarks.begin(), kMarks.end(), mark);
+    if (found == kMarks.end()) {
+      throw ArgumentError("--without: '" + mark + "' is none of " + listOf(kMarks) + ".");
+    }
+    *marks[static_cast<std::size_t>(found - kMarks.begin())] = false;
+  }
+  check(f);
+  return f;
+}
+
+std::vector<Measurement> measurements(const FigureArguments& a) {
+  std::vector<Measurement> list;
+  for (const std::string& text : a.measure) {
+    const std::vector<std::string> parts = split(text, ':');
+    if (parts.size() != 3) {
+      throw ArgumentError("--measure: '" + text + "' is not of the form NAME:KIND:X,Y;X,Y.");
+    }
+    Measurement m;
+    m.name = parts[0];
+    m.kind = word("--measure", parts[1], measureKind(parts[1]), kMeasureKindNames);
+    const std::vector<std::string> with_plane = split(parts[2], '@');
+    if (with_plane.size() > 2) throw ArgumentError("--measure: '" + text + "' has two planes.");
+    if (with_plane.size() == 2) m.plane_mm = numberList("--measure", with_plane[1], 1)[0];
+    for (const std::string& place : split(with_plane[0], ';')) {
+      const std::vector<double> at = numberList("--measure", place, 2);
+      m.places.push_back({.x = at[0], .y = at[1]});
+    }
+    list.push_back(m);
+  }
+  return list;
+}
+
+}  // namespace relievo::batch

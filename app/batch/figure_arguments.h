@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/batch/arguments.h"
+#include "core/project/project.h"
+
+namespace relievo::batch {
+
+/// The options of a figure as they stand on the command line.
+struct FigureArguments {
+  std::string layout = "reference";
+  std::optional<double> width_mm, dpi, scale, text_pt, radius_mm, eye_angle_deg, zero_plane_mm;
+  std::string relief = "lit";
+  std::string colours = "viridis";
+  std::string light;  ///< "AZIMUTH,ELEVATION"
+  std::string range;  ///< "LOW,HIGH"
+  std::string stereo = "off";
+  std::vector<std::string> without;  ///< Marks to leave out.
+  bool transparent = false, swap_eyes = false, any_parallax = false;
+  std::string recording;
+  std::vector<std::string> measure;  ///< "NAME:KIND:X,Y;X,Y[@PLANE]"
+};
+void addFigureOptions(CLI::App& verb, FigureArguments& arguments);
+
+/// @throw ArgumentError  a value that is not of its option's form
+FigureRequest figureRequest(const FigureArguments& arguments);
+std::vector<Measurement> measurements(const FigureArguments& arguments);
+
+}  // namespace relievo::batch

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <fstream>
+
+#include "app/batch/figure_arguments.h"
+#include "app/batch/json.h"
+#include "app/batch/verb.h"
+#include "core/base/error.h"
+#include "ui/figure/figure.h"
+#include "ui/figure/file_hash.h"
+#include "ui/vtk/picture_file.h"
+
+namespace relievo::batch {
+namespace {
+
+struct Arguments {
+  MapArguments map;
+  RegionArguments region;
+  FigureArguments figure;
+  std::string from_image, project, out, caption, heights;
+  bool both_eyes = false;
+};
+
+Project projectOf(const Arguments& a, const Surface& surface, const Task& task) {
+  Project p;
+  p.file = a.map.file;
+  p.sha256 = sha256Of(a.map.file, task);
+  p.options = surfaceOptions(a.map);
+  p.region = chosenRegion(surface, a.region);
+  p.gain = a.region.gain;
+  p.figure = figureRequest(a.figure);
+  p.measurements = measurements(a.figure);
+  return p;
+}
+
+Json measurementsJson(const Surface& surface, const Project& project) {
+  Json list = Json::array();
+  for (const Measurement& m : project.measurements) {
+    const Reading reading = read(surface.map, m);
+    Json entry{{"name", m.name}, {"kind", name(m.kind)}};
+    for (const Quantity& q : reading.quantities) {
+      entry["values"].push_back({{"what", q.title},
+                                 {"value", q.value},
+                                 {"uncertainty", q.uncertainty},
+                                 {"unit", q.unit}});
+    }
+    entry["not_measured"] = reading.not_measured;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+void writeText(const std::string& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text << '\n';
+  out.close();
+  if (!out) throw WriteError("Cannot write '" + file + "'. Choose another folder.");
+}
+
+Outcome runFigure(const Arguments& a, const Task& task) {
+  const bool stored = !a.from_image.empty() || !a.project.empty();
+  if (stored == !a.map.file.empty() || (!a.from_image.empty() && !a.project.empty())) {
+    throw ArgumentError("Give one of FILE, --project and --from-image. Nothing was drawn.");
+  }
+  Stored state;
+  if (stored) {
+    state = a.from_image.empty() ? loadStored(readProject(a.project), task)
+                                 : loadFromImage(a.from_image, task);
+  } else {
+    figureRequest(a.figure);  // Refused before the work.
+    state.surface = loadForVerb(a.map, task);
+    state.project = projectOf(a, state.surface, task);
+  }
+  const Surface& surface = state.surface;
+  const Project& project = state.project;
+  warnIfAliased(surface, project.region);
+  const DisplayGuard display;
+  const FigureSession session;
+  const FigureFacts facts = writeFigure(surface, project, a.out, task);
+  Json json;
+  json["pixels"] = {facts.width_px, facts.height_px};
+  json["paper_mm"] = {facts.width_mm, facts.height_mm};
+  json["mm_per_pixel"] = facts.mm_per_pixel;
+  json["scale_1_to"] = 1 / facts.paper_per_mm;
+  json["level"] = project.region.level.value;
+  json["region_mm"] = jsonOf(project.region);
+  json["layout"] = name(project.figure.layout);
+  json["relief"] = name(project.figure.look.kind);
+  json["stereo"] = name(project.figure.stereo);
+  json["eye_angle_deg"] = facts.eye_angle_deg;
+  json["parallax_deg"] = facts.parallax_deg;
+  json["measurements"] = measurementsJson(surface, project);
+  json["caption"] = facts.caption;
+  json["input_sha256"] = project.sha256;
+  if (a.both_eyes) {
+    for (const auto& file : writeEyes(surface, project, a.out, task)) {
+      json["eyes"].push_back(file.string());
+    }
+  }
+  if (!a.heights.empty()) writeHeightsTiff(surface, project, a.heights);
+  if (!a.caption.empty()) writeText(a.caption, facts.caption);
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                        std::to_string(facts.height_px) + " pixels, " + json["paper_mm"].dump() +
+                        " mm on paper",
+                    facts.caption},
+          .exit_code = state.input_changed ? 5 : 0};
+}
+
+}  // namespace
+
+Verb figureVerb() {
+  auto arguments = std::make_shared<Arguments>();
+  return {.name = "figure",
+          .help = "Figure for print: reference and detail with scale bar, legend and caption",
+          .declare =
+              [arguments](CLI::App& verb) {
+                addMapOptions(verb, arguments->map);
+                verb.get_option("FILE")->required(false);
+                addRegionOptions(verb, arguments->region);
+                addFigureOptions(verb, arguments->figure);
+                verb.add_option("--from-image", arguments->from_image,
+                                "Draw again what this PNG or TIFF shows");
+                verb.add_option("--project", arguments->project, "Draw a project's figure");
+                verb.add_option("--caption", arguments->caption, "Also write the caption as text");
+                verb.add_option("--heights", arguments->heights,
+                                "Also write the region's heights as a 16-bit TIFF");
+                verb.add_flag("--both-eyes", arguments->both_eyes,
+                              "Also write NAME.left.png and NAME.right.png");
+                verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg")
+                    ->required();
+              },
+          .run = [arguments](const Task& task) { return runFigure(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/relief/stereo.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/error.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+double linearOf(std::uint8_t value) {
+  const double c = value / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+std::uint8_t byteOf(double linear) {
+  const double c = std::clamp(linear, 0.0, 1.0);
+  const double coded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+  return static_cast<std::uint8_t>(std::lround(255 * coded));
+}
+
+const std::array<double, 256>& linearTable() {
+  static const std::array<double, 256> kTable = [] {
+    std::array<double, 256> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = linearOf(static_cast<std::uint8_t>(i));
+    return t;
+  }();
+  return kTable;
+}
+
+/// 4096 steps of linear light are finer than 8 bits of sRGB anywhere but in the darkest three.
+std::uint8_t codedOf(double linear) {
+  constexpr int kSteps = 4096;
+  static const std::array<std::uint8_t, kSteps + 1> kTable = [] {
+    std::array<std::uint8_t, kSteps + 1> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = byteOf(static_cast<double>(i) / kSteps);
+    return t;
+  }();
+  return kTable[static_cast<std::size_t>(std::clamp(linear, 0.0, 1.0) * kSteps + 0.5)];
+}
+
+using Pixel = std::array<double, 3>;
+
+double luminance(const Pixel& p) {
+  return 0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2];
+}
+
+Pixel mixed(StereoPrint print, const Pixel& left, const Pixel& right) {
+  if (print == StereoPrint::grey) {
+    const double r = luminance(right);
+    return {luminance(left), r, r};
+  }
+  if (print == StereoPrint::half_colour) return {luminance(left), right[1], right[2]};
+  using Row = std::array<double, 6>;  // Of left red, green, blue, right red, green, blue.
+  constexpr std::array<Row, 3> kDubois{{{0.456, 0.500, 0.176, -0.043, -0.088, -0.002},
+                                        {-0.040, -0.038, -0.016, 0.378, 0.734, -0.018},
+                                        {-0.015, -0.021, -0.005, -0.072, -0.113, 1.226}}};
+  Pixel out{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      out[i] += kDubois[i][k] * left[k] + kDubois[i][k + 3] * right[k];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<StereoPrint> stereoPrint(std::string_view name) {
+  const auto* const found = std::find(kStereoPrintNames.begin(), kStereoPrintNames.end(), name);
+  if (found == kStereoPrintNames.end()) return std::nullopt;
+  return static_cast<StereoPrint>(found - kStereoPrintNames.begin());
+}
+
+void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
+                 std::span<const std::uint8_t> right) {
+  if (left.size() != right.size() || left.size() % 4 != 0) {
+    throw ArgumentError("Two pictures of one size are needed for an anaglyph.");
+  }
+  const auto& linear = linearTable();
+  for (std::size_t i = 0; i < left.size(); i += 4) {
+    const Pixel l{linear[left[i]], linear[left[i + 1]], linear[left[i + 2]]};
+    const Pixel r{linear[right[i]], linear[right[i + 1]], linear[right[i + 2]]};
+    const Pixel out = mixed(print, l, r);
+    // Where either eye sees the relief the page must not shine through.
+    left[i + 3] = std::max(left[i + 3], right[i + 3]);
+    for (std::size_t k = 0; k < 3; ++k) left[i + k] = std::min(codedOf(out[k]), left[i + 3]);
+  }
+}
+
+Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm, double distance_mm) {
+  const double paper = 2 * height_mm * std::sin(0.5 * eye_angle_deg * kDegree) * paper_per_mm;
+  return {.paper_mm = paper, .visual_deg = 2 * std::atan(0.5 * paper / distance_mm) / kDegree};
+}
+
+double comfortableEyeAngle(double height_mm, double paper_per_mm, double most_deg,
+                           double distance_mm) {
+  const double paper = 2 * distance_mm * std::tan(0.5 * kComfortDeg * kDegree);
+  const double sine = paper / std::max(2 * height_mm * paper_per_mm, 1e-12);
+  if (sine >= std::sin(0.5 * most_deg * kDegree)) return most_deg;
+  return 2 * std::asin(sine) / kDegree;
+}
+
+}  // namespace relievo

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/relief/look.h"
+
+namespace relievo {
+
+/// How two eyes' pictures become one on paper.
+enum class StereoPrint { off, grey, half_colour, dubois, side_by_side, over_under };
+inline constexpr std::array<std::string_view, 6> kStereoPrintNames{
+    "off", "grey", "half", "dubois", "sidebyside", "overunder"};
+inline constexpr std::string_view name(StereoPrint print) noexcept {
+  return kStereoPrintNames[static_cast<std::size_t>(print)];
+}
+std::optional<StereoPrint> stereoPrint(std::string_view name);
+constexpr bool isAnaglyph(StereoPrint print) noexcept {
+  return print == StereoPrint::grey || print == StereoPrint::half_colour ||
+         print == StereoPrint::dubois;
+}
+
+/// Mixes two pictures for red (left eye) and cyan glasses into `left`. Grey: both eyes' lightness.
+/// Half colour: the left eye's lightness, the right eye's colours. Dubois: least squares through
+/// the filters of common glasses, in linear light (Sanders and McAllister 2003).
+/// @param left, right  RGBA, 8 bits, colours multiplied by alpha; as many bytes
+void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
+                 std::span<const std::uint8_t> right);
+
+/// What lies farthest from the plane of zero parallax, seen by two eyes.
+struct Parallax {
+  double paper_mm = 0;    ///< How far apart its two pictures lie.
+  double visual_deg = 0;  ///< The angle of that at the viewer's eye.
+};
+inline constexpr double kComfortDeg = 1;           ///< Beyond, many people see double.
+inline constexpr double kReadingDistanceMm = 400;  ///< Of a page.
+
+/// @param height_mm    greatest distance from the plane of zero parallax, on the object
+/// @param paper_per_mm  millimetres of paper per millimetre of object
+Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm,
+                  double distance_mm = kReadingDistanceMm);
+/// The largest eye angle, at most `most_deg`, that keeps to kComfortDeg.
+double comfortableEyeAngle(double height_mm, double paper_per_mm, double most_deg,
+                           double distance_mm = kReadingDistanceMm);
+
+}  // namespace relievo

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/falcon/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace relievo::falcon {
+
+namespace {
+constexpr double kLeastGrams = 20, kMostGrams = 300;
+constexpr double kNPerGram = 9.80665e-3;
+// A soft hold: any stiffness does, because the integral carries the weight in the end.
+constexpr double kNPerMm = 0.12, kNPerMmS = 0.25, kNsPerMm = 0.003;
+constexpr double kMostHoldN = 4;
+constexpr double kMeanSeconds = 0.5, kLeastSeconds = 3, kMostSeconds = 20;
+constexpr double kSteadyN = 0.01;
+}  // namespace
+
+Calibration::Calibration(FalconDevice& device, double counts_per_n_mm, double weight_g)
+    : device_(device), counts_per_n_mm_(counts_per_n_mm), weight_n_(kNPerGram * weight_g) {
+  if (!(weight_g >= kLeastGrams && weight_g <= kMostGrams)) {
+    throw ArgumentError("The weight must be 20 to 300 grams.");
+  }
+}
+
+void Calibration::fail(const std::string& why) {
+  phase_ = Phase::failed;
+  why_ = why;
+  force_ = {};
+}
+
+DeviceN Calibration::holdingForce(const DeviceReading& reading, double dt_s) {
+  if (!place_) {
+    place_ = reading.position;
+    last_position_ = reading.position;
+  }
+  const DeviceMm off = *place_ - reading.position;
+  const DeviceMm way = reading.position - last_position_;
+  last_position_ = reading.position;
+  const auto axis = [dt_s](double error, double step, double& integral) {
+    integral = std::clamp(integral + kNPerMmS * error * dt_s, -kMostHoldN, kMostHoldN);
+    const double speed = dt_s > 0 ? step / dt_s : 0;
+    return std::clamp(kNPerMm * error + integral - kNsPerMm * speed, -kMostHoldN, kMostHoldN);
+  };
+  return {axis(off.x, way.x, integral_.x), axis(off.y, way.y, integral_.y),
+          axis(off.z, way.z, integral_.z)};
+}
+
+bool Calibration::settled(std::int64_t now_ns) {
+  const double since_s = 1e-9 * static_cast<double>(now_ns - phase_ns_);
+  if (since_s > kMostSeconds) {
+    fail("the grip did not come to rest");
+    return false;
+  }
+  return since_s > kLeastSeconds && drift_n_ < kSteadyN;
+}
+
+bool Calibration::step(std::int64_t now_ns) {
+  if (phase_ == Phase::done || phase_ == Phase::failed) return false;
+  const DeviceReading reading = device_.exchange(force_, now_ns);
+  if (reading.fault != DeviceFault::none) {
+    fail(std::string(describe(reading.fault)));
+    return false;
+  }
+  if (phase_ns_ == 0) phase_ns_ = last_ns_ = now_ns;
+  const double dt_s = 1e-9 * static_cast<double>(now_ns - last_ns_);
+  last_ns_ = now_ns;
+  force_ = holdingForce(reading, dt_s);
+  const double weight = std::min(1.0, dt_s / kMeanSeconds);
+  mean_up_n_ += weight * (force_.y - mean_up_n_);
+  drift_n_ += weight * (std::abs(force_.y - mean_up_n_) - drift_n_);
+  switch (phase_) {
+    case Phase::hold_empty:
+      if (!settled(now_ns)) break;
+      empty_n_ = mean_up_n_;
+      phase_ = Phase::hang_weight;
+      break;
+    case Phase::hang_weight:
+      if (!weight_hangs_) break;
+      phase_ = Phase::hold_weight;
+      phase_ns_ = now_ns;
+      break;
+    case Phase::hold_weight: {
+      if (!settled(now_ns)) break;
+      const double gain = counts_per_n_mm_ * (mean_up_n_ - empty_n_) / weight_n_;
+      if (!(gain > 0.9 * kLeastCountsPerNmm && gain < 1.1 * kMostCountsPerNmm)) {
+        fail("the weight seemed to be " +
+             std::to_string(std::lround((mean_up_n_ - empty_n_) / kNPerGram)) +
+             " g, which no Falcon's motors explain; is it the right one, and hanging free?");
+        break;
+      }
+      result_ = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);
+      phase_ = Phase::done;
+      break;
+    }
+    case Phase::done:
+    case Phase::failed:
+      break;
+  }
+  if (phase_ != Phase::done && phase_ != Phase::failed) return true;
+  device_.exchange({}, now_ns);
+  return false;
+}
+
+std::string Calibration::prompt() const {
+  switch (phase_) {
+    case Phase::hold_empty:
+      return "Take your hand off the grip. The Falcon holds it in place.";
+    case Phase::hang_weight:
+      return "Hang the weight on the grip, let it come to rest, then press Continue.";
+    case Phase::hold_weight:
+      return "Holding the weight. Do not touch it.";
+    case Phase::done:
+      return "The force is calibrated.";
+    case Phase::failed:
+      return "The calibration ended: " + why_ + ". The old setting is kept.";
+  }
+  return {};
+}
+
+}  // namespace relievo::falcon

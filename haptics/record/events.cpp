@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/events.h"
+
+#include <array>
+#include <charconv>
+
+namespace relievo {
+
+namespace {
+class Events {
+ public:
+  void add(const std::string& text) {
+    if (!text_.empty()) text_ += "; ";
+    text_ += text;
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+std::string numberText(double value, int digits) {
+  std::array<char, 40> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                          std::chars_format::fixed, digits);
+  return error == std::errc() ? std::string(text.data(), end) : std::string("?");
+}
+
+std::string_view phaseText(EngagePhase phase) {
+  switch (phase) {
+    case EngagePhase::off:
+      return "forces off";
+    case EngagePhase::waiting:
+      return "forces wait for a clear hand";
+    case EngagePhase::rising:
+      return "forces rise";
+    case EngagePhase::on:
+      return "forces on";
+  }
+  return "forces unknown";
+}
+
+std::string windowText(const HapticSample& sample) {
+  return "window " + std::to_string(sample.window_id) + " of detail " +
+         std::to_string(sample.detail);
+}
+
+std::string stiffnessText(const HapticSample& sample) {
+  return "stiffness " + numberText(1000 * sample.stiffness_n_per_mm, 0) + " N/m";
+}
+
+void addButtons(Events& events, std::uint32_t before, std::uint32_t now) {
+  for (std::uint32_t i = 0; i < 32; ++i) {
+    const std::uint32_t bit = std::uint32_t{1} << i;
+    if (((before ^ now) & bit) == 0) continue;
+    events.add("button " + std::to_string(i) + ((now & bit) != 0 ? " down" : " up"));
+  }
+}
+
+template <std::size_t Edges>
+void addBins(std::string& to, const char* what, const std::array<std::int64_t, Edges>& edges,
+             const std::array<std::uint64_t, Edges + 1>& counts) {
+  to.append(what);
+  for (std::size_t i = 0; i <= Edges; ++i) {
+    to += i < Edges ? " <=" + numberText(1e-3 * static_cast<double>(edges[i]), 1) : " more";
+    to += ":" + std::to_string(counts[i]);
+  }
+  to += '\n';
+}
+}  // namespace
+
+std::string eventBetween(const HapticSample& before, const HapticSample& now) {
+  Events events;
+  if (now.tick != before.tick + 1) {
+    events.add(std::to_string(now.tick - before.tick - 1) + " samples dropped before this one");
+  }
+  if (now.resumed) {
+    const double ms = 1e-6 * static_cast<double>(now.time_ns - before.time_ns);
+    events.add("resumed after " + numberText(ms, 1) + " ms");
+  }
+  if (now.window_id != before.window_id) events.add("new window: " + windowText(now));
+  if (now.fault != before.fault) events.add(std::string(describe(now.fault)));
+  if (now.engaged != before.engaged) events.add(std::string(phaseText(now.engaged)));
+  if (now.softened > before.softened) events.add("softened against swinging");
+  if (now.stiffness_n_per_mm != before.stiffness_n_per_mm) events.add(stiffnessText(now));
+  addButtons(events, before.buttons, now.buttons);
+  return events.take();
+}
+
+std::string eventAtStart(const HapticSample& first) {
+  return windowText(first) + "; " + stiffnessText(first) + "; " +
+         std::string(phaseText(first.engaged));
+}
+
+std::string loopLines(const LoopStats& stats) {
+  const ForceAudit& audit = stats.audit;
+  std::string lines =
+      "loop ticks " + std::to_string(stats.ticks) + ", late " + std::to_string(stats.late_ticks) +
+      ", pauses " + std::to_string(stats.pauses) + ", watchdog cuts " +
+      std::to_string(stats.watchdog_cuts) + ", rate " + numberText(stats.rate_hz, 1) +
+      " Hz, longest period " + numberText(stats.worst_period_ms, 2) + " ms, page faults " +
+      std::to_string(stats.page_faults) + "\n";
+  lines += "audit zero demanded " + std::to_string(audit.zero_demanded) + ", zero violations " +
+           std::to_string(audit.zero_violations) + ", limit violations " +
+           std::to_string(audit.limit_violations) + ", step violations " +
+           std::to_string(audit.step_violations) + "\n";
+  addBins(lines, "wake-up us", LoopStats::kDelayEdgesNs, stats.delays);
+  addBins(lines, "work us", LoopStats::kWorkEdgesNs, stats.work);
+  return lines;
+}
+
+}  // namespace relievo

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "haptics/loop/haptic_core.h"
+#include "haptics/loop/loop_meter.h"
+
+namespace relievo {
+
+/// What happened from one sample to the next, for the event column, on the samples' own clock:
+/// lost samples, faults, pauses, forces on and off, softening, window, detail, stiffness, buttons.
+/// Several are separated by "; "; no commas. Empty: nothing.
+std::string eventBetween(const HapticSample& before, const HapticSample& now);
+
+/// What the first sample of a log starts from.
+std::string eventAtStart(const HapticSample& first);
+
+/// How the loop ran, as lines for a log: rate, late ticks, wake-up and work times, what was
+/// audited.
+std::string loopLines(const LoopStats& stats);
+
+}  // namespace relievo

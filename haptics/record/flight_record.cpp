@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/flight_record.h"
+
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "haptics/record/events.h"
+#include "haptics/record/log_writer.h"
+
+namespace relievo {
+
+FlightRecord::FlightRecord(std::filesystem::path folder, std::string header)
+    : folder_(std::move(folder)), header_(std::move(header)) {
+  kept_.reserve(kTicks);
+}
+
+FlightRecord::~FlightRecord() {
+  RecordingEnd* end = nullptr;
+  while (ends_.pop(end)) delete end;
+}
+
+std::optional<RecordingEnd> FlightRecord::written() {
+  RecordingEnd* pointer = nullptr;
+  if (!ends_.pop(pointer)) return std::nullopt;
+  const std::unique_ptr<RecordingEnd> end(pointer);
+  return std::move(*end);
+}
+
+void FlightRecord::take(std::span<const HapticSample> batch) {
+  for (const HapticSample& sample : batch) {
+    if (kept_.size() < kTicks) {
+      kept_.push_back(sample);
+    } else {
+      kept_[next_] = sample;
+      next_ = (next_ + 1) % kTicks;
+    }
+    const bool fresh = sample.fault != DeviceFault::none && fault_ == DeviceFault::none;
+    fault_ = sample.fault;
+    if (fresh && files_ < kMostFiles) save();
+  }
+}
+
+void FlightRecord::save() {
+  auto end = std::make_unique<RecordingEnd>();
+  try {
+    std::error_code ignored;  // What cannot be made cannot be written to, which is told below.
+    std::filesystem::create_directories(folder_, ignored);
+    ++files_;
+    int number = 1;
+    do {
+      end->file = folder_ / ("flight-" + std::to_string(number++) + ".csv");
+    } while (std::filesystem::exists(end->file));
+    LogWriter log(end->file, header_);
+    const HapticSample* before = nullptr;
+    const std::int64_t start_ns = kept_[kept_.size() < kTicks ? 0 : next_].time_ns;
+    for (std::size_t i = 0; i < kept_.size(); ++i) {
+      const HapticSample& sample = kept_[(next_ + i) % kept_.size()];
+      const std::string event =
+          before == nullptr ? eventAtStart(sample) : eventBetween(*before, sample);
+      log.write(sample, 1e-9 * static_cast<double>(sample.time_ns - start_ns), event);
+      before = &sample;
+    }
+    log.close();
+    end->samples = log.rows();
+  } catch (const Error& error) {
+    end->error = error.what();
+  }
+  if (ends_.push(end.get())) {
+    [[maybe_unused]] const RecordingEnd* handed_over = end.release();
+  }
+}
+
+}  // namespace relievo

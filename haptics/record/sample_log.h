@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include "haptics/loop/haptic_core.h"
+
+namespace relievo {
+
+/// One column of a log: its name, its unit and what it holds.
+struct LogColumn {
+  std::string_view name, unit, description;
+};
+
+/// All columns but `event`, which is text; in the order of conventions for logs. `dev_*` are hand
+/// mm.
+inline constexpr std::array<LogColumn, 30> kLogColumns{{
+    {"t_s", "s", "time since the start of the log, or the stroke's"},
+    {"tick", "1", "number of the loop's tick; a gap was dropped"},
+    {"hip_x_mm", "mm", "hand, on the object"},
+    {"hip_y_mm", "mm", "hand, on the object"},
+    {"hip_z_mm", "mm", "hand, on the object"},
+    {"proxy_x_mm", "mm", "proxy, on the object"},
+    {"proxy_y_mm", "mm", "proxy, on the object"},
+    {"proxy_z_mm", "mm", "proxy, on the object"},
+    {"f_x_N", "N", "force on the hand, after all stages"},
+    {"f_y_N", "N", "force on the hand, after all stages"},
+    {"f_z_N", "N", "force on the hand, after all stages"},
+    {"f_cmd_N", "N", "size of the force before limits"},
+    {"clamp", "1", "1: a limit changed the force"},
+    {"contact", "1", "1: the proxy touches"},
+    {"nx", "1", "surface normal at the proxy"},
+    {"ny", "1", "surface normal at the proxy"},
+    {"nz", "1", "surface normal at the proxy"},
+    {"k_Npm", "N/m", "stiffness, per metre of hand"},
+    {"detail", "1", "detail of the window; 1 is the whole"},
+    {"region_id", "1", "number of the window"},
+    {"origin", "1", "0 measured, 1 interpolated, 2 base, 3 steep, 4 outside"},
+    {"buttons", "1", "bit i: button i is down"},
+    {"rate_Hz", "Hz", "measured rate of the loop"},
+    {"dev_hip_x_mm", "mm", "hand, in its workspace"},
+    {"dev_hip_y_mm", "mm", "hand, in its workspace"},
+    {"dev_hip_z_mm", "mm", "hand, in its workspace"},
+    {"dev_proxy_x_mm", "mm", "proxy, in the hand's workspace"},
+    {"dev_proxy_y_mm", "mm", "proxy, in the hand's workspace"},
+    {"dev_proxy_z_mm", "mm", "proxy, in the hand's workspace"},
+    {"age_s", "s", "age of the position"},
+}};
+
+/// The numbers of a row, in the columns' order. Each is exact in a double.
+std::array<double, kLogColumns.size()> logValues(const HapticSample& sample, double t_s);
+
+/// A log file that is being written. [one thread at a time]
+class SampleLog {
+ public:
+  SampleLog() = default;
+  virtual ~SampleLog() = default;  ///< Closes; an error at this point is lost: call close().
+  SampleLog(const SampleLog&) = delete;
+  SampleLog& operator=(const SampleLog&) = delete;
+
+  /// @throw WriteError (E401)  says how many rows are saved; the file is closed, rows() is exact
+  virtual void write(const HapticSample& sample, double t_s, std::string_view event = {}) = 0;
+  /// Ends the file; `footer` lines are kept with it. Further calls do nothing.
+  /// @throw WriteError (E401)
+  virtual void close(std::string_view footer = {}) = 0;
+  virtual std::uint64_t rows() const noexcept = 0;  ///< Written; after an error: saved.
+  virtual const std::filesystem::path& file() const noexcept = 0;
+};
+
+/// HDF5 where the name ends in .h5 or .hdf5, else CSV. `header` as for LogWriter; a line
+/// "parameters {...}" becomes /parameters of an HDF5 file. `surface`: what is touched, for
+/// /surface; may be null.
+/// @throw WriteError  the file cannot be made
+std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,
+                                   const HapticSpace* surface = nullptr);
+
+}  // namespace relievo

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/project/project.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "core/base/error.h"
+#include "core/project/force_curve.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ProjectFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::temp_directory_path() / ("relievo_project_" + std::to_string(getpid()));
+    fs::create_directories(folder_ / "here");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  fs::path folder_;
+};
+
+/// Every field differs from its default.
+Project fullProject() {
+  Project p;
+  p.file = "scans/relief.ply";
+  p.sha256 = "00ff";
+  p.options.unit = LengthUnit::cm;
+  p.options.unit_source = UnitSource::remembered;
+  p.options.view = ViewChoice{"free", Rotation{0, 1, 0, -1, 0, 0, 0, 0, 1}};
+  p.options.spacing_mm = 0.1;
+  p.options.engine = "depthbuffer";
+  p.options.rule = PointRule::median;
+  p.options.holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 12.5};
+  p.options.pyramid.factor = 1.5;
+  p.region = {.x_mm = 1.0 / 3, .y_mm = -2, .side_mm = 44.4, .level = {2}};
+  p.gain = 1.7;
+  p.look.kind = ReliefKind::openness;
+  p.look.colours = ColourMap::cividis;
+  p.look.light = {.azimuth_deg = 10, .elevation_deg = 20};
+  p.look.radius_mm = 7;
+  p.look.range = {{-1, 2}};
+  p.stereo = {.mode = StereoMode::anaglyph, .eye_angle_deg = 2.5, .zero_plane_mm = 3};
+  p.figure.layout = FigureLayout::plot;
+  p.figure.width_mm = 85;
+  p.figure.dpi = 600;
+  p.figure.scale_1_to = 2;
+  p.figure.text_pt = 7;
+  p.figure.look = p.look;
+  p.figure.scale_bar = p.figure.height_bar = p.figure.up_mark = p.figure.window_outline = false;
+  p.figure.hatch = p.figure.legend = p.figure.letters = p.figure.measurements = false;
+  p.figure.transparent = true;
+  p.figure.stereo = StereoPrint::over_under;
+  p.figure.eye_angle_deg = 3;
+  p.figure.zero_plane_mm = 1;
+  p.figure.swap_eyes = true;
+  p.figure.limit_parallax = false;
+  p.figure.recording = "run.csv";
+  p.places = {{"nose", p.region, 2}};
+  p.measurements = {{"step", MeasureKind::depth, {{1, 2}, {3, 4}}, 0},
+                    {"piece", MeasureKind::area, {{1, 2}, {3, 4}, {5, 6}}, 1.5}};
+  p.history = {"Depth map", "Detail 1 \u2192 2"};
+  return p;
+}
+
+TEST(ProjectJson, EveryFieldComesBackBitForBit) {
+  const std::string json = projectJson(fullProject());
+  const Project back = projectFromJson(json, "test");
+  EXPECT_EQ(projectJson(back), json);
+  EXPECT_EQ(back.region, fullProject().region);
+  EXPECT_EQ(back.look, fullProject().look);
+  EXPECT_EQ(back.measurements, fullProject().measurements);
+  EXPECT_EQ(back.options.rule, PointRule::median);
+  // Had a field been forgotten, the text of a full project would share a value with a plain one.
+  const std::string plain = projectJson(Project{});
+  const std::regex line("\"[a-z_0-9]+\": [^{\\[\\n]+");
+  for (auto it = std::sregex_iterator(plain.begin(), plain.end(), line);
+       it != std::sregex_iterator(); ++it) {
+    const std::string field = it->str().substr(0, it->str().find(':'));
+    if (field == "\"relievo_project\"" || field == "\"version\"" || field == "\"cells\"") continue;
+    EXPECT_EQ(json.find(it->str().back() == ',' ? it->str() : it->str() + "\n"), std::string::npos)
+        << it->str() << " is as in an empty project";
+  }
+}
+
+TEST(ProjectJson, KeysOfALaterVersionAreKept) {
+  std::string json = projectJson(fullProject());
+  json.insert(json.find("\"version\""), "\"smell\": {\"of\": [1, 2]}, ");
+  const Project back = projectFromJson(json, "test");
+  EXPECT_NE(projectJson(back).find("smell"), std::string::npos);
+}
+
+TEST(ProjectJson, WhatIsNoProjectIsRefusedWithItsName) {
+  std::string newer = projectJson(Project{});
+  newer.replace(newer.find("\"relievo_project\": 1"), 20, "\"relievo_project\": 9");
+  std::string odd = projectJson(Project{});
+  odd.replace(odd.find("\"kind\": \"lit\""), 13, "\"kind\": \"tin\"");
+  std::string wrong = projectJson(Project{});
+  wrong.replace(wrong.find("\"gain\": 1.0"), 11, "\"gain\": \"x\"");
+  for (const std::string& text :
+       {std::string(), std::string("{"), std::string("[]"), std::string("{\"a\":1}"),
+        std::string("{\"relievo_project\": 1}"), newer, odd, wrong, std::string(100000, '[')}) {
+    try {
+      projectFromJson(text, "odd.json");
+      ADD_FAILURE() << text.substr(0, 60);
+    } catch (const FileError& error) {
+      EXPECT_NE(std::string(error.what()).find("odd.json"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(ProjectFile, AProjectMovedTogetherWithItsScanStillFindsIt) {
+  Project p = fullProject();
+  p.file = (folder_ / "here" / "relief.ply").string();
+  writeProject(folder_ / "here" / "a.relievo.json", p);
+  fs::rename(folder_ / "here", folder_ / "there");
+  const Project back = readProject(folder_ / "there" / "a.relievo.json");
+  EXPECT_EQ(back.file, (folder_ / "there" / "relief.ply").string());
+  EXPECT_THROW(writeProject(folder_ / "missing" / "a.json", p), WriteError);
+  EXPECT_THROW(readProject(folder_ / "missing.json"), FileError);
+}
+
+TEST_F(ProjectFile, AForceCurveIsReadByItsColumnsNames) {
+  const fs::path good = write("good.csv",
+                              "# header\nt_s,event,hip_z_mm,proxy_z_mm,f_x_N,f_y_N,f_z_N\n"
+                              "0,\"a, b\",1,2,0,3,4\n0.001,,1.5,2,0,0,0\n");
+  const auto rows = readForceCurve(good);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].force_n, 5);
+  EXPECT_EQ(rows[1].hip_z_mm, 1.5);
+  EXPECT_THROW(readForceCurve(write("none.csv", "t_s,hip_z_mm\n")), FileError);
+  EXPECT_THROW(
+      readForceCurve(write("bad.csv", "t_s,hip_z_mm,proxy_z_mm,f_x_N,f_y_N,f_z_N\n0,x,1,1,1,1\n")),
+      FileError);
+  EXPECT_THROW(readForceCurve(write("empty.csv", "t_s,hip_z_mm,proxy_z_mm,f_x_N,f_y_N,f_z_N\n")),
+               FileError);
+  EXPECT_THROW(readForceCurve(folder_ / "missing.csv"), FileError);
+}
+
+TEST(FigureRequest, NumbersBeyondTheirLimitsAndChoicesThatExcludeEachOtherAreRefused) {
+  EXPECT_NO_THROW(check(FigureRequest{}));
+  FigureRequest f;
+  f.dpi = 5;
+  EXPECT_THROW(check(f), ArgumentError);
+  f = {};
+  f.transparent = true;
+  f.stereo = StereoPrint::dubois;
+  EXPECT_THROW(check(f), ArgumentError);
+  f = {};
+  f.stereo = StereoPrint::side_by_side;
+  EXPECT_THROW(check(f), ArgumentError);
+  f.layout = FigureLayout::detail;
+  EXPECT_NO_THROW(check(f));
+  f = {};
+  f.layout = FigureLayout::plot;
+  EXPECT_THROW(check(f), ArgumentError);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// An HDF5 log is read back here with the library's own calls, as any other program would.
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/error.h"
+#include "haptics/record/sample_log.h"
+#include "haptics/record/stroke.h"
+#include "tests/haptics/haptic_fixture.h"
+
+namespace relievo {
+namespace {
+
+std::filesystem::path temporary(const char* name) {
+  return std::filesystem::path(::testing::TempDir()) / name;
+}
+
+std::vector<double> column(hid_t file, const std::string& name) {
+  const hid_t set = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
+  EXPECT_GE(set, 0) << name;
+  const hid_t space = H5Dget_space(set);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  EXPECT_GE(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  H5Sclose(space);
+  H5Dclose(set);
+  return values;
+}
+
+std::string text(hid_t file, const char* name) {
+  const hid_t set = H5Dopen2(file, name, H5P_DEFAULT);
+  EXPECT_GE(set, 0) << name;
+  const hid_t type = H5Dget_type(set);
+  std::string value(H5Tget_size(type), '\0');
+  H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data());
+  H5Tclose(type);
+  H5Dclose(set);
+  return value;
+}
+
+std::string attribute(hid_t file, const char* object, const char* name) {
+  const hid_t held = H5Aopen_by_name(file, object, name, H5P_DEFAULT, H5P_DEFAULT);
+  EXPECT_GE(held, 0) << object << " " << name;
+  const hid_t type = H5Aget_type(held);
+  std::string value(H5Tget_size(type), '\0');
+  H5Aread(held, type, value.data());
+  H5Tclose(type);
+  H5Aclose(held);
+  return value;
+}
+
+TEST(Hdf5Log, KeepsEveryValueToTheLastBitWithUnitsSurfaceAndEvents) {
+  const auto space =
+      test::spaceOf(37, [](double x, double y) { return std::sin(x) + std::cos(y); }, 99, {2, 5});
+  const std::filesystem::path file = temporary("log.h5");
+  std::vector<HapticSample> samples;
+  const auto log = openLog(file, "relievo log\nparameters {\"k\":0.5}\nunit mm", space.get());
+  // More rows than a chunk, so that the sets grow several times.
+  runStroke(*space, {}, {{{0.125, 5, 5, 4}, {10.1, 30, 20, -4}}},
+            [&](const HapticSample& sample, double t_s) {
+              log->write(sample, t_s, sample.tick % 5000 == 0 ? "a happening" : "");
+              samples.push_back(sample);
+            });
+  log->close("loop ticks 5");
+  EXPECT_EQ(log->rows(), samples.size());
+  ASSERT_GT(samples.size(), 9000U);
+
+  const hid_t held = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  ASSERT_GE(held, 0);
+  std::vector<std::vector<double>> columns;
+  for (const LogColumn& c : kLogColumns) {
+    columns.push_back(column(held, "/log/" + std::string(c.name)));
+    ASSERT_EQ(columns.back().size(), samples.size()) << c.name;
+    EXPECT_EQ(attribute(held, ("/log/" + std::string(c.name)).c_str(), "unit"), c.unit);
+  }
+  for (std::size_t row = 0; row < samples.size(); ++row) {
+    const auto values = logValues(samples[row], columns[0][row]);
+    for (std::size_t i = 1; i < values.size(); ++i) {
+      ASSERT_EQ(columns[i][row], values[i]) << kLogColumns[i].name << " " << row;
+    }
+  }
+  EXPECT_EQ(text(held, "/parameters"), "{\"k\":0.5}");
+  EXPECT_NE(text(held, "/provenance").find("unit mm"), std::string::npos);
+  EXPECT_EQ(text(held, "/loop"), "loop ticks 5");
+  const std::vector<double> depth = column(held, "/surface/depth");
+  ASSERT_EQ(depth.size(), kWindowCount);
+  EXPECT_EQ(depth[777], static_cast<double>(space->samples[777].height_mm));
+  EXPECT_EQ(column(held, "/surface/origin").size(), kWindowCount);
+  const hid_t events = H5Dopen2(held, "/events", H5P_DEFAULT);
+  const hid_t count = H5Dget_space(events);
+  EXPECT_EQ(H5Sget_simple_extent_npoints(count), 2);
+  H5Sclose(count);
+  H5Dclose(events);
+  H5Fclose(held);
+}
+
+TEST(Hdf5Log, RefusesAPlaceThatCannotBeWritten) {
+  EXPECT_THROW(openLog("/nowhere/at/all.h5", ""), WriteError);
+}
+
+TEST(Hdf5Log, TheEndingChoosesTheFormat) {
+  const std::filesystem::path csv = temporary("chosen.csv");
+  openLog(csv, "")->close();
+  EXPECT_LE(H5Fis_hdf5(csv.c_str()), 0);
+  const std::filesystem::path h5 = temporary("chosen.hdf5");
+  openLog(h5, "")->close();
+  EXPECT_GT(H5Fis_hdf5(h5.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace relievo

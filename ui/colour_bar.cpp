@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/colour_bar.h"
+
+#include <algorithm>
+#include <QPainter>
+
+#include "ui/text.h"
+
+namespace relievo {
+namespace {
+constexpr int kMargin = 14;
+constexpr int kPadding = 8;
+}  // namespace
+
+ColourBar::ColourBar(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("colour_bar"));
+  setAccessibleName(tr("Bar of colours"));
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  hide();
+}
+
+void ColourBar::show(const ReliefValues& values, const ReliefLook& look) {
+  look_ = look;
+  low_ = values.low;
+  high_ = values.high;
+  title_ = QString::fromUtf8(values.title.data(), static_cast<int>(values.title.size()));
+  if (!values.unit.empty()) {
+    title_ += QStringLiteral(" (%1)").arg(
+        QString::fromUtf8(values.unit.data(), static_cast<int>(values.unit.size())));
+  }
+  const double step = (high_ - low_) / 100;
+  setAccessibleDescription(
+      tr("%1 from %2 to %3").arg(title_, mmText(low_, step), mmText(high_, step)));
+  setVisible(hasLegend(look.kind));
+  place();
+  update();
+}
+
+void ColourBar::place() {
+  const int line = fontMetrics().height();
+  const QSize size(std::max(12 * line, fontMetrics().horizontalAdvance(title_) + 10 * line),
+                   2 * line + 3 * kPadding);
+  const QSize fitted(std::min(size.width(), parentWidget()->width() / 2), size.height());
+  setGeometry(QRect(QPoint(parentWidget()->width() - fitted.width() - kMargin,
+                           parentWidget()->height() - fitted.height() - kMargin),
+                    fitted));
+}
+
+void ColourBar::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.fillRect(rect(), QColor(18, 18, 20, 150));
+  const int line = fontMetrics().height();
+  const QRect bar(kPadding, kPadding, width() - 2 * kPadding, line);
+  for (int x = 0; x < bar.width(); ++x) {
+    const Rgb8 c = colourOf(coloursOf(look_), (x + 0.5) / bar.width());
+    painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor(c[0], c[1], c[2]));
+  }
+  painter.setPen(QColor(245, 245, 245));
+  const QRect words = bar.translated(0, line + kPadding);
+  const double step = (high_ - low_) / 100;
+  painter.drawText(words, Qt::AlignLeft, mmText(low_, step));
+  painter.drawText(words, Qt::AlignHCenter, title_);
+  painter.drawText(words, Qt::AlignRight, mmText(high_, step));
+}
+
+}  // namespace relievo

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/figure/figure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+
+#include "core/project/caption.h"
+#include "ui/figure/figure_marks.h"
+#include "ui/figure/figure_plot.h"
+#include "ui/figure/figure_sheet.h"
+
+namespace relievo {
+
+struct FigureSession::Impl {
+  int argc = 3;
+  std::array<char, 8> program{"relievo"};
+  std::array<char, 10> option{"-platform"};
+  std::array<char, 10> platform{"offscreen"};
+  std::array<char*, 4> argv{program.data(), option.data(), platform.data(), nullptr};
+  QGuiApplication app{argc, argv.data()};
+};
+
+FigureSession::FigureSession() {
+  if (QCoreApplication::instance() == nullptr) impl_ = std::make_unique<Impl>();
+}
+FigureSession::~FigureSession() = default;
+
+DrawnSheet drawPictures(const Surface& surface, const Project& project, double dpi,
+                        const Task& task) {
+  const FigureRequest& f = project.figure;
+  check(f);
+  DrawnSheet drawn;
+  drawn.layout = layOut(surface, project);
+  drawn.dpi = dpi;
+  if (f.layout == FigureLayout::plot) drawn.recording = readForceCurve(f.recording);
+  FigureFacts& facts = drawn.facts;
+  facts.width_mm = drawn.layout.width_mm;
+  facts.height_mm = drawn.layout.height_mm;
+  facts.width_px = static_cast<int>(std::lround(facts.width_mm / 25.4 * dpi));
+  facts.height_px = static_cast<int>(std::ceil(facts.height_mm / 25.4 * dpi - 1e-6));
+  facts.paper_per_mm = drawn.layout.paper_per_mm;
+  QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
+  QPainter painter(&unit);
+  const FigureInk ink(painter, dpi, f.text_pt, FigureInk::Target::pixels);
+  for (const FigurePanel& panel : drawn.layout.panels) {
+    const QRect box = ink.pixels(panel.paper);
+    drawn.pictures.push_back(
+        drawPanel(surface, project, panel, drawn.layout, box.size(), dpi, task));
+    if (!panel.whole) facts.mm_per_pixel = panel.shown.width_mm / box.width();
+  }
+  facts.eye_angle_deg = drawn.pictures.back().eye_angle_deg;
+  facts.parallax_deg = drawn.pictures.back().parallax_deg;
+  facts.caption = captionOf(project, surface, facts.paper_per_mm, facts.eye_angle_deg);
+  return drawn;
+}
+
+void paintSheet(QPainter& painter, const Surface& surface, const Project& project,
+                const DrawnSheet& sheet, FigureInk::Target target) {
+  const FigureRequest& f = project.figure;
+  FigureInk ink(painter, sheet.dpi, f.text_pt, target);
+  for (std::size_t i = 0; i < sheet.layout.panels.size(); ++i) {
+    painter.drawImage(ink.pixels(sheet.layout.panels[i].paper), sheet.pictures[i].image);
+  }
+  for (std::size_t i = 0; i < sheet.layout.panels.size(); ++i) {
+    drawMarks(ink, surface, project, sheet.layout, sheet.layout.panels[i], static_cast<int>(i));
+  }
+  if (!sheet.recording.empty()) {
+    drawForcePlots(ink, sheet.recording, sheet.layout.heights_plot, sheet.layout.force_plot);
+  }
+  if (!sheet.layout.legend.isEmpty()) {
+    drawLegend(ink, surface, f, sheet.layout.legend, sheet.pictures.back().values);
+  }
+}
+
+namespace {
+
+Figure onPixels(const Surface& surface, const Project& project, double dpi, const Task& task) {
+  const DrawnSheet sheet = drawPictures(surface, project, dpi, task);
+  task.check();
+  QImage page(sheet.facts.width_px, sheet.facts.height_px, QImage::Format_ARGB32_Premultiplied);
+  page.fill(project.figure.transparent ? Qt::transparent : Qt::white);
+  QPainter painter(&page);
+  paintSheet(painter, surface, project, sheet, FigureInk::Target::pixels);
+  painter.end();
+  page = page.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+  Figure figure{{page.width(), page.height(), {}}, sheet.facts};
+  const auto row_bytes = static_cast<std::size_t>(4 * page.width());
+  figure.image.rgba.reserve(row_bytes * static_cast<std::size_t>(page.height()));
+  for (int row = 0; row < page.height(); ++row) {
+    const uchar* line = page.constScanLine(row);
+    figure.image.rgba.insert(figure.image.rgba.end(), line, line + row_bytes);
+  }
+  return figure;
+}
+
+}  // namespace
+
+Figure drawFigure(const Surface& surface, const Project& project, const Task& task) {
+  return onPixels(surface, project, project.figure.dpi, task);
+}
+
+Figure previewFigure(const Surface& surface, const Project& project, int longest_px,
+                     const Task& task) {
+  check(project.figure);
+  const FigureSheet sheet = layOut(surface, project);
+  const double longest_inch = std::max(sheet.width_mm, sheet.height_mm) / 25.4;
+  return onPixels(surface, project, std::min(project.figure.dpi, longest_px / longest_inch), task);
+}
+
+}  // namespace relievo

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/project/project.h"
+#include "core/session/surface.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+
+/// What a figure is and how it came out; for reports and for the dialog.
+struct FigureFacts {
+  int width_px = 0, height_px = 0;
+  double width_mm = 0, height_mm = 0;  ///< Of the paper.
+  double mm_per_pixel = 0;             ///< On the object, in the region's panel.
+  double paper_per_mm = 0;             ///< Of the region's panel.
+  double eye_angle_deg = 0;            ///< As drawn.
+  double parallax_deg = 0;             ///< At reading distance; 0 without stereo.
+  std::string caption;
+};
+
+/// Text is drawn by Qt; a program without a window needs this for as long as it draws figures. Does
+/// nothing where there is an application already. [main thread]
+class FigureSession {
+ public:
+  FigureSession();
+  ~FigureSession();
+  FigureSession(const FigureSession&) = delete;
+  FigureSession& operator=(const FigureSession&) = delete;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Draws project.figure of a surface, off screen and independent of any window: the same request
+/// gives the same pixels from the dialog and from the command line. [any thread that may use
+/// OpenGL]
+/// @param surface  the one that project.options make
+/// @throw ArgumentError, FileError (recording), GraphicsError, Cancelled
+struct Figure {
+  RgbaImage image;
+  FigureFacts facts;
+};
+Figure drawFigure(const Surface& surface, const Project& project, const Task& task = {});
+/// A smaller picture of exactly what drawFigure would draw, at most `longest_px` long.
+Figure previewFigure(const Surface& surface, const Project& project, int longest_px,
+                     const Task& task = {});
+
+/// Draws and writes by the name's ending: .png, .tif or .tiff (pixels); .pdf, .svg (text and plots
+/// as vectors around the pictures). PNG and TIFF carry the caption and the project, from which the
+/// state comes back (ui/vtk/picture_file.h).
+/// @throw as drawFigure; WriteError
+FigureFacts writeFigure(const Surface& surface, const Project& project,
+                        const std::filesystem::path& file, const Task& task = {});
+
+/// The two eyes' pictures of the region as files NAME.left.png and NAME.right.png.
+/// @return the files
+std::vector<std::filesystem::path> writeEyes(const Surface& surface, const Project& project,
+                                             const std::filesystem::path& file,
+                                             const Task& task = {});
+
+/// The region's heights as a 16-bit TIFF of the region's panel, outside as 0; the step in mm and
+/// the height of value 1 stand in the file's description.
+/// @throw WriteError, ArgumentError
+void writeHeightsTiff(const Surface& surface, const Project& project,
+                      const std::filesystem::path& file);
+
+}  // namespace relievo

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <QBuffer>
+#include <QFile>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+
+#include "core/base/error.h"
+#include "core/project/caption.h"
+#include "ui/figure/figure.h"
+#include "ui/figure/figure_sheet.h"
+#include "ui/vtk/picture_file.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The input as it is found from the figure's folder.
+std::string stateFor(Project project, const fs::path& figure) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(figure, error).parent_path();
+  const fs::path input = fs::absolute(project.file, error).lexically_relative(folder);
+  if (!input.empty()) project.file = input.generic_string();
+  return projectJson(project);
+}
+
+PictureText textOf(const Project& project, const FigureFacts& facts, const fs::path& file) {
+  return {{"Title", fs::path(project.file).filename().string()},
+          {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
+          {"Description", facts.caption},
+          {kStateEntry, stateFor(project, file)}};
+}
+
+std::string lowerEnding(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+[[noreturn]] void cannotWrite(const fs::path& file) {
+  throw WriteError("Cannot write the figure '" + file.string() +
+                   "'. Choose another folder or free some space.");
+}
+
+void save(const QByteArray& bytes, const fs::path& file) {
+  QSaveFile out(QFile::decodeName(file.c_str()));
+  if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
+    cannotWrite(file);
+  }
+}
+
+QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnSheet& sheet) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setResolution(static_cast<int>(std::lround(sheet.dpi)));
+  writer.setPageSize(QPageSize(QSizeF(sheet.facts.width_mm, sheet.facts.height_mm),
+                               QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+  writer.setPageMargins(QMarginsF());
+  writer.setTitle(QString::fromStdString(sheet.facts.caption));
+  writer.setCreator(QStringLiteral("relievo " RELIEVO_VERSION_STRING));
+  QPainter painter(&writer);
+  painter.setRenderHint(QPainter::LosslessImageRendering);
+  paintSheet(painter, surface, project, sheet, FigureInk::Target::vectors);
+  painter.end();
+  return bytes;
+}
+
+QByteArray svgOf(const Surface& surface, const Project& project, const DrawnSheet& sheet) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setResolution(static_cast<int>(std::lround(sheet.dpi)));
+  generator.setSize({sheet.facts.width_px, sheet.facts.height_px});
+  generator.setViewBox(QRect(0, 0, sheet.facts.width_px, sheet.facts.height_px));
+  generator.setTitle(QString::fromStdString(project.file));
+  generator.setDescription(QString::fromStdString(sheet.facts.caption).toHtmlEscaped());
+  QPainter painter(&generator);
+  paintSheet(painter, surface, project, sheet, FigureInk::Target::vectors);
+  painter.end();
+  return bytes;
+}
+
+FigurePanel eyePanel(const Project& project, int eye) {
+  FigurePanel panel;
+  const Region& r = project.region;
+  panel.paper = {0, 0, project.figure.width_mm, project.figure.width_mm};
+  panel.shown = {r.x_mm, r.y_mm, r.side_mm, r.side_mm};
+  panel.level = r.level;
+  panel.eye = eye;
+  return panel;
+}
+
+}  // namespace
+
+FigureFacts writeFigure(const Surface& surface, const Project& project, const fs::path& file,
+                        const Task& task) {
+  const std::string ending = lowerEnding(file);
+  if (ending == ".png" || ending == ".tif" || ending == ".tiff") {
+    const Figure figure = drawFigure(surface, project, task);
+    const PictureText text = textOf(project, figure.facts, file);
+    if (ending == ".png") {
+      writePng(file, figure.image, project.figure.dpi, text);
+    } else {
+      writeTiff(file, figure.image, project.figure.dpi, text);
+    }
+    return figure.facts;
+  }
+  if (ending != ".pdf" && ending != ".svg") {
+    throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" +
+                        file.filename().string() + "' does not. Nothing was drawn.");
+  }
+  Project whole = project;
+  whole.figure.dpi = std::round(project.figure.dpi);  // Both writers count whole dots.
+  const DrawnSheet sheet = drawPictures(surface, whole, whole.figure.dpi, task);
+  save(ending == ".pdf" ? pdfOf(surface, whole, sheet) : svgOf(surface, whole, sheet), file);
+  return sheet.facts;
+}
+
+std::vector<fs::path> writeEyes(const Surface& surface, const Project& project,
+                                const fs::path& file, const Task& task) {
+  const FigureRequest& f = project.figure;
+  Project both = project;
+  if (f.stereo == StereoPrint::off) both.figure.stereo = StereoPrint::side_by_side;
+  both.figure.layout = FigureLayout::detail;
+  check(both.figure);
+  FigureSheet sheet;
+  sheet.paper_per_mm = f.width_mm / project.region.side_mm;
+  const int side = static_cast<int>(std::lround(f.width_mm / 25.4 * f.dpi));
+  std::vector<fs::path> files;
+  for (const int eye : {-1, 1}) {
+    const PanelPicture picture = drawPanel(surface, both, eyePanel(both, f.swap_eyes ? -eye : eye),
+                                           sheet, {side, side}, f.dpi, task);
+    const QImage page = picture.image.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+    RgbaImage image{side, side, {page.constBits(), page.constBits() + page.sizeInBytes()}};
+    fs::path target = file;
+    target.replace_extension(eye < 0 ? ".left.png" : ".right.png");
+    FigureFacts facts;
+    facts.caption = captionOf(both, surface, sheet.paper_per_mm, picture.eye_angle_deg);
+    writePng(target, image, f.dpi, textOf(both, facts, target));
+    files.push_back(target);
+  }
+  return files;
+}
+
+void writeHeightsTiff(const Surface& surface, const Project& project, const fs::path& file) {
+  const FigureRequest& f = project.figure;
+  check(f);
+  const Region& r = project.region;
+  const FigureSheet sheet = layOut(surface, project);
+  const double paper_mm = r.side_mm * sheet.paper_per_mm;
+  const int side = std::max(2, static_cast<int>(std::lround(paper_mm / 25.4 * f.dpi)));
+  const RectMm rect{r.x_mm, r.y_mm, r.side_mm, r.side_mm};
+  const DepthMap map = cutOut(surface, r.level, rect, 1, project.gain);
+  std::vector<std::optional<double>> heights;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (int row = 0; row < side; ++row) {
+    for (int col = 0; col < side; ++col) {
+      const double x = r.x_mm + (col + 0.5) * r.side_mm / side;
+      const double y = r.y_mm + r.side_mm - (row + 0.5) * r.side_mm / side;
+      const auto point = surfacePoint(map, {.x = x, .y = y});
+      heights.push_back(point ? std::optional(point->at.z) : std::nullopt);
+      if (!point) continue;
+      low = std::min(low, point->at.z);
+      high = std::max(high, point->at.z);
+    }
+  }
+  if (!(low <= high)) low = high = 0;
+  constexpr double kSteps = 65534;  // Value 0 is outside.
+  // Below a nanometre there is only rounding.
+  const double step_mm = high - low > 1e-6 ? (high - low) / kSteps : 1;
+  GreyPicture picture{side, side, {}};
+  for (const auto& height : heights) {
+    const double value = height ? 1 + std::round((*height - low) / step_mm) : 0;
+    picture.values.push_back(static_cast<std::uint16_t>(std::min(value, kSteps + 1)));
+  }
+  FigureFacts facts;
+  facts.caption = "Heights: value 0 is outside; value v is " + shortNumber(low, 9) +
+                  " mm + (v - 1) x " + shortNumber(step_mm, 9) + " mm. " +
+                  captionOf(project, surface, sheet.paper_per_mm, 0);
+  writeTiff(file, picture, f.dpi, textOf(project, facts, file));
+}
+
+}  // namespace relievo

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "ui/figure/figure_ink.h"
+#include "ui/figure/figure_pictures.h"
+
+namespace relievo {
+
+/// Everything that is drawn over and beside the pictures of a figure, as vectors.
+
+/// Scale bar, height bar, up mark, window's outline, measurements and letter of one panel.
+/// @param letter  0 for a
+void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
+               const FigureSheet& sheet, const FigurePanel& panel, int letter);
+
+/// Bar of colours and swatches of hatches with their shares.
+void drawLegend(FigureInk& ink, const Surface& surface, const FigureRequest& request,
+                const QRectF& paper, const ReliefValues& values);
+
+}  // namespace relievo

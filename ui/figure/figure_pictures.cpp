@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/figure/figure_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kMostSamples = 4096;     // Across a panel.
+constexpr double kHatchPoints = 5;     // Between two lines of a hatch.
+constexpr double kHatchPixels = 14;    // The same at mark scale 1.
+constexpr double kMarginSamples = 12;  // Around the cut, for slopes and horizons at its rim.
+
+QImage imageOf(const RgbaImage& picture) {
+  return QImage(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+                QImage::Format_RGBA8888_Premultiplied)
+      .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+/// What must not be drawn is outside; what must not be hatched is measured.
+void applyOrigins(DepthMap& map, const FigurePanel& panel, const FigureRequest& f) {
+  for (Origin& origin : map.origins) {
+    const bool known = origin == Origin::measured || origin == Origin::steep;
+    if (panel.as_measured && !known) origin = Origin::outside;
+    if (!f.hatch && origin != Origin::outside) origin = Origin::measured;
+  }
+}
+
+struct Eyes {
+  double angle_deg = 0, parallax_deg = 0, zero_plane_mm = 0;
+};
+
+Eyes eyesFor(const DepthMap& map, const FigureRequest& f, double paper_per_mm) {
+  const HeightRange z = heightRange(map);
+  Eyes eyes;
+  eyes.zero_plane_mm = f.zero_plane_mm.value_or(0.5 * (z.min_mm + z.max_mm));
+  if (f.stereo == StereoPrint::off) return eyes;
+  const double farthest =
+      std::max(std::abs(z.max_mm - eyes.zero_plane_mm), std::abs(eyes.zero_plane_mm - z.min_mm));
+  eyes.angle_deg = f.limit_parallax ? comfortableEyeAngle(farthest, paper_per_mm, f.eye_angle_deg)
+                                    : f.eye_angle_deg;
+  eyes.parallax_deg = parallax(farthest, eyes.angle_deg, paper_per_mm).visual_deg;
+  return eyes;
+}
+
+}  // namespace
+
+DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int margin, double gain) {
+  if (level.value < 0 || level.value >= static_cast<int>(surface.pyramid.levels.size())) {
+    throw ArgumentError("There is no level " + std::to_string(level.value) + ".");
+  }
+  const PyramidLevel& from = surface.pyramid.levels[static_cast<std::size_t>(level.value)];
+  const GridFrame& f = from.frame;
+  const auto range = [&](double low, double high, double first, int count) {
+    const int a = static_cast<int>(std::floor((low - first) / f.spacing_mm)) - margin;
+    const int b = static_cast<int>(std::ceil((high - first) / f.spacing_mm)) + margin;
+    return std::pair{std::clamp(a, 0, count - 1), std::clamp(b, 0, count - 1)};
+  };
+  const auto [left, right] = range(rect.x_mm, rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols);
+  const auto [bottom, top] =
+      range(rect.y_mm, rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows);
+  DepthMap cut;
+  cut.frame = f;
+  cut.frame.size = {right - left + 1, top - bottom + 1};
+  cut.frame.first_x_mm = f.xMm(left);
+  cut.frame.first_y_mm = f.yMm(bottom);
+  if (cut.frame.size.cols < 2 || cut.frame.size.rows < 2) {
+    throw ArgumentError("There is nothing of the object in this region. Choose another.");
+  }
+  if (std::max(cut.frame.size.cols, cut.frame.size.rows) > kMostSamples) {
+    throw ArgumentError("Level " + std::to_string(level.value) + " has more than " +
+                        std::to_string(kMostSamples) +
+                        " samples across this region. Choose a coarser level.");
+  }
+  const GridFrame& finest = surface.map.frame;
+  const auto nearest = [&](double at, double first, int count) {
+    return std::clamp(static_cast<int>(std::lround((at - first) / finest.spacing_mm)), 0,
+                      count - 1);
+  };
+  const auto factor = static_cast<float>(gain);
+  for (int row = bottom; row <= top; ++row) {
+    const int r = nearest(f.yMm(row), finest.first_y_mm, finest.size.rows);
+    for (int col = left; col <= right; ++col) {
+      const int c = nearest(f.xMm(col), finest.first_x_mm, finest.size.cols);
+      cut.heights_mm.push_back(factor * from.heights_mm[f.size.index({col, row})]);
+      cut.origins.push_back(surface.map.origin({c, r}));
+    }
+  }
+  return cut;
+}
+
+PanelPicture drawPanel(const Surface& surface, const Project& project, const FigurePanel& panel,
+                       const FigureSheet& sheet, const QSize& pixels, double dpi,
+                       const Task& task) {
+  const FigureRequest& f = project.figure;
+  const double spacing =
+      surface.pyramid.levels[static_cast<std::size_t>(panel.level.value)].frame.spacing_mm;
+  const int margin =
+      static_cast<int>(std::clamp(f.look.radius_mm / spacing, kMarginSamples, 200.0));
+  DepthMap map = cutOut(surface, panel.level, panel.shown, margin, project.gain);
+  applyOrigins(map, panel, f);
+  PanelPicture made;
+  std::vector<std::uint8_t> colours;
+  if (f.look.kind != ReliefKind::lit) {
+    made.values = reliefValues(map, f.look, task);
+    colours = reliefColours(made.values, f.look);
+    made.values.values.clear();
+  }
+  ReliefScene scene;
+  scene.setSurface({map.frame, &map.heights_mm, &map.origins, colours.empty() ? nullptr : &colours,
+                    isLit(f.look.kind)});
+  scene.setCamera({.rect = panel.shown});
+  scene.setLight(f.look.light);
+  scene.setBackground(1, 1, 1);
+  scene.setMarkScale(kHatchPoints * dpi / 72 / kHatchPixels);
+  const Eyes eyes = eyesFor(map, f, sheet.paper_per_mm);
+  scene.setStereo({.mode = StereoMode::off, .zero_plane_mm = eyes.zero_plane_mm});
+  made.eye_angle_deg = eyes.angle_deg;
+  made.parallax_deg = eyes.parallax_deg;
+  const PictureOptions options{
+      .width = pixels.width(), .height = pixels.height(), .transparent = f.transparent};
+  const auto seenBy = [&](int eye) {
+    scene.setEyeTurn(eye * 0.5 * eyes.angle_deg);
+    return renderPicture(scene, options, task);
+  };
+  if (isAnaglyph(f.stereo) && panel.eye == 0) {
+    const int red = f.swap_eyes ? 1 : -1;
+    RgbaImage left = seenBy(red);
+    mixAnaglyph(f.stereo, left.rgba, seenBy(-red).rgba);
+    made.image = imageOf(left);
+  } else {
+    made.image = imageOf(seenBy(panel.eye));
+  }
+  return made;
+}
+
+}  // namespace relievo

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/figure/figure_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kMostPoints = 4000;  // A curve; a longer one is thinned by min and max.
+const QColor kGrid(0xd8, 0xd8, 0xd8);
+const QColor kHip(0xd0, 0x20, 0x20);
+const QColor kProxy(0x1f, 0x5f, 0xd0);
+
+struct Axis {
+  double low = 0, high = 1, step = 0.2;
+};
+
+/// Steps of 1, 2 or 5 times a power of ten.
+Axis axisFor(double low, double high, bool round_ends) {
+  if (!(high - low > 1e-9)) {
+    low -= 0.5;
+    high += 0.5;
+  }
+  const double raw = (high - low) / 4;
+  const double power = std::pow(10, std::floor(std::log10(raw)));
+  double step = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0}) {
+    if (factor * power >= raw) step = factor * power;
+  }
+  if (round_ends) {
+    low = std::floor(low / step + 1e-9) * step;
+    high = std::ceil(high / step - 1e-9) * step;
+  }
+  return {low, high, step};
+}
+
+QString tick(double value, double step) {
+  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+  return QString::number(std::abs(value) < 1e-9 * step ? 0 : value, 'f', digits);
+}
+
+class Plot {
+ public:
+  Plot(FigureInk& ink, const QRectF& paper, Axis x, Axis y)
+      : ink_(ink), box_(ink.px(paper)), x_(x), y_(y) {}
+
+  QPointF at(double x, double y) const {
+    return {box_.left() + (x - x_.low) / (x_.high - x_.low) * box_.width(),
+            box_.bottom() - (y - y_.low) / (y_.high - y_.low) * box_.height()};
+  }
+
+  void frame(const QString& y_title, const QString& x_title) {
+    QPainter& painter = ink_.painter();
+    const double gap = ink_.pt(3);
+    const double half = 0.35 * ink_.pt(ink_.textPt());
+    painter.setPen(ink_.pen(kGrid, 0.5));
+    for (double v = y_.low; v <= y_.high + 0.5 * y_.step; v += y_.step) {
+      const QPointF p = at(x_.low, v);
+      painter.drawLine(p, QPointF(box_.right(), p.y()));
+      ink_.text(p + QPointF(-gap, half), tick(v, y_.step), Qt::AlignRight);
+    }
+    for (double t = std::ceil(x_.low / x_.step - 1e-9) * x_.step; t <= x_.high + 1e-9 * x_.step;
+         t += x_.step) {
+      const QPointF p = at(t, y_.low);
+      painter.drawLine(p, QPointF(p.x(), box_.top()));
+      if (!x_title.isEmpty()) {
+        ink_.text(p + QPointF(0, ink_.lineHeight()), tick(t, x_.step), Qt::AlignHCenter);
+      }
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(ink_.pen(kInk, 0.6));
+    painter.drawRect(box_);
+    ink_.uprightText({box_.left() - ink_.pt(3.9 * ink_.textPt()), box_.center().y()}, y_title);
+    if (x_title.isEmpty()) return;
+    ink_.text({box_.center().x(), box_.bottom() + 2.1 * ink_.lineHeight()}, x_title,
+              Qt::AlignHCenter);
+  }
+
+  void curve(const std::vector<QPointF>& points, const QPen& pen) {
+    QPolygonF line;
+    const std::size_t bin = std::max<std::size_t>(1, 2 * points.size() / kMostPoints);
+    for (std::size_t i = 0; i < points.size(); i += bin) {
+      const auto from = points.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto to =
+          points.begin() + static_cast<std::ptrdiff_t>(std::min(i + bin, points.size()));
+      auto [low, high] = std::minmax_element(
+          from, to, [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+      if (low->x() > high->x()) std::swap(low, high);
+      line << at(low->x(), low->y());
+      if (low != high) line << at(high->x(), high->y());
+    }
+    QPainter& painter = ink_.painter();
+    painter.save();
+    painter.setClipRect(box_);
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+    painter.restore();
+  }
+
+  /// Words at the upper right, the pen before them.
+  void name(const QString& words, const QPen& pen, double lines_down) {
+    const double y = box_.top() + (lines_down + 0.9) * ink_.lineHeight();
+    const double right = box_.right() - ink_.pt(4);
+    const double left = right - ink_.width(words);
+    ink_.painter().fillRect(QRectF(left - ink_.pt(24), y - ink_.lineHeight(),
+                                   right - left + ink_.pt(26), 1.25 * ink_.lineHeight()),
+                            kPlate);
+    ink_.text({left, y}, words);
+    ink_.painter().setPen(pen);
+    const double middle = y - 0.3 * ink_.pt(ink_.textPt());
+    ink_.painter().drawLine(QPointF(left - ink_.pt(22), middle),
+                            QPointF(left - ink_.pt(4), middle));
+  }
+
+ private:
+  FigureInk& ink_;
+  QRectF box_;
+  Axis x_, y_;
+};
+
+std::pair<double, double> range(const std::vector<QPointF>& points) {
+  const auto [low, high] =
+      std::minmax_element(points.begin(), points.end(),
+                          [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+  return {low->y(), high->y()};
+}
+
+std::vector<QPointF> curveOf(const std::vector<ForceCurveRow>& rows,
+                             const std::function<double(const ForceCurveRow&)>& value) {
+  std::vector<QPointF> curve;
+  curve.reserve(rows.size());
+  for (const ForceCurveRow& row : rows) curve.emplace_back(row.t_s, value(row));
+  return curve;
+}
+
+}  // namespace
+
+void drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows, const QRectF& heights,
+                    const QRectF& forces) {
+  const auto hip = curveOf(rows, [](const ForceCurveRow& r) { return r.hip_z_mm; });
+  const auto proxy = curveOf(rows, [](const ForceCurveRow& r) { return r.proxy_z_mm; });
+  const auto force = curveOf(rows, [](const ForceCurveRow& r) { return r.force_n; });
+  const Axis time = axisFor(rows.front().t_s, rows.back().t_s, false);
+  const auto [hip_low, hip_high] = range(hip);
+  const auto [proxy_low, proxy_high] = range(proxy);
+  Plot above(ink, heights, time,
+             axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), true));
+  above.frame(QStringLiteral("z (mm)"), {});
+  // Width and dashes tell the curves apart without colour, too.
+  const QPen proxy_pen = ink.pen(kProxy, 1.4);
+  QPen hip_pen = ink.pen(kHip, 0.9);
+  hip_pen.setDashPattern({4, 2});
+  above.curve(proxy, proxy_pen);
+  above.curve(hip, hip_pen);
+  above.name(QStringLiteral("proxy"), proxy_pen, 0);
+  above.name(QStringLiteral("HIP"), hip_pen, 1);
+  Plot below(ink, forces, time, axisFor(0, range(force).second, true));
+  below.frame(QStringLiteral("force (N)"), QStringLiteral("time (s)"));
+  below.curve(force, ink.pen(kInk, 1));
+}
+
+void drawCurve(FigureInk& ink, const std::vector<QPointF>& curve, const QRectF& box,
+               const QString& x_title, const QString& y_title) {
+  if (curve.empty()) return;
+  const auto [low, high] = range(curve);
+  Plot plot(ink, box, axisFor(curve.front().x(), curve.back().x(), false),
+            axisFor(low, high, true));
+  plot.frame(y_title, x_title);
+  plot.curve(curve, ink.pen(kProxy, 1.2));
+}
+
+}  // namespace relievo

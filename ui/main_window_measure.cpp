@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Commands of measuring and of relief images.
+#include <array>
+#include <QAction>
+#include <QActionGroup>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include "core/base/error.h"
+#include "ui/detail_view.h"
+#include "ui/main_window.h"
+#include "ui/measure_panel.h"
+#include "ui/message_strip.h"
+#include "ui/reference_view.h"
+#include "ui/side_panels.h"
+#include "ui/view_panel.h"
+
+namespace relievo {
+
+void MainWindow::makeMeasureCommands() {
+  struct Entry {
+    MeasureKind kind;
+    const char* name;
+    QString text, tip;
+  };
+  const std::array<Entry, 6> entries{
+      {{MeasureKind::point, "measure_point", tr("&Point"), tr("Height of one place")},
+       {MeasureKind::distance, "measure_distance", tr("&Distance"), tr("Between two places")},
+       {MeasureKind::depth, "measure_depth", tr("Depth di&fference"),
+        tr("How much higher the second place lies")},
+       {MeasureKind::angle, "measure_angle", tr("&Angle"), tr("At the second of three places")},
+       {MeasureKind::profile, "measure_profile", tr("P&rofile"), tr("Heights along a line")},
+       {MeasureKind::area, "measure_area", tr("Area and &volume"),
+        tr("Of a piece of surface above its lowest corner")}}};
+  for (const Entry& e : entries) {
+    make({e.name, e.text, {}, e.tip, [this, kind = e.kind] { beginMeasuring(kind); }, {}});
+  }
+  make({"measure_save_list",
+        tr("&Save\u2026"),
+        {},
+        tr("The list as CSV, or the selected profile as CSV or SVG"),
+        [this] { saveMeasurements(); },
+        {}});
+}
+
+void MainWindow::makeReliefCommands() {
+  struct Entry {
+    ReliefKind kind;
+    QString text, tip;
+  };
+  const std::array<Entry, 8> entries{
+      {{ReliefKind::lit, tr("&Lit stone"), tr("Matt stone under lamps")},
+       {ReliefKind::height, tr("&Height in colour"), tr("Lit, with a colour for each height")},
+       {ReliefKind::hillshade, tr("H&illshade"), tr("Brightness under one light")},
+       {ReliefKind::multi_hillshade, tr("Hillshade, &four lights"),
+        tr("No direction stays in the dark")},
+       {ReliefKind::slope, tr("&Slope"), tr("Steepness in degrees")},
+       {ReliefKind::local_relief, tr("Local &relief"), tr("Worn detail without the broad shape")},
+       {ReliefKind::sky_view, tr("Sky &view"), tr("How much of the sky each place sees")},
+       {ReliefKind::openness, tr("&Openness"), tr("Hollows dark, ridges bright")}}};
+  auto* kinds = new QActionGroup(this);
+  for (const Entry& e : entries) {
+    const std::string name = "relief_" + std::string(relievo::name(e.kind));
+    QAction* action = make({name.c_str(),
+                            e.text,
+                            {},
+                            e.tip,
+                            [this, kind = e.kind] {
+                              ReliefLook look = detail_->sceneState().look;
+                              look.kind = kind;
+                              showLook(look);
+                            },
+                            {},
+                            true});
+    action->setChecked(e.kind == ReliefKind::lit);
+    kinds->addAction(action);
+  }
+  const std::array<QString, 3> maps{tr("&Grey"), tr("&Viridis"), tr("&Cividis")};
+  auto* colours = new QActionGroup(this);
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    const auto map = static_cast<ColourMap>(i);
+    const std::string name = "colours_" + std::string(relievo::name(map));
+    QAction* action = make({name.c_str(),
+                            maps[i],
+                            {},
+                            tr("Colours that grow lighter in even steps"),
+                            [this, map] {
+                              ReliefLook look = detail_->sceneState().look;
+                              look.colours = map;
+                              showLook(look);
+                            },
+                            {},
+                            true});
+    action->setChecked(map == ReliefLook{}.colours);
+    colours->addAction(action);
+  }
+}
+
+void MainWindow::beginMeasuring(MeasureKind kind) {
+  measure_panel_->begin(kind);
+  detail_->setFocus();
+}
+
+void MainWindow::showMeasurements() {
+  detail_->setPicking(measure_panel_->measuring());
+  const auto lines = measure_panel_->lines();
+  detail_->setLines(lines);
+  reference_->setLines(lines);
+}
+
+void MainWindow::saveMeasurements() {
+  const QFileInfo input(document_.file());
+  auto* dialog = new QFileDialog(this, tr("Save measurements"), input.absolutePath());
+  dialog->setObjectName(QStringLiteral("measure_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  const QString list = tr("List of measurements (*.csv)");
+  dialog->setNameFilters({list, tr("Selected profile (*.csv *.svg)")});
+  dialog->selectFile(input.completeBaseName() + QLatin1String("-measurements.csv"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, list](const QString& file) {
+    try {
+      if (dialog->selectedNameFilter() != list) {
+        measure_panel_->writeProfile(file);
+      } else {
+        QSaveFile out(file);
+        const QByteArray text = measure_panel_->csv().toUtf8();
+        if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit()) {
+          throw WriteError(
+              tr("%1 could not be written. Choose another place.").arg(file).toStdString());
+        }
+      }
+      announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+    } catch (const Error& error) {
+      strip_->show(QString::fromUtf8(error.what()));
+    }
+  });
+  dialog->open();
+}
+
+void MainWindow::showStereo(const StereoOptions& stereo) {
+  stereo_panel_->show(stereo);
+}
+
+}  // namespace relievo

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Projects and figures: the window's state as a file, and back.
+#include <algorithm>
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "core/base/error.h"
+#include "ui/detail_view.h"
+#include "ui/figure_dialog.h"
+#include "ui/main_window.h"
+#include "ui/measure_panel.h"
+#include "ui/message_strip.h"
+#include "ui/reference_view.h"
+#include "ui/vtk/picture_file.h"
+
+namespace relievo {
+namespace {
+
+std::filesystem::path pathOf(const QString& file) {
+  return QFile::encodeName(file).toStdString();
+}
+
+bool endsIn(const QString& file, std::initializer_list<const char*> endings) {
+  return std::any_of(endings.begin(), endings.end(), [&](const char* ending) {
+    return file.endsWith(QLatin1String(ending), Qt::CaseInsensitive);
+  });
+}
+
+/// NAME-1.png, NAME-2.png, ... in the pictures folder: the first that is free.
+QString freeFigureName(const QString& model) {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) +
+                         QLatin1String("/relievo/");
+  for (int n = 1;; ++n) {
+    const QString file = QStringLiteral("%1%2-figure-%3.png").arg(folder, model).arg(n);
+    if (!QFileInfo::exists(file)) return file;
+  }
+}
+
+}  // namespace
+
+Project MainWindow::project() {
+  Project p = project_;
+  p.file = document_.file().toStdString();
+  p.sha256 = document_.fileSha256().toStdString();
+  p.options = document_.state().options;
+  p.region = document_.state().region;
+  p.gain = document_.state().gain;
+  p.look = detail_->sceneState().look;
+  p.stereo = detail_->sceneState().stereo;
+  p.measurements = measure_panel_->measurements();
+  p.history.clear();
+  const QUndoStack& history = document_.history();
+  for (int i = 0; i < history.index(); ++i) p.history.push_back(history.text(i).toStdString());
+  return p;
+}
+
+void MainWindow::restore(const Project& project, const QString& from) {
+  OpenRequest request;
+  request.file = QString::fromStdString(project.file);
+  request.options = project.options;
+  request.exact_region = project.region;
+  request.gain = project.gain;
+  if (!QFileInfo::exists(request.file)) {
+    strip_->show(tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
+                    "file. (E501)")
+                     .arg(QFileInfo(from).fileName(), request.file),
+                 {{tr("&Find it\u2026"), [this, project, from] { relink(project, from); }}});
+    return;
+  }
+  restoring_ = project;
+  project_file_ = endsIn(from, {".json"}) ? from : QString();
+  strip_->close();
+  open(request);
+}
+
+void MainWindow::relink(const Project& project, const QString& from) {
+  auto* dialog = new QFileDialog(
+      this, tr("Find %1").arg(QFileInfo(QString::fromStdString(project.file)).fileName()),
+      QFileInfo(from).absolutePath());
+  dialog->setObjectName(QStringLiteral("relink_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, project, from](const QString& file) {
+    Project found = project;
+    found.file = file.toStdString();
+    restore(found, from);
+  });
+  dialog->open();
+}
+
+// What belongs to the state but not to the surface, once the file is read.
+void MainWindow::showRestored() {
+  if (!restoring_) {
+    project_ = Project{};
+    project_file_.clear();
+    measure_panel_->setMeasurements({});
+    return;
+  }
+  const Project stored = *std::exchange(restoring_, std::nullopt);
+  project_ = stored;
+  measure_panel_->setMeasurements(stored.measurements);
+  showStereo(stored.stereo);
+  showLook(stored.look);
+  if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {
+    strip_->show(tr("%1 has changed since this was saved (its checksum differs). It is shown as it "
+                    "is now; results may differ. (E501)")
+                     .arg(QFileInfo(document_.file()).fileName()));
+  }
+}
+
+bool MainWindow::restoreFromFile(const QString& file) {
+  try {
+    if (endsIn(file, {".json"})) {
+      restore(readProject(pathOf(file)), file);
+      return true;
+    }
+    if (!endsIn(file, {".png", ".tif", ".tiff"})) return false;
+    const auto state = pictureState(pathOf(file));
+    if (!state) return false;  // A height map, then.
+    Project project = projectFromJson(*state, QFileInfo(file).fileName().toStdString());
+    const QString input =
+        QFileInfo(file).absoluteDir().filePath(QString::fromStdString(project.file));
+    project.file = QDir::cleanPath(input).toStdString();
+    restore(project, file);
+    return true;
+  } catch (const Error& error) {
+    if (!endsIn(file, {".json"})) return false;  // The raster reader says what is wrong.
+    strip_->show(QString::fromUtf8(error.what()));
+    return true;
+  }
+}
+
+void MainWindow::saveProject() {
+  if (project_file_.isEmpty()) {
+    saveProjectAs();
+  } else {
+    saveProject(project_file_);
+  }
+}
+
+void MainWindow::saveProjectAs() {
+  const QFileInfo input(document_.file());
+  auto* dialog = new QFileDialog(this, tr("Save project"), input.absolutePath(),
+                                 tr("Projects (*.relievo.json)"));
+  dialog->setObjectName(QStringLiteral("project_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->selectFile(input.completeBaseName() + QLatin1String(".relievo.json"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    saveProject(endsIn(file, {".json"}) ? file : file + QLatin1String(".relievo.json"));
+  });
+  dialog->open();
+}
+
+void MainWindow::saveProject(const QString& file) {
+  try {
+    writeProject(pathOf(file), project());
+    project_file_ = file;
+    settings_.addRecentFile(file);
+    showRecent();
+    announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+  } catch (const Error& error) {
+    strip_->show(QString::fromUtf8(error.what()));
+  }
+}
+
+void MainWindow::chooseFigure() {
+  if (!document_.isOpen() || document_.busy()) return;
+  Project now = project();
+  // A figure starts as the view is painted and lit.
+  now.figure.look = detail_->sceneState().look;
+  now.figure.look.light = detail_->sceneState().light;
+  auto* dialog =
+      new FigureDialog(document_.surface(), now,
+                       freeFigureName(QFileInfo(document_.file()).completeBaseName()), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setModal(true);  // The state must not change below a preview of it.
+  connect(dialog, &FigureDialog::requestChanged, this,
+          [this](const FigureRequest& request) { project_.figure = request; });
+  connect(dialog, &FigureDialog::written, this, [this](const QString& file) {
+    announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+  });
+  dialog->show();
+}
+
+void MainWindow::showLook(const ReliefLook& look) {
+  reference_->setLook(look);
+  detail_->setLook(look);
+  for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
+    const std::string name = "relief_" + std::string(kReliefKindNames[i]);
+    command(name.c_str())->setChecked(static_cast<std::size_t>(look.kind) == i);
+  }
+  for (std::size_t i = 0; i < kColourMapNames.size(); ++i) {
+    const std::string name = "colours_" + std::string(kColourMapNames[i]);
+    command(name.c_str())->setChecked(static_cast<std::size_t>(look.colours) == i);
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/measure_panel.h"
+
+#include <QAbstractButton>
+#include <QFile>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "core/base/error.h"
+#include "ui/figure/profile_plot.h"
+#include "ui/text.h"
+
+namespace relievo {
+namespace {
+
+QString word(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+QString kindText(MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::point:
+      return MeasurePanel::tr("Point");
+    case MeasureKind::distance:
+      return MeasurePanel::tr("Distance");
+    case MeasureKind::depth:
+      return MeasurePanel::tr("Depth difference");
+    case MeasureKind::angle:
+      return MeasurePanel::tr("Angle");
+    case MeasureKind::profile:
+      return MeasurePanel::tr("Profile");
+    case MeasureKind::area:
+      return MeasurePanel::tr("Area and volume");
+  }
+  return {};
+}
+
+int decimalsFor(double uncertainty) {
+  return uncertainty >= 10 ? 0 : uncertainty >= 1 ? 1 : uncertainty >= 0.1 ? 2 : 3;
+}
+
+QString quantityText(const Quantity& q) {
+  const int decimals = decimalsFor(q.uncertainty);
+  return MeasurePanel::tr("%1 %2 \u00b1 %3 %4")
+      .arg(word(q.title), numberText(q.value, decimals), numberText(q.uncertainty, decimals),
+           word(q.unit));
+}
+
+/// All that a measurement reads, one line each; or why it reads nothing.
+QString readingText(const DepthMap& map, const Measurement& m) {
+  try {
+    const Reading reading = read(map, m);
+    QStringList lines;
+    for (const Quantity& q : reading.quantities) lines << quantityText(q);
+    if (reading.not_measured > 0) {
+      lines << MeasurePanel::tr("%1 % of it is not measured")
+                   .arg(numberText(100 * reading.not_measured, 0));
+    }
+    return lines.join('\n');
+  } catch (const Error& error) {
+    return QString::fromUtf8(error.what());
+  }
+}
+
+QString quoted(QString text) {
+  return '"' + text.replace('"', QLatin1String("\"\"")) + '"';
+}
+
+QString exact(double value) {
+  return QString::number(value, 'g', 10);
+}
+
+}  // namespace
+
+MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      hint_(new QLabel),
+      list_(new QTableWidget(0, 2)),
+      remove_(new QPushButton(tr("Delete"))),
+      save_(new QPushButton(tr("Save list\u2026"))) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 0, 0, 6);
+  hint_->setObjectName(QStringLiteral("measure_hint"));
+  hint_->setAccessibleName(tr("What to do next"));
+  hint_->setWordWrap(true);
+  column->addWidget(hint_);
+  list_->setObjectName(QStringLiteral("measure_list"));
+  list_->setAccessibleName(tr("Measurements"));
+  list_->setToolTip(tr("Names can be changed by a double click or F2"));
+  list_->setHorizontalHeaderLabels({tr("Name"), tr("Reads")});
+  list_->verticalHeader()->hide();
+  list_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  list_->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
+  list_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  list_->setSelectionMode(QAbstractItemView::SingleSelection);
+  list_->setTabKeyNavigation(false);
+  // Qt's own button in the corner has no name of its own.
+  for (auto* corner : list_->findChildren<QAbstractButton*>()) {
+    corner->setAccessibleName(tr("Select all"));
+  }
+  list_->setWordWrap(true);
+  list_->setMinimumHeight(120);
+  column->addWidget(list_);
+  auto* row = new QHBoxLayout;
+  for (const auto& [button, name, tip] :
+       {std::tuple{remove_, "measure_delete", tr("Delete the selected measurement")},
+        std::tuple{save_, "measure_save",
+                   tr("Save the list as CSV, or the selected profile as CSV or SVG")}}) {
+    button->setObjectName(QString::fromLatin1(name));
+    button->setAccessibleName(button->text().remove(u'\u2026'));
+    button->setToolTip(tip);
+    row->addWidget(button);
+  }
+  column->addLayout(row);
+  connect(remove_, &QPushButton::clicked, this, &MeasurePanel::removeSelected);
+  connect(save_, &QPushButton::clicked, this, &MeasurePanel::saveAsked);
+  connect(list_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
+    if (!showing_ && item->column() == 0) rename(item->row(), item->text());
+  });
+  connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
+  tellNext();
+  showList();
+}
+
+void MeasurePanel::setMeasurements(std::vector<Measurement> measurements) {
+  measurements_ = std::move(measurements);
+  making_.reset();
+  tellNext();
+  showList();
+}
+
+void MeasurePanel::begin(MeasureKind kind) {
+  if (!document_.isOpen()) return;
+  making_ = Measurement{};
+  making_->kind = kind;
+  tellNext();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::addPlace(double x_mm, double y_mm) {
+  if (!making_) return;
+  if (!surfacePoint(document_.surface()->map, {x_mm, y_mm})) {
+    Q_EMIT said(tr("There is no surface here"));
+    return;
+  }
+  making_->places.push_back({x_mm, y_mm});
+  const int placed = static_cast<int>(making_->places.size());
+  if (placed == placesNeeded(making_->kind) && !takesMore(making_->kind)) {
+    measurements_.push_back(*std::exchange(making_, std::nullopt));
+    measurements_.back().name = tr("%1").arg(measurements_.size()).toStdString();
+    Q_EMIT said(readingText(document_.surface()->map, measurements_.back()).section('\n', 0, 0));
+    showList();
+  }
+  tellNext();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::finish() {
+  if (!making_ || !takesMore(making_->kind)) return;
+  if (static_cast<int>(making_->places.size()) < placesNeeded(making_->kind)) return;
+  Measurement done = *std::exchange(making_, std::nullopt);
+  done.name = tr("%1").arg(measurements_.size() + 1).toStdString();
+  // The volume counts from the lowest of the corners, which a change of the list can move.
+  for (std::size_t i = 0; i < done.places.size(); ++i) {
+    const auto point = surfacePoint(document_.surface()->map, done.places[i]);
+    if (point) done.plane_mm = i == 0 ? point->at.z : std::min(done.plane_mm, point->at.z);
+  }
+  measurements_.push_back(done);
+  Q_EMIT said(readingText(document_.surface()->map, done).section('\n', 0, 0));
+  tellNext();
+  showList();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::cancel() {
+  making_.reset();
+  tellNext();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::tellNext() {
+  if (!making_) {
+    hint_->setText(tr("Choose what to measure from the Measure menu."));
+    return;
+  }
+  const int placed = static_cast<int>(making_->places.size());
+  const int needed = placesNeeded(making_->kind);
+  QString text = tr("%1: place %2 of %3. Click on the detail view, or move the hand there and "
+                    "press Enter.")
+                     .arg(kindText(making_->kind))
+                     .arg(placed + 1)
+                     .arg(std::max(needed, placed + 1));
+  if (takesMore(making_->kind) && placed >= needed) text += ' ' + tr("A double click or F ends.");
+  hint_->setText(text);
+  Q_EMIT said(text);
+}
+
+void MeasurePanel::showList() {
+  showing_ = true;
+  const int selected_row = list_->currentRow();
+  list_->setRowCount(static_cast<int>(measurements_.size()));
+  for (int row = 0; row < list_->rowCount(); ++row) {
+    const Measurement& m = measurements_[static_cast<std::size_t>(row)];
+    list_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(m.name)));
+    const QString text = document_.isOpen() ? readingText(document_.surface()->map, m) : QString();
+    auto* reads = new QTableWidgetItem(text);
+    reads->setFlags(reads->flags() & ~Qt::ItemIsEditable);
+    reads->setToolTip(kindText(m.kind));
+    list_->setItem(row, 1, reads);
+  }
+  list_->resizeRowsToContents();
+  list_->setCurrentCell(std::min(selected_row, list_->rowCount() - 1), 0);
+  remove_->setEnabled(!measurements_.empty());
+  save_->setEnabled(!measurements_.empty());
+  showing_ = false;
+  Q_EMIT changed();
+}
+
+void MeasurePanel::rename(int row, const QString& name) {
+  measurements_[static_cast<std::size_t>(row)].name = name.toStdString();
+  Q_EMIT changed();
+}
+
+std::optional<int> MeasurePanel::selected() const {
+  const int row = list_->currentRow();
+  return row >= 0 && row < list_->rowCount() ? std::optional(row) : std::nullopt;
+}
+
+void MeasurePanel::removeSelected() {
+  const int row = selected().value_or(list_->rowCount() - 1);
+  if (row < 0) return;
+  measurements_.erase(measurements_.begin() + row);
+  showList();
+}
+
+std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
+  std::vector<std::vector<ViewMm>> lines;
+  if (!document_.isOpen()) return lines;
+  const auto add = [&](const Measurement& m) {
+    std::vector<ViewMm> line;
+    for (const PlaceMm& place : m.places) {
+      const auto point = surfacePoint(document_.surface()->map, place);
+      const double gain = document_.state().gain;
+      line.push_back({place.x, place.y, point ? gain * point->at.z : 0});
+    }
+    if (m.kind == MeasureKind::area && line.size() > 2) line.push_back(line.front());
+    lines.push_back(line);
+  };
+  for (const Measurement& m : measurements_) add(m);
+  if (making_) add(*making_);
+  return lines;
+}
+
+QString MeasurePanel::csv() const {
+  QStringList rows{QStringLiteral("# relievo %1, input %2, sha256 %3")
+                       .arg(QStringLiteral(RELIEVO_VERSION_STRING),
+                            QFileInfo(document_.file()).fileName(), document_.fileSha256()),
+                   QStringLiteral("name,kind,what,value,uncertainty,unit,not_measured,places_mm")};
+  for (const Measurement& m : measurements_) {
+    QStringList places;
+    for (const PlaceMm& place : m.places) places << exact(place.x) + ' ' + exact(place.y);
+    try {
+      const Reading reading = read(document_.surface()->map, m);
+      for (const Quantity& q : reading.quantities) {
+        rows << QStringList{quoted(QString::fromStdString(m.name)),
+                            word(name(m.kind)),
+                            quoted(word(q.title)),
+                            exact(q.value),
+                            exact(q.uncertainty),
+                            word(q.unit),
+                            exact(reading.not_measured),
+                            quoted(places.join(QStringLiteral("; ")))}
+                    .join(',');
+      }
+    } catch (const Error& error) {
+      rows << QStringLiteral("# %1: %2")
+                  .arg(QString::fromStdString(m.name), QString::fromUtf8(error.what()));
+    }
+  }
+  return rows.join('\n') + '\n';
+}
+
+void MeasurePanel::writeProfile(const QString& file) const {
+  const auto row = selected();
+  if (!row || measurements_[static_cast<std::size_t>(*row)].kind != MeasureKind::profile) {
+    throw ArgumentError(tr("Select a profile in the list first.").toStdString());
+  }
+  const Measurement& m = measurements_[static_cast<std::size_t>(*row)];
+  const std::vector<ProfileRow> rows = profile(document_.surface()->map, m.places);
+  const std::string text =
+      file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
+          ? profileSvg(rows)
+          : profileCsv(rows, document_.file().toStdString(), document_.fileSha256().toStdString());
+  QSaveFile out(file);
+  if (!out.open(QIODevice::WriteOnly) ||
+      out.write(text.data(), static_cast<qint64>(text.size())) < 0 || !out.commit()) {
+    throw WriteError(tr("%1 could not be written. Choose another place.").arg(file).toStdString());
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <QWidget>
+
+#include "core/measure/measure.h"
+#include "ui/document.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace relievo {
+
+/// The list of measurements with what each reads on the present map; and the one being made, place
+/// by place. [GUI thread]
+class MeasurePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MeasurePanel(Document& document, QWidget* parent = nullptr);
+
+  const std::vector<Measurement>& measurements() const { return measurements_; }
+  void setMeasurements(std::vector<Measurement> measurements);
+
+  /// Starts one; places are then added until there are enough, or until finish().
+  void begin(MeasureKind kind);
+  bool measuring() const { return making_.has_value(); }
+  void addPlace(double x_mm, double y_mm);
+  /// Ends a profile or an area; does nothing for the others.
+  void finish();
+  void cancel();
+
+  /// Every row of the list: name, kind, value, uncertainty, unit, share not measured, places.
+  QString csv() const;
+  /// Heights along the profile that is selected. @throw ArgumentError, WriteError
+  void writeProfile(const QString& file) const;
+
+ Q_SIGNALS:
+  void changed();  ///< Of what is to be drawn.
+  void said(const QString& text);
+  void saveAsked();
+
+ public:
+  /// Lines through the surface, for the views; the one being made is the last.
+  std::vector<std::vector<ViewMm>> lines() const;
+
+ private:
+  void showList();
+  void rename(int row, const QString& name);
+  void removeSelected();
+  void tellNext();
+  std::optional<int> selected() const;
+
+  Document& document_;
+  std::vector<Measurement> measurements_;
+  std::optional<Measurement> making_;
+  QLabel* hint_;
+  QTableWidget* list_;
+  QPushButton *remove_, *save_;
+  bool showing_ = false;
+};
+
+}  // namespace relievo

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+
+using PictureText = std::vector<std::pair<std::string, std::string>>;
+
+/// The entry that holds the project, from which a picture's state comes back.
+inline constexpr const char* kStateEntry = "relievo:state";
+
+/// PNG, RGB where every pixel is opaque and RGBA else, with its density and text entries (Title,
+/// Software, relievo:state, ...). Written beside the target and renamed. @throw WriteError
+void writePng(const std::filesystem::path& file, const RgbaImage& image, double dpi,
+              const PictureText& text);
+
+/// TIFF, packed without loss, with density; the entries Description and relievo:state stand in the
+/// tag ImageDescription, Software in its own. @throw WriteError
+void writeTiff(const std::filesystem::path& file, const RgbaImage& image, double dpi,
+               const PictureText& text);
+
+struct GreyPicture {
+  int width = 0, height = 0;
+  std::vector<std::uint16_t> values;  ///< Row 0 at the top.
+};
+/// 16-bit grey. @throw WriteError
+void writeTiff(const std::filesystem::path& file, const GreyPicture& image, double dpi,
+               const PictureText& text);
+
+/// What writePng or writeTiff wrote as relievo:state; nothing for a picture without.
+/// @throw FileError  cannot be read, or neither PNG nor TIFF
+std::optional<std::string> pictureState(const std::filesystem::path& file);
+
+}  // namespace relievo
