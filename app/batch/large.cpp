@@ -62,7 +62,7 @@ Json levelsJson(const LargeMap& map) {
   return levels;
 }
 
-Json jsonOf(const LargeMap& map) {
+Json reportOf(const LargeMap& map) {
   const auto share = [&](Origin origin) { return map.shares[static_cast<std::size_t>(origin)]; };
   Json holes = Json::array();
   for (const Hole& hole : map.holes) {
@@ -128,7 +128,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
       makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
   line.clear();
   for (const std::string& message : map.messages) tell(message);
-  const Json json = jsonOf(map);
+  const Json json = reportOf(map);
   Outcome outcome{.json = json.dump(2), .lines = {}};
   for (const Json& level : json["levels"]) {
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +

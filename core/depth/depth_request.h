@@ -36,6 +36,8 @@ struct DepthRequest {
   /// For clouds; nothing: chosen from the data. The OpenGL engine knows front only.
   std::optional<PointRule> rule = PointRule::front;
   int threads = 0;  ///< 0: as many as pay. The bytes are the same for every number.
+  /// Noise of the points for PointRule::quadratic; nothing: from the points (pointNoise).
+  std::optional<double> noise_mm = std::nullopt;
 };
 
 /// View z in millimetres of the front-most surface at every sample, NaN where nothing was hit.

@@ -360,6 +360,12 @@ RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
   return propose(CellPoints(request, ranges, task), request.frame, task);
 }
 
+double pointNoise(const DepthRequest& request, const Task& task) {
+  std::vector<RowRange> ranges = sampledRows(request.frame.size);
+  for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
+  return noiseOf(CellPoints(request, ranges, task), request.frame, task);
+}
+
 namespace {
 
 /// Scatters with one rule, a slab of the grid at a time, so that the points sorted by cell never
@@ -416,7 +422,9 @@ class Scatter {
     out_.rule = rule.reason + ": " + std::string(describe(rule_));
     out_.one_layer =
         !request_.rule && (rule_ == PointRule::quadratic || rule_ == PointRule::median);
-    if (rule_ == PointRule::quadratic) noise_mm_ = noiseOf(points, request_.frame, task_);
+    if (rule_ == PointRule::quadratic) {
+      noise_mm_ = request_.noise_mm ? *request_.noise_mm : noiseOf(points, request_.frame, task_);
+    }
     if (reachOf(rule_) > 0) out_.between.assign(out_.front.size(), kEmpty);
   }
 
