@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // relievo-falcon-emulator: a virtual Falcon for the real kernel, by USB/IP; docs/user/falcon.md.
 #include <arpa/inet.h>
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
@@ -69,20 +68,6 @@ void followInput(SharedFalcon& falcon, std::stop_source& stop) {
   stop.request_stop();
 }
 
-/// Gives the kernel one end of a pair of sockets. @return ours; -1: errno says why
-int attachToKernel() {
-  std::array<int, 2> pair{};
-  if (socketpair(AF_UNIX, SOCK_STREAM, 0, pair.data()) != 0) return -1;
-  const int attach = open("/sys/devices/platform/vhci_hcd.0/attach", O_WRONLY);
-  if (attach < 0) return -1;
-  // Port, descriptor, bus and device number, full speed.
-  const std::string text = "0 " + std::to_string(pair[1]) + " 65538 2";
-  const bool done = write(attach, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  close(attach);
-  close(pair[1]);
-  return done ? pair[0] : -1;
-}
-
 int listenOn(int port) {
   const int server = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
   const int yes = 1;
@@ -131,7 +116,8 @@ int main(int argc, char** argv) {
       usleep(50'000);
       continue;
     }
-    const int connection = vhci ? attachToKernel() : accept(server, nullptr, nullptr);
+    const int connection =
+        vhci ? relievo::emulator::attachToVhci() : accept(server, nullptr, nullptr);
     if (connection < 0) {
       result =
           fail(vhci ? "the kernel's virtual port (is vhci-hcd loaded, are you root?)" : "accept");

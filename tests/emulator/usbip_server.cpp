@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/emulator/usbip_server.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <list>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -295,6 +297,19 @@ void UsbipServer::serve(const std::stop_token& stop) {
     if (n <= 0) return;
     s.received.insert(s.received.end(), bytes.begin(), bytes.begin() + n);
   }
+}
+
+int attachToVhci() {
+  std::array<int, 2> pair{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, pair.data()) != 0) return -1;
+  const int attach = open("/sys/devices/platform/vhci_hcd.0/attach", O_WRONLY | O_CLOEXEC);
+  if (attach < 0) return -1;
+  // Port, descriptor, bus and device number, full speed.
+  const std::string text = "0 " + std::to_string(pair[1]) + " 65538 2";
+  const bool done = write(attach, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+  close(attach);
+  close(pair[1]);
+  return done ? pair[0] : -1;
 }
 
 }  // namespace relievo::emulator

@@ -28,4 +28,8 @@ class UsbipServer {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Gives this kernel's first virtual port one end of a pair of sockets (root; module vhci_hcd).
+/// @return the other end; -1: errno says why
+int attachToVhci();
+
 }  // namespace relievo::emulator
