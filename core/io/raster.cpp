@@ -30,6 +30,7 @@ namespace {
 constexpr std::uint64_t kMaxCells = 400'000'000;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
 constexpr std::string_view kOriginContent = "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
+constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 struct CloseDataset {
@@ -455,6 +456,8 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
       "RELIEVO_FRAME",
       roundTripText(std::array{map.frame.first_x_mm, map.frame.first_y_mm, map.frame.spacing_mm})
           .c_str());
+  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
+  if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
 
   TemporaryFile map_file(file);
   writeBand(map_file.path(), file, map.frame, {GDT_Float32, heights.data(), sizeof(float)},
@@ -470,6 +473,14 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
     std::filesystem::remove(origin_name, ignored);
   }
   map_file.keep();
+}
+
+std::optional<std::string> rasterState(const std::filesystem::path& file) {
+  const GdalErrors errors;
+  const Dataset dataset = openRaster(file, {.driver = "GTiff", .name = "TIFF"}, errors);
+  const char* state = dataset->GetMetadataItem(kDescriptionTag);
+  if (state == nullptr) return std::nullopt;
+  return state;
 }
 
 }  // namespace relievo

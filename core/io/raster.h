@@ -34,6 +34,7 @@ struct MapFileOptions {
   ViewFromFile view_from_file;
   bool write_origins = true;   ///< Also NAME.origin.tif.
   bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
+  std::string state = {};      ///< ASCII; becomes the image description. Empty: none.
 };
 
 /// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres
@@ -42,5 +43,10 @@ struct MapFileOptions {
 /// @throw WriteError
 void writeMap(const std::filesystem::path& file, const DepthMap& map,
               const MapFileOptions& options);
+
+/// The `state` that a TIFF was written with: its image description. Nothing if it has none.
+/// [worker]
+/// @throw FileError  not a readable TIFF
+std::optional<std::string> rasterState(const std::filesystem::path& file);
 
 }  // namespace relievo
