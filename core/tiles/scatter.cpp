@@ -130,7 +130,7 @@ FrontDepths depthsByRule(const SortedTiles& sorted, const TileLayout& layout, in
     }
   }
   const FrontDepths around =
-      scatterPoints({.scan = scan, .view_from_file = {}, .frame = frame, .rule = rule});
+      scatterPoints({.scan = scan, .view_from_file = {}, .frame = frame, .rule = rule}).front;
   FrontDepths depths(size.count());
   for (int row = 0; row < size.rows; ++row) {
     const std::size_t from =
