@@ -16,6 +16,9 @@ namespace relievo {
 inline constexpr std::string_view kOriginContent =
     "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
 
+/// Holds the state a file was made with (MapFileOptions::state).
+inline constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";
+
 /// NAME.origin.tif beside NAME.tif.
 inline std::filesystem::path originFileOf(std::filesystem::path map_file) {
   return map_file.replace_extension(".origin.tif");

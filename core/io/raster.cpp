@@ -309,4 +309,12 @@ RasterMap readRaster(const std::filesystem::path& file) {
   return raster;
 }
 
+std::optional<std::string> rasterState(const std::filesystem::path& file) {
+  const GdalErrors errors;
+  const Dataset dataset = openRaster(file, {.driver = "GTiff", .name = "TIFF"}, errors);
+  const char* state = dataset->GetMetadataItem(kDescriptionTag);
+  if (state == nullptr) return std::nullopt;
+  return state;
+}
+
 }  // namespace relievo

@@ -36,6 +36,7 @@ struct MapFileOptions {
   bool write_origins = true;  ///< Also NAME.origin.tif.
   bool mask_band = false;     ///< Also a mask within the file: 255 where there is a height, else 0.
   bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
+  std::string state = {};      ///< ASCII; becomes the image description. Empty: none.
 };
 
 /// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres
@@ -44,5 +45,10 @@ struct MapFileOptions {
 /// @throw WriteError
 void writeMap(const std::filesystem::path& file, const DepthMap& map,
               const MapFileOptions& options);
+
+/// The `state` that a TIFF was written with: its image description. Nothing if it has none.
+/// [worker]
+/// @throw FileError  not a readable TIFF
+std::optional<std::string> rasterState(const std::filesystem::path& file);
 
 }  // namespace relievo

@@ -124,6 +124,8 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
       "RELIEVO_FRAME",
       roundTripText(std::array{map.frame.first_x_mm, map.frame.first_y_mm, map.frame.spacing_mm})
           .c_str());
+  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
+  if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
 
   ReplacedFile map_file(file);
   writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},

@@ -9,28 +9,51 @@ namespace {
 
 constexpr int kParts = 4;
 
-bool isInside(const std::vector<PlaceMm>& outline, double x, double y) {
-  bool inside = false;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const PlaceMm a = outline[i];
-    const PlaceMm b = outline[j];
-    if ((a.y > y) == (b.y > y)) continue;
-    if (x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
+/// Of each cell of one row: how many of its 4 x 4 points lie inside the outline, even-odd. Found
+/// from where the outline crosses each line of points, so that long outlines cost little.
+class RowCounts {
+ public:
+  RowCounts(const GridFrame& frame, const std::vector<PlaceMm>& outline)
+      : frame_(frame), outline_(outline), counts_(static_cast<std::size_t>(frame.size.cols)) {}
 
-double sharePart(const std::vector<PlaceMm>& outline, double x, double y, double spacing) {
-  int inside = 0;
-  for (int i = 0; i < kParts; ++i) {
+  const std::vector<int>& of(int row) {
+    std::fill(counts_.begin(), counts_.end(), 0);
     for (int j = 0; j < kParts; ++j) {
-      const double dx = (i + 0.5) / kParts - 0.5;
-      const double dy = (j + 0.5) / kParts - 0.5;
-      if (isInside(outline, x + dx * spacing, y + dy * spacing)) ++inside;
+      addLine(frame_.yMm(row) + ((j + 0.5) / kParts - 0.5) * frame_.spacing_mm);
+    }
+    return counts_;
+  }
+
+ private:
+  void addLine(double y) {
+    crossings_.clear();
+    for (std::size_t i = 0, j = outline_.size() - 1; i < outline_.size(); j = i++) {
+      const PlaceMm a = outline_[i];
+      const PlaceMm b = outline_[j];
+      if ((a.y > y) != (b.y > y)) {
+        crossings_.push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+      }
+    }
+    std::sort(crossings_.begin(), crossings_.end());
+    for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
+      // Point k lies at left + (k + 0.5) part; those in [from, to) count.
+      const int from = firstAtOrAfter(crossings_[i]);
+      const int to = firstAtOrAfter(crossings_[i + 1]);
+      for (int k = from; k < to; ++k) ++counts_[static_cast<std::size_t>(k / kParts)];
     }
   }
-  return static_cast<double>(inside) / (kParts * kParts);
-}
+
+  int firstAtOrAfter(double x) const {
+    const double left = frame_.first_x_mm - 0.5 * frame_.spacing_mm;
+    const double point = std::ceil((x - left) / frame_.spacing_mm * kParts - 0.5);
+    return static_cast<int>(std::clamp(point, 0.0, static_cast<double>(kParts) * frame_.size.cols));
+  }
+
+  const GridFrame& frame_;
+  const std::vector<PlaceMm>& outline_;
+  std::vector<int> counts_;
+  std::vector<double> crossings_;
+};
 
 /// Area of the surface over area in the view, from central differences.
 double stretch(const DepthMap& map, Cell at) {
@@ -58,12 +81,14 @@ Piece pieceOf(const DepthMap& map, const std::vector<PlaceMm>& outline, double p
   const double cell_mm2 = s * s;
   double cells = 0;
   double unmeasured = 0;
+  RowCounts row_counts(map.frame, outline);
   for (int row = 0; row < map.frame.size.rows; ++row) {
+    const std::vector<int>& counts = row_counts.of(row);
     for (int col = 0; col < map.frame.size.cols; ++col) {
       const Cell cell{.col = col, .row = row};
-      if (map.origin(cell) == Origin::outside) continue;
-      const double part = sharePart(outline, map.frame.xMm(col), map.frame.yMm(row), s);
-      if (part == 0) continue;
+      const int points = counts[static_cast<std::size_t>(col)];
+      if (points == 0 || map.origin(cell) == Origin::outside) continue;
+      const double part = static_cast<double>(points) / (kParts * kParts);
       const double above = std::max(0.0, static_cast<double>(map.heightMm(cell)) - plane_mm);
       const double stretched = stretch(map, cell);
       cells += part;

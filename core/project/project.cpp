@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/project.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <fstream>
+#include <array>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/depth/point_rule.h"
+#include "core/io/text_file.h"
 
 namespace relievo {
 namespace {
@@ -19,6 +19,15 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
 constexpr std::array<const char*, 7> kRuleNames{"front", "second", "topmean",  "median",
                                                 "mean",  "splat",  "quadratic"};
+
+constexpr std::size_t kMostProjectBytes = 64U << 20U;
+constexpr int kDeepest = 64;  // Writing recurses.
+
+template <class Change>
+void forEachFile(Project& project, const Change& change) {
+  change(project.file);
+  for (InputFile& recording : project.recordings) change(recording.file);
+}
 
 template <class T>
 Json optionalJson(const std::optional<T>& value) {
@@ -61,8 +70,9 @@ Json optionsJson(const SurfaceOptions& o) {
   for (const char* rule : kRuleNames) {
     if (o.rule && pointRule(rule) == o.rule) json["rule"] = rule;
   }
-  json["holes"] = {{"rule", kHoleRuleNames[static_cast<std::size_t>(o.holes.rule)]},
-                   {"max_area_mm2", o.holes.max_area_mm2}};
+  json["holes"] = {{"rule", kHoleRuleNames[static_cast<std::size_t>(o.holes.rule)]}};
+  // JSON has no infinity; no limit is written as none.
+  if (std::isfinite(o.holes.max_area_mm2)) json["holes"]["max_area_mm2"] = o.holes.max_area_mm2;
   json["factor"] = o.pyramid.factor;
   return json;
 }
@@ -94,7 +104,7 @@ SurfaceOptions optionsFrom(const Json& json) {
   if (json.contains("holes")) {
     const Json& holes = json.at("holes");
     o.holes.rule = wordFrom(holes, "rule", kHoleRuleNames, HoleRule::base);
-    o.holes.max_area_mm2 = holes.value("max_area_mm2", 0.0);
+    o.holes.max_area_mm2 = holes.value("max_area_mm2", std::numeric_limits<double>::infinity());
   }
   o.pyramid.factor = json.value("factor", o.pyramid.factor);
   return o;
@@ -225,11 +235,16 @@ Project projectFrom(const Json& json) {
   for (const Json& m : json.value("measurements", Json::array())) {
     p.measurements.push_back(measurementFrom(m));
   }
+  for (const Json& file : json.value("recordings", Json::array())) {
+    p.recordings.push_back({.file = file.at("file").get<std::string>(),
+                            .sha256 = file.at("sha256").get<std::string>(),
+                            .bytes = file.at("bytes").get<std::uint64_t>()});
+  }
   p.history = json.value("history", std::vector<std::string>());
   Json others = Json::object();
-  constexpr std::array<const char*, 11> kKnown{"relievo_project", "version", "input",  "depth_map",
-                                               "region",          "look",    "stereo", "figure",
-                                               "measurements",    "places",  "history"};
+  constexpr std::array<const char*, 12> kKnown{
+      "relievo_project", "version", "input",        "depth_map", "region",     "look",
+      "stereo",          "figure",  "measurements", "places",    "recordings", "history"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) others[key] = value;
   }
@@ -259,14 +274,23 @@ std::string projectJson(const Project& p) {
   }
   json["measurements"] = Json::array();
   for (const Measurement& m : p.measurements) json["measurements"].push_back(measurementJson(m));
+  json["recordings"] = Json::array();
+  for (const InputFile& file : p.recordings) {
+    json["recordings"].push_back(
+        {{"file", file.file}, {"bytes", file.bytes}, {"sha256", file.sha256}});
+  }
   json["history"] = p.history;
   if (!p.others.empty()) json.update(Json::parse(p.others));
-  return json.dump(2);
+  // A file name need not be UTF-8; JSON must be.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 Project projectFromJson(std::string_view json, const std::string& source) {
   try {
-    return projectFrom(Json::parse(json));
+    return projectFrom(Json::parse(json, [](int depth, Json::parse_event_t, Json&) {
+      if (depth > kDeepest) throw FileError("It is nested too deep.");
+      return true;
+    }));
   } catch (const nlohmann::json::exception& error) {
     throw FileError("'" + source + "' is not a project that this version can read (" +
                     error.what() + "). Nothing was changed.");
@@ -277,33 +301,20 @@ Project projectFromJson(std::string_view json, const std::string& source) {
 }
 
 void writeProject(const std::filesystem::path& target, Project project) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path folder = fs::absolute(target, error).parent_path();
-  const fs::path relative = fs::path(project.file).lexically_relative(folder);
-  if (!relative.empty()) project.file = relative.generic_string();
-  fs::path part = target;
-  part += ".part" + std::to_string(getpid());
-  std::ofstream out(part, std::ios::binary);
-  out << projectJson(project) << '\n';
-  out.close();
-  if (out) fs::rename(part, target, error);
-  if (out && !error) return;
-  fs::remove(part, error);
-  throw WriteError("The project '" + target.string() +
-                   "' could not be written. Choose another folder or free some space.");
+  const std::filesystem::path parent = target.parent_path();
+  const std::filesystem::path folder = parent.empty() ? std::filesystem::path(".") : parent;
+  forEachFile(project, [&](std::string& file) { file = relativePath(file, folder); });
+  writeTextFile(target, projectJson(project) + "\n");
 }
 
 Project readProject(const std::filesystem::path& source) {
-  namespace fs = std::filesystem;
-  std::ifstream in(source, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw FileError("The project '" + source.string() + "' cannot be read. Choose another.");
-  Project project = projectFromJson(text.str(), source.filename().string());
+  Project project =
+      projectFromJson(readTextFile(source, kMostProjectBytes), source.filename().string());
   std::error_code error;
-  const fs::path folder = fs::absolute(source, error).parent_path();
-  project.file = (folder / project.file).lexically_normal().string();
+  const std::filesystem::path folder = std::filesystem::absolute(source, error).parent_path();
+  forEachFile(project, [&](std::string& file) {
+    file = (folder / file).lexically_normal().generic_string();
+  });
   return project;
 }
 

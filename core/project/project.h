@@ -8,6 +8,7 @@
 
 #include "core/measure/measure.h"
 #include "core/project/figure_request.h"
+#include "core/provenance/sha256.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
 #include "core/session/surface.h"
@@ -36,6 +37,8 @@ struct Project {
   FigureRequest figure;
   std::vector<NamedRegion> places;
   std::vector<Measurement> measurements;
+  /// Logs of touches; found like `file`, each with its checksum.
+  std::vector<InputFile> recordings;
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
   std::string version;               ///< Of the program that wrote it.
   std::string others;                ///< JSON object of keys this version does not know.
@@ -46,10 +49,12 @@ std::string projectJson(const Project& project);
 /// @throw FileError  not JSON, not a project, or of a newer schema; names `source`
 Project projectFromJson(std::string_view json, const std::string& source);
 
-/// Writes beside the target and renames. `project.file` is stored relative to the target's folder.
+/// Writes beside the target and renames. `project.file` and the recordings are stored relative to
+/// the target's folder.
 /// @throw WriteError
 void writeProject(const std::filesystem::path& target, Project project);
-/// `file` of the result is absolute, wherever the project has been moved together with its input.
+/// `file` of the result and of its recordings is absolute, wherever the project has been moved
+/// together with its input.
 /// @throw FileError
 Project readProject(const std::filesystem::path& source);
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/text_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/io/owned_fd.h"
+
+namespace relievo {
+namespace {
+
+bool writeAll(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return ::fsync(descriptor) == 0;
+}
+
+}  // namespace
+
+void writeTextFile(const std::filesystem::path& file, std::string_view text) {
+  std::filesystem::path part = file;
+  part += ".part" + std::to_string(::getpid());
+  bool written = false;
+  int reason = 0;
+  {
+    const OwnedFd out(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    written = out.get() >= 0 && writeAll(out.get(), text);
+    reason = errno;
+  }
+  if (written && ::rename(part.c_str(), file.c_str()) == 0) return;
+  if (written) reason = errno;
+  ::unlink(part.c_str());
+  throw WriteError("Cannot write " + file.string() + " (" + std::strerror(reason) +
+                   "). What was there is as before. Choose another folder or free some space.");
+}
+
+std::string readTextFile(const std::filesystem::path& file, std::size_t most_bytes) {
+  const std::uint64_t bytes = checkedFileSize(file);
+  if (bytes > most_bytes) {
+    throw FileError("Cannot read " + shownName(file) + ": it has " + grouped(bytes) +
+                    " bytes, more than the " + grouped(most_bytes) +
+                    " that such a file may have. Nothing was loaded.");
+  }
+  return readHead(file, most_bytes);
+}
+
+}  // namespace relievo

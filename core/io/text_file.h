@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace relievo {
+
+/// Writes a file beside its place, brings it to the disk and renames it: whatever happens, either
+/// the old file or the whole new one is there. [any thread]
+/// @throw WriteError
+void writeTextFile(const std::filesystem::path& file, std::string_view text);
+
+/// A whole file. [any thread]
+/// @throw FileError  missing, not a regular file, empty, unreadable, or longer than `most_bytes`
+std::string readTextFile(const std::filesystem::path& file, std::size_t most_bytes);
+
+}  // namespace relievo

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/measure/section.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include "core/base/error.h"
+
+namespace relievo {
+namespace {
+
+/// A line between two neighbouring samples: the lower or left one, and whether it runs upward.
+using EdgeId = std::uint64_t;
+/// Two edges of one cell, joined by a piece of a curve.
+using Piece = std::array<EdgeId, 2>;
+
+class Cutter {
+ public:
+  Cutter(const DepthMap& map, const PlaneMm& plane) : map_(map), plane_(plane) {}
+
+  std::vector<SectionCurve> curves() {
+    const GridSize size = map_.frame.size;
+    for (int row = 0; row + 1 < size.rows; ++row) {
+      for (int col = 0; col + 1 < size.cols; ++col) cutCell({.col = col, .row = row});
+    }
+    std::vector<SectionCurve> found;
+    std::vector<bool> used(pieces_.size(), false);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (!used[i]) found.push_back(trace(i, used));
+    }
+    std::stable_sort(found.begin(), found.end(), [](const SectionCurve& a, const SectionCurve& b) {
+      return a.length_mm > b.length_mm;
+    });
+    return found;
+  }
+
+ private:
+  /// Height of a sample over the plane, along the plane's normal. Exactly 0 counts as above, so
+  /// that a curve through a sample is found once.
+  double over(Cell c) const {
+    return plane_.normal.x * map_.frame.xMm(c.col) + plane_.normal.y * map_.frame.yMm(c.row) +
+           plane_.normal.z * static_cast<double>(map_.heightMm(c)) - plane_.offset_mm;
+  }
+
+  EdgeId edge(Cell c, bool upward) const { return 2 * map_.frame.size.index(c) + (upward ? 1 : 0); }
+
+  void cutCell(Cell c) {
+    const std::array<Cell, 4> corners{c,
+                                      {.col = c.col + 1, .row = c.row},
+                                      {.col = c.col + 1, .row = c.row + 1},
+                                      {.col = c.col, .row = c.row + 1}};
+    std::array<double, 4> h{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (map_.origin(corners[i]) == Origin::outside) return;
+      h[i] = over(corners[i]);
+    }
+    // Bottom, right, top, left: edge i joins corners i and i + 1.
+    const std::array<EdgeId, 4> edges{edge(corners[0], false), edge(corners[1], true),
+                                      edge(corners[3], false), edge(corners[0], true)};
+    std::array<std::size_t, 4> cut{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((h[i] >= 0) != (h[(i + 1) % 4] >= 0)) cut[count++] = i;
+    }
+    if (count == 2) add(edges[cut[0]], edges[cut[1]]);
+    if (count != 4) return;
+    // A saddle: the bilinear height in the middle says which corners belong together.
+    const bool middle_above = h[0] + h[1] + h[2] + h[3] >= 0;
+    const bool first_above = h[0] >= 0;
+    if (middle_above == first_above) {
+      add(edges[0], edges[1]);
+      add(edges[2], edges[3]);
+    } else {
+      add(edges[3], edges[0]);
+      add(edges[1], edges[2]);
+    }
+  }
+
+  void add(EdgeId a, EdgeId b) {
+    for (const EdgeId e : {a, b}) {
+      auto& at = at_edge_[e];
+      (at[0] ? at[1] : at[0]) = pieces_.size() + 1;
+    }
+    pieces_.push_back({a, b});
+  }
+
+  std::optional<std::size_t> nextAt(EdgeId e, const std::vector<bool>& used) const {
+    for (const std::size_t piece : at_edge_.at(e)) {
+      if (piece > 0 && !used[piece - 1]) return piece - 1;
+    }
+    return std::nullopt;
+  }
+
+  /// Follows pieces from one end; returns the edges passed, `from` not among them.
+  std::vector<EdgeId> follow(EdgeId from, std::vector<bool>& used) const {
+    std::vector<EdgeId> passed;
+    for (auto next = nextAt(from, used); next; next = nextAt(from, used)) {
+      used[*next] = true;
+      const Piece& piece = pieces_[*next];
+      from = piece[0] == from ? piece[1] : piece[0];
+      passed.push_back(from);
+    }
+    return passed;
+  }
+
+  SectionCurve trace(std::size_t start, std::vector<bool>& used) const {
+    used[start] = true;
+    const Piece& piece = pieces_[start];
+    std::vector<EdgeId> edges = follow(piece[0], used);
+    std::reverse(edges.begin(), edges.end());
+    edges.push_back(piece[0]);
+    const std::vector<EdgeId> onward = follow(piece[1], used);
+    edges.push_back(piece[1]);
+    edges.insert(edges.end(), onward.begin(), onward.end());
+    SectionCurve curve;
+    curve.closed = edges.size() > 2 && edges.front() == edges.back();
+    if (curve.closed) edges.pop_back();
+    double unmeasured = 0;
+    for (const EdgeId e : edges) curve.points.push_back(pointOn(e, unmeasured));
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      curve.length_mm += norm(curve.points[i] - curve.points[i - 1]);
+    }
+    if (curve.closed) curve.length_mm += norm(curve.points.front() - curve.points.back());
+    curve.not_measured = unmeasured / static_cast<double>(edges.size());
+    return curve;
+  }
+
+  ViewMm pointOn(EdgeId e, double& unmeasured) const {
+    const auto index = static_cast<std::int64_t>(e / 2);
+    const Cell a{.col = static_cast<int>(index % map_.frame.size.cols),
+                 .row = static_cast<int>(index / map_.frame.size.cols)};
+    const Cell b =
+        e % 2 == 1 ? Cell{.col = a.col, .row = a.row + 1} : Cell{.col = a.col + 1, .row = a.row};
+    if (map_.origin(a) != Origin::measured || map_.origin(b) != Origin::measured) unmeasured += 1;
+    const double ha = over(a);
+    const double t = ha / (ha - over(b));
+    const auto at = [&](Cell c) {
+      return ViewMm{map_.frame.xMm(c.col), map_.frame.yMm(c.row),
+                    static_cast<double>(map_.heightMm(c))};
+    };
+    return at(a) + t * (at(b) - at(a));
+  }
+
+  const DepthMap& map_;
+  PlaneMm plane_;
+  std::vector<Piece> pieces_;
+  std::unordered_map<EdgeId, std::array<std::size_t, 2>> at_edge_;  ///< Pieces + 1; 0: none.
+};
+
+}  // namespace
+
+std::vector<SectionCurve> section(const DepthMap& map, const PlaneMm& plane) {
+  const double length = norm(plane.normal);
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(plane.offset_mm)) {
+    throw ArgumentError("A section needs a plane with a direction and a distance.");
+  }
+  return Cutter(map, {.normal = (1 / length) * plane.normal, .offset_mm = plane.offset_mm})
+      .curves();
+}
+
+}  // namespace relievo

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/project/package.h"
+
+#include <unistd.h>
+#include <zip.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/project/project_files.h"
+#include "core/provenance/program.h"
+
+namespace relievo {
+namespace {
+
+constexpr const char* kManifest = "manifest-sha256.txt";
+constexpr const char* kProject = "project.json";
+constexpr const char* kReadme = "README.txt";
+constexpr std::uint64_t kMostTextBytes = 64U << 20U;
+constexpr std::time_t kNoDate = 315532800;  // 1980-01-01, the oldest that a zip can hold.
+
+struct DiscardZip {
+  void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+using Zip = std::unique_ptr<zip_t, DiscardZip>;
+
+// ---- writing -------------------------------------------------------------------------------
+
+class PackageWriter {
+ public:
+  explicit PackageWriter(std::filesystem::path target) : target_(std::move(target)) {
+    part_ = target_;
+    part_ += ".part" + std::to_string(::getpid());
+    int code = 0;
+    archive_.reset(zip_open(part_.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
+    if (!archive_) {
+      zip_error_t error;
+      zip_error_init_with_code(&error, code);
+      const std::string reason = zip_error_strerror(&error);
+      zip_error_fini(&error);
+      fail(reason);
+    }
+  }
+
+  /// @return its name in the package; a second one of the same name gets a number
+  std::string addFile(const std::string& folder, const std::filesystem::path& file,
+                      const std::string& sha256) {
+    std::string name = folder + "/" + file.filename().string();
+    for (int i = 2; manifest_.contains(name); ++i) {
+      name = folder + "/" + std::to_string(i) + "-" + file.filename().string();
+    }
+    add(name, zip_source_file(archive_.get(), file.c_str(), 0, -1), sha256);
+    return name;
+  }
+
+  void addText(const std::string& name, std::string text) {
+    texts_.push_back(std::make_unique<std::string>(std::move(text)));
+    const std::string& kept = *texts_.back();
+    add(name, zip_source_buffer(archive_.get(), kept.data(), kept.size(), 0), sha256OfText(kept));
+  }
+
+  void close(const Task& task) {
+    std::string lines;
+    for (const auto& [name, sha256] : manifest_) lines.append(sha256 + "  " + name + "\n");
+    addText(kManifest, lines);
+    // Everything is read, packed and written here.
+    zip_register_cancel_callback_with_state(
+        archive_.get(),
+        [](zip_t*, void* state) {
+          return static_cast<Task*>(state)->stop.stop_requested() ? 1 : 0;
+        },
+        nullptr, const_cast<Task*>(&task));
+    if (zip_close(archive_.get()) != 0) {
+      task.check();
+      fail(zip_strerror(archive_.get()));
+    }
+    archive_.release();  // NOLINT(bugprone-unused-return-value): closed, hence freed.
+    std::error_code error;
+    std::filesystem::rename(part_, target_, error);
+    if (!error) return;
+    std::filesystem::remove(part_, error);
+    fail("it cannot be renamed");
+  }
+
+ private:
+  void add(const std::string& name, zip_source_t* source, const std::string& sha256) {
+    const zip_int64_t index =
+        source == nullptr ? -1
+                          : zip_file_add(archive_.get(), name.c_str(), source, ZIP_FL_ENC_UTF_8);
+    if (index < 0) {
+      zip_source_free(source);
+      fail(zip_strerror(archive_.get()));
+    }
+    zip_file_set_mtime(archive_.get(), static_cast<zip_uint64_t>(index), kNoDate, 0);
+    zip_file_set_external_attributes(archive_.get(), static_cast<zip_uint64_t>(index), 0,
+                                     ZIP_OPSYS_UNIX, 0100644U << 16U);
+    manifest_[name] = sha256;
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw WriteError("The package " + target_.string() + " could not be written (" + reason +
+                     "). Nothing was left behind. Choose another folder or free some space.");
+  }
+
+  std::filesystem::path target_, part_;
+  std::vector<std::unique_ptr<std::string>> texts_;  ///< Until the archive is closed.
+  std::map<std::string, std::string> manifest_;
+  Zip archive_;
+};
+
+/// The file is there and is the one the project means.
+void requireAsBefore(const FileCheck& check) {
+  if (check.state == FileState::as_before) return;
+  throw FileError("'" + check.file.file + "' " +
+                      (check.state == FileState::missing ? "is not there"
+                                                         : "has changed since (checksum differs)") +
+                      ". Nothing was packed. Relink it, or take it out of the project.",
+                  "E501");
+}
+
+std::string readmeText(const Project& project, bool with_input) {
+  return "Package for citation, made by relievo " + std::string(programVersion()) + " (" +
+         std::string(programCommit()) +
+         ")\n\nObject: " + std::filesystem::path(project.file).filename().string() + ", SHA-256 " +
+         project.sha256 +
+         (with_input ? ", in input/" : ", not included; needed to make the figures again") +
+         "\n\nproject.json         the work: views, regions, measurements; open it with relievo\n"
+         "recordings/          what was felt, one row per millisecond, CSV\n"
+         "figures/             each carries the state that it was made from\n" +
+         kManifest +
+         "  checksums of all files; check with: sha256sum -c\n\n"
+         "Check all:           relievo project verify PACKAGE.zip\n"
+         "Make a figure again: relievo render --from-image figures/NAME.png -o NEW.png\n";
+}
+
+// ---- reading -------------------------------------------------------------------------------
+
+Zip openZip(const std::filesystem::path& file) {
+  checkedFileSize(file);
+  int code = 0;
+  Zip archive(zip_open(file.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
+  if (!archive) {
+    throw FileError("Cannot read " + shownName(file) +
+                    ": it is not a whole zip file. Copy or download it again.");
+  }
+  return archive;
+}
+
+/// Hands an entry on in pieces. @return false if it is damaged
+template <class Take>
+bool readEntry(zip_t* archive, const std::string& name, const Take& take, const Task& task) {
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> entry(
+      zip_fopen(archive, name.c_str(), ZIP_FL_ENC_UTF_8), &zip_fclose);
+  if (!entry) return false;
+  std::vector<char> piece(1U << 18U);
+  for (;;) {
+    task.check();
+    const zip_int64_t count = zip_fread(entry.get(), piece.data(), piece.size());
+    if (count < 0) return false;
+    if (count == 0) return true;
+    if (!take(std::string_view(piece.data(), static_cast<std::size_t>(count)))) return false;
+  }
+}
+
+std::optional<std::string> entryText(zip_t* archive, const std::string& name, const Task& task) {
+  std::string text;
+  const bool whole = readEntry(
+      archive, name,
+      [&](std::string_view piece) {
+        text += piece;
+        return text.size() <= kMostTextBytes;
+      },
+      task);
+  if (!whole) return std::nullopt;
+  return text;
+}
+
+/// Name to checksum; nothing for a line of another form.
+std::optional<std::map<std::string, std::string>> manifestFrom(std::string_view text) {
+  std::map<std::string, std::string> manifest;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.size() < 67 || line.substr(64, 2) != "  ") return std::nullopt;
+    manifest[std::string(line.substr(66))] = line.substr(0, 64);
+  }
+  return manifest;
+}
+
+void checkEntry(zip_t* archive, const std::string& name, const std::string& sha256,
+                PackageCheck& check, const Task& task) {
+  Sha256 hash;
+  const bool whole = readEntry(
+      archive, name,
+      [&](std::string_view piece) {
+        hash.add(piece);
+        return true;
+      },
+      task);
+  if (!whole) {
+    check.problems.push_back("'" + name + "' is missing or damaged.");
+  } else if (hash.finish() != sha256) {
+    check.problems.push_back("'" + name + "' is not what was packed (checksum differs).");
+  } else {
+    ++check.files;
+  }
+}
+
+}  // namespace
+
+void writePackage(const std::filesystem::path& target, const Project& project,
+                  const PackageContents& contents, const Task& task) {
+  Project packed = project;
+  std::vector<FileCheck> checks = checkFiles(project, task);
+  if (!contents.with_input) checks.erase(checks.begin());
+  for (const FileCheck& check : checks) requireAsBefore(check);
+  std::vector<std::string> figure_sums;
+  for (const auto& figure : contents.figures) figure_sums.push_back(sha256OfFile(figure, task));
+
+  PackageWriter writer(target);
+  packed.file = contents.with_input ? writer.addFile("input", project.file, project.sha256)
+                                    : std::filesystem::path(project.file).filename().string();
+  for (InputFile& recording : packed.recordings) {
+    recording.file = writer.addFile("recordings", recording.file, recording.sha256);
+  }
+  for (std::size_t i = 0; i < figure_sums.size(); ++i) {
+    writer.addFile("figures", contents.figures[i], figure_sums[i]);
+  }
+  writer.addText(kProject, projectJson(packed));
+  writer.addText(kReadme, readmeText(project, contents.with_input));
+  writer.close(task);
+}
+
+PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task) {
+  const Zip archive = openZip(file);
+  const auto text = entryText(archive.get(), kManifest, task);
+  const auto manifest = text ? manifestFrom(*text) : std::nullopt;
+  if (!manifest) {
+    throw FileError(shownName(file) + " holds no " + kManifest +
+                    " of relievo, so that nothing can be checked. Choose a package for citation.");
+  }
+  PackageCheck check;
+  for (const auto& [name, sha256] : *manifest) {
+    checkEntry(archive.get(), name, sha256, check, task);
+  }
+  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_UTF_8);
+    if (name == nullptr || std::string_view(name) == kManifest || manifest->contains(name))
+      continue;
+    check.problems.push_back("'" + std::string(name) + "' was added after packing.");
+  }
+  const auto project = entryText(archive.get(), kProject, task);
+  if (!project) {
+    check.problems.push_back("There is no " + std::string(kProject) + ".");
+    return check;
+  }
+  try {
+    projectFromJson(*project, kProject);
+  } catch (const FileError& error) {
+    check.problems.emplace_back(error.what());
+  }
+  return check;
+}
+
+}  // namespace relievo

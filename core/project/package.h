@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/project/project.h"
+
+namespace relievo {
+
+/// What goes into a package for citation besides the project itself.
+struct PackageContents {
+  bool with_input = true;  ///< False: only its name and checksum, if it may not be given away.
+  std::vector<std::filesystem::path> figures;
+};
+
+/// One zip that can be cited: project.json, input/, recordings/, figures/, README.txt, and
+/// manifest-sha256.txt (the form of `sha256sum -c`) over all of them. The same contents give the
+/// same bytes. Written beside the target and renamed. [worker]
+/// @throw FileError  a file of the project is missing or changed  @throw WriteError, Cancelled
+void writePackage(const std::filesystem::path& target, const Project& project,
+                  const PackageContents& contents, const Task& task = {});
+
+struct PackageCheck {
+  std::uint64_t files = 0;            ///< Named by the manifest and as it says.
+  std::vector<std::string> problems;  ///< One sentence each; empty: all is as it was packed.
+};
+/// Compares every file of a package with its manifest, and its project with the schema. Nothing is
+/// unpacked. [worker] @throw FileError  no zip, or no manifest in it  @throw Cancelled
+PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task = {});
+
+}  // namespace relievo

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/provenance/embedded.h"
+
+#include <png.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/io/raster.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kMostStateBytes = 16U << 20U;
+constexpr int kMostCommentLines = 1000;  // Of a CSV file, before its columns.
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+[[noreturn]] void leave(png_structp png, png_const_charp) {
+  png_longjmp(png, 1);
+}
+void beQuiet(png_structp, png_const_charp) {}
+
+// libpng leaves by longjmp: nothing with a destructor is made in this function.
+bool readPngEntry(std::FILE* file, std::string& state) {
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, beQuiet);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  if (!info || setjmp(png_jmpbuf(png))) {
+    png_destroy_read_struct(&png, &info, nullptr);
+    return false;
+  }
+  png_init_io(png, file);
+  png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
+  png_set_chunk_malloc_max(png, kMostStateBytes);
+  png_read_info(png, info);
+  png_textp entries = nullptr;
+  int count = 0;
+  png_get_text(png, info, &entries, &count);
+  for (int i = 0; i < count; ++i) {
+    if (kStateKey == entries[i].key && entries[i].text != nullptr) state = entries[i].text;
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  return true;
+}
+
+std::optional<std::string> pngState(const std::filesystem::path& file) {
+  const std::unique_ptr<std::FILE, CloseFile> in(std::fopen(file.c_str(), "rb"));
+  std::string state;
+  if (!in || !readPngEntry(in.get(), state)) {
+    throw FileError("Cannot read " + shownName(file) +
+                    ": the picture is damaged. Nothing was restored.");
+  }
+  if (state.empty()) return std::nullopt;
+  return state;
+}
+
+std::optional<std::string> commentState(const std::filesystem::path& file) {
+  const std::string start = "# " + std::string(kStateKey) + " ";
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  for (int i = 0; i < kMostCommentLines && in.peek() == '#'; ++i) {
+    line.clear();
+    for (int c = in.get(); c != '\n' && c != EOF && line.size() < kMostStateBytes; c = in.get()) {
+      line += static_cast<char>(c);
+    }
+    if (line.starts_with(start)) return line.substr(start.size());
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string stateLine(std::string_view json) {
+  return std::string(kStateKey).append(" ").append(json);
+}
+
+std::optional<std::string> embeddedState(const std::filesystem::path& file) {
+  const std::string head = readHead(file, 8);
+  if (head == "\x89PNG\r\n\x1a\n") return pngState(file);
+  if (head.starts_with(std::string_view("II*\0", 4)) || head.starts_with("II+") ||
+      head.starts_with(std::string_view("MM\0", 3))) {
+    return rasterState(file);
+  }
+  if (head.starts_with('#')) return commentState(file);
+  return std::nullopt;
+}
+
+}  // namespace relievo

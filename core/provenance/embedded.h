@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace relievo {
+
+/// Name of the entry that carries a provenance: PNG text chunk, and comment line of a CSV file.
+inline constexpr std::string_view kStateKey = "relievo:state";
+
+/// A provenance as a comment line of a CSV file, without the leading "#" and the line end.
+std::string stateLine(std::string_view json);
+
+/// The provenance JSON that a PNG, a TIFF, or a CSV file of ours carries; nothing if it has none.
+/// The file is told by its content, not by its name. [worker]
+/// @throw FileError  missing, or damaged before the entry
+std::optional<std::string> embeddedState(const std::filesystem::path& file);
+
+}  // namespace relievo

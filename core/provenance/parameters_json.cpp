@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/provenance/parameters_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/depth/point_rule.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::array<std::string_view, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
+constexpr std::array<std::string_view, 4> kUnitSourceNames{"given", "file", "remembered",
+                                                           "assumed"};
+constexpr std::array<std::string_view, 2> kStereoModeNames{"off", "anaglyph"};
+constexpr std::array<std::string_view, 7> kRuleNames{"front", "second", "topmean",  "median",
+                                                     "mean",  "splat",  "quadratic"};
+constexpr double kAny = std::numeric_limits<double>::max();
+
+/// A number within its limits. @throw FileError naming the key
+double number(const Json& json, const char* key, double low, double high) {
+  const auto value = json.at(key).get<double>();
+  if (!(value >= low) || !(value <= high)) {
+    throw FileError("'" + std::string(key) + "' is " + json.at(key).dump() +
+                    ", beyond what it may be.");
+  }
+  return value;
+}
+
+int wholeNumber(const Json& json, const char* key, int low, int high) {
+  if (!json.at(key).is_number_integer()) {
+    throw FileError("'" + std::string(key) + "' is not a whole number.");
+  }
+  return static_cast<int>(number(json, key, low, high));
+}
+
+/// One of the words of a list, by its place.
+template <class Enum, std::size_t N>
+Enum word(const Json& json, const char* key, const std::array<std::string_view, N>& names) {
+  const auto said = json.at(key).get<std::string>();
+  const auto* const found = std::find(names.begin(), names.end(), said);
+  if (found == names.end()) {
+    throw FileError("'" + said + "' is not a known '" + std::string(key) + "'.");
+  }
+  return static_cast<Enum>(found - names.begin());
+}
+
+bool has(const Json& json, const char* key) {
+  return json.contains(key) && !json.at(key).is_null();
+}
+
+Json jsonOf(const std::optional<ViewChoice>& view) {
+  if (!view) return nullptr;
+  Json json{{"name", view->name}, {"turn_deg", view->turn_deg}};
+  if (view->rotation) json["rotation"] = *view->rotation;
+  return json;
+}
+
+std::optional<ViewChoice> viewChoiceFrom(const Json& json) {
+  if (!has(json, "view")) return std::nullopt;
+  const Json& stored = json.at("view");
+  ViewChoice view{.name = stored.at("name").get<std::string>(), .rotation = std::nullopt};
+  if (has(stored, "rotation")) {
+    if (stored.at("rotation").size() != Rotation{}.size()) {
+      throw FileError("'rotation' has not 9 numbers.");
+    }
+    view.rotation = stored.at("rotation").get<Rotation>();
+  }
+  if (stored.at("turn_deg").size() != view.turn_deg.size()) {
+    throw FileError("'turn_deg' has not 3 numbers.");
+  }
+  view.turn_deg = stored.at("turn_deg").get<std::array<double, 3>>();
+  return view;
+}
+
+Json jsonOf(const ReliefLook& look) {
+  return {{"kind", name(look.kind)},
+          {"colours", name(look.colours)},
+          {"light_azimuth_deg", look.light.azimuth_deg},
+          {"light_elevation_deg", look.light.elevation_deg},
+          {"radius_mm", look.radius_mm},
+          {"range", look.range ? Json(*look.range) : Json(nullptr)}};
+}
+
+ReliefLook lookFrom(const Json& json) {
+  ReliefLook look;
+  look.kind = word<ReliefKind>(json, "kind", kReliefKindNames);
+  look.colours = word<ColourMap>(json, "colours", kColourMapNames);
+  look.light.azimuth_deg = number(json, "light_azimuth_deg", -kAny, kAny);
+  look.light.elevation_deg = number(json, "light_elevation_deg", -90, 90);
+  look.radius_mm = number(json, "radius_mm", 0, kAny);
+  if (has(json, "range")) {
+    if (json.at("range").size() != 2) throw FileError("'range' has not 2 numbers.");
+    look.range = json.at("range").get<std::array<double, 2>>();
+  }
+  return look;
+}
+
+Json jsonOf(const StereoOptions& stereo) {
+  return {{"mode", kStereoModeNames.at(static_cast<std::size_t>(stereo.mode))},
+          {"eye_angle_deg", stereo.eye_angle_deg},
+          {"zero_plane_mm", stereo.zero_plane_mm ? Json(*stereo.zero_plane_mm) : Json(nullptr)}};
+}
+
+StereoOptions stereoFrom(const Json& json) {
+  StereoOptions stereo;
+  stereo.mode = word<StereoMode>(json, "mode", kStereoModeNames);
+  stereo.eye_angle_deg = number(json, "eye_angle_deg", 0, 90);
+  if (has(json, "zero_plane_mm")) stereo.zero_plane_mm = number(json, "zero_plane_mm", -kAny, kAny);
+  return stereo;
+}
+
+}  // namespace
+
+Json parsedJson(std::string_view text) {
+  constexpr int kDeepest = 64;
+  return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
+    if (depth > kDeepest) throw FileError("It is nested too deep.");
+    return true;
+  });
+}
+
+Json jsonOf(const InputFile& input) {
+  return {{"file", input.file}, {"bytes", input.bytes}, {"sha256", input.sha256}};
+}
+
+InputFile inputFrom(const Json& json) {
+  InputFile input{.file = json.at("file").get<std::string>(),
+                  .sha256 = json.at("sha256").get<std::string>(),
+                  .bytes = json.at("bytes").get<std::uint64_t>()};
+  const bool is_digits = std::all_of(input.sha256.begin(), input.sha256.end(), [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
+  });
+  if (!input.sha256.empty() && (input.sha256.size() != 64 || !is_digits)) {
+    throw FileError("'sha256' is not a checksum.");
+  }
+  // A file name with a zero inside would be another file to the operating system.
+  if (input.file.empty() || input.file.find('\0') != std::string::npos) {
+    throw FileError("'file' is not a file's name.");
+  }
+  return input;
+}
+
+Json jsonOf(const SurfaceOptions& o) {
+  Json json;
+  json["unit"] = o.unit ? Json(name(*o.unit)) : Json(nullptr);
+  json["unit_source"] = name(o.unit_source);
+  json["view"] = jsonOf(o.view);
+  json["cells"] = o.cells ? Json(*o.cells) : Json(nullptr);
+  json["spacing_mm"] = o.spacing_mm ? Json(*o.spacing_mm) : Json(nullptr);
+  json["engine"] = o.engine;
+  json["rule"] = nullptr;
+  for (const std::string_view rule : kRuleNames) {
+    if (o.rule && pointRule(rule) == o.rule) json["rule"] = rule;
+  }
+  json["holes"] = {{"rule", kHoleRuleNames.at(static_cast<std::size_t>(o.holes.rule))}};
+  // JSON has no infinity; no limit is written as none.
+  if (std::isfinite(o.holes.max_area_mm2)) json["holes"]["max_area_mm2"] = o.holes.max_area_mm2;
+  json["factor"] = o.pyramid.factor;
+  json["coarsest_samples"] = o.pyramid.coarsest_samples;
+  return json;
+}
+
+SurfaceOptions optionsFrom(const Json& json) {
+  SurfaceOptions o;
+  if (has(json, "unit")) {
+    const auto unit = json.at("unit").get<std::string>();
+    o.unit = lengthUnit(unit);
+    if (!o.unit) throw FileError("'" + unit + "' is not a known 'unit'.");
+  }
+  o.unit_source = word<UnitSource>(json, "unit_source", kUnitSourceNames);
+  o.view = viewChoiceFrom(json);
+  if (has(json, "cells")) o.cells = wholeNumber(json, "cells", 2, 1 << 30);
+  if (has(json, "spacing_mm")) o.spacing_mm = number(json, "spacing_mm", 0, kAny);
+  o.engine = json.at("engine").get<std::string>();
+  if (o.engine != "cpu" && o.engine != "depthbuffer") {
+    throw FileError("'" + o.engine + "' is not a known 'engine'.");
+  }
+  if (has(json, "rule")) {
+    const auto rule = json.at("rule").get<std::string>();
+    o.rule = pointRule(rule);
+    if (!o.rule) throw FileError("'" + rule + "' is not a known 'rule'.");
+  }
+  const Json& holes = json.at("holes");
+  o.holes.rule = word<HoleRule>(holes, "rule", kHoleRuleNames);
+  o.holes.max_area_mm2 = has(holes, "max_area_mm2") ? number(holes, "max_area_mm2", 0, kAny)
+                                                    : std::numeric_limits<double>::infinity();
+  o.pyramid.factor = number(json, "factor", 1, kMostFactor);
+  o.pyramid.coarsest_samples = wholeNumber(json, "coarsest_samples", 1, 1 << 30);
+  return o;
+}
+
+Json jsonOf(const ViewState& view) {
+  return {
+      {"region_mm", {view.region.x_mm, view.region.y_mm, view.region.side_mm, view.region.side_mm}},
+      {"level", view.region.level.value},
+      {"gain", view.gain},
+      {"turn_deg", {view.azimuth_deg, view.elevation_deg}},
+      {"look", jsonOf(view.look)},
+      {"stereo", jsonOf(view.stereo)}};
+}
+
+ViewState viewFrom(const Json& json) {
+  ViewState view;
+  const Json& region = json.at("region_mm");
+  const Json& turn = json.at("turn_deg");
+  if (region.size() != 4) throw FileError("'region_mm' has not 4 numbers.");
+  if (turn.size() != 2) throw FileError("'turn_deg' has not 2 numbers.");
+  view.region = {.x_mm = region.at(0).get<double>(),
+                 .y_mm = region.at(1).get<double>(),
+                 .side_mm = region.at(2).get<double>(),
+                 .level = Level{wholeNumber(json, "level", 0, 1000)}};
+  if (!(view.region.side_mm > 0)) throw FileError("'region_mm' has no size.");
+  view.gain = number(json, "gain", std::numeric_limits<double>::min(), kAny);
+  view.azimuth_deg = turn.at(0).get<double>();
+  view.elevation_deg = turn.at(1).get<double>();
+  view.look = lookFrom(json.at("look"));
+  view.stereo = stereoFrom(json.at("stereo"));
+  return view;
+}
+
+Json jsonOf(const PictureChoice& picture) {
+  return {{"pixels", {picture.width_px, picture.height_px}}, {"scale_bar", picture.scale_bar}};
+}
+
+PictureChoice pictureFrom(const Json& json) {
+  const Json& pixels = json.at("pixels");
+  PictureChoice picture{.width_px = pixels.at(0).get<int>(),
+                        .height_px = pixels.at(1).get<int>(),
+                        .scale_bar = json.at("scale_bar").get<bool>()};
+  constexpr int kMost = 1 << 20;
+  if (picture.width_px < 1 || picture.height_px < 1 || picture.width_px > kMost ||
+      picture.height_px > kMost) {
+    throw FileError("'pixels' is beyond what it may be.");
+  }
+  return picture;
+}
+
+}  // namespace relievo

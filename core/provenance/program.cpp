@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/provenance/program.h"
+
+#include "core/provenance/commit.h"
+
+namespace relievo {
+
+std::string_view programVersion() noexcept {
+  return RELIEVO_VERSION_STRING;
+}
+
+std::string_view programCommit() noexcept {
+  return kCommit;
+}
+
+}  // namespace relievo

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+namespace relievo {
+
+/// "0.1.0"
+std::string_view programVersion() noexcept;
+/// Commit that the program was built from, 40 hexadecimal digits, "-changed" after them if files
+/// differed from it; "unknown" if it was built outside a repository.
+std::string_view programCommit() noexcept;
+
+}  // namespace relievo

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/provenance/provenance.h"
+
+#include "core/base/error.h"
+#include "core/provenance/parameters_json.h"
+#include "core/provenance/program.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kSchema = 1;
+constexpr int kViewSchema = 1;
+
+/// What came out, for a reader of the file; made anew, never read back into choices.
+Json madeJson(const Surface& surface) {
+  const GridFrame& frame = surface.map.frame;
+  const HeightRange heights = heightRange(surface.map);
+  const auto shares = originShares(surface.map);
+  Json json;
+  json["cells"] = {frame.size.cols, frame.size.rows};
+  json["spacing_mm"] = frame.spacing_mm;
+  json["height_mm"] = {{"min", heights.min_mm}, {"max", heights.max_mm}};
+  json["levels"] = surface.ladder.levels();
+  json["view"] = surface.view_name;
+  json["view_from_file"] = surface.view_from_file.m;
+  json["engine"] = surface.engine;
+  json["rule"] = surface.rule;
+  json["holes"] = surface.holes.size();
+  for (std::size_t i = 0; i < kOriginCount; ++i) {
+    json["shares"][std::string(kOriginNames[i])] = shares[i];
+  }
+  return json;
+}
+
+std::string objectText(const Json& json, const char* key) {
+  if (!json.contains(key)) return {};
+  if (!json.at(key).is_object()) throw FileError("'" + std::string(key) + "' is not an object.");
+  return json.at(key).dump();
+}
+
+Provenance provenanceFrom(const Json& json) {
+  if (!json.is_object() || !json.contains("relievo_provenance")) {
+    throw FileError("There is no 'relievo_provenance' in it.");
+  }
+  const int schema = json.at("relievo_provenance").get<int>();
+  if (schema < 1 || schema > kSchema) {
+    throw FileError("It is of schema " + std::to_string(schema) + "; this version reads up to " +
+                    std::to_string(kSchema) + ".");
+  }
+  Provenance p;
+  p.version = json.at("program").at("version").get<std::string>();
+  p.commit = json.at("program").at("commit").get<std::string>();
+  p.input = inputFrom(json.at("input"));
+  p.accept_incomplete = json.at("input").value("incomplete", false);
+  p.options = optionsFrom(json.at("depth_map"));
+  if (json.contains("view")) p.view = viewFrom(json.at("view"));
+  if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
+  p.touch = objectText(json, "touch");
+  p.figure = objectText(json, "figure");
+  p.made = objectText(json, "made");
+  return p;
+}
+
+}  // namespace
+
+Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options) {
+  Provenance p;
+  p.version = programVersion();
+  p.commit = programCommit();
+  p.options = resolved(options, surface);
+  p.made = madeJson(surface).dump();
+  return p;
+}
+
+SurfaceOptions resolved(const SurfaceOptions& options, const Surface& surface) {
+  SurfaceOptions out = options;
+  out.pyramid.threads = 0;  // The bytes are the same for every number.
+  // A map of ours is taken as it is.
+  if (surface.engine == "as stored" || surface.tiles) return out;
+  out.unit = surface.unit;
+  out.unit_source = surface.unit_source;
+  if (surface.is_raster) return out;
+  const bool automatic = !options.view || options.view->name == "auto";
+  if (automatic && standardRotation(surface.view_name)) {
+    out.view = ViewChoice{.name = surface.view_name, .rotation = std::nullopt, .turn_deg = {}};
+  }
+  out.cells.reset();
+  out.spacing_mm = surface.map.frame.spacing_mm;
+  return out;
+}
+
+std::string toJson(const Provenance& p, int indent) {
+  Json json;
+  json["relievo_provenance"] = kSchema;
+  json["program"] = {{"name", "relievo"}, {"version", p.version}, {"commit", p.commit}};
+  json["input"] = jsonOf(p.input);
+  json["input"]["incomplete"] = p.accept_incomplete;
+  json["depth_map"] = jsonOf(p.options);
+  if (p.view) json["view"] = jsonOf(*p.view);
+  if (p.picture) json["picture"] = jsonOf(*p.picture);
+  if (!p.touch.empty()) json["touch"] = Json::parse(p.touch);
+  if (!p.figure.empty()) json["figure"] = Json::parse(p.figure);
+  if (!p.made.empty()) json["made"] = Json::parse(p.made);
+  // A file name need not be UTF-8; JSON must be. ASCII goes through every tag and comment.
+  return json.dump(indent, ' ', true, Json::error_handler_t::replace);
+}
+
+Provenance provenanceFromJson(std::string_view text, const std::string& source) {
+  try {
+    return provenanceFrom(parsedJson(text));
+  } catch (const nlohmann::json::exception& error) {
+    throw FileError(source + " holds no state that this version can read (" + error.what() +
+                    "). Nothing was changed.");
+  } catch (const FileError& error) {
+    throw FileError(source + " holds no state that this version can read. " + error.what() +
+                    " Nothing was changed.");
+  }
+}
+
+std::string toText(const ViewState& view) {
+  Json json{{"relievo_view", kViewSchema}};
+  json.update(jsonOf(view));
+  return json.dump(2);
+}
+
+ViewState viewFromText(std::string_view text) {
+  try {
+    const Json json = parsedJson(text);
+    if (!json.is_object() || json.value("relievo_view", 0) != kViewSchema) {
+      throw FileError("There is no 'relievo_view' of schema 1 in it.");
+    }
+    return viewFrom(json);
+  } catch (const std::exception& error) {
+    throw ArgumentError("This text is not a view of relievo (" + std::string(error.what()) +
+                        "). The view was not changed. Copy a view again.");
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/provenance/sha256.h"
+#include "core/region/region.h"
+#include "core/relief/look.h"
+#include "core/session/surface.h"
+
+namespace relievo {
+
+/// Which part of a surface is seen, and how: what a named view keeps and what can be pasted as
+/// text.
+struct ViewState {
+  Region region = {};
+  double gain = 1;  ///< On heights; 1 is true to scale.
+  ReliefLook look = {};
+  StereoOptions stereo = {};
+  double azimuth_deg = 0, elevation_deg = 0;  ///< Turn of the camera; 0, 0 looks along -z.
+  friend bool operator==(const ViewState&, const ViewState&) = default;
+};
+
+/// How a view becomes a picture of exactly the region.
+struct PictureChoice {
+  int width_px = 0, height_px = 0;
+  bool scale_bar = false;
+  friend bool operator==(const PictureChoice&, const PictureChoice&) = default;
+};
+
+/// Where a result came from: which bytes, which program, every choice in between. It travels inside
+/// every picture, map and log; what is made again from it has the same pixels or samples. No
+/// dates: the same input and choices give the same bytes.
+struct Provenance {
+  std::string version, commit;  ///< Of the program that made the result.
+  InputFile input;
+  SurfaceOptions options;          ///< What was chosen for people is written out.
+  bool accept_incomplete = false;  ///< The complete records of a cut file were taken.
+  std::optional<ViewState> view;
+  std::optional<PictureChoice> picture;
+  /// JSON objects, kept as they are; empty: none. `touch` is the stroke and the law of the force,
+  /// `made` what the surface came out as, `figure` a page around the picture.
+  std::string touch, made, figure;
+};
+
+/// `version`, `commit`, `options` and `made` of a surface that is in memory.
+Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options);
+
+/// The options with what was chosen automatically written out: unit, view, sample distance.
+SurfaceOptions resolved(const SurfaceOptions& options, const Surface& surface);
+
+/// One JSON object, numbers in round-trip form; the same record gives the same text.
+/// @param indent  blanks per level; -1 writes one line
+std::string toJson(const Provenance& provenance, int indent = 2);
+/// @throw FileError  no such object, of a newer schema, or with a value that makes no sense; the
+///                   sentence names `source`
+Provenance provenanceFromJson(std::string_view json, const std::string& source);
+
+/// A view as text that people can read, paste and send.
+std::string toText(const ViewState& view);
+/// @throw ArgumentError  not a view, or a value that makes no sense
+ViewState viewFromText(std::string_view text);
+
+}  // namespace relievo

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/project/project_files.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <random>
+
+#include "core/base/error.h"
+#include "core/io/text_file.h"
+#include "core/project/autosave.h"
+#include "core/project/package.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class OnDisk : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::create_directories(folder("work/scans"));
+    scan_ = folder_.write("work/scans/coin.ply", "a scan");
+    log_ = folder_.write("work/log.csv", "a log");
+    project_.file = scan_.generic_string();
+    project_.sha256 = sha256OfFile(scan_);
+    project_.region = {.x_mm = 1, .y_mm = 2, .side_mm = 3, .level = Level{0}};
+    project_.places = {{.name = "eye \u0915", .region = {.side_mm = 0.1, .level = Level{3}}}};
+    project_.measurements = {{.name = "rim",
+                              .kind = MeasureKind::area,
+                              .places = {{0, 0}, {1, 0}, {0, 1}},
+                              .plane_mm = 0.1}};
+    project_.recordings = {absolute(log_)};
+    project_.history = {"Level 2 -> 1", "Gain 2"};
+    project_.others = R"({"from_the_future":[1,2]})";
+  }
+  fs::path folder(const std::string& name) const { return folder_.path() / name; }
+  static InputFile absolute(const fs::path& file) {
+    InputFile input = inputFile(file, {});
+    input.file = file.generic_string();
+    return input;
+  }
+
+  test::TemporaryFolder folder_;
+  fs::path scan_, log_;
+  Project project_;
+};
+
+TEST_F(OnDisk, AProjectComesBackAsItWas) {
+  writeProject(folder("work/p.json"), project_);
+  const Project back = readProject(folder("work/p.json"));
+  EXPECT_EQ(projectJson(back), projectJson(project_));
+  EXPECT_EQ(back.recordings, project_.recordings);
+  EXPECT_EQ(back.history, project_.history);
+  EXPECT_EQ(back.others, project_.others);
+}
+
+TEST_F(OnDisk, AFolderMovedAsAWholeOpensElsewhere) {
+  writeProject(folder("work/p.json"), project_);
+  EXPECT_THAT(readTextFile(folder("work/p.json"), 1 << 20), HasSubstr("\"scans/coin.ply\""));
+  fs::rename(folder("work"), folder("moved"));
+  const Project back = readProject(folder("moved/p.json"));
+  EXPECT_EQ(back.file, folder("moved/scans/coin.ply").string());
+  for (const FileCheck& check : checkFiles(back)) EXPECT_EQ(check.state, FileState::as_before);
+}
+
+TEST_F(OnDisk, MissingAndChangedFilesAreToldAndFoundByChecksum) {
+  fs::create_directories(folder("elsewhere/deep"));
+  fs::rename(scan_, folder("elsewhere/deep/renamed.ply"));
+  folder_.write("elsewhere/other.ply", "b scan");  // As long, other bytes.
+  folder_.write("work/log.csv", "another log");
+  const auto checks = checkFiles(project_);
+  ASSERT_EQ(checks.size(), 2U);
+  EXPECT_EQ(checks[0].state, FileState::missing);
+  EXPECT_EQ(checks[1].state, FileState::changed);
+  EXPECT_EQ(
+      foundByChecksum(inputFile(folder("elsewhere/deep/renamed.ply"), {}), folder("elsewhere")),
+      folder("elsewhere/deep/renamed.ply"));
+  EXPECT_EQ(foundByChecksum(project_.recordings[0], folder("elsewhere")), std::nullopt);
+  EXPECT_EQ(foundByChecksum(project_.recordings[0], folder("nowhere")), std::nullopt);
+}
+
+void expectRefused(const std::string& text) {
+  try {
+    projectFromJson(text, "p.json");
+    ADD_FAILURE() << "accepted: " << text.substr(0, 200);
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'p.json' is not a project"));
+  }
+}
+
+TEST_F(OnDisk, HostileProjectsAreRefusedWithASentence) {
+  const std::string text = projectJson(project_);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string copy = text;
+    const std::size_t at = copy.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    if (at != std::string::npos) copy.replace(at, from.size(), to);
+    return copy;
+  };
+  expectRefused("");
+  expectRefused("[]");
+  expectRefused("{}");
+  expectRefused(changed("\"relievo_project\": 1", "\"relievo_project\": 2"));
+  expectRefused(changed("\"relievo_project\": 1", "\"relievo_project\": \"1\""));
+  expectRefused(changed("\"kind\": \"area\"", "\"kind\": \"guess\""));
+  expectRefused(changed("\"input\"", "\"output\""));
+  expectRefused(changed("\"recordings\": [", "\"recordings\": [7,"));
+  expectRefused(changed("\"plane_mm\": 0.1", "\"plane_mm\": 1e999"));
+  expectRefused(changed("[\n    \"Level 2", "[[[\n    \"Level 2"));
+  expectRefused("{\"relievo_project\":1,\"z\":" + std::string(200'000, '[') +
+                std::string(200'000, ']') + "}");
+  for (std::size_t end = 0; end + 2 < text.size(); end += 7) expectRefused(text.substr(0, end));
+}
+
+TEST_F(OnDisk, DamagedBytesNeverCrash) {
+  const std::string text = projectJson(project_);
+  std::mt19937 random(5);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string copy = text;
+    for (int k = 0; k < 3; ++k) copy[random() % copy.size()] = static_cast<char>(random() & 0xffU);
+    try {
+      projectFromJson(copy, "p.json");
+    } catch (const FileError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 500);
+}
+
+TEST_F(OnDisk, AHugeOrMissingProjectIsRefused) {
+  const fs::path huge = folder("huge.json");
+  folder_.write("huge.json", "{");
+  fs::resize_file(huge, std::uintmax_t{1} << 32U);  // Sparse.
+  EXPECT_THROW(readProject(huge), FileError);
+  EXPECT_THROW(readProject(folder("missing.json")), FileError);
+  EXPECT_THROW(readProject(folder("work")), FileError);
+  EXPECT_THROW(writeProject(folder("none/p.json"), project_), WriteError);
+}
+
+TEST_F(OnDisk, WorkOfACrashedProgramIsFoundAndThatOfALivingOneIsNot) {
+  const fs::path copies = folder("state/autosave");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto* autosave = new Autosave(copies);  // Never destroyed: the program dies.
+    project_.others = R"({"saved_as":"p.json"})";
+    autosave->save(project_);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  {
+    const Autosave living(copies);
+    living.save(project_);
+    const auto left = leftAutosaves(copies);
+    ASSERT_EQ(left.size(), 1U);
+    const Project recovered = readProject(left[0]);
+    EXPECT_EQ(recovered.others, R"({"saved_as":"p.json"})");
+    EXPECT_EQ(recovered.file, project_.file);
+    removeAutosave(left[0]);
+    EXPECT_TRUE(leftAutosaves(copies).empty());
+  }
+  EXPECT_TRUE(fs::is_empty(copies)) << "a program that ends well leaves nothing";
+}
+
+TEST_F(OnDisk, APackageIsWholeAndTheSameEachTime) {
+  const fs::path figure = folder_.write("fig.png", "a figure");
+  fs::create_directories(folder("b"));
+  const fs::path same_name = folder_.write("b/fig.png", "another");
+  const PackageContents contents{.figures = {figure, same_name}};
+  writePackage(folder("one.zip"), project_, contents);
+  writePackage(folder("two.zip"), project_, contents);
+  EXPECT_EQ(sha256OfFile(folder("one.zip")), sha256OfFile(folder("two.zip")));
+  const PackageCheck check = verifyPackage(folder("one.zip"));
+  EXPECT_EQ(check.problems, std::vector<std::string>{});
+  EXPECT_EQ(check.files, 6U);
+  writePackage(folder("bare.zip"), project_, {.with_input = false, .figures = {}});
+  EXPECT_EQ(verifyPackage(folder("bare.zip")).files, 3U);
+}
+
+TEST_F(OnDisk, ADamagedPackageIsTold) {
+  writePackage(folder("one.zip"), project_, {});
+  std::string bytes = readTextFile(folder("one.zip"), 1 << 20);
+  // Every byte of the stored names, sizes and contents: never quietly accepted, never a crash.
+  int told = 0;
+  for (std::size_t i = 0; i < bytes.size(); i += 11) {
+    std::string copy = bytes;
+    copy[i] = static_cast<char>(copy[i] ^ 0x55);
+    const fs::path file = folder_.write("bad.zip", copy);
+    try {
+      if (!verifyPackage(file).problems.empty()) ++told;
+    } catch (const FileError&) {
+      ++told;
+    }
+  }
+  EXPECT_GT(told, static_cast<int>(bytes.size() / 11 / 2));
+  EXPECT_THROW(verifyPackage(folder_.write("cut.zip", bytes.substr(0, bytes.size() / 2))),
+               FileError);
+  EXPECT_THROW(verifyPackage(scan_), FileError);
+}
+
+TEST_F(OnDisk, APackageIsNotMadeFromChangedFiles) {
+  folder_.write("work/log.csv", "another log");
+  EXPECT_THROW(writePackage(folder("one.zip"), project_, {}), FileError);
+  project_.recordings.clear();
+  fs::remove(scan_);
+  EXPECT_THROW(writePackage(folder("one.zip"), project_, {}), FileError);
+  EXPECT_FALSE(fs::exists(folder("one.zip")));
+  writePackage(folder("one.zip"), project_, {.with_input = false, .figures = {}});
+  EXPECT_TRUE(fs::exists(folder("one.zip")));
+  EXPECT_THROW(writePackage(folder("none/one.zip"), project_, {.with_input = false, .figures = {}}),
+               WriteError);
+}
+
+}  // namespace
+}  // namespace relievo
