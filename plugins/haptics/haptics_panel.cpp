@@ -7,8 +7,10 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include "haptics/device_catalog.h"
@@ -30,6 +32,17 @@ QLabel* readout(const char* object_name, const QString& accessible) {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   return label;
 }
+
+QComboBox* choice(const char* object_name, const QString& accessible, const QStringList& items) {
+  auto* box = named(new QComboBox, object_name, accessible);
+  box->addItems(items);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  return box;
+}
+
+constexpr int kOwnValues = static_cast<int>(kSurfacePresets.size());  // Index after the presets.
+constexpr double kMmPerM = 1000;
 
 void setTextIfNew(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);  // No repaint, no event, if nothing changed.
@@ -64,7 +77,16 @@ QString stateText(const LoopReport& report) {
 HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("hapticsPanel"));
   buildControls();
+  buildFeel();
   buildReadouts();
+  connectControls();
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(rows());
+  column->addStretch(1);
+  setSettings({});
+}
+
+QFormLayout* HapticsPanel::rows() {
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   auto* strength_row = new QHBoxLayout;
@@ -78,19 +100,18 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
     form->addRow(label, field);
   };
   labelled(tr("S&trength"), strength_, strength_row);
+  labelled(tr("Surfa&ce"), preset_, preset_);
+  labelled(tr("Sh&ape"), surface_, surface_);
+  labelled(tr("Pro&xy"), proxy_, proxy_);
   labelled(tr("Sti&ffness"), stiffness_, stiffness_);
   form->addRow(QString(), by_detail_);
-  labelled(tr("Pro&xy"), proxy_, proxy_);
+  labelled(tr("Fr&iction"), friction_, friction_);
+  labelled(tr("Dam&ping"), damping_, damping_);
   form->addRow(tr("Pressed in"), depth_);
   labelled(tr("&Device"), device_, device_);
-  form->addRow(tr("Force loop"), rate_);
-  form->addRow(tr("Longest gap"), worst_);
-  form->addRow(tr("Late ticks"), late_);
-  form->addRow(tr("Real time"), realtime_);
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(form);
-  column->addStretch(1);
-  setSettings({});
+  form->addRow(tr("Force loop"), health_);
+  form->addRow(QString(), details_);
+  return form;
 }
 
 void HapticsPanel::buildControls() {
@@ -113,29 +134,58 @@ void HapticsPanel::buildControls() {
   stiffness_->setDecimals(2);
   stiffness_->setSuffix(tr(" N/mm"));
   stiffness_->setToolTip(tr("Force per millimetre that the hand is pressed in."));
-  proxy_ = named(new QComboBox, "proxyKind", tr("How the proxy follows the hand"));
-  proxy_->addItems({tr("Converged (exact)"), tr("As in the paper (eq. 2)"),
-                    tr("Successive approximation (paper)")});
-  proxy_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  proxy_->setMinimumContentsLength(12);
-  proxy_->setToolTip(tr("The proxy is the point that stays on the surface."));
-
-  device_ = named(new QComboBox, "deviceList", tr("Device"));
-  device_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  device_->setMinimumContentsLength(12);
+  device_ = choice("deviceList", tr("Device"), {});
   device_->setToolTip(
       tr("What the hand holds. A virtual hand is moved by the mouse and pushed by "
          "the force, as a real one is."));
   listDevices();
+}
 
+void HapticsPanel::buildFeel() {
+  preset_ = choice("surfacePreset", tr("How the surface feels"),
+                   {tr("Smooth"), tr("Exact"), tr("As in the paper"), tr("Soft stone"),
+                    tr("Bronze"), tr("Own values")});
+  preset_->setToolTip(
+      tr("Sets shape, proxy, stiffness, friction and damping together. Each can be changed "
+         "afterwards."));
+  // Shown when no preset fits; nothing to choose.
+  qobject_cast<QStandardItemModel*>(preset_->model())->item(kOwnValues)->setEnabled(false);
+  surface_ = choice("surfaceKind", tr("Shape of the surface between the samples"),
+                    {tr("Smooth with walls"), tr("Smooth everywhere"), tr("Flat facets (exact)")});
+  surface_->setToolTip(
+      tr("The height samples are exact in each; only what lies between them differs."));
+  proxy_ = choice("proxyKind", tr("How the proxy follows the hand"),
+                  {tr("Converged (exact)"), tr("As in the paper (eq. 2)"),
+                   tr("Successive approximation (paper)")});
+  proxy_->setToolTip(tr("The proxy is the point that stays on the surface."));
+  friction_ = named(new QDoubleSpinBox, "friction", tr("Friction at rest, 0 to 1"));
+  friction_->setRange(0, kMostFrictionAsked);
+  friction_->setSingleStep(0.05);
+  friction_->setToolTip(
+      tr("Force along the surface that holds the hand, as a part of the force against it; three "
+         "quarters of it while sliding. The paper's proxies know none."));
+  damping_ = named(new QDoubleSpinBox, "damping", tr("Damping in newton seconds per metre"));
+  damping_->setRange(0, kMmPerM * kMostDamping);
+  damping_->setSingleStep(0.1);
+  damping_->setDecimals(1);
+  damping_->setSuffix(tr(" N s/m"));
+  damping_->setToolTip(tr("Against the speed of pressing in."));
+}
+
+void HapticsPanel::connectControls() {
   connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
   connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
   connect(by_detail_, &QCheckBox::toggled, this, &HapticsPanel::changed);
-  connect(stiffness_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          &HapticsPanel::changed);
-  for (QComboBox* box : {proxy_, device_}) {
+  for (QDoubleSpinBox* box : {stiffness_, friction_, damping_}) {
+    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+            &HapticsPanel::changed);
+  }
+  for (QComboBox* box : {proxy_, surface_, device_}) {
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &HapticsPanel::changed);
   }
+  connect(preset_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          &HapticsPanel::takePreset);
+  connect(details_, &QPushButton::clicked, this, &HapticsPanel::showDetails);
 }
 
 void HapticsPanel::listDevices() {
@@ -150,25 +200,49 @@ void HapticsPanel::listDevices() {
 void HapticsPanel::buildReadouts() {
   state_ = readout("forceState", tr("State of the forces"));
   depth_ = readout("pressDepth", tr("How far the hand is pressed in"));
-  rate_ = readout("loopRate", tr("Rate of the force loop"));
-  worst_ = readout("worstPeriod", tr("Longest time between two ticks"));
-  late_ = readout("lateTicks", tr("Late ticks"));
-  realtime_ = readout("realtimeLine", tr("Real-time priority"));
+  health_ = readout("loopHealth", tr("How the force loop runs"));
+  details_ = named(new QPushButton(tr("More a&bout the loop…")), "loopDetailsButton",
+                   tr("More about the force loop"));
+  details_->setToolTip(tr("Wake-ups and computing times as tables, and what the system granted."));
 }
 
 void HapticsPanel::changed() {
   strength_value_->setText(tr("%1 %").arg(strength_->value()));
   stiffness_->setEnabled(!by_detail_->isChecked());
+  friction_->setEnabled(proxy_->currentIndex() == static_cast<int>(ProxyKind::converged));
+  showPreset();
   Q_EMIT settingsChanged();
+}
+
+void HapticsPanel::takePreset(int index) {
+  if (index < 0 || index >= kOwnValues) return;
+  TouchSettings settings = this->settings();
+  settings.feel = kSurfacePresets.at(static_cast<std::size_t>(index)).feel;
+  setSettings(settings);
+}
+
+void HapticsPanel::showPreset() {
+  int index = 0;
+  while (index < kOwnValues &&
+         !feelsTheSame(feel(), kSurfacePresets.at(static_cast<std::size_t>(index)).feel)) {
+    ++index;
+  }
+  const QSignalBlocker blocker(preset_);
+  preset_->setCurrentIndex(index);
 }
 
 void HapticsPanel::setSettings(const TouchSettings& settings) {
   {
-    const QSignalBlocker a(strength_), b(by_detail_), c(stiffness_), d(proxy_), e(device_);
+    const QSignalBlocker a(strength_), b(by_detail_), c(stiffness_), d(proxy_), e(device_),
+        f(surface_), g(friction_), h(damping_);
+    const SurfaceFeel& feel = settings.feel;
     strength_->setValue(settings.strength_percent);
-    by_detail_->setChecked(settings.stiffness_by_detail);
-    stiffness_->setValue(settings.stiffness_n_per_mm);
-    proxy_->setCurrentIndex(static_cast<int>(settings.proxy));
+    by_detail_->setChecked(feel.stiffness_by_detail);
+    stiffness_->setValue(feel.stiffness_n_per_mm);
+    proxy_->setCurrentIndex(static_cast<int>(feel.proxy));
+    surface_->setCurrentIndex(static_cast<int>(feel.surface));
+    friction_->setValue(feel.friction);
+    damping_->setValue(kMmPerM * feel.damping_n_s_per_mm);
     const QString device = QString::fromStdString(settings.device);
     if (device_->findData(device) < 0) device_->addItem(device, device);  // Not here now.
     device_->setCurrentIndex(device_->findData(device));
@@ -176,14 +250,34 @@ void HapticsPanel::setSettings(const TouchSettings& settings) {
   changed();
 }
 
+SurfaceFeel HapticsPanel::feel() const {
+  SurfaceFeel feel;
+  feel.proxy = static_cast<ProxyKind>(proxy_->currentIndex());
+  feel.surface = static_cast<SurfaceKind>(surface_->currentIndex());
+  feel.stiffness_by_detail = by_detail_->isChecked();
+  feel.stiffness_n_per_mm = stiffness_->value();
+  feel.friction = friction_->value();
+  feel.damping_n_s_per_mm = damping_->value() / kMmPerM;
+  return feel;
+}
+
 TouchSettings HapticsPanel::settings() const {
   TouchSettings settings;
   settings.strength_percent = strength_->value();
-  settings.stiffness_by_detail = by_detail_->isChecked();
-  settings.stiffness_n_per_mm = stiffness_->value();
-  settings.proxy = static_cast<ProxyKind>(proxy_->currentIndex());
+  settings.feel = feel();
   settings.device = device_->currentData().toString().toStdString();
   return settings;
+}
+
+void HapticsPanel::showDetails() {
+  if (!open_details_) {
+    open_details_ = new LoopDetailsDialog(this);
+    open_details_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  open_details_->show(report_);
+  open_details_->show();
+  open_details_->raise();
+  open_details_->activateWindow();
 }
 
 void HapticsPanel::setForcesAsked(bool on) {
@@ -201,12 +295,13 @@ void HapticsPanel::show(const LoopReport& report) {
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));
-  setTextIfNew(rate_, tr("%1 per second").arg(report.stats.rate_hz, 0, 'f', 0));
-  setTextIfNew(worst_, tr("%1 ms").arg(report.stats.worst_period_ms, 0, 'f', 1));
-  setTextIfNew(late_, tr("%1 of %2").arg(report.stats.late_ticks).arg(report.stats.ticks));
-  setTextIfNew(realtime_, report.realtime.note.empty()
-                              ? tr("Real-time priority granted.")
-                              : QString::fromStdString(report.realtime.note));
+  report_ = report;
+  if (open_details_) open_details_->show(report_);
+  constexpr int kShowsPerLine = 8;  // Read by speech, too: no oftener than once a second.
+  if (health_shows_++ % kShowsPerLine != 0 && report.stats.rate_hz > 0) return;
+  const QString health = healthText(report);
+  setTextIfNew(health_, health);
+  health_->setAccessibleDescription(health);
 }
 
 }  // namespace relievo

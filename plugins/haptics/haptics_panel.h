@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
-#include "haptics/loop/haptic_loop.h"
+#include "plugins/haptics/loop_health.h"
 #include "plugins/haptics/touch_settings.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
+class QPushButton;
 class QSlider;
 
 namespace relievo {
-
-/// What the panel shows of the running loop.
-struct LoopReport {
-  HapticSample sample;
-  LoopStats stats;
-  RealtimeGrant realtime;
-  QString device;
-  bool actuated = false;  ///< The device can push back.
-};
 
 /// Shows and asks; computes nothing.
 class HapticsPanel : public QWidget {
@@ -41,8 +35,15 @@ class HapticsPanel : public QWidget {
 
  private:
   void buildControls();
+  void buildFeel();
+  void connectControls();
+  void takePreset(int index);
+  void showPreset();
+  SurfaceFeel feel() const;
   void listDevices();
   void buildReadouts();
+  QFormLayout* rows();
+  void showDetails();
   void changed();
 
   QCheckBox* forces_ = nullptr;
@@ -50,14 +51,19 @@ class HapticsPanel : public QWidget {
   QLabel* strength_value_ = nullptr;
   QCheckBox* by_detail_ = nullptr;
   QDoubleSpinBox* stiffness_ = nullptr;
+  QComboBox* preset_ = nullptr;
+  QComboBox* surface_ = nullptr;
   QComboBox* proxy_ = nullptr;
+  QDoubleSpinBox* friction_ = nullptr;
+  QDoubleSpinBox* damping_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* depth_ = nullptr;
   QComboBox* device_ = nullptr;
-  QLabel* rate_ = nullptr;
-  QLabel* worst_ = nullptr;
-  QLabel* late_ = nullptr;
-  QLabel* realtime_ = nullptr;
+  QLabel* health_ = nullptr;
+  QPushButton* details_ = nullptr;
+  QPointer<LoopDetailsDialog> open_details_;
+  LoopReport report_;     // The last one shown.
+  int health_shows_ = 0;  // Since the health line was written.
 };
 
 }  // namespace relievo

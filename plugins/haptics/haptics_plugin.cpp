@@ -87,8 +87,9 @@ void HapticsPlugin::connectHost() {
 
 void HapticsPlugin::showWindow(const RegionWindow& window) {
   shown_ = {};  // The host may have cleared its probe.
+  surface_ = settings_.feel.surface;
   try {
-    session_->show(window);
+    session_->show(window, surface_);
   } catch (const Error& error) {
     setForces(false);
     host_->announce(QString::fromStdString(error.what()));
@@ -114,6 +115,7 @@ void HapticsPlugin::connectControls() {
     settings_ = panel_->settings();
     if (settings_.device != opened_) changeDevice();
     applySettings();
+    applySurface();
   });
 }
 
@@ -149,6 +151,11 @@ void HapticsPlugin::applySettings() {
   session_->setOptions(hapticOptions(settings_, forces_asked_));
 }
 
+void HapticsPlugin::applySurface() {
+  if (!session_ || surface_ == settings_.feel.surface) return;
+  if (const auto window = host_->shownWindow()) showWindow(*window);
+}
+
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
@@ -159,9 +166,9 @@ void HapticsPlugin::setRecording(bool on) {
     const QDateTime now = QDateTime::currentDateTime();
     const QString file = proposedRecording(now);
     const DeviceInfo& device = session_->loop().device();
-    const QString header =
-        recordingHeaderLines(host_->recordingHeader(), QString::fromStdString(device.name),
-                             withinDevice(hapticOptions(settings_, forces_asked_), device), now);
+    const QString header = recordingHeaderLines(
+        host_->recordingHeader(), QString::fromStdString(device.name),
+        withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
     session_->recorder().start(file.toStdString(), header.toStdString());
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
   } catch (const Error& error) {
@@ -294,6 +301,7 @@ void HapticsPlugin::restoreState(const QByteArray& state) {
   if (panel_) panel_->setSettings(settings_);
   if (session_ && settings_.device != opened_) changeDevice();
   applySettings();
+  applySurface();
 }
 
 }  // namespace relievo

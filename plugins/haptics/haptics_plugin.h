@@ -43,6 +43,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void changeStrength(int percent);
   void setRecording(bool on);
   void applySettings();
+  void applySurface();  // Another kind of the shown window's, if that was chosen.
   void frame();         // 60 times a second.
   void slowReadouts();  // About 8 times a second.
   void watchSoftening(const HapticSample& sample);
@@ -63,6 +64,7 @@ class HapticsPlugin : public QObject, public Plugin {
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   int softened_ = 0;
+  SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last.
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;
 };

@@ -42,12 +42,12 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
   }
 }
 
-void LoopSession::show(const RegionWindow& window) {
+void LoopSession::show(const RegionWindow& window, SurfaceKind kind) {
   const HapticSample& last = update();
   std::optional<Anchor> touched;  // Stays under the hand.
   if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
   fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels},
-       SurfaceKind::gated, touched);
+       kind, touched);
   loop_->spaces().publish();
   mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);

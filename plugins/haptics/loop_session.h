@@ -27,8 +27,9 @@ class LoopSession {
   LoopSession& operator=(const LoopSession&) = delete;
 
   /// A new surface. The hand keeps its place sideways and its depth, so that a change of detail
-  /// while touching goes on touching. @throw ArgumentError
-  void show(const RegionWindow& window);
+  /// while touching goes on touching; so does another kind of surface of the same window.
+  /// @throw ArgumentError
+  void show(const RegionWindow& window, SurfaceKind kind);
   bool hasWindow() const noexcept { return has_window_; }
   /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
   /// does not care.

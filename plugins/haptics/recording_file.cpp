@@ -6,6 +6,7 @@
 #include <QStandardPaths>
 
 #include "core/base/error.h"
+#include "haptics/loop/surface_preset.h"
 
 namespace relievo {
 
@@ -29,7 +30,8 @@ QString flightFolder() {
 }
 
 QString recordingHeaderLines(const QString& from_host, const QString& device,
-                             const HapticOptions& options, const QDateTime& now) {
+                             const HapticOptions& options, SurfaceKind surface,
+                             const QDateTime& now) {
   constexpr std::array<const char*, 3> kProxyNames{"converged", "equation", "successive"};
   const QString stiffness =
       options.stiffness_by_detail
@@ -44,7 +46,12 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
       QStringLiteral("proxy %1, stiffness %2, strength %3, limit %4 N")
           .arg(QLatin1String(kProxyNames[static_cast<std::size_t>(options.proxy.kind)]), stiffness)
           .arg(options.force.strength)
-          .arg(options.force.limit_n)};
+          .arg(options.force.limit_n),
+      QStringLiteral("surface %1, friction %2 at rest and %3 sliding, damping %4 N s/mm")
+          .arg(QString::fromUtf8(name(surface).data(), static_cast<int>(name(surface).size())))
+          .arg(options.proxy.static_friction)
+          .arg(options.proxy.dynamic_friction)
+          .arg(options.force.damping_n_s_per_mm)};
   for (const QString& line : from_host.split('\n', Qt::SkipEmptyParts)) {
     // The host's lines may be comments already; the writer adds the sign.
     lines << (line.startsWith(QLatin1String("# ")) ? line.mid(2) : line);

@@ -17,7 +17,8 @@ QString flightFolder();
 
 /// Comment lines of a recording (conventions.md 5.5).
 QString recordingHeaderLines(const QString& from_host, const QString& device,
-                             const HapticOptions& options, const QDateTime& now);
+                             const HapticOptions& options, SurfaceKind surface,
+                             const QDateTime& now);
 
 /// "2 min 14 s", from samples at 1 kHz.
 QString durationText(quint64 samples);

@@ -5,20 +5,21 @@
 #include <string>
 
 #include "haptics/loop/haptic_core.h"
+#include "haptics/loop/surface_preset.h"
 
 namespace relievo {
 
 /// What people choose about touch; remembered between sessions. Whether forces are on is not.
 struct TouchSettings {
   int strength_percent = 60;
-  bool stiffness_by_detail = true;
-  double stiffness_n_per_mm = 0.8;  ///< If not by detail.
-  ProxyKind proxy = ProxyKind::converged;
+  SurfaceFeel feel;
   std::string device = "mouse";  ///< An id of deviceCatalog().
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };
 
 inline constexpr double kLeastStiffness = 0.05, kMostStiffness = 1.5;  ///< N per mm of hand.
+inline constexpr double kMostFrictionAsked = 1;
+inline constexpr double kMostDamping = 0.002;  ///< N s per mm of hand.
 inline constexpr int kStrengthStep = 10;  ///< Percent; a smaller change of force is hardly felt.
 
 /// For the loop, which keeps them within what the device can do.

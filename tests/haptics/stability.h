@@ -43,6 +43,8 @@ struct StabilityTry {
   double push_n = 2;  ///< What the hand means to press with.
   double start_x_mm = 0;
   bool passivity = true;
+  ProxyOptions proxy = {};
+  double damping_n_s_per_mm = 0;
 };
 
 /// How much the force still swings above 20 Hz in the last half second, on the worst axis, N.
@@ -53,6 +55,8 @@ inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
   HapticOptions options;
   options.stiffness_by_detail = false;
   options.force.stiffness_n_per_mm = what.k_n_per_mm;
+  options.force.damping_n_s_per_mm = what.damping_n_s_per_mm;
+  options.proxy = what.proxy;
   options.force.strength = 1;
   options.force.passivity.on = what.passivity;
   options.force.oscillation.on = false;  // It would soften what is to be judged.

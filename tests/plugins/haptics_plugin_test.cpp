@@ -8,9 +8,12 @@
 #include <QComboBox>
 #include <QDeadlineTimer>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QPlainTextEdit>
 #include <QPluginLoader>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -209,8 +212,82 @@ TEST_F(HapticsPluginTest, ShowsHowTheLoopRunsAndWhetherRealTimeWasGranted) {
   EXPECT_EQ(host_.status.device, "mouse");
   EXPECT_TRUE(host_.status.realtime || !host_.status.realtime_note.isEmpty());
   ASSERT_TRUE(
-      eventually([this] { return inPanel<QLabel>("loopRate")->text().contains("per second"); }));
-  EXPECT_FALSE(inPanel<QLabel>("realtimeLine")->text().isEmpty());
+      eventually([this] { return inPanel<QLabel>("loopHealth")->text().contains("per second"); }));
+  const auto* health = inPanel<QLabel>("loopHealth");
+  EXPECT_TRUE(health->text().contains("ticks late, longest gap")) << health->text().toStdString();
+  EXPECT_TRUE(health->text().contains("eal-time priority"));
+  EXPECT_EQ(health->accessibleDescription(), health->text());
+}
+
+TEST_F(HapticsPluginTest, TellsTheDetailsOfTheLoopAsTables) {
+  host_.window = flatWindow(5, 32);
+  attach();
+  ASSERT_TRUE(eventually([this] { return host_.status.rate_hz > 0; }));
+  inPanel<QPushButton>("loopDetailsButton")->click();
+  const auto* text = inPanel<QPlainTextEdit>("loopDetailsText");
+  ASSERT_NE(text, nullptr);
+  EXPECT_TRUE(text->isVisible());
+  const QString first = text->toPlainText();
+  EXPECT_TRUE(first.contains("Woken late by, in ticks:")) << first.toStdString();
+  EXPECT_TRUE(first.contains("  up to 20 µs"));
+  EXPECT_TRUE(first.contains("Time spent computing, in ticks:\n  up to 0.5 µs"));
+  EXPECT_TRUE(eventually([&] { return text->toPlainText() != first; })) << "it follows the loop";
+}
+
+TEST_F(HapticsPluginTest, APresetSetsAllThatIsFeltAndOwnValuesAreNamedSo) {
+  host_.window = flatWindow(5, 33);
+  attach();
+  auto* preset = inPanel<QComboBox>("surfacePreset");
+  auto* friction = inPanel<QDoubleSpinBox>("friction");
+  EXPECT_EQ(preset->currentText(), "Smooth") << "the default";
+  preset->setCurrentIndex(preset->findText("As in the paper"));
+  EXPECT_EQ(inPanel<QComboBox>("proxyKind")->currentIndex(), 1);
+  EXPECT_EQ(inPanel<QComboBox>("surfaceKind")->currentText(), "Flat facets (exact)");
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("stiffness")->value(), 0.5);
+  EXPECT_FALSE(inPanel<QCheckBox>("stiffnessByDetail")->isChecked());
+  EXPECT_EQ(friction->value(), 0);
+  EXPECT_FALSE(friction->isEnabled()) << "the paper's proxies know none";
+  preset->setCurrentIndex(preset->findText("Soft stone"));
+  EXPECT_EQ(friction->value(), 0.6);
+  EXPECT_TRUE(friction->isEnabled());
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("damping")->value(), 0.5);
+  friction->setValue(0.3);
+  EXPECT_EQ(preset->currentText(), "Own values");
+  const QByteArray state = plugin_->saveState();
+  preset->setCurrentIndex(preset->findText("Bronze"));
+  EXPECT_EQ(preset->currentText(), "Bronze");
+  plugin_->restoreState(state);
+  EXPECT_EQ(friction->value(), 0.3);
+  EXPECT_EQ(preset->currentText(), "Own values");
+}
+
+TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {
+  // Beside a step the facets are flat; a spline rings there.
+  host_.window = std::make_shared<RegionWindow>(test::windowOf(
+      80, [](double x, double) { return x < 40 ? 5.0 : 7.0; }, 34));
+  attach();
+  auto* shape = inPanel<QComboBox>("surfaceKind");
+  shape->setCurrentIndex(2);
+  const auto over = [this](bool pressing) {
+    Q_EMIT host_.handMoved({handOver(*host_.window, 40.5, 40, pressing, 1), true});
+  };
+  over(false);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) {
+    return p.window_id == 34 && !p.touching && std::abs(p.hip.x - 40.5) < 1e-3;
+  }));
+  over(true);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.touching; }));
+  const auto isFlat = [](const Probe& p) { return p.touching && std::abs(p.proxy.z - 7) < 1e-4; };
+  EXPECT_TRUE(probeBecomes(isFlat));
+  shape->setCurrentIndex(1);
+  EXPECT_TRUE(
+      probeBecomes([](const Probe& p) { return p.touching && std::abs(p.proxy.z - 7) > 0.02; }));
+  const std::size_t before = host_.probes.size();
+  shape->setCurrentIndex(2);
+  EXPECT_TRUE(probeBecomes(isFlat)) << "and back";
+  for (std::size_t i = before; i < host_.probes.size(); ++i) {
+    EXPECT_TRUE(host_.probes[i].touching) << "never let go";
+  }
 }
 
 TEST_F(HapticsPluginTest, GivesEveryControlANameForSpeech) {
@@ -252,6 +329,7 @@ TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
   const QString text = QString::fromUtf8(file.readAll());
   EXPECT_TRUE(text.startsWith("# relievo recording, schema 1\n"));
   EXPECT_TRUE(text.contains("# input relief.ply\n"));
+  EXPECT_TRUE(text.contains("# surface gated, friction 0 at rest"));
   EXPECT_TRUE(text.contains("\nt_s,tick,hip_x_mm"));
   EXPECT_TRUE(text.endsWith('\n'));
   EXPECT_TRUE(text.contains("\n# loop ticks ")) << "how the loop ran";
@@ -286,7 +364,9 @@ TEST_F(HapticsPluginTest, RemembersSettingsButNeverThatForcesWereOn) {
   host_.actions.at("stronger")->trigger();
   plugin_->restoreState(state);
   EXPECT_EQ(plugin_->saveState(), state);
-  plugin_->restoreState(R"({"strength_percent": 5000, "proxy": 77})");
+  plugin_->restoreState(R"({"strength_percent": 5000, "proxy": 77, "surface": -1, "friction": 9})");
+  EXPECT_EQ(inPanel<QComboBox>("surfaceKind")->currentIndex(), 0);
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("friction")->value(), 1);
   EXPECT_EQ(inPanel<QComboBox>("proxyKind")->currentIndex(), 0);
   EXPECT_TRUE(plugin_->saveState().contains(R"("strength_percent":100)"));
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "haptics/loop/surface_preset.h"
+
 namespace relievo {
 namespace {
 
@@ -41,6 +43,28 @@ TEST(Stability, ACellOfTheMapNeedsTheStage) {
   const HandImpedance& light = kHandPresets[0];
   EXPECT_GT(test::swingAtRest(*scenes[0].space, light, {1, 2, -20.3, false}), 1) << "unstable";
   EXPECT_LT(test::swingAtRest(*scenes[0].space, light, {1, 2, -20.3, true}), test::kStillN);
+}
+
+TEST(Stability, EverySurfacePresetIsStableForEveryGrip) {
+  for (const SurfacePreset& preset : kSurfacePresets) {
+    const SurfaceFeel& feel = preset.feel;
+    if (feel.stiffness_by_detail) continue;  // As the default of the level.
+    // Eq. (2) never rests nearer than its step: what the hand feels swings by that step's force.
+    const bool steps = feel.proxy != ProxyKind::converged;
+    const double step_n = steps ? feel.stiffness_n_per_mm * ProxyOptions{}.step_mm : 0;
+    for (const test::StabilityScene& scene : test::stabilityScenes()) {
+      for (const HandImpedance& grip : kHandPresets) {
+        for (const double push : {0.5, 4.0}) {
+          EXPECT_LT(test::swingAtRest(*scene.space, grip,
+                                      {feel.stiffness_n_per_mm, push, -20.3, true,
+                                       proxyOptions(feel), feel.damping_n_s_per_mm}),
+                    test::kStillN + step_n)
+              << preset.id << ": " << scene.name << " of Detail " << scene.detail << ", "
+              << grip.name << " grip, " << push << " N";
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
