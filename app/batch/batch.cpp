@@ -20,8 +20,8 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs() {
-  return {infoVerb(),   depthmapVerb(), pyramidVerb(), renderVerb(),
-          figureVerb(), touchVerb(),    devicesVerb()};
+  return {infoVerb(),  depthmapVerb(), pyramidVerb(), renderVerb(), figureVerb(),
+          touchVerb(), measureVerb(),  projectVerb(), devicesVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {

@@ -36,6 +36,8 @@ Verb renderVerb();
 Verb figureVerb();
 Verb touchVerb();
 Verb devicesVerb();
+Verb measureVerb();
+Verb projectVerb();
 
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);

@@ -6,7 +6,9 @@
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/provenance/embedded.h"
 #include "core/region/hand.h"
 #include "core/session/tiled_surface.h"
 #include "haptics/proxy/surface.h"
@@ -85,8 +87,28 @@ StrokeOptions strokeOptions(const TouchArguments& a) {
   return options;
 }
 
+/// Everything that decides the log, in one line.
+std::string logState(const TouchArguments& a, const Surface& surface, const Region& region,
+                     const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, surface, a.out, task);
+  provenance.view = ViewState{.region = region, .gain = a.region.gain};
+  const InputFile stroke = inputFile(a.stroke, {}, task);
+  provenance.touch = Json{
+      {"stroke", {{"file", stroke.file}, {"sha256", stroke.sha256}}},
+      {"frame", a.frame},
+      {"surface", name(surfaceKind(a))},
+      {"proxy", a.proxy},
+      {"stiffness_n_per_mm", a.stiffness_n_per_mm},
+      {"friction", a.friction.empty() ? Json(0) : Json(a.friction)},
+      {"damping_n_s_per_mm", a.damping},
+      {"safety",
+       a.safety}}.dump();
+  return stateLine(toJson(provenance, -1));
+}
+
 /// Comment lines of the log: enough to repeat it.
-std::string logHeader(const TouchArguments& a, const Surface& surface, const Region& region) {
+std::string logHeader(const TouchArguments& a, const Surface& surface, const Region& region,
+                      const std::string& state) {
   return "relievo log, schema 1\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
          surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
          " (" + std::string(name(surface.unit_source)) + ")\ndevice none (stroke " +
@@ -96,7 +118,7 @@ std::string logHeader(const TouchArguments& a, const Surface& surface, const Reg
          Json(a.stiffness_n_per_mm).dump() + " N/mm" +
          (a.friction.empty() ? std::string() : ", friction " + Json(a.friction).dump()) +
          (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
-         ", safety " + a.safety;
+         ", safety " + a.safety + "\n" + state;
 }
 
 /// What a stroke showed, judged without the solver: by the heights of the window itself, or where
@@ -144,7 +166,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   fill(*space, window,
        {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()}, kind);
 
-  LogWriter log(a.out, logHeader(a, surface, region));
+  LogWriter log(a.out, logHeader(a, surface, region, logState(a, surface, region, task)));
   StrokeFindings findings{window, *space};
   std::vector<PlotRow> plot;
   const std::uint64_t ticks = runStroke(
