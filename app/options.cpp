@@ -100,7 +100,7 @@ std::string windowHelp() {
          "  --safe-mode                  ignore and keep no settings\n"
          "  --version, --help\n"
          "\n"
-         "Verbs: info, depthmap, pyramid, render, figure, touch\n"
+         "Verbs: info, depthmap, pyramid, render, figure, devices, touch, record, replay\n"
          "Exit codes: 0 done, 1 usage, 2 cannot read, 3 cannot write, 7 no graphics\n";
 }
 

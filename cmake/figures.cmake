@@ -18,6 +18,27 @@ foreach(region IN ITEMS flat curved)
     -o ${figures}/force_${region}.csv --plot ${figures}/force_${region}.svg)
 endforeach()
 
+# The same on both regions under all four proxies, side by side.
+if(RELIEVO_BUILD_TESTS)
+  foreach(region IN ITEMS flat curved)
+    foreach(proxy IN ITEMS equation successive facets spline)
+      set(how_equation --proxy equation --surface exact)
+      set(how_successive --proxy successive --surface exact)
+      set(how_facets --surface exact)
+      set(how_spline --surface auto)
+      set(name_equation "the paper's equation")
+      set(name_successive "successive approximation")
+      set(name_facets "converged, bilinear")
+      set(name_spline "converged, smooth (default)")
+      set(log ${figures}/force_${region}_${proxy}.csv)
+      list(APPEND force_figures COMMAND relievo touch ${samples}/relief_f.ply --level 0
+        --region ${square_${region}} --stroke ${strokes}/${region}.csv ${how_${proxy}} -o ${log})
+      list(APPEND panels "${region}:${name_${proxy}}:${log}")
+    endforeach()
+  endforeach()
+  list(APPEND force_figures COMMAND force_panels ${figures}/force_proxies.svg ${panels})
+endif()
+
 # One object at three levels of detail, the same place each time, then in stereo.
 list(APPEND detail_figures
   COMMAND relievo render ${samples}/panel.ply -o ${figures}/detail_1.png
@@ -31,14 +52,14 @@ list(APPEND user_figures
   COMMAND relievo figure ${panel} --region 110,80,60,60 --width-mm 160 --dpi 150
     -o ${figures}/figure_reference.png --caption ${figures}/figure_reference.txt
   COMMAND relievo figure ${panel} --region 110,80,60,60 --layout detail --width-mm 85 --dpi 150
-    --stereo grey -o ${figures}/figure_anaglyph.png
+    --stereo grey --without legend -o ${figures}/figure_anaglyph.png
   COMMAND relievo figure ${panel} --region 110,80,60,60 --layout levels --width-mm 160 --dpi 150
     -o ${figures}/figure_levels.png
   COMMAND relievo figure ${samples}/relief_f.ply --level 0 --region 65,75,50,50 --layout plot
     --recording ${figures}/force_curved.csv --width-mm 160 --dpi 150 -o ${figures}/figure_plot.png)
 foreach(relief IN ITEMS lit height hillshade multi slope local skyview openness)
   list(APPEND user_figures COMMAND relievo figure ${panel} --region 110,80,60,60 --layout detail
-    --relief ${relief} --without scalebar,heightbar,up,letters --width-mm 42 --dpi 150 --text-pt 6
+    --relief ${relief} --without scalebar,heightbar,up,legend --width-mm 42 --dpi 150 --text-pt 6
     -o ${figures}/relief_${relief}.png)
 endforeach()
 

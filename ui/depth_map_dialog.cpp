@@ -76,6 +76,17 @@ QString holesText(const Surface& surface) {
       .arg(areas.join(QStringLiteral(", ")));
 }
 
+/// What a height field loses of this object.
+QString lossesText(const DepthLosses& losses) {
+  QString text = DepthMapDialog::tr("Hidden from here: %1; undercut: %2; too steep: %3.")
+                     .arg(percent(losses.hidden_share), percent(losses.undercut_share),
+                          percent(losses.steep_share));
+  if (losses.flyers > 0) {
+    text += ' ' + DepthMapDialog::tr("Flyers left out: %1.").arg(losses.flyers);
+  }
+  return text;
+}
+
 QString detailsText(const Surface& surface) {
   QStringList lines;
   const GridFrame& frame = surface.map.frame;
@@ -88,6 +99,8 @@ QString detailsText(const Surface& surface) {
                .arg(sizeText(
                    {surface.map.widthMm(), surface.map.heightExtentMm(), z.max_mm - z.min_mm}));
   lines << holesText(surface);
+  if (surface.losses) lines << lossesText(*surface.losses);
+  for (const std::string& undone : surface.not_done) lines << QString::fromStdString(undone);
   for (const std::string& message : surface.messages) lines << QString::fromStdString(message);
   return lines.join('\n');
 }

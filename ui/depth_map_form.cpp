@@ -18,9 +18,8 @@ namespace {
 enum class CellChoice { automatic, count, size };
 
 /// "" stands for: from the data.
-constexpr std::array<const char*, 5> kRules{"front", "second", "topmean", "median", "mean"};
-constexpr std::array<const char*, 7> kViews{"auto",  "front", "back",  "left",
-                                            "right", "top",   "bottom"};
+constexpr std::array<const char*, 7> kRules{"front", "second", "topmean",  "median",
+                                            "mean",  "splat",  "quadratic"};
 
 QString capital(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();
@@ -86,11 +85,22 @@ void DepthMapForm::addSource(QFormLayout* layout) {
   layout->addRow(tr("Size"), size_);
   view_ =
       field<QComboBox>(layout, tr("&View"), "depth_view", tr("From which side the object is seen"));
-  for (const char* name : kViews) {
-    view_->addItem(viewText(QString::fromLatin1(name)), QString::fromLatin1(name));
+  for (const std::string_view name : kViewNames) {
+    const QString word = QString::fromLatin1(name.data(), static_cast<int>(name.size()));
+    view_->addItem(viewText(word), word);
   }
   if (first_.view && first_.view->rotation) {
     view_->addItem(tr("As turned in the detail view"), QStringLiteral("free"));
+  }
+  constexpr std::array<const char*, 3> kTurns{"depth_turn_x", "depth_turn_y", "depth_turn_z"};
+  const std::array<QString, 3> axes{tr("Turn about &x"), tr("Turn about &y"), tr("Turn a&bout z")};
+  for (std::size_t i = 0; i < turn_.size(); ++i) {
+    turn_[i] = field<QDoubleSpinBox>(layout, axes[i], kTurns[i],
+                                     tr("Right-handed, about the view's own axes, x first"));
+    turn_[i]->setRange(-180, 180);
+    turn_[i]->setDecimals(2);
+    turn_[i]->setSuffix(QStringLiteral("\u00b0"));
+    turn_[i]->setKeyboardTracking(false);
   }
   engine_ = field<QComboBox>(layout, tr("&Engine"), "depth_engine",
                              tr("The processor, or the graphics card's depth buffer as in the "
@@ -138,6 +148,7 @@ void DepthMapForm::addHoles(QFormLayout* layout) {
                             tr("What becomes of enclosed places where nothing was measured"));
   holes_->addItem(tr("On the base plane"), static_cast<int>(HoleRule::base));
   holes_->addItem(tr("Interpolate up to"), static_cast<int>(HoleRule::interpolate));
+  holes_->addItem(tr("Smooth membrane up to"), static_cast<int>(HoleRule::membrane));
   holes_->addItem(tr("Leave open"), static_cast<int>(HoleRule::none));
   hole_area_ = field<QDoubleSpinBox>(layout, tr("&Largest hole"), "depth_hole_area",
                                      tr("Larger holes rest on the base plane"));
@@ -159,6 +170,7 @@ void DepthMapForm::show(const SurfaceOptions& o) {
   if (o.unit) unit_->setCurrentIndex(unit_->findData(static_cast<int>(*o.unit)));
   const std::string view = o.view ? o.view->name : source_.raster ? "top" : "auto";
   view_->setCurrentIndex(std::max(0, view_->findData(QString::fromStdString(view))));
+  for (std::size_t i = 0; o.view && i < turn_.size(); ++i) turn_[i]->setValue(o.view->turn_deg[i]);
   engine_->setCurrentIndex(engine_->findData(QString::fromStdString(o.engine)));
   for (int i = 1; o.rule && i < rule_->count(); ++i) {
     if (pointRule(rule_->itemData(i).toString().toStdString()) == o.rule) rule_->setCurrentIndex(i);
@@ -190,6 +202,7 @@ void DepthMapForm::limit() {
   const QString stored = tr("A height map keeps its cells and its view.");
   set(unit_, !own_map, tr("A map of this program is in millimetres."));
   set(view_, !raster, stored);
+  for (QDoubleSpinBox* box : turn_) set(box, !raster, stored);
   set(engine_, !raster, stored);
   set(cell_choice_, !raster, stored);
   set(holes_, !own_map, tr("A map of this program has its holes treated already."));
@@ -200,7 +213,7 @@ void DepthMapForm::limit() {
   cells_->setEnabled(!raster && choice == CellChoice::count);
   spacing_->setEnabled(!raster && choice == CellChoice::size);
   const auto rule = static_cast<HoleRule>(holes_->currentData().toInt());
-  hole_area_->setEnabled(!own_map && rule == HoleRule::interpolate);
+  hole_area_->setEnabled(!own_map && (rule == HoleRule::interpolate || rule == HoleRule::membrane));
   showSize();
 }
 
@@ -224,7 +237,11 @@ SurfaceOptions DepthMapForm::options() const {
     o.unit_source = UnitSource::given;
   }
   const std::string view = view_->currentData().toString().toStdString();
-  if (!source_.raster && (view != "free" || !first_.view)) o.view = ViewChoice{view, {}};
+  if (!source_.raster) {
+    ViewChoice chosen = view == "free" && first_.view ? *first_.view : ViewChoice{view, {}};
+    for (std::size_t i = 0; i < turn_.size(); ++i) chosen.turn_deg[i] = turn_[i]->value();
+    o.view = chosen;
+  }
   o.engine = engine_->currentData().toString().toStdString();
   o.rule =
       rule_->isEnabled() ? pointRule(rule_->currentData().toString().toStdString()) : std::nullopt;
@@ -233,7 +250,7 @@ SurfaceOptions DepthMapForm::options() const {
   o.spacing_mm = choice == CellChoice::size ? std::optional(spacing_->value()) : std::nullopt;
   o.pyramid.factor = factor_->value();
   o.holes.rule = static_cast<HoleRule>(holes_->currentData().toInt());
-  o.holes.max_area_mm2 = o.holes.rule == HoleRule::interpolate ? hole_area_->value() : 0;
+  o.holes.max_area_mm2 = hole_area_->isEnabled() ? hole_area_->value() : 0;
   return o;
 }
 

@@ -136,6 +136,7 @@ class MainWindow : public QMainWindow {
   void chooseImage();
   void chooseDepthMap();
   void showKeys();
+  void showSteps();
   void showAbout();
   QAction* command(const char* name) const;
   QMenu* menu(const QString& title);

@@ -98,6 +98,12 @@ void MainWindow::makeCommands() {
         tr("All keys on one sheet"),
         [this] { showKeys(); },
         {}});
+  make({"history",
+        tr("&History\u2026"),
+        {},
+        tr("Every step so far; choose one to go back to it"),
+        [this] { showSteps(); },
+        {}});
   make({"search_commands",
         tr("&Search commands\u2026"),
         {QKeySequence("Ctrl+K")},

@@ -10,6 +10,8 @@
 #include <QMessageBox>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoView>
+#include <QVBoxLayout>
 
 #include "ui/depth_map_dialog.h"
 #include "ui/detail_view.h"
@@ -46,7 +48,7 @@ void MainWindow::makeMenus() {
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
   add(file, {"save_project", "save_project_as", "-", "figure", "image", "-", "quit"});
-  add(menu(tr("&Edit")), {"undo", "redo"});
+  add(menu(tr("&Edit")), {"undo", "redo", "history"});
   QMenu* view = menu(tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
   QMenu* turn = view->addMenu(tr("Turn &detail view"));
@@ -270,6 +272,21 @@ void MainWindow::chooseDepthMap() {
     strip_->close();
   });
   dialog->setModal(true);  // The document must not change below a preview of it.
+  dialog->show();
+}
+
+void MainWindow::showSteps() {
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName(QStringLiteral("history_dialog"));
+  dialog->setWindowTitle(tr("History"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  auto* steps = new QUndoView(&document_.history());
+  steps->setObjectName(QStringLiteral("history_steps"));
+  steps->setAccessibleName(tr("Steps"));
+  steps->setEmptyLabel(tr("As opened"));
+  auto* column = new QVBoxLayout(dialog);
+  column->addWidget(steps);
+  dialog->resize(320, 400);
   dialog->show();
 }
 

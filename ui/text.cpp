@@ -72,6 +72,8 @@ QString unitText(LengthUnit unit) {
 QString viewText(const QString& name) {
   if (name == QLatin1String("auto")) return tr("Automatic");
   if (name == QLatin1String("free")) return tr("Free view");
+  if (name == QLatin1String("fit")) return tr("Best-fit plane");
+  if (name == QLatin1String("axes")) return tr("Principal axes");
   if (name.isEmpty()) return {};
   return name.left(1).toUpper() + name.mid(1);
 }

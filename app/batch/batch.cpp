@@ -19,9 +19,10 @@ namespace relievo {
 namespace batch {
 namespace {
 
-std::vector<Verb> verbs() {
-  return {infoVerb(),  depthmapVerb(), pyramidVerb(), renderVerb(), figureVerb(),
-          touchVerb(), measureVerb(),  projectVerb(), devicesVerb()};
+std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
+  return {infoVerb(),       depthmapVerb(),    pyramidVerb(), renderVerb(),
+          figureVerb(),     devicesVerb(),     measureVerb(), projectVerb(),
+          touchVerb(words), recordVerb(words), replayVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
@@ -125,7 +126,7 @@ bool isVerb(std::string_view word) {
 int runBatch(int argc, char** argv) {
   CLI::App app("relievo: feel and see scanned heritage at every scale", "relievo");
   app.require_subcommand(1);
-  std::vector<batch::Verb> verbs = batch::verbs();
+  std::vector<batch::Verb> verbs = batch::verbs({argv + 1, argv + argc});
   std::string format = "text";
   for (batch::Verb& verb : verbs) {
     CLI::App* sub = app.add_subcommand(verb.name, verb.help);

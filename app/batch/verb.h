@@ -34,10 +34,13 @@ Verb depthmapVerb();
 Verb pyramidVerb();
 Verb renderVerb();
 Verb figureVerb();
-Verb touchVerb();
 Verb devicesVerb();
 Verb measureVerb();
 Verb projectVerb();
+/// `words`: the command line, which the log keeps.
+Verb touchVerb(std::vector<std::string> words);
+Verb recordVerb(std::vector<std::string> words);
+Verb replayVerb();
 
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);

@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/state.h"
+#include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "core/provenance/embedded.h"
 #include "core/region/hand.h"
 #include "core/session/tiled_surface.h"
+#include "haptics/device_catalog.h"
 #include "haptics/proxy/surface.h"
-#include "haptics/record/log_writer.h"
-#include "haptics/record/stroke.h"
+#include "haptics/record/events.h"
+#include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {
-
-struct TouchArguments {
-  MapArguments map;
-  RegionArguments region;
-  std::string stroke, out, plot;
-  std::string surface = "auto", proxy = "converged", frame = "view", safety = "off";
-  double stiffness_n_per_mm = 0.5;
-  std::vector<double> friction;  // One value or two: static, dynamic.
-  double damping = 0;
-};
 
 ProxyKind proxyKind(const std::string& name) {
   if (name == "converged") return ProxyKind::converged;
@@ -75,6 +69,11 @@ void setFriction(const std::vector<double>& friction, const std::string& proxy,
   }
 }
 
+/// A device must not be able to jump; without one F = k d can be checked from outside.
+bool safetyOf(const TouchArguments& a) {
+  return a.safety.empty() ? !a.device.empty() : a.safety == "on";
+}
+
 StrokeOptions strokeOptions(const TouchArguments& a) {
   if (!(a.stiffness_n_per_mm > 0)) throw ArgumentError("--stiffness must be above 0 N/mm.");
   StrokeOptions options;
@@ -82,43 +81,9 @@ StrokeOptions strokeOptions(const TouchArguments& a) {
   setFriction(a.friction, a.proxy, options.proxy);
   options.stiffness_n_per_mm = a.stiffness_n_per_mm;
   options.damping_n_s_per_mm = a.damping;
-  options.safety = a.safety == "on";
+  options.safety = safetyOf(a);
   options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
   return options;
-}
-
-/// Everything that decides the log, in one line.
-std::string logState(const TouchArguments& a, const Surface& surface, const Region& region,
-                     const Task& task) {
-  Provenance provenance = provenanceOfVerb(a.map, surface, a.out, task);
-  provenance.view = ViewState{.region = region, .gain = a.region.gain};
-  const InputFile stroke = inputFile(a.stroke, {}, task);
-  provenance.touch = Json{
-      {"stroke", {{"file", stroke.file}, {"sha256", stroke.sha256}}},
-      {"frame", a.frame},
-      {"surface", name(surfaceKind(a))},
-      {"proxy", a.proxy},
-      {"stiffness_n_per_mm", a.stiffness_n_per_mm},
-      {"friction", a.friction.empty() ? Json(0) : Json(a.friction)},
-      {"damping_n_s_per_mm", a.damping},
-      {"safety",
-       a.safety}}.dump();
-  return stateLine(toJson(provenance, -1));
-}
-
-/// Comment lines of the log: enough to repeat it.
-std::string logHeader(const TouchArguments& a, const Surface& surface, const Region& region,
-                      const std::string& state) {
-  return "relievo log, schema 1\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
-         surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
-         " (" + std::string(name(surface.unit_source)) + ")\ndevice none (stroke " +
-         std::filesystem::path(a.stroke).filename().string() + ")\nregion_mm " +
-         jsonOf(region).dump() + " level " + std::to_string(region.level.value) + "\nproxy " +
-         a.proxy + ", surface " + name(surfaceKind(a)) + ", stiffness " +
-         Json(a.stiffness_n_per_mm).dump() + " N/mm" +
-         (a.friction.empty() ? std::string() : ", friction " + Json(a.friction).dump()) +
-         (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
-         ", safety " + a.safety + "\n" + state;
 }
 
 /// What a stroke showed, judged without the solver: by the heights of the window itself, or where
@@ -152,25 +117,49 @@ struct StrokeFindings {
   }
 };
 
-Outcome runTouch(const TouchArguments& a, const Task& task) {
-  const StrokeOptions options = strokeOptions(a);
-  const SurfaceKind kind = surfaceKind(a);
-  const Stroke stroke = readStroke(a.stroke);
-  const Surface surface = openForVerb(a.map, task);
-  const Region region = chosenRegion(surface, a.region);
-  warnIfAliased(surface, region);
-  const RegionWindow window = windowOf(surface, region, a.region.gain);
-  writeWindowIfAsked(a.region, surface, window);
-  // On the heap: 900 kB by value.
-  const auto space = std::make_unique<HapticSpace>();
-  fill(*space, window,
-       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()}, kind);
+/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
+std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
+  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
+  const InputFile stroke = inputFile(a.stroke, {}, task);
+  provenance.touch = Json{
+      {"stroke", {{"file", stroke.file}, {"sha256", stroke.sha256}}},
+      {"frame", a.frame},
+      {"surface", name(surfaceKind(a))},
+      {"proxy", a.proxy},
+      {"stiffness_n_per_mm", a.stiffness_n_per_mm},
+      {"friction", a.friction},
+      {"damping_n_s_per_mm", a.damping},
+      {"device", a.device},
+      {"safety",
+       safetyOf(a)}}.dump();
+  return stateLine(toJson(provenance, -1));
+}
 
-  LogWriter log(a.out, logHeader(a, surface, region, logState(a, surface, region, task)));
-  StrokeFindings findings{window, *space};
+Outcome runTouch(const TouchArguments& a, const Task& task) {
+  const Stroke stroke = readStroke(a.stroke);
+  TouchSetup setup = prepareTouch(a, task);
+  const RegionWindow& window = setup.window;
+  const Region& region = window.region;
+  writeWindowIfAsked(a.region, setup.surface, window);
+  std::unique_ptr<Device> device;
+  if (!a.device.empty()) {
+    device = makeDevice(a.device);
+    setup.options.device = dynamic_cast<SteeredDevice*>(device.get());
+    if (setup.options.device == nullptr) {
+      throw ArgumentError("--device: a stroke cannot move '" + a.device +
+                          "', which a person holds. Use virtual, or record without a stroke.");
+    }
+    device->open();
+  }
+
+  const std::unique_ptr<SampleLog> log = openLog(
+      a.out, touchHeader(a, setup) + "\n" + stateOfTouch(a, setup, task), setup.space.get());
+  StrokeFindings findings{window, *setup.space};
+  std::optional<HapticSample> before;
   std::vector<PlotRow> plot;
   const std::uint64_t ticks = runStroke(
-      *space, options, stroke,
+      *setup.space, setup.options, stroke,
       [&](const HapticSample& sample, double t_s) {
         findings.add(sample);
         if (!a.plot.empty()) {
@@ -179,12 +168,14 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
                           .proxy_z_mm = sample.proxy_view.z,
                           .force_n = norm(sample.force)});
         }
-        log.write(sample, t_s);
+        log->write(sample, t_s, before ? eventBetween(*before, sample) : eventAtStart(sample));
+        before = sample;
       },
       task);
-  log.close();
+  log->close();
   if (!a.plot.empty()) {
-    writeForcePlot(a.plot, plot, surface.info.file.filename().string() + ", proxy " + a.proxy);
+    writeForcePlot(a.plot, plot,
+                   setup.surface.info.file.filename().string() + ", proxy " + a.proxy);
   }
 
   const HandMapping hand = handMapping(window);
@@ -195,14 +186,15 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["device_from_view"] = jsonOf(hand.device_from_view);
   json["stiffness_n_per_mm"] = a.stiffness_n_per_mm;
   json["damping_n_s_per_mm"] = a.damping;
-  json["surface"] = name(kind);
+  json["surface"] = name(surfaceKind(a));
   json["friction"] =
       a.friction.empty() ? Json({0, 0}) : Json({a.friction.front(), a.friction.back()});
   json["proxy"] = a.proxy;
   json["ticks"] = ticks;
-  json["view_from_file"] = jsonOf(surface.view_from_file);
+  json["view_from_file"] = jsonOf(setup.surface.view_from_file);
   json["gain"] = window.gain;
-  json["safety"] = a.safety;
+  json["safety"] = safetyOf(a) ? "on" : "off";
+  json["device"] = a.device.empty() ? Json() : Json(device->info().id);
   json["largest_force_n"] = findings.largest_force_n;
   json["contact_ticks"] = findings.contact_ticks;
   json["proxy_off_surface_mm"] = findings.off_surface_mm;
@@ -215,36 +207,84 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
 
 }  // namespace
 
-Verb touchVerb() {
+TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
+  TouchSetup setup;
+  setup.options = strokeOptions(a);
+  setup.core = strokeHapticOptions(setup.options);
+  if (!a.device.empty()) setup.core = withinDevice(setup.core, makeDevice(a.device)->info());
+  const SurfaceKind kind = surfaceKind(a);
+  setup.surface = openForVerb(a.map, task);
+  const Surface& surface = setup.surface;
+  const Region region = chosenRegion(surface, a.region);
+  warnIfAliased(surface, region);
+  setup.window = windowOf(surface, region, a.region.gain);
+  setup.space = std::make_unique<HapticSpace>();
+  fill(*setup.space, setup.window,
+       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()}, kind);
+  return setup;
+}
+
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
+  const Surface& surface = setup.surface;
+  const std::string stroke = a.stroke.empty()
+                                 ? "by hand"
+                                 : "stroke " + std::filesystem::path(a.stroke).filename().string();
+  const Json parameters{{"command", a.words},
+                        {"stiffness_n_per_mm", a.stiffness_n_per_mm},
+                        {"damping_n_s_per_mm", a.damping},
+                        {"proxy", a.proxy},
+                        {"surface", name(surfaceKind(a))},
+                        {"friction", a.friction},
+                        {"safety", safetyOf(a)}};
+  return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
+         surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
+         " (" + std::string(name(surface.unit_source)) + ")\ndevice " +
+         (a.device.empty() ? "none" : a.device) + " (" + stroke + ")\nregion_mm " +
+         jsonOf(setup.window.region).dump() + " level " +
+         std::to_string(setup.window.region.level.value) + "\nproxy " + a.proxy + ", surface " +
+         name(surfaceKind(a)) + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm" +
+         (a.friction.empty() ? std::string() : ", friction " + Json(a.friction).dump()) +
+         (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
+         ", safety " + (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump();
+}
+
+void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
+  addMapOptions(verb, arguments.map);
+  addRegionOptions(verb, arguments.region);
+  verb.add_option("--surface", arguments.surface,
+                  "auto: smooth, broken at walls and creases; exact: bilinear; spline");
+  verb.add_option("--proxy", arguments.proxy,
+                  "converged, equation (the paper's eq. 2) or successive");
+  verb.add_option("--stiffness", arguments.stiffness_n_per_mm, "N per mm of hand");
+  verb.add_option("--friction", arguments.friction,
+                  "Coulomb friction of the surface: MU, or STATIC,DYNAMIC; 0 is off")
+      ->delimiter(',')
+      ->expected(1, 2);
+  verb.add_option("--damping", arguments.damping,
+                  "N s per mm of hand, against pressing in; 0 is off");
+  verb.add_option("--safety", arguments.safety,
+                  "on: ramp, slew, limit and passivity as at a device; default with --device")
+      ->check(CLI::IsMember({"on", "off"}));
+}
+
+void declareTouch(CLI::App& verb, TouchArguments& arguments) {
+  addTouchOptions(verb, arguments);
+  verb.add_option("--stroke", arguments.stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
+  verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();
+  verb.add_option("--plot", arguments.plot, "Also draw z and force against time, SVG");
+  verb.add_option("--device", arguments.device,
+                  "virtual[:light|relaxed|firm]: a hand that aims along the stroke and is pushed");
+  verb.add_option("--frame", arguments.frame, "Frame of the stroke: view or device")
+      ->check(CLI::IsMember({"view", "device"}));
+}
+
+Verb touchVerb(std::vector<std::string> words) {
   auto arguments = std::make_shared<TouchArguments>();
-  return {
-      .name = "touch",
-      .help = "Run a stroke over a region and log proxy and force at every millisecond",
-      .declare =
-          [arguments](CLI::App& verb) {
-            addMapOptions(verb, arguments->map);
-            addRegionOptions(verb, arguments->region);
-            verb.add_option("--stroke", arguments->stroke, "CSV: t_s,x_mm,y_mm,z_mm")->required();
-            verb.add_option("-o,--output", arguments->out, "LOG.csv")->required();
-            verb.add_option("--plot", arguments->plot, "Also draw z and force against time, SVG");
-            verb.add_option("--surface", arguments->surface,
-                            "auto: smooth, broken at walls and creases; exact: bilinear; spline");
-            verb.add_option("--proxy", arguments->proxy,
-                            "converged, equation (the paper's eq. 2) or successive");
-            verb.add_option("--stiffness", arguments->stiffness_n_per_mm, "N per mm of hand");
-            verb.add_option("--friction", arguments->friction,
-                            "Coulomb friction of the surface: MU, or STATIC,DYNAMIC; 0 is off")
-                ->delimiter(',')
-                ->expected(1, 2);
-            verb.add_option("--damping", arguments->damping,
-                            "N s per mm of hand, against pressing in; 0 is off");
-            verb.add_option("--frame", arguments->frame, "Frame of the stroke: view or device")
-                ->check(CLI::IsMember({"view", "device"}));
-            verb.add_option("--safety", arguments->safety,
-                            "on: ramp, slew and limit as at a device")
-                ->check(CLI::IsMember({"on", "off"}));
-          },
-      .run = [arguments](const Task& task) { return runTouch(*arguments, task); }};
+  arguments->words = std::move(words);
+  return {.name = "touch",
+          .help = "Run a stroke over a region and log proxy and force at every millisecond",
+          .declare = [arguments](CLI::App& verb) { declareTouch(verb, *arguments); },
+          .run = [arguments](const Task& task) { return runTouch(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

@@ -32,7 +32,10 @@ std::string holesText(const Project& p, const Surface& surface) {
                             (surface.holes.size() == 1 ? " enclosed hole" : " enclosed holes");
   if (p.options.holes.rule == HoleRule::base) return count + " on the base plane";
   if (p.options.holes.rule == HoleRule::none) return count + " left open";
-  return count + ", filled up to " + shortNumber(p.options.holes.max_area_mm2) + " mm\u00b2";
+  return count +
+         (p.options.holes.rule == HoleRule::membrane ? ", by a membrane up to "
+                                                     : ", filled up to ") +
+         shortNumber(p.options.holes.max_area_mm2) + " mm\u00b2";
 }
 
 std::string lookText(const Project& p) {

@@ -88,8 +88,8 @@ SurfaceOptions optionsFrom(const Json& json) {
   if (json.contains("view") && !json.at("view").is_null()) {
     const Json& view = json.at("view");
     o.view =
-        ViewChoice{view.at("name").get<std::string>(), optionalFrom<Rotation>(view, "rotation")};
-    o.view->turn_deg = view.value("turn_deg", o.view->turn_deg);
+        ViewChoice{view.at("name").get<std::string>(), optionalFrom<Rotation>(view, "rotation"),
+                   view.value("turn_deg", std::array<double, 3>{})};
   }
   o.cells = optionalFrom<int>(json, "cells");
   o.spacing_mm = optionalFrom<double>(json, "spacing_mm");

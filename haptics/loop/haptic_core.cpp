@@ -64,19 +64,43 @@ void HapticCore::measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_RE
   ++places_seen_;
 }
 
-void HapticCore::follow(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME {
-  const GridPoint hip = space.gridFromDevice(hip_);
-  if (placed_ && space.window_id == window_id_) {
-    proxy_ = proxyTick(space, proxy_, hip, options.proxy);
-    return;
-  }
-  proxy_ = proxyPlace(space, hip);
-  force_ = refade(force_);
-  window_id_ = space.window_id;
-  placed_ = true;
+double HapticCore::stiffness(const HapticSpace& space,
+                             const HapticOptions& options) const RELIEVO_REALTIME {
+  if (!options.stiffness_by_detail) return options.force.stiffness_n_per_mm;
+  return change_.running() ? change_.stiffness() : stiffnessForDetail(space.detail);
 }
 
-HapticSample HapticCore::describeTick(const HapticSpace& space) const RELIEVO_REALTIME {
+void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
+                        const HapticOptions& options) RELIEVO_REALTIME {
+  const GridPoint hand = space.gridFromDevice(hip_);
+  const GridPoint hip = options.frame ? SceneFrame::confined(hand) : hand;
+  const bool is_new = !placed_ || space.window_id != window_id_ || space.surface != surface_;
+  const bool from_previous = is_new && placed_ && previous != nullptr &&
+                             previous->window_id == window_id_ && previous->surface == surface_;
+  if (from_previous) {
+    const double fixed = options.force.stiffness_n_per_mm;
+    proxy_ = change_.begin(
+        *previous, space, proxy_,
+        options.stiffness_by_detail
+            ? SpringChange{stiffnessForDetail(previous->detail), stiffnessForDetail(space.detail)}
+            : SpringChange{fixed, fixed});
+  } else if (is_new) {
+    proxy_ = proxyPlace(space, hip);
+    force_ = refade(force_);
+    change_.stop();
+  }
+  window_id_ = space.window_id;
+  surface_ = space.surface;
+  placed_ = true;
+  if (change_.running() && previous != nullptr) {
+    proxy_ = change_.follow(*previous, space, proxy_, hip, options.proxy);
+  } else if (!is_new) {
+    proxy_ = proxyTick(space, proxy_, hip, options.proxy);
+  }
+}
+
+HapticSample HapticCore::describeTick(const HapticSpace& space,
+                                      const HapticSpace* previous) const RELIEVO_REALTIME {
   HapticSample sample;
   sample.window_id = space.window_id;
   sample.detail = space.detail;
@@ -90,7 +114,9 @@ HapticSample HapticCore::describeTick(const HapticSpace& space) const RELIEVO_RE
     sample.proxy_view = space.viewFromGrid(proxy_.position);
     sample.proxy = space.deviceFromView(sample.proxy_view);
   }
-  sample.normal = proxyNormal(space, proxy_);
+  sample.normal = change_.running() && previous != nullptr
+                      ? change_.normal(*previous, space, proxy_)
+                      : proxyNormal(space, proxy_);
   sample.origin = space.originAt(proxy_.position);
   return sample;
 }
@@ -109,27 +135,44 @@ void HapticCore::check(const ForceOptions& options, const ForceInput& input, boo
 
 HapticSample HapticCore::tick(const HapticSpace& space, const HapticOptions& options,
                               const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME {
+  return tickOn(space, nullptr, options, reading, now_ns);
+}
+
+HapticSample HapticCore::tick(const HapticSpace& space, const HapticSpace& previous,
+                              const HapticOptions& options, const DeviceReading& reading,
+                              std::int64_t now_ns) RELIEVO_REALTIME {
+  return tickOn(space, &previous, options, reading, now_ns);
+}
+
+HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* previous,
+                                const HapticOptions& options, const DeviceReading& reading,
+                                std::int64_t now_ns) RELIEVO_REALTIME {
   const DeviceFault fault = latch(options, reading);
   const bool paused = pausedUntil(now_ns);
   if (paused) force_ = resumed(force_);
   resume_ = false;
   last_ns_ = now_ns;
-  follow(space, options);
+  follow(space, previous, options);
 
-  HapticSample sample = describeTick(space);
+  HapticSample sample = describeTick(space, previous);
   sample.tick = tick_++;
   sample.time_ns = now_ns;
   sample.buttons = reading.buttons;
   sample.fault = fault;
 
   ForceOptions force_options = options.force;
-  if (options.stiffness_by_detail) {
-    force_options.stiffness_n_per_mm = stiffnessForDetail(space.detail);
-  }
+  force_options.stiffness_n_per_mm = stiffness(space, options);
   force_options.stiffness_n_per_mm *= force_.oscillation.factor;
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
+  if (options.frame) {
+    const GridPoint hand = space.gridFromDevice(hip_);
+    sample.frame = frame_.push(space, hand, sample.contact);
+    if (!(SceneFrame::confined(hand) == hand)) {
+      input.hip = space.deviceFromGrid(SceneFrame::felt(space, hand, proxy_.position));
+    }
+  }
   input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
   measureSpeed(now_ns, input);
   input.contact = sample.contact;

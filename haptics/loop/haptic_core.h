@@ -8,6 +8,8 @@
 #include "haptics/device/device.h"
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
+#include "haptics/loop/scene_change.h"
+#include "haptics/loop/scene_frame.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
 #include "haptics/space/haptic_space.h"
@@ -19,6 +21,9 @@ struct HapticOptions {
   ForceOptions force;
   bool stiffness_by_detail =
       true;  ///< k from the window's detail; false: force.stiffness_n_per_mm.
+  /// Keeps the proxy over the window and asks the hand back gently; false: beyond its outermost
+  /// samples the surface goes on as a constant.
+  bool frame = false;
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 
@@ -46,9 +51,10 @@ struct HapticSample {
   Origin origin = Origin::outside;  ///< Of the sample under the proxy.
   EngagePhase engaged = EngagePhase::off;
   bool contact = false;
-  bool clamped = false;  ///< A limit changed the force.
-  bool late = false;     ///< This tick came more than half a period late.
-  bool resumed = false;  ///< No tick came for longer than kPauseNs; the force starts from zero.
+  bool clamped = false;    ///< A limit changed the force.
+  std::uint8_t frame = 0;  ///< Sides of the window that the hand pushes over: pan that way.
+  bool late = false;       ///< This tick came more than half a period late.
+  bool resumed = false;    ///< No tick came for longer than kPauseNs; the force starts from zero.
 };
 static_assert(std::is_trivially_copyable_v<HapticSample>);
 
@@ -61,6 +67,12 @@ class HapticCore {
   /// until forces_on was false for a tick.
   HapticSample tick(const HapticSpace& space, const HapticOptions& options,
                     const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME;
+  /// The same, with the surface that lay under the hand before: a new one then comes gradually, in
+  /// contact and out of it. Both must stay as they are while changing().
+  HapticSample tick(const HapticSpace& space, const HapticSpace& previous,
+                    const HapticOptions& options, const DeviceReading& reading,
+                    std::int64_t now_ns) RELIEVO_REALTIME;
+  bool changing() const RELIEVO_REALTIME { return change_.running(); }
 
   /// No tick came for so long before `now_ns` that the force must start from zero: what is handed
   /// to the device first is zero, too.
@@ -82,10 +94,18 @@ class HapticCore {
   /// Velocity of the hand over the last 8 ticks, by their own times: one step of a coarse encoder
   /// is 63 mm/s from tick to tick.
   void measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_REALTIME;
-  void follow(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME;
-  HapticSample describeTick(const HapticSpace& space) const RELIEVO_REALTIME;
+  void follow(const HapticSpace& space, const HapticSpace* previous,
+              const HapticOptions& options) RELIEVO_REALTIME;
+  double stiffness(const HapticSpace& space, const HapticOptions& options) const RELIEVO_REALTIME;
+  HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
+                      const HapticOptions& options, const DeviceReading& reading,
+                      std::int64_t now_ns) RELIEVO_REALTIME;
+  HapticSample describeTick(const HapticSpace& space,
+                            const HapticSpace* previous) const RELIEVO_REALTIME;
 
   ProxyState proxy_;
+  SceneChange change_;
+  SceneFrame frame_;
   ForceState force_;
   ForceAudit audit_;
 
@@ -100,6 +120,7 @@ class HapticCore {
   DeviceFault fault_ = DeviceFault::none;
   std::uint64_t tick_ = 0;
   std::uint64_t window_id_ = 0;
+  SurfaceKind surface_ = SurfaceKind::gated;
   std::int64_t last_ns_ = 0;  // Of the last tick.
   bool placed_ = false;
   bool resume_ = false;

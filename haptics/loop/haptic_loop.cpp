@@ -32,7 +32,7 @@ struct HapticLoop::Impl {
   std::optional<Watchdog> watchdog;  // Lives while the thread runs.
   std::atomic<bool> stopping{false};
 
-  TripleBuffer<HapticSpace> spaces;
+  SceneBuffer<HapticSpace> spaces;
   TripleBuffer<HapticOptions> options;
   TripleBuffer<HapticSample> latest;
   TripleBuffer<LoopStats> stats;
@@ -61,7 +61,7 @@ void HapticLoop::Impl::reportButtons(const HapticSample& sample) RELIEVO_REALTIM
 void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
                             bool forces_allowed) RELIEVO_REALTIME {
   const bool late = meter.wake(deadline_ns, now_ns, loop_options.period_ns);
-  spaces.update();
+  if (!core.changing()) spaces.update();  // One change at a time; the newest window waits.
   options.update();
   HapticOptions now_options = options.front();
   now_options.force.forces_on = now_options.force.forces_on && forces_allowed;
@@ -73,7 +73,11 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   }
   const DeviceReading reading = device->exchange(force, now_ns);
   const std::int64_t before_ns = monotonicNs();
-  HapticSample sample = core.tick(spaces.front(), now_options, reading, now_ns);
+  // A device that cannot push back is shown the new surface at once.
+  const bool gradual = device->info().max_force_n > 0;
+  HapticSample sample =
+      gradual ? core.tick(spaces.front(), spaces.previous(), now_options, reading, now_ns)
+              : core.tick(spaces.front(), now_options, reading, now_ns);
   sample.tick_ns =
       static_cast<std::int32_t>(std::min<std::int64_t>(monotonicNs() - before_ns, 2'000'000'000));
   meter.computed(sample.tick_ns);
@@ -148,7 +152,7 @@ const DeviceInfo& HapticLoop::device() const noexcept {
 const RealtimeGrant& HapticLoop::realtime() const noexcept {
   return impl_->grant;
 }
-TripleBuffer<HapticSpace>& HapticLoop::spaces() noexcept {
+SceneBuffer<HapticSpace>& HapticLoop::spaces() noexcept {
   return impl_->spaces;
 }
 TripleBuffer<HapticOptions>& HapticLoop::options() noexcept {

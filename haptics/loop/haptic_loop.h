@@ -7,6 +7,7 @@
 #include "haptics/device/device.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/loop_meter.h"
+#include "haptics/loop/scene_buffer.h"
 #include "haptics/rt/realtime_thread.h"
 #include "haptics/rt/spsc_ring.h"
 #include "haptics/rt/triple_buffer.h"
@@ -46,7 +47,7 @@ class HapticLoop {
   /// What the system granted to the running thread; valid after start(). [owner]
   const RealtimeGrant& realtime() const noexcept;
 
-  TripleBuffer<HapticSpace>& spaces() noexcept;     ///< [one worker writes]
+  SceneBuffer<HapticSpace>& spaces() noexcept;      ///< [one worker writes]
   TripleBuffer<HapticOptions>& options() noexcept;  ///< [GUI thread writes]
   TripleBuffer<HapticSample>& latest() noexcept;    ///< [GUI thread reads]
   TripleBuffer<LoopStats>& stats() noexcept;        ///< [GUI thread reads]

@@ -56,7 +56,7 @@ GridPoint heldBack(const Surface& surface, GridPoint before, const ProxyState& s
   const GridPoint goal = state.position;
   const double cone = std::min(options.dynamic_friction, options.static_friction);
   // Part 0 is the goal, part 1 where it came from; below `inner` the force lies within the cone.
-  const auto pointAt = [&](double part) RELIEVO_REALTIME {
+  const auto point_at = [&](double part) RELIEVO_REALTIME {
     GridPoint p{goal.x + part * (before.x - goal.x), goal.y + part * (before.y - goal.y), 0};
     p.z = surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
     return p;
@@ -72,7 +72,7 @@ GridPoint heldBack(const Surface& surface, GridPoint before, const ProxyState& s
     // Illinois' rule of false position: the slope grows almost evenly along the way.
     double part = inner - inner_excess * (outer - inner) / (outer_excess - inner_excess);
     part = std::clamp(part, inner + 0.01 * (outer - inner), outer - 0.01 * (outer - inner));
-    const GridPoint p = pointAt(part);
+    const GridPoint p = point_at(part);
     const double at = excess(p);
     if (at <= 0) {
       inner = part;

@@ -15,7 +15,7 @@ namespace relievo {
 //                             side of the direction (dx, dy)
 //   onLineX(x), onLineY(y)    is that coordinate on a line between two cells?
 //   runsOn(patch, x, y)       the surface is C1 from the patch to (x, y), at most one cell away
-// Two such surfaces exist.
+// Two such surfaces exist, and a third that blends two windows (haptics/proxy/blend.h).
 
 /// Facets over one window.
 class BilinearSurface {
@@ -49,13 +49,14 @@ class SplineSurface {
   bool runsOn(const Patch& patch, double x, double y) const RELIEVO_REALTIME {
     return isSmooth(patch.box.x_low, patch.box.y_low) && isSmooth(x, y);
   }
-  const HapticSpace& space() const RELIEVO_REALTIME { return space_; }
-
- private:
+  /// Does the point lie in a cell between samples without a break?
   bool isSmooth(double x, double y) const RELIEVO_REALTIME {
     if (!(x >= 0 && y >= 0 && x < kLastSample && y < kLastSample)) return false;
     return isSmoothCell(space_, static_cast<int>(x), static_cast<int>(y));
   }
+  const HapticSpace& space() const RELIEVO_REALTIME { return space_; }
+
+ private:
   const HapticSpace& space_;
 };
 

@@ -3,11 +3,13 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "haptics/record/replay.h"
 
 namespace relievo {
 
@@ -91,8 +93,10 @@ void writeSurface(hid_t file, const HapticSpace& surface) {
   const Id depth(
       H5Dcreate2(group, "depth", H5T_IEEE_F32LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose);
-  require(
-      H5Dwrite(depth, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, surface.heights_mm.data()));
+  std::vector<float> heights_mm(kWindowCount);
+  std::transform(surface.samples.begin(), surface.samples.end(), heights_mm.begin(),
+                 [](const SurfaceSample& sample) { return sample.height_mm; });
+  require(H5Dwrite(depth, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, heights_mm.data()));
   writeAttribute(depth, "unit", "mm");
   writeAttribute(depth, "description", "heights of the window, row 0 at the lowest y");
   const Id origin(
@@ -132,6 +136,44 @@ Id eventType() {
   return type;
 }
 }  // namespace
+
+namespace {
+std::string readText(hid_t file, const char* name) {
+  const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  const Id type(H5Dget_type(set), H5Tclose);
+  std::string text(H5Tget_size(type), '\0');
+  require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()));
+  return text;
+}
+
+std::vector<double> readColumn(hid_t file, std::string_view name) {
+  const Id set(H5Dopen2(file, ("log/" + std::string(name)).c_str(), H5P_DEFAULT), H5Dclose);
+  const Id space(H5Dget_space(set), H5Sclose);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  return values;
+}
+}  // namespace
+
+LogTable readHdf5Log(const std::filesystem::path& file) {
+  const std::string name = "The log \"" + file.string() + "\" ";
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
+  LogTable table;
+  try {
+    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    table.header = readText(held, "provenance");
+    for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
+      const std::vector<double> values = readColumn(held, kLogColumns[i].name);
+      if (i == 0) table.rows.resize(values.size());
+      if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
+      for (std::size_t row = 0; row < values.size(); ++row) table.rows[row][i] = values[row];
+    }
+  } catch (const WriteError&) {
+    throw FileError(name + "cannot be read as a log of this version.");
+  }
+  if (table.rows.empty()) throw FileError(name + "has no rows.");
+  return table;
+}
 
 struct Hdf5Log::Impl {
   std::filesystem::path path;

@@ -7,6 +7,10 @@
 
 namespace relievo {
 
+struct LogTable;
+/// See readLog. @throw FileError
+LogTable readHdf5Log(const std::filesystem::path& file);
+
 /// A log as HDF5: /log/COLUMN one compressed dataset each with the attributes `unit` and
 /// `description`; /events (time_s, tick, text); /surface/depth and /surface/origin; /parameters and
 /// /provenance as text. Readable by h5py or MATLAB without this program. The library is not used

@@ -59,8 +59,9 @@ class StrokeCursor {
   const std::vector<StrokePoint>& points_;
   std::size_t next_ = 0;
 };
+}  // namespace
 
-HapticOptions coreOptions(const StrokeOptions& options) {
+HapticOptions strokeHapticOptions(const StrokeOptions& options) {
   HapticOptions core;
   core.proxy = options.proxy;
   core.stiffness_by_detail = false;
@@ -69,9 +70,8 @@ HapticOptions coreOptions(const StrokeOptions& options) {
   core.force.strength = 1;
   core.force.forces_on = true;
   core.force.safety = options.safety;
-  return core;
+  return options.device != nullptr ? withinDevice(core, options.device->info()) : core;
 }
-}  // namespace
 
 Stroke readStroke(const std::filesystem::path& file) {
   const std::string name = "The stroke \"" + file.string() + "\" ";
@@ -132,22 +132,27 @@ std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
   if (!(options.damping_n_s_per_mm >= 0) || !std::isfinite(options.damping_n_s_per_mm)) {
     throw ArgumentError("The damping must be a finite number of N s/mm, 0 or above.");
   }
-  const HapticOptions core_options = coreOptions(options);
+  const HapticOptions core_options = strokeHapticOptions(options);
   const double start_s = stroke.points.front().t_s;
   const std::uint64_t ticks = strokeTicks(stroke);
   StrokeCursor cursor(stroke);
   HapticCore core;
+  DeviceN force;  // Of the tick before.
   for (std::uint64_t n = 0; n < ticks; ++n) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (n % kTicksPerCheck == 0) task.check();
     const double t_s = start_s + static_cast<double>(n) / 1000;
     const auto [x, y, z] = cursor.at(t_s);
     const auto now_ns = static_cast<std::int64_t>(n) * 1'000'000;
-    DeviceReading reading;
-    reading.position =
+    const DeviceMm aim =
         options.frame == StrokeFrame::device ? DeviceMm{x, y, z} : space.deviceFromView({x, y, z});
-    reading.time_ns = now_ns;
+    DeviceReading reading{aim, 0, now_ns, DeviceFault::none};
+    if (options.device != nullptr) {
+      n == 0 ? options.device->placeAt(aim) : options.device->moveTo(aim);
+      reading = options.device->exchange(force, now_ns);
+    }
     HapticSample sample = core.tick(space, core_options, reading, now_ns);
+    force = sample.force;
     sample.rate_hz = 1000;
     each(sample, t_s);
   }

@@ -39,7 +39,12 @@ struct StrokeOptions {
   double damping_n_s_per_mm = 0;    ///< Of the surface, >= 0.
   bool safety = false;              ///< true: ramp, slew, cap, as in the window, at full strength.
   StrokeFrame frame = StrokeFrame::view;
+  /// An open device that follows the stroke and feels the force; null: the hand is the stroke.
+  SteeredDevice* device = nullptr;
 };
+
+/// The same for the core; forces are on from the first tick.
+HapticOptions strokeHapticOptions(const StrokeOptions& options);
 
 /// Ticks that a stroke takes: one at its start, then one per millisecond up to its end.
 /// @throw ArgumentError  longer than 1e7 s

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <ctime>
 
+#include "haptics/rt/rtkit.h"
+
 namespace relievo {
 
 namespace {
@@ -25,7 +27,10 @@ bool askForFifo(int priority, std::string& note) {
   parameters.sched_priority = priority;
   if (::sched_setscheduler(0, SCHED_FIFO, &parameters) == 0) return true;
   const int reason = errno;
+  const std::string refusal = askRealtimeKit(priority);
+  if (refusal.empty()) return true;
   addSentence(note, "Real-time priority was refused (" + std::string(std::strerror(reason)) +
+                        "; RealtimeKit: " + refusal +
                         "); the forces may be less even while the computer is busy." +
                         (reason == EPERM ? " An administrator can allow it with an rtprio limit "
                                            "of 80 for this account."

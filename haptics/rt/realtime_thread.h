@@ -18,14 +18,14 @@ struct MemoryRegion {
 
 /// What the system granted. A refusal is no error: the loop runs, less evenly, and says so.
 struct RealtimeGrant {
-  bool realtime = false;      ///< SCHED_FIFO.
+  bool realtime = false;      ///< SCHED_FIFO, or SCHED_RR from RealtimeKit.
   bool memory_locked = true;  ///< All regions.
   std::string note;           ///< What was refused, why, and what helps; empty: nothing was.
 };
 
 /// Asks for what a 1 kHz thread needs, for the calling thread: SCHED_FIFO at `fifo_priority`
-/// (0: not asked for), timer slack of 1 ns, and locked memory. Never throws for a refusal.
-/// [the thread itself, before its loop]
+/// (0: not asked for), from the system and, if it refuses, from RealtimeKit; timer slack of 1 ns,
+/// and locked memory. Never throws for a refusal. [the thread itself, before its loop]
 RealtimeGrant requestRealtime(int fifo_priority, std::span<const MemoryRegion> lock);
 
 /// CLOCK_MONOTONIC.

@@ -35,9 +35,29 @@ Origin HapticSpace::originAt(GridPoint p) const RELIEVO_REALTIME {
   return static_cast<Origin>(origins[row * kWindowSamples + col]);
 }
 
-void fill(HapticSpace& space, const RegionWindow& window, DetailStep step, SurfaceKind kind) {
+HandMapping mappingOf(const RegionWindow& window, const std::optional<Anchor>& anchor) {
+  HandMapping mapping = handMapping(window);
+  if (!anchor || !isFinite(anchor->point) || !isFinite(anchor->at)) return mapping;
+  const double scale = mapping.device_per_view;
+  const DeviceMm shift = anchor->at - mapping.device_from_view(anchor->point);
+  const double half_side = 0.5 * scale * window.region.side_mm;
+  const double half_height =
+      0.5 * scale * (static_cast<double>(window.max_mm) - static_cast<double>(window.min_mm));
+  const auto within = [](double wanted, double half_size, double reach) {
+    const double most = std::max(0.0, reach - half_size);
+    return std::clamp(wanted, -most, most);
+  };
+  auto& m = mapping.device_from_view.m;
+  m[3] += within(shift.x, half_side, kHandReach.x);
+  m[7] += within(shift.y, half_side, kHandReach.y);
+  m[11] += within(shift.z, half_height, kHandReach.z);
+  return mapping;
+}
+
+void fill(HapticSpace& space, const RegionWindow& window, DetailStep step, SurfaceKind kind,
+          const std::optional<Anchor>& anchor) {
   requireComplete(window);
-  const HandMapping mapping = handMapping(window);
+  const HandMapping mapping = mappingOf(window, anchor);
   std::transform(window.heights_mm.begin(), window.heights_mm.end(), space.samples.begin(),
                  [](float h) {
                    return SurfaceSample{h, 0, 0, 0};

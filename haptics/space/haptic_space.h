@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "core/base/origin.h"
@@ -47,8 +48,9 @@ struct BlockTops {
   std::array<float, std::size_t{kBlocks[2]} * kBlocks[2]> fine{};
 
   static constexpr std::size_t index(std::size_t level, int col, int row) RELIEVO_REALTIME {
-    const int shift = kShift[level];
-    return static_cast<std::size_t>((row >> shift) * kBlocks[level] + (col >> shift));
+    const auto block_col = static_cast<std::size_t>(col >> kShift[level]);
+    const auto block_row = static_cast<std::size_t>(row >> kShift[level]);
+    return block_row * static_cast<std::size_t>(kBlocks[level]) + block_col;
   }
   float at(std::size_t level, int col, int row) const RELIEVO_REALTIME {
     const std::size_t i = index(level, col, row);
@@ -59,7 +61,7 @@ struct BlockTops {
 
 /// The surface under the hand: one 200 x 200 window, paper sec. 4.1 and 6, with its place in the
 /// hand's workspace. Fixed size and trivially copyable, so that it crosses threads by value inside
-/// a TripleBuffer. One scale for x, y and z: the relief keeps its proportions at every level.
+/// a SceneBuffer. One scale for x, y and z: the relief keeps its proportions at every level.
 /// All const members: [any thread], real-time safe.
 struct HapticSpace {
   std::array<SurfaceSample, kWindowCount> samples{};  ///< Row 0 at the lowest y.
@@ -121,10 +123,23 @@ struct DetailStep {
   int detail = 1, levels = 1;
 };
 
-/// Copies a window, lays it into the hand's workspace (core's handMapping) and prepares the surface
-/// between its samples. About 10 ms. [worker]
+/// A point of the object that is to stay where it is in the hand's space: what is being touched.
+struct Anchor {
+  ViewMm point;
+  DeviceMm at;
+};
+
+/// The device's cube of about 4 inches, less a margin.
+inline constexpr DeviceMm kHandReach{48, 48, 42};
+
+/// core's handMapping; with an anchor moved so that its point lies where it was, as far as all of
+/// the window stays within kHandReach.
+HandMapping mappingOf(const RegionWindow& window, const std::optional<Anchor>& anchor = {});
+
+/// Copies a window, lays it into the hand's workspace (mappingOf) and prepares the surface between
+/// its samples. About 10 ms. [worker]
 /// @throw ArgumentError  the window does not have 200 x 200 samples, or one is not finite
 void fill(HapticSpace& space, const RegionWindow& window, DetailStep step,
-          SurfaceKind kind = SurfaceKind::gated);
+          SurfaceKind kind = SurfaceKind::gated, const std::optional<Anchor>& anchor = {});
 
 }  // namespace relievo

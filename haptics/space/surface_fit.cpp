@@ -39,6 +39,18 @@ Bends bendsOf(const Line& f) {
       bends[i] = Bend::of_a_line;
     }
   }
+  // Beside a crease the other neighbour alone says what is smooth.
+  const Bends first = bends;
+  for (std::size_t i = 1; i + 1 < kCount; ++i) {
+    const bool low = first[i - 1] == Bend::sharp, high = first[i + 1] == Bend::sharp;
+    if (low == high && !low) continue;
+    const double size = std::abs(d2[i]);
+    const double other = low && high ? 0 : d2[low ? i + 1 : i - 1];
+    const double contrast = std::abs(d2[i] - other);
+    if (contrast > std::max(kLeastCrease, kLeastContrast * size) && size > kLeastCrease) {
+      bends[i] = Bend::sharp;
+    }
+  }
   return bends;
 }
 

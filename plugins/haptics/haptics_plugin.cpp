@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
+#include "core/region/hand.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
 
@@ -24,6 +25,7 @@ void HapticsPlugin::attach(Host& host) {
   panel_->setSettings(settings_);
   host.addPanel(tr("Touch"), panel_);
   actions_ = addTouchActions(host);
+  buttons_ = makeDeviceButtons(host);
   connectControls();
   connectHost();
   applySettings();
@@ -64,6 +66,8 @@ void HapticsPlugin::detach() noexcept {
   if (!session_) return;
   timer_.stop();
   disconnect(host_, nullptr, this, nullptr);
+  delete setup_;  // Zero force, joins.
+  buttons_.reset();
   session_.reset();  // Zero force, joins, closes an open recording.
   forces_asked_ = false;
   shown_ = {};
@@ -97,6 +101,14 @@ void HapticsPlugin::connectControls() {
   connect(actions_.stronger, &QAction::triggered, this, [this] { changeStrength(kStrengthStep); });
   connect(actions_.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
   connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
+  connect(actions_.setup, &QAction::triggered, this, &HapticsPlugin::setUpDevice);
+  connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
+    const auto window = host_->shownWindow();
+    if (!window || !session_) return;
+    const double scale = handMapping(*window).device_per_view;
+    const ViewMm at = session_->update().hip_view;
+    session_->moveHand({at.x + by.x / scale, at.y + by.y / scale, at.z + by.z / scale});
+  });
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
@@ -173,7 +185,7 @@ void HapticsPlugin::frame() {
   watchFault(sample);
   watchSoftening(sample);
   watchRecording();
-  runButtons();
+  runButtons(sample);
   constexpr int kFramesPerReadout = 8;
   if (++frames_ % kFramesPerReadout == 0) slowReadouts();
 }
@@ -241,14 +253,36 @@ void HapticsPlugin::watchRecording() {
                       .arg(QString::fromStdString(end->file.string())));
 }
 
-void HapticsPlugin::runButtons() {
+void HapticsPlugin::runButtons(const HapticSample& sample) {
   while (const std::optional<ButtonEvent> event = session_->takeButton()) {
-    if (!event->down) continue;
-    constexpr std::array<const char*, 4> kCommands{"finer", "", "whole", "coarser"};
-    if (event->button < kCommands.size() && *kCommands[event->button] != '\0') {
-      host_->run(QString::fromLatin1(kCommands[event->button]));
-    }
+    buttons_->press(event->button, event->down, 1e-9 * static_cast<double>(event->time_ns));
   }
+  buttons_->frame(sample, 1e-9 * static_cast<double>(monotonicNs()));
+}
+
+void HapticsPlugin::setUpDevice() {
+  if (setup_) {
+    setup_->raise();
+    setup_->activateWindow();
+    return;
+  }
+  const std::string before = settings_.device;
+  setForces(false);
+  if (before.starts_with("falcon")) {  // The dialog holds it now.
+    settings_.device = "mouse";
+    changeDevice();
+  }
+  setup_ = makeDeviceSetup(panel_ ? panel_->window() : nullptr);
+  connect(setup_, &DeviceSetupDialog::said, this, [this](const QString& text) {
+    if (host_ != nullptr) host_->announce(text);
+  });
+  connect(setup_, &QDialog::finished, this, [this, before](int result) {
+    if (!session_) return;
+    settings_.device = result == QDialog::Accepted ? falcon::kFalconId : before;
+    if (panel_) panel_->setSettings(settings_);
+    if (settings_.device != opened_) changeDevice();
+  });
+  setup_->show();
 }
 
 QByteArray HapticsPlugin::saveState() const {

@@ -7,6 +7,8 @@
 #include <QTimer>
 
 #include "plugins/api/plugin.h"
+#include "plugins/haptics/device_setup_buttons.h"
+#include "plugins/haptics/device_setup_dialog.h"
 #include "plugins/haptics/haptics_panel.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/touch_actions.h"
@@ -46,11 +48,14 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
-  void runButtons();
+  void runButtons(const HapticSample& sample);
+  void setUpDevice();
 
   Host* host_ = nullptr;
   std::unique_ptr<LoopSession> session_;
   TouchSettings settings_;
+  std::unique_ptr<DeviceButtons> buttons_;
+  QPointer<DeviceSetupDialog> setup_;
   std::string opened_;  // Id of the session's device.
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;

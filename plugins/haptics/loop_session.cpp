@@ -43,12 +43,15 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
 }
 
 void LoopSession::show(const RegionWindow& window) {
-  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels});
+  const HapticSample& last = update();
+  std::optional<Anchor> touched;  // Stays under the hand.
+  if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
+  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels},
+       SurfaceKind::gated, touched);
   loop_->spaces().publish();
-  mapping_ = handMapping(window);
+  mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);
   if (steered_ == nullptr) return;
-  const HapticSample& last = update();
   ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
   if (first) over = {window.region.centreX(), window.region.centreY(), 0};
   const double depth = norm(last.proxy - last.hip);

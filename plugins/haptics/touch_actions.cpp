@@ -50,11 +50,16 @@ TouchActions addTouchActions(Host& host) {
   actions.weaker = made({"weaker", "&Weaker", "Lower the strength of all forces by 10 %",
                          "Strength multiplies every force; the limit stays."},
                         {}, false);
+  actions.setup = made({"deviceSetup", "De&vice set-up…", "Set up, test and calibrate a Falcon",
+                        "From plug to touch: access, firmware, homing, self test, force by a known "
+                        "weight, left or right hand."},
+                       {}, false);
   actions.record = made({"record", "&Record", "Start or stop recording every sample (Ctrl+R)",
                          "Writes hand, proxy and force, 1000 times a second, to a table in your "
                          "documents folder."},
                         {QKeySequence(QStringLiteral("Ctrl+R"))}, true);
-  for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker}) {
+  for (QAction* action :
+       {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup}) {
     host.addAction(touch, action);
   }
   host.addAction(record, actions.record);

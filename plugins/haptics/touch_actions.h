@@ -13,6 +13,7 @@ struct TouchActions {
   QAction* forces_off = nullptr;  ///< "forcesOff": off at once; the window runs it on Escape.
   QAction* stronger = nullptr;    ///< "stronger"
   QAction* weaker = nullptr;      ///< "weaker"
+  QAction* setup = nullptr;       ///< "deviceSetup": the assistant for the Falcon.
   QAction* record = nullptr;      ///< "record": start and stop; Ctrl+R.
 };
 

@@ -18,6 +18,7 @@ HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
   options.force.stiffness_n_per_mm = settings.stiffness_n_per_mm;
   options.force.strength = settings.strength_percent / 100.0;
   options.force.forces_on = forces_on;
+  options.frame = true;
   return options;
 }
 

@@ -282,6 +282,7 @@ std::string refusalAsAnOrdinaryUser() {
 TEST(Realtime, ARefusalToAnOrdinaryUserIsSaidInWords) {
   const std::string said = refusalAsAnOrdinaryUser();
   EXPECT_NE(said.find("Real-time priority was refused"), std::string::npos) << said;
+  EXPECT_NE(said.find("RealtimeKit: "), std::string::npos) << "who else was asked: " << said;
   EXPECT_NE(said.find("rtprio"), std::string::npos) << "and what helps: " << said;
 }
 

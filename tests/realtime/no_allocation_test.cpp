@@ -95,6 +95,30 @@ TEST(NoAllocation, ATickAllocatesNothingWithAnyProxyAndSurface) {
   }
 }
 
+TEST(NoAllocation, AChangeOfSurfaceAllocatesNothing) {
+  const auto was = test::spaceOf(
+      80, [](double x, double y) { return std::sin(0.4 * x) * std::cos(0.5 * y); }, 1, {},
+      SurfaceKind::gated);
+  const auto now = test::spaceOf(
+      40, [](double x, double) { return x > 20 ? 4.0 : 0.0; }, 2, {}, SurfaceKind::gated);
+  HapticOptions options;
+  options.force.forces_on = true;
+  options.frame = true;
+  HapticCore core;
+  int changing = 0;
+  const long count = allocationsIn([&] {
+    for (int i = 0; i < 3000; ++i) {
+      DeviceReading reading;
+      reading.time_ns = i * 1'000'000LL;
+      reading.position = {45 * std::sin(0.01 * i), 30 * std::cos(0.013 * i), i < 500 ? 20. : -3.};
+      core.tick(i < 1000 ? *was : *now, *was, options, reading, reading.time_ns);
+      changing += core.changing() ? 1 : 0;
+    }
+  });
+  EXPECT_EQ(count, 0);
+  EXPECT_GT(changing, 100);
+}
+
 TEST(NoAllocation, BuffersRingsAndTheMouseAllocateNothing) {
   MouseDevice mouse;
   const auto ring = std::make_unique<SampleRing>();

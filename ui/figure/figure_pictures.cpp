@@ -50,6 +50,11 @@ Eyes eyesFor(const DepthMap& map, const FigureRequest& f, double paper_per_mm) {
 }  // namespace
 
 DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int margin, double gain) {
+  if (surface.pyramid.levels.empty()) {
+    throw ArgumentError(
+        "A map that is read by tiles is not drawn as a figure by this version. Nothing was drawn. "
+        "Make a map with coarser cells, which fits the memory.");
+  }
   if (level.value < 0 || level.value >= static_cast<int>(surface.pyramid.levels.size())) {
     throw ArgumentError("There is no level " + std::to_string(level.value) + ".");
   }
@@ -97,8 +102,7 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
                        const FigureSheet& sheet, const QSize& pixels, double dpi,
                        const Task& task) {
   const FigureRequest& f = project.figure;
-  const double spacing =
-      surface.pyramid.levels[static_cast<std::size_t>(panel.level.value)].frame.spacing_mm;
+  const double spacing = surface.ladder.spacings_mm[static_cast<std::size_t>(panel.level.value)];
   const int margin =
       static_cast<int>(std::clamp(f.look.radius_mm / spacing, kMarginSamples, 200.0));
   DepthMap map = cutOut(surface, panel.level, panel.shown, margin, project.gain);

@@ -37,7 +37,7 @@ Project fullProject() {
   p.sha256 = "00ff";
   p.options.unit = LengthUnit::cm;
   p.options.unit_source = UnitSource::remembered;
-  p.options.view = ViewChoice{"free", Rotation{0, 1, 0, -1, 0, 0, 0, 0, 1}};
+  p.options.view = ViewChoice{"free", Rotation{0, 1, 0, -1, 0, 0, 0, 0, 1}, {1, 2, 3}};
   p.options.spacing_mm = 0.1;
   p.options.engine = "depthbuffer";
   p.options.rule = PointRule::median;

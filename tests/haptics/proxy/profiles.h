@@ -124,4 +124,34 @@ inline Agreement compareWithTruth(const Profile& scene, SurfaceKind kind, int ti
   return found;
 }
 
+/// A fin 8 mm high, one cell thick on each side, with the hand pushed through it sideways.
+/// @return whether the proxy ended on the far side
+inline bool passesFin(double base_mm, double speed_mm_per_s, ProxyKind kind,
+                      SurfaceKind surface = SurfaceKind::bilinear) {
+  const double side = 100 * base_mm;
+  const auto space = spaceOf(
+      side,
+      [&](double x, double) {
+        return std::lround(x / (side / kWindowSamples) - 0.5) == 100 ? 8.0 : 0.0;
+      },
+      1, {}, surface);
+  const double ridge = 100.5 * side / kWindowSamples;
+  ProxyState state;
+  const double step = speed_mm_per_s * 0.001, start = ridge - 5;
+  const int ticks = static_cast<int>(10 / step) + 20;
+  const double jitter = 0.37;  // So that no tick falls exactly onto the ridge.
+  bool first = true;
+  for (int n = 0; n < ticks; ++n) {
+    const ViewMm hip{start + std::min(10.0, (n + jitter) * step), 0.5 * side + 0.01, 4};
+    const GridPoint grid = space->gridFromView(hip);
+    ProxyOptions options;
+    options.kind = kind;
+    options.step_mm = 0.1 * space->device_per_view;  // 0.1 mm on the object, whatever the scale.
+    state = first ? ProxyState{grid, grid, false} : proxyTick(*space, state, grid, options);
+    first = false;
+    if (space->viewFromGrid(state.position).x > ridge) return true;
+  }
+  return false;
+}
+
 }  // namespace relievo::test

@@ -86,7 +86,7 @@ TEST(Hdf5Log, KeepsEveryValueToTheLastBitWithUnitsSurfaceAndEvents) {
   EXPECT_EQ(text(held, "/loop"), "loop ticks 5");
   const std::vector<double> depth = column(held, "/surface/depth");
   ASSERT_EQ(depth.size(), kWindowCount);
-  EXPECT_EQ(depth[777], static_cast<double>(space->heights_mm[777]));
+  EXPECT_EQ(depth[777], static_cast<double>(space->samples[777].height_mm));
   EXPECT_EQ(column(held, "/surface/origin").size(), kWindowCount);
   const hid_t events = H5Dopen2(held, "/events", H5P_DEFAULT);
   const hid_t count = H5Dget_space(events);

@@ -54,6 +54,33 @@ TEST(HapticSpace, LiesInTheHandAsTheMappingSays) {
   EXPECT_NEAR(norm(space->deviceFromView({25, 25, mid})), 0, 1e-12) << "centre at mid height";
 }
 
+TEST(HapticSpace, KeepsTheTouchedPointUnderTheHandThroughAZoom) {
+  // A hill touched near its top, then a quarter of the window around the touched point.
+  const auto hill = [](double x, double y) {
+    return 20 * std::exp(-((x - 60) * (x - 60) + (y - 50) * (y - 50)) / 300) + wavy(x, y) / 5;
+  };
+  const RegionWindow whole = windowOf(100, hill);
+  HapticSpace before;
+  fill(before, whole, {}, SurfaceKind::gated);
+  const ViewMm touched{62, 49, hill(62, 49)};
+  const Anchor anchor{touched, before.deviceFromView(touched)};
+  RegionWindow part = windowOf(50, [&](double x, double y) { return hill(x + 31, y + 24.5); });
+  part.region.x_mm = 31;
+  part.region.y_mm = 24.5;
+  HapticSpace after, unanchored;
+  fill(after, part, {}, SurfaceKind::gated, anchor);
+  fill(unanchored, part, {}, SurfaceKind::gated);
+  EXPECT_LE(norm(after.deviceFromView(touched) - anchor.at), 2);
+  EXPECT_GT(norm(unanchored.deviceFromView(touched) - anchor.at), 2) << "what the anchor is for";
+  const double top = after.deviceFromView({0, 0, double{part.max_mm}}).z;
+  const double low = after.deviceFromView({0, 0, double{part.min_mm}}).z;
+  EXPECT_LE(std::max(std::abs(top), std::abs(low)), kHandReach.z + 1e-9);
+  // An anchor that cannot be: the window stays within reach.
+  HapticSpace far;
+  fill(far, part, {}, SurfaceKind::gated, Anchor{touched, {500, -500, 500}});
+  EXPECT_LE(std::abs(far.deviceFromView({56, 49.5, double{part.max_mm}}).z), kHandReach.z + 1e-9);
+}
+
 TEST(HapticSpace, NamesTheOriginOfTheNearestSample) {
   RegionWindow window = windowOf(20, wavy);
   window.origins[5 * kWindowSamples + 7] = Origin::base_plane;

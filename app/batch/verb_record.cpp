@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <atomic>
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/batch/json.h"
+#include "app/batch/touch_setup.h"
+#include "app/batch/verb.h"
+#include "haptics/device_catalog.h"
+#include "haptics/loop/haptic_loop.h"
+#include "haptics/record/events.h"
+#include "haptics/record/sample_drain.h"
+#include "haptics/record/sample_log.h"
+
+namespace relievo::batch {
+namespace {
+
+/// Writes a fixed number of samples from the drain thread; an error is kept for the main thread.
+class Sink {
+ public:
+  Sink(SampleLog& log, std::uint64_t ticks) : log_(log), left_(ticks) {}
+
+  void take(std::span<const HapticSample> batch) {
+    for (const HapticSample& sample : batch) {
+      if (left_ == 0 || !error_.empty()) break;
+      if (!before_) start_ns_ = sample.time_ns;
+      try {
+        log_.write(sample, 1e-9 * static_cast<double>(sample.time_ns - start_ns_),
+                   before_ ? eventBetween(*before_, sample) : eventAtStart(sample));
+      } catch (const WriteError& error) {
+        error_ = error.what();
+      }
+      gaps_ += before_ && sample.tick != before_->tick + 1 ? 1 : 0;
+      before_ = sample;
+      --left_;
+    }
+    if (left_ == 0 || !error_.empty()) done_.store(true, std::memory_order_release);
+  }
+  bool done() const { return done_.load(std::memory_order_acquire); }
+  // [drain joined]
+  const std::string& error() const { return error_; }
+  int gaps() const { return gaps_; }
+
+ private:
+  SampleLog& log_;
+  std::uint64_t left_;
+  std::optional<HapticSample> before_;
+  std::int64_t start_ns_ = 0;
+  std::string error_;
+  int gaps_ = 0;
+  std::atomic<bool> done_{false};
+};
+
+/// The stroke's place at a time since its start; its last one afterwards.
+DeviceMm placeAt(const Stroke& stroke, double t_s, const HapticSpace& space, StrokeFrame frame) {
+  const double t = stroke.points.front().t_s + t_s;
+  std::size_t next = 0;
+  while (next < stroke.points.size() && stroke.points[next].t_s <= t) ++next;
+  const StrokePoint& a = stroke.points[next == 0 ? 0 : next - 1];
+  const StrokePoint& b = stroke.points[std::min(next, stroke.points.size() - 1)];
+  const double part = b.t_s > a.t_s ? (t - a.t_s) / (b.t_s - a.t_s) : 0;
+  const ViewMm p{a.x_mm + part * (b.x_mm - a.x_mm), a.y_mm + part * (b.y_mm - a.y_mm),
+                 a.z_mm + part * (b.z_mm - a.z_mm)};
+  return frame == StrokeFrame::device ? DeviceMm{p.x, p.y, p.z} : space.deviceFromView(p);
+}
+
+/// Leads the hand along the stroke until the sink has all it wants.
+void drive(SteeredDevice* hand, const Stroke& stroke, const TouchSetup& setup, const Sink& sink,
+           const Task& task) {
+  const std::int64_t start_ns = monotonicNs();
+  for (std::int64_t next_ns = start_ns; !sink.done(); next_ns += 1'000'000) {
+    task.check();
+    if (hand != nullptr && !stroke.points.empty()) {
+      const double t_s = 1e-9 * static_cast<double>(monotonicNs() - start_ns);
+      hand->moveTo(placeAt(stroke, t_s, *setup.space, setup.options.frame));
+    }
+    sleepUntil(next_ns);
+  }
+}
+
+Outcome runRecord(const TouchArguments& a, const Task& task) {
+  if (!(a.seconds > 0) || !(a.seconds <= 86'400)) {
+    throw ArgumentError("--seconds must be above 0 and at most 86400.");
+  }
+  const Stroke stroke = a.stroke.empty() ? Stroke{} : readStroke(a.stroke);
+  const TouchSetup setup = prepareTouch(a, task);
+  std::unique_ptr<Device> device = makeDevice(a.device);
+  auto* hand = dynamic_cast<SteeredDevice*>(device.get());
+  if (hand != nullptr && !stroke.points.empty()) {
+    hand->placeAt(placeAt(stroke, 0, *setup.space, setup.options.frame));
+  }
+  const std::unique_ptr<SampleLog> log = openLog(a.out, touchHeader(a, setup), setup.space.get());
+  Sink sink(*log, static_cast<std::uint64_t>(std::ceil(1000 * a.seconds)));
+  auto loop = std::make_unique<HapticLoop>(std::move(device));
+  // Before the start: the first tick already sees both, and a replay can begin with it.
+  loop->spaces().write(*setup.space);
+  loop->options().write(setup.core);
+  loop->start();
+  if (!loop->realtime().note.empty()) tell(loop->realtime().note);
+  {
+    SampleDrain drain(loop->samples(),
+                      {[&sink](std::span<const HapticSample> batch) { sink.take(batch); }});
+    try {
+      drive(hand, stroke, setup, sink, task);
+    } catch (const Cancelled&) {
+      tell("Stopped early; what was recorded is saved.");
+    }
+    loop->stop();
+  }
+  loop->stats().update();
+  const LoopStats& stats = loop->stats().front();
+  if (!sink.error().empty()) throw WriteError(sink.error(), "E401");
+  log->close(loopLines(stats));
+
+  Json json;
+  json["file"] = a.out;
+  json["device"] = loop->device().id;
+  json["ticks"] = log->rows();
+  json["gaps"] = sink.gaps();
+  json["rate_hz"] = stats.rate_hz;
+  json["late_ticks"] = stats.late_ticks;
+  json["worst_period_ms"] = stats.worst_period_ms;
+  json["watchdog_cuts"] = stats.watchdog_cuts;
+  json["zero_demanded"] = stats.audit.zero_demanded;
+  json["violations"] = stats.audit.violations();
+  json["largest_force_n"] = stats.audit.largest_n;
+  json["realtime"] = loop->realtime().realtime;
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(log->rows()) + " ticks with " +
+                    loop->device().name + ", " + std::to_string(stats.late_ticks) + " late"}};
+}
+
+}  // namespace
+
+void declareRecord(CLI::App& verb, TouchArguments& arguments) {
+  arguments.device = "virtual";
+  addTouchOptions(verb, arguments);
+  verb.add_option("--device", arguments.device, "virtual[:GRIP], falcon or mouse");
+  verb.add_option("--seconds", arguments.seconds, "How long; 10");
+  verb.add_option("--stroke", arguments.stroke, "CSV that leads a simulated hand");
+  verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();
+  verb.add_option("--frame", arguments.frame, "Frame of the stroke: view or device")
+      ->check(CLI::IsMember({"view", "device"}));
+}
+
+Verb recordVerb(std::vector<std::string> words) {
+  auto arguments = std::make_shared<TouchArguments>();
+  arguments->words = std::move(words);
+  return {.name = "record",
+          .help = "Touch a region with a device in real time and record every millisecond",
+          .declare = [arguments](CLI::App& verb) { declareRecord(verb, *arguments); },
+          .run = [arguments](const Task& task) { return runRecord(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

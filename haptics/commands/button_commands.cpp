@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/commands/button_commands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace relievo {
+
+namespace {
+constexpr double kBounceS = 0.06, kShortS = 0.5, kLongS = 0.7, kLongCentreS = 1.5;
+constexpr double kHelpS = 2, kIntroductionS = 5, kAgainS = 5;
+constexpr double kStepMm = 20, kBackMm = 10;
+
+struct Word {
+  std::string_view name, words;
+};
+constexpr std::array<Word, 20> kWords{{{"", "Nothing"},
+                                       {"finer", "Finer detail"},
+                                       {"coarser", "Coarser detail"},
+                                       {"whole", "Whole object"},
+                                       {"sayDetail", "Detail and scale"},
+                                       {"whereAmI", "Where am I"},
+                                       {"whereAmILong", "Where am I, in full"},
+                                       {"forces", "Forces on or off"},
+                                       {"moveMode", "Move mode"},
+                                       {"moveDone", "Moved"},
+                                       {"moveBack", "Back to the old window"},
+                                       {"moveLeft", "Left"},
+                                       {"moveRight", "Right"},
+                                       {"moveUp", "Up"},
+                                       {"moveDown", "Down"},
+                                       {"nextPlace", "Next place"},
+                                       {"previousPlace", "Previous place"},
+                                       {"beacon", "Beacon"},
+                                       {"buttonHelp", "Help"},
+                                       {"introduction", "Introduction"}}};
+
+/// One-button scanning goes round in these; the last one stops forces.
+constexpr std::array<ButtonCommand, 5> kScan{ButtonCommand::where_am_i, ButtonCommand::finer,
+                                             ButtonCommand::coarser, ButtonCommand::begin_move,
+                                             ButtonCommand::toggle_forces};
+}  // namespace
+
+std::string_view commandName(ButtonCommand command) noexcept {
+  return kWords[static_cast<std::size_t>(command)].name;
+}
+
+std::string_view commandWords(ButtonCommand command) noexcept {
+  return kWords[static_cast<std::size_t>(command)].words;
+}
+
+ButtonCommands::ButtonCommands(ButtonOptions options) : options_(options) {
+  options_.scan_s = std::clamp(options_.scan_s, 0.5, 5.0);
+}
+
+void ButtonCommands::press(std::uint8_t button, bool down, double time_s) {
+  if (button >= kButtons) return;
+  Button& b = buttons_[button];
+  b.raw = down;
+  if (down != b.down && time_s - b.edge_s >= kBounceS) edge(button, down, time_s);
+}
+
+void ButtonCommands::edge(std::size_t index, bool down, double time_s) {
+  Button& b = buttons_[index];
+  b.down = down;
+  b.edge_s = time_s;
+  if (down) {
+    b.since_s = time_s;
+    b.used = b.ticked = false;
+    if (options_.one_button) {
+      b.used = true;
+      scan(time_s);
+    } else if (buttons_[kPlus].down && buttons_[kMinus].down) {
+      together_ = true;
+      together_said_ = 0;
+      buttons_[kPlus].used = buttons_[kMinus].used = true;
+      b.since_s = time_s;
+    }
+    return;
+  }
+  if (!b.used) released(index, time_s - b.since_s);
+  if (!buttons_[kPlus].down && !buttons_[kMinus].down) together_ = false;
+}
+
+void ButtonCommands::released(std::size_t index, double held_s) {
+  if (held_s <= kShortS) shortPress(index, buttons_[index].edge_s);
+}
+
+void ButtonCommands::run(ButtonCommand command) {
+  outcomes_.push_back({ButtonOutcome::Kind::run, command});
+}
+
+void ButtonCommands::shortPress(std::size_t index, double time_s) {
+  switch (index) {
+    case kPlus:
+      run(moving_ ? ButtonCommand::next_place : ButtonCommand::finer);
+      break;
+    case kMinus:
+      run(moving_ ? ButtonCommand::previous_place : ButtonCommand::coarser);
+      break;
+    case kForward:
+      moving_ = !moving_;
+      move_from_.reset();
+      run(moving_ ? ButtonCommand::begin_move : ButtonCommand::confirm_move);
+      break;
+    case kCentre:
+      if (moving_) {
+        moving_ = false;
+        run(ButtonCommand::cancel_move);
+        break;
+      }
+      run(time_s - asked_where_s_ <= kAgainS ? ButtonCommand::where_am_i_long
+                                             : ButtonCommand::where_am_i);
+      asked_where_s_ = time_s;
+      break;
+    default:
+      break;
+  }
+}
+
+void ButtonCommands::longPress(std::size_t index) {
+  constexpr std::array<ButtonCommand, kButtons> kLong{
+      ButtonCommand::say_detail, ButtonCommand::toggle_beacon, ButtonCommand::toggle_forces,
+      ButtonCommand::whole};
+  // In Move mode only stopping the forces has a long press.
+  if (!moving_ || index == kCentre) run(kLong[index]);
+}
+
+void ButtonCommands::held(std::size_t index, double held_s) {
+  Button& b = buttons_[index];
+  if (!b.ticked && held_s >= kLongS) {
+    b.ticked = true;
+    outcomes_.push_back({ButtonOutcome::Kind::tick, ButtonCommand::none});
+  }
+  if (held_s < (index == kCentre ? kLongCentreS : kLongS)) return;
+  b.used = true;
+  longPress(index);
+}
+
+void ButtonCommands::heldTogether(double held_s) {
+  if (together_said_ == 0 && held_s >= kHelpS) {
+    together_said_ = 1;
+    run(ButtonCommand::help);
+  }
+  if (together_said_ == 1 && held_s >= kIntroductionS) {
+    together_said_ = 2;
+    run(ButtonCommand::restart_introduction);
+  }
+}
+
+void ButtonCommands::scan(double time_s) {
+  if (offered_ >= 0) {
+    const ButtonCommand chosen = kScan[static_cast<std::size_t>(offered_)];
+    offered_ = -1;
+    if (chosen == ButtonCommand::begin_move) {
+      moving_ = !moving_;
+      move_from_.reset();
+      run(moving_ ? ButtonCommand::begin_move : ButtonCommand::confirm_move);
+      return;
+    }
+    run(chosen);
+    return;
+  }
+  offered_ = 0;
+  offered_s_ = time_s;
+  outcomes_.push_back({ButtonOutcome::Kind::offer, kScan[0]});
+}
+
+void ButtonCommands::hand(DeviceMm position) {
+  if (!moving_) return;
+  if (!move_from_) {
+    move_from_ = position;
+    move_armed_ = true;
+  }
+  const double x = position.x - move_from_->x, y = position.y - move_from_->y;
+  const double away = std::max(std::abs(x), std::abs(y));
+  if (away < kBackMm) move_armed_ = true;
+  if (!move_armed_ || away <= kStepMm) return;
+  move_armed_ = false;  // One step, one way back.
+  if (std::abs(x) > std::abs(y)) {
+    run(x > 0 ? ButtonCommand::move_right : ButtonCommand::move_left);
+  } else {
+    run(y > 0 ? ButtonCommand::move_up : ButtonCommand::move_down);
+  }
+}
+
+std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
+  for (std::size_t i = 0; i < kButtons; ++i) {
+    Button& b = buttons_[i];
+    // What was taken for a bounce and stayed was none.
+    if (b.raw != b.down && now_s - b.edge_s >= kBounceS) edge(i, b.raw, now_s);
+    if (b.down && !b.used) held(i, now_s - b.since_s);
+  }
+  if (together_ && buttons_[kPlus].down && buttons_[kMinus].down) {
+    heldTogether(now_s - std::max(buttons_[kPlus].since_s, buttons_[kMinus].since_s));
+  }
+  if (offered_ >= 0 && now_s - offered_s_ >= options_.scan_s) {
+    offered_s_ = now_s;
+    ++offered_;
+    if (offered_ == static_cast<int>(kScan.size())) {
+      offered_ = -1;  // Once round: the scan ends by itself.
+    } else {
+      outcomes_.push_back({ButtonOutcome::Kind::offer, kScan[static_cast<std::size_t>(offered_)]});
+    }
+  }
+  return std::exchange(outcomes_, {});
+}
+
+std::string_view ButtonCommands::help() const noexcept {
+  if (options_.one_button) {
+    return "One button. Press: I offer where am I, finer, coarser, move, forces. Press again to "
+           "take what I said last.";
+  }
+  if (moving_) {
+    return "Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous "
+           "place. Forward: done. Centre: back.";
+  }
+  return "Plus: finer. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: "
+         "where am I; long: forces off.";
+}
+
+}  // namespace relievo

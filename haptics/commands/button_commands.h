@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/vec3.h"
+
+namespace relievo {
+
+/// What a person can ask for without a screen (paper, sec. 6: scale and place by the device's
+/// buttons). The same commands as keys and menus.
+enum class ButtonCommand : std::uint8_t {
+  none,
+  finer,
+  coarser,
+  whole,
+  say_detail,
+  where_am_i,
+  where_am_i_long,
+  toggle_forces,
+  begin_move,
+  confirm_move,
+  cancel_move,
+  move_left,
+  move_right,
+  move_up,
+  move_down,
+  next_place,
+  previous_place,
+  toggle_beacon,
+  help,
+  restart_introduction,
+};
+/// Object name of the window's command: "finer", "whereAmI".
+std::string_view commandName(ButtonCommand command) noexcept;
+/// A few words for speech: "Finer detail".
+std::string_view commandWords(ButtonCommand command) noexcept;
+
+struct ButtonOptions {
+  /// Any button: the first press starts a scan through a few commands, the next one takes what was
+  /// offered last.
+  bool one_button = false;
+  double scan_s = 1.5;  ///< Time for each offer; 0.5 to 5.
+};
+
+/// What follows from a press. `offer`: only said, in a scan. `tick`: a button is now held long.
+struct ButtonOutcome {
+  enum class Kind : std::uint8_t { run, offer, tick } kind = Kind::run;
+  ButtonCommand command = ButtonCommand::none;
+};
+
+/// Makes commands of presses: short (up to 0.5 s), long (from 0.7 s; centre 1.5 s), plus and minus
+/// together, Move mode, one-button scanning. Nothing is ever asked to be pressed twice quickly.
+/// No clock: time is an argument. [one thread]
+class ButtonCommands {
+ public:
+  static constexpr std::size_t kButtons = 4;
+  static constexpr std::uint8_t kPlus = 0, kForward = 1, kCentre = 2, kMinus = 3;
+
+  explicit ButtonCommands(ButtonOptions options = {});
+
+  /// An edge. Buttons beyond the fourth do nothing. A bounce within 60 ms is none.
+  void press(std::uint8_t button, bool down, double time_s);
+  /// Where the hand is, while in Move mode: 20 mm away from where it began is one step.
+  void hand(DeviceMm position);
+  /// What has to be done by now, oldest first. Call it at least ten times a second.
+  std::vector<ButtonOutcome> take(double now_s);
+
+  bool moving() const noexcept { return moving_; }
+  /// What the buttons do now, in a sentence, for help.
+  std::string_view help() const noexcept;
+
+ private:
+  struct Button {
+    bool down = false, raw = false;
+    bool used = false;  ///< Its press has had its effect already.
+    bool ticked = false;
+    double since_s = 0;
+    double edge_s = -1;
+  };
+
+  void edge(std::size_t index, bool down, double time_s);
+  void released(std::size_t index, double held_s);
+  void held(std::size_t index, double held_s);
+  void heldTogether(double held_s);
+  void shortPress(std::size_t index, double time_s);
+  void longPress(std::size_t index);
+  void scan(double time_s);
+  void run(ButtonCommand command);
+
+  ButtonOptions options_;
+  std::array<Button, kButtons> buttons_;
+  std::vector<ButtonOutcome> outcomes_;
+  bool moving_ = false;
+  bool together_ = false;  // Plus and minus; until both are up.
+  int together_said_ = 0;
+  double asked_where_s_ = -100;
+  std::optional<DeviceMm> move_from_;
+  bool move_armed_ = true;
+  int offered_ = -1;  // Of the scan; -1: none.
+  double offered_s_ = 0;
+};
+
+}  // namespace relievo

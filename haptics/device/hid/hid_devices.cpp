@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/device/hid/hid_devices.h"
+
+#include <hidapi.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <optional>
+#include <set>
+
+#include "core/base/error.h"
+
+namespace relievo::hid {
+
+namespace {
+constexpr std::uint16_t kGenericDesktop = 1, kJoystick = 4, kGamepad = 5, kMultiAxis = 8;
+constexpr std::size_t kReportBytes = 64;
+constexpr int kMostReportsPerPoll = 256;
+
+std::string utf8(const wchar_t* text) {
+  std::string narrow;
+  for (; text != nullptr && *text != L'\0'; ++text) {
+    narrow += *text > 0 && *text < 128 ? static_cast<char>(*text) : '?';
+  }
+  return narrow;
+}
+
+/// hidapi 0.13 does not hand it out; sysfs does.
+std::vector<std::uint8_t> reportDescriptor(const std::string& node) {
+  const std::string name = std::filesystem::path(node).filename();
+  std::ifstream stream("/sys/class/hidraw/" + name + "/device/report_descriptor", std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+struct OpenDevice {
+  std::string path, name;
+  hid_device* handle = nullptr;
+  bool space_mouse = false;
+  std::vector<ButtonField> fields;
+  std::size_t button_count = 0;
+  std::uint32_t buttons = 0;  // The Falcon's, as told last.
+  CapMotion motion;
+
+  std::uint32_t asFalcon(std::uint32_t raw) const {
+    if (space_mouse) return (raw & 1U) << 3U | (raw >> 1U & 1U);
+    if (button_count == 1) return (raw & 1U) << 2U;
+    return raw & 0b1111U;
+  }
+};
+
+void tellEdges(std::uint32_t before, std::uint32_t after, std::vector<ButtonEdge>& edges) {
+  for (std::uint8_t i = 0; i < 4; ++i) {
+    const bool was = (before >> i & 1U) != 0, is = (after >> i & 1U) != 0;
+    if (was != is) edges.push_back({i, is});
+  }
+}
+}  // namespace
+
+struct HidDevices::Impl {
+  std::list<OpenDevice> devices;
+  std::vector<std::string> forbidden;
+
+  void close(OpenDevice& device, HidNews& news) {
+    tellEdges(device.buttons, 0, news.edges);
+    news.left.push_back(device.name);
+    hid_close(device.handle);
+  }
+  bool open(const hid_device_info& info, HidNews& news);
+  static bool read(OpenDevice& device, HidNews& news);
+};
+
+HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
+  if (hid_init() != 0) throw DeviceError("HID devices cannot be used on this system.");
+}
+
+HidDevices::~HidDevices() {
+  for (const OpenDevice& device : impl_->devices) hid_close(device.handle);
+}
+
+bool HidDevices::Impl::open(const hid_device_info& info, HidNews& news) {
+  OpenDevice device;
+  device.path = info.path;
+  device.name = utf8(info.product_string);
+  if (device.name.empty()) device.name = "HID device";
+  device.space_mouse = isSpaceMouse(info.vendor_id, info.product_id);
+  if (!device.space_mouse) {
+    device.fields = buttonFields(reportDescriptor(device.path));
+    for (const ButtonField& field : device.fields) device.button_count += field.count;
+    if (device.button_count == 0) return true;  // Nothing to press.
+  }
+  device.handle = hid_open_path(info.path);
+  if (device.handle == nullptr) {
+    forbidden.push_back(device.name);
+    return false;
+  }
+  hid_set_nonblocking(device.handle, 1);
+  news.arrived.push_back(device.name);
+  devices.push_back(std::move(device));
+  return true;
+}
+
+void HidDevices::rescan(HidNews& news) {
+  hid_device_info* list = hid_enumerate(0, 0);
+  std::set<std::string> there;
+  impl_->forbidden.clear();
+  for (const hid_device_info* info = list; info != nullptr; info = info->next) {
+    const bool wanted =
+        info->usage_page == kGenericDesktop &&
+        (info->usage == kJoystick || info->usage == kGamepad || info->usage == kMultiAxis);
+    if (!wanted || info->path == nullptr) continue;
+    there.insert(info->path);
+    const bool known =
+        std::any_of(impl_->devices.begin(), impl_->devices.end(),
+                    [info](const OpenDevice& device) { return device.path == info->path; });
+    if (!known) impl_->open(*info, news);
+  }
+  hid_free_enumeration(list);
+  for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
+    if (there.contains(device->path)) {
+      ++device;
+      continue;
+    }
+    impl_->close(*device, news);
+    device = impl_->devices.erase(device);
+  }
+}
+
+bool HidDevices::Impl::read(OpenDevice& device, HidNews& news) {
+  std::array<std::uint8_t, kReportBytes> bytes{};
+  for (int i = 0; i < kMostReportsPerPoll; ++i) {
+    const int size = hid_read(device.handle, bytes.data(), bytes.size());
+    if (size < 0) return false;
+    if (size == 0) return true;
+    const std::span<const std::uint8_t> report(bytes.data(), static_cast<std::size_t>(size));
+    std::optional<std::uint32_t> raw;
+    if (device.space_mouse) {
+      if (const auto motion = capMotion(report)) device.motion = *motion;
+      raw = capButtons(report);
+    } else {
+      raw = buttonsOf(report, device.fields);
+    }
+    if (!raw) continue;
+    const std::uint32_t buttons = device.asFalcon(*raw);
+    tellEdges(device.buttons, buttons, news.edges);
+    device.buttons = buttons;
+  }
+  return true;
+}
+
+void HidDevices::poll(HidNews& news) {
+  for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
+    if (Impl::read(*device, news)) {
+      if (device->space_mouse) news.motion = device->motion;
+      ++device;
+      continue;
+    }
+    impl_->close(*device, news);
+    device = impl_->devices.erase(device);
+  }
+}
+
+std::vector<std::string> HidDevices::names() const {
+  std::vector<std::string> names;
+  for (const OpenDevice& device : impl_->devices) names.push_back(device.name);
+  return names;
+}
+
+std::vector<std::string> HidDevices::forbidden() const {
+  return impl_->forbidden;
+}
+
+}  // namespace relievo::hid

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "haptics/device/hid/hid_reports.h"
+
+namespace relievo::hid {
+
+/// A press or a release on any device.
+struct ButtonEdge {
+  std::uint8_t button = 0;  ///< 0 plus, 1 forward, 2 centre, 3 minus: the Falcon's.
+  bool down = false;
+};
+
+struct HidNews {
+  std::vector<ButtonEdge> edges;
+  CapMotion motion;                        ///< Of the SpaceMouse now; zero at rest.
+  std::vector<std::string> arrived, left;  ///< Names, for people.
+};
+
+/// SpaceMouse, button boxes, foot switches and gamepads through hidapi. Never waits: it is asked.
+/// Keyboards and mice are left to the window. [one thread]
+///
+/// A SpaceMouse's left button is minus, its right one plus; of other devices the first four buttons
+/// are plus, forward, centre, minus; one that has a single button gives centre.
+class HidDevices {
+ public:
+  HidDevices();   ///< @throw DeviceError  HID cannot be used at all
+  ~HidDevices();  ///< Closes all.
+  HidDevices(const HidDevices&) = delete;
+  HidDevices& operator=(const HidDevices&) = delete;
+
+  /// Looks for what was plugged in; about once a second.
+  void rescan(HidNews& news);
+  /// Takes all that came since the last call; about 60 times a second. One that was unplugged lets
+  /// go of its buttons.
+  void poll(HidNews& news);
+
+  std::vector<std::string> names() const;
+  /// Devices that are there and may not be opened: the account lacks access to their nodes.
+  std::vector<std::string> forbidden() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace relievo::hid

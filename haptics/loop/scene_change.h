@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/proxy/proxy.h"
+#include "haptics/rt/realtime.h"
+#include "haptics/space/haptic_space.h"
+
+namespace relievo {
+
+/// The spring before and after a change, N per mm of hand.
+struct SpringChange {
+  double was_n_per_mm = 0.5, now_n_per_mm = 0.5;
+};
+
+/// One surface turning into the next under the hand: level, window, gain, fill or view changed. The
+/// proxy stays on the blended surface, and surface and spring change no faster than the hand should
+/// feel. [haptic loop]
+class SceneChange {
+ public:
+  static constexpr double kLeastTicks = 200;       ///< Of a change without contact or difference.
+  static constexpr double kMostStepN = 0.004;      ///< Aimed at: change of force in a tick at rest.
+  static constexpr double kMostCreepTicks = 2000;  ///< Then the next window has waited enough.
+
+  /// From `was` to `now`: the proxy is carried over by its place in the hand's space.
+  ProxyState begin(const HapticSpace& was, const HapticSpace& now, ProxyState proxy,
+                   SpringChange spring) RELIEVO_REALTIME;
+  bool running() const RELIEVO_REALTIME { return running_; }
+  void stop() RELIEVO_REALTIME { running_ = false; }
+  /// The spring of this tick.
+  double stiffness() const RELIEVO_REALTIME { return stiffnessAt(weight_); }
+
+  /// One tick: the surface moves on and takes the proxy with it, then the hand moves to `hip`.
+  /// Works with the converged proxy, whatever options.kind says.
+  ProxyState follow(const HapticSpace& was, const HapticSpace& now, ProxyState proxy, GridPoint hip,
+                    const ProxyOptions& options) RELIEVO_REALTIME;
+  /// Unit normal of the blended surface at the proxy.
+  GridPoint normal(const HapticSpace& was, const HapticSpace& now,
+                   const ProxyState& proxy) const RELIEVO_REALTIME;
+
+ private:
+  double stiffnessAt(double weight) const RELIEVO_REALTIME {
+    return spring_.was_n_per_mm + weight * (spring_.now_n_per_mm - spring_.was_n_per_mm);
+  }
+  double wholeDifference(const HapticSpace& was, const HapticSpace& now,
+                         const ProxyState& proxy) const RELIEVO_REALTIME;
+
+  bool running_ = false;
+  double ticks_ = 0, length_ = kLeastTicks;
+  double weight_ = 1;  // How much of the new surface is felt, 0 .. 1.
+  SpringChange spring_;
+};
+
+/// Do both stand for the same surface at the same place?
+bool sameScene(const HapticSpace& a, const HapticSpace& b) RELIEVO_REALTIME;
+
+}  // namespace relievo

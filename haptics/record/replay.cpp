@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/replay.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "haptics/record/hdf5_log.h"
+#include "haptics/record/log_writer.h"
+
+namespace relievo {
+
+namespace {
+enum Column : std::size_t { kTime = 0, kButtons = 21, kRate = 22, kHandX = 23, kAge = 29 };
+static_assert(kLogColumns[kButtons].name == "buttons" && kLogColumns[kRate].name == "rate_Hz");
+static_assert(kLogColumns[kHandX].name == "dev_hip_x_mm" && kLogColumns[kAge].name == "age_s");
+
+/// The numbers of a CSV row; its one quoted field, the event, is passed over.
+bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& values) {
+  const std::size_t quote = line.find('"'), last_quote = line.rfind('"');
+  if (quote == std::string_view::npos || last_quote <= quote || quote == 0) return false;
+  std::string numbers(line.substr(0, quote - 1));
+  numbers += line.substr(last_quote + 1);
+  const char* at = numbers.data();
+  const char* const end = numbers.data() + numbers.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [next, error] = std::from_chars(at, end, values[i]);
+    if (error != std::errc()) return false;
+    const bool last = i + 1 == values.size();
+    if (last ? next != end : (next == end || *next != ',')) return false;
+    at = next + 1;
+  }
+  return true;
+}
+
+LogTable readCsvLog(const std::filesystem::path& file) {
+  const std::string name = "The log \"" + file.string() + "\" ";
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file)) throw FileError(name + "cannot be read.");
+  LogTable table;
+  bool have_columns = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with('#')) {
+      if (!have_columns) table.header += line.substr(std::min<std::size_t>(2, line.size())) + '\n';
+      continue;
+    }
+    if (!have_columns) {
+      if (line != logColumns()) throw FileError(name + "has other columns than this version's.");
+      have_columns = true;
+      continue;
+    }
+    table.rows.emplace_back();
+    if (!parseRow(line, table.rows.back())) {
+      throw FileError(name + "has a row that cannot be read: number " +
+                      std::to_string(table.rows.size()) + ".");
+    }
+  }
+  if (table.rows.empty()) throw FileError(name + "has no rows.");
+  return table;
+}
+
+std::int64_t nanoseconds(double seconds) {
+  return std::llround(seconds * 1e9);
+}
+
+bool sameBits(double a, double b) {
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+}  // namespace
+
+LogTable readLog(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file) : readCsvLog(file);
+}
+
+ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
+                    const LogTable& log,
+                    const std::function<void(const HapticSample&, double t_s)>& each,
+                    const Task& task) {
+  ReplayResult result;
+  HapticCore core;
+  for (const auto& row : log.rows) {
+    constexpr std::uint64_t kTicksPerCheck = 1024;
+    if (result.ticks++ % kTicksPerCheck == 0) task.check();
+    const std::int64_t now_ns = nanoseconds(row[kTime]);
+    DeviceReading reading;
+    reading.position = {row[kHandX], row[kHandX + 1], row[kHandX + 2]};
+    reading.buttons = static_cast<std::uint32_t>(row[kButtons]);
+    reading.time_ns = now_ns - nanoseconds(row[kAge]);
+    HapticSample sample = core.tick(space, core_options, reading, now_ns);
+    sample.rate_hz = row[kRate];  // Measured, not computed.
+    each(sample, row[kTime]);
+    const auto values = logValues(sample, row[kTime]);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (sameBits(values[i], row[i])) continue;
+      ++result.different;
+      if (!result.first) {
+        result.first =
+            ReplayDifference{sample.tick, std::string(kLogColumns[i].name), row[i], values[i]};
+      }
+      break;
+    }
+  }
+  return result;
+}
+
+}  // namespace relievo

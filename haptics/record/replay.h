@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "haptics/record/sample_log.h"
+
+namespace relievo {
+
+/// A log that was read back.
+struct LogTable {
+  std::string header;  ///< Comment lines before the rows, without "# ".
+  std::vector<std::array<double, kLogColumns.size()>> rows;
+};
+
+/// Reads a log of `openLog`, CSV or HDF5.
+/// @throw FileError  unreadable, no log, other columns; a value that is no number names its row
+LogTable readLog(const std::filesystem::path& file);
+
+/// Where a replay first gave something else than the log says.
+struct ReplayDifference {
+  std::uint64_t tick = 0;
+  std::string column;
+  double logged = 0, replayed = 0;
+};
+
+struct ReplayResult {
+  std::uint64_t ticks = 0;
+  std::uint64_t different = 0;  ///< Rows with at least one other bit.
+  std::optional<ReplayDifference> first;
+};
+
+/// Gives a new core the hands, times and buttons of a log and compares what it makes of them with
+/// what the log says, bit by bit. `core`: as the log's loop had it from its first tick on.
+/// @throw Cancelled
+ReplayResult replay(const HapticSpace& space, const HapticOptions& core, const LogTable& log,
+                    const std::function<void(const HapticSample&, double t_s)>& each,
+                    const Task& task = {});
+
+}  // namespace relievo

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <QObject>
+#include <QTimer>
+
+#include "haptics/commands/button_commands.h"
+#include "haptics/device/hid/hid_devices.h"
+#include "haptics/loop/haptic_core.h"
+#include "plugins/api/plugin.h"
+
+namespace relievo {
+
+/// Carries out what the buttons of any device ask for: through the window's commands, each with a
+/// sentence for speech. Also reads SpaceMouse, foot switches and gamepads. [GUI thread]
+class DeviceButtons : public QObject {
+  Q_OBJECT
+ public:
+  /// @param hid  null: there are no such devices on this system
+  DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid);
+
+  /// An edge of the haptic device's own button.
+  void press(std::uint8_t button, bool down, double time_s);
+  /// Once a frame.
+  void frame(const HapticSample& sample, double now_s);
+
+ Q_SIGNALS:
+  /// A SpaceMouse pushes the hand by so much, mm of hand.
+  void handPushed(relievo::DeviceMm by);
+
+ private:
+  void readHid(double now_s);
+  void carryOut(ButtonCommand command, const HapticSample& sample);
+  QString whereAmI(const HapticSample& sample, bool in_full) const;
+  QString detailText() const;
+
+  Host& host_;
+  ButtonCommands commands_;
+  std::unique_ptr<hid::HidDevices> hid_;
+  double scanned_s_ = -10, polled_s_ = 0;
+};
+
+/// With the HID devices of this computer, if it has any such thing.
+std::unique_ptr<DeviceButtons> makeDeviceButtons(Host& host);
+
+}  // namespace relievo

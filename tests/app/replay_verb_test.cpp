@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// touch with a device, record in real time, and replay of both, as a user runs them.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.h"
+
+namespace relievo {
+namespace {
+
+using test::CommandResult;
+using test::runRelievo;
+
+const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
+const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
+
+std::string temporary(const char* name) {
+  return (std::filesystem::path(::testing::TempDir()) / name).string();
+}
+
+/// A log of relief F's flat square, by `verb` with more words.
+CommandResult made(const std::string& verb, const std::string& log,
+                   const std::vector<std::string>& more) {
+  std::vector<std::string> words{verb,      kScan, "--unit",   "mm",           "--view",   "top",
+                                 "--level", "0",   "--region", "240,60,50,50", "--stroke", kStroke,
+                                 "-o",      log,   "--report", "json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return runRelievo(words);
+}
+
+TEST(ReplayVerb, RepeatsATouchWithTheVirtualHandBitByBit) {
+  for (const char* name : {"verb.csv", "verb.h5"}) {
+    const std::string log = temporary(name);
+    const CommandResult touch = made("touch", log, {"--device", "virtual:light"});
+    ASSERT_EQ(touch.exit_code, 0) << touch.err;
+    const auto report = nlohmann::json::parse(touch.out);
+    EXPECT_EQ(report["device"], "virtual:light");
+    EXPECT_EQ(report["safety"], "on") << "with a device";
+    EXPECT_GT(report["largest_force_n"], 0.05);
+    const CommandResult replay = runRelievo({"replay", log, "--verify", "--report", "json"});
+    EXPECT_EQ(replay.exit_code, 0) << replay.err;
+    EXPECT_EQ(nlohmann::json::parse(replay.out)["identical"], true);
+  }
+}
+
+TEST(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
+  const std::string log = temporary("record.csv");
+  const CommandResult record = made("record", log, {"--seconds", "1.5"});
+  ASSERT_EQ(record.exit_code, 0) << record.err;
+  const auto report = nlohmann::json::parse(record.out);
+  EXPECT_EQ(report["ticks"], 1500);
+  EXPECT_EQ(report["violations"], 0);
+  EXPECT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
+
+  std::ifstream in(log);
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_NE(text.find("\n# loop ticks "), std::string::npos) << "how the loop ran";
+  const std::string word = "--level\",\"0\"";
+  ASSERT_NE(text.find(word), std::string::npos);
+  text.replace(text.find(word), word.size(), "--level\",\"1\"");  // Another surface.
+  std::ofstream(log) << text;
+  const CommandResult replay = runRelievo({"replay", log, "--verify", "--report", "json"});
+  EXPECT_EQ(replay.exit_code, 5) << replay.err;
+  EXPECT_TRUE(nlohmann::json::parse(replay.out).contains("first_difference"));
+  EXPECT_EQ(runRelievo({"replay", log}).exit_code, 0) << "without --verify it only tells";
+}
+
+TEST(ReplayVerb, SaysWhatCannotBeReplayed) {
+  const std::string log = temporary("foreign.csv");
+  std::ofstream(log) << "t_s,x\n1,2\n";
+  const CommandResult foreign = runRelievo({"replay", log});
+  EXPECT_EQ(foreign.exit_code, 2);
+  EXPECT_NE(foreign.err.find("other columns"), std::string::npos) << foreign.err;
+  EXPECT_EQ(made("touch", temporary("x.csv"), {"--device", "virtual:iron"}).exit_code, 6);
+  EXPECT_EQ(made("touch", temporary("x.csv"), {"--device", "loom"}).exit_code, 6);
+}
+
+}  // namespace
+}  // namespace relievo

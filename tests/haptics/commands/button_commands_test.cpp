@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/commands/button_commands.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace relievo {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using enum ButtonCommand;
+
+constexpr std::uint8_t kPlus = 0, kForward = 1, kCentre = 2, kMinus = 3;
+
+class Buttons : public ::testing::Test {
+ protected:
+  /// Commands that are run while time goes on; offers and ticks are kept apart.
+  std::vector<ButtonCommand> pass(double seconds) {
+    std::vector<ButtonCommand> run;
+    for (double end = now_ + seconds; now_ < end; now_ += 0.02) {
+      for (const ButtonOutcome& outcome : buttons_.take(now_)) {
+        if (outcome.kind == ButtonOutcome::Kind::run) run.push_back(outcome.command);
+        if (outcome.kind == ButtonOutcome::Kind::offer) offers_.push_back(outcome.command);
+        if (outcome.kind == ButtonOutcome::Kind::tick) ++ticks_;
+      }
+    }
+    return run;
+  }
+  std::vector<ButtonCommand> hold(std::uint8_t button, double seconds) {
+    buttons_.press(button, true, now_);
+    std::vector<ButtonCommand> run = pass(seconds);
+    buttons_.press(button, false, now_);
+    const std::vector<ButtonCommand> after = pass(0.2);
+    run.insert(run.end(), after.begin(), after.end());
+    return run;
+  }
+
+  ButtonCommands buttons_;
+  double now_ = 10;
+  std::vector<ButtonCommand> offers_;
+  int ticks_ = 0;
+};
+
+TEST_F(Buttons, ShortPressesChooseScaleAndPlace) {
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(finer));
+  EXPECT_THAT(hold(kMinus, 0.4), ElementsAre(coarser));
+  EXPECT_THAT(hold(kCentre, 0.1), ElementsAre(where_am_i));
+  EXPECT_THAT(hold(kCentre, 0.1), ElementsAre(where_am_i_long)) << "again within five seconds";
+  pass(6);
+  EXPECT_THAT(hold(kCentre, 0.1), ElementsAre(where_am_i));
+  EXPECT_EQ(ticks_, 0);
+}
+
+TEST_F(Buttons, LongPressesActWhileHeldAndTick) {
+  buttons_.press(kPlus, true, now_);
+  EXPECT_THAT(pass(0.66), IsEmpty());
+  EXPECT_THAT(pass(0.1), ElementsAre(say_detail)) << "not only on release";
+  buttons_.press(kPlus, false, now_);
+  EXPECT_THAT(pass(0.3), IsEmpty());
+  EXPECT_EQ(ticks_, 1);
+  EXPECT_THAT(hold(kMinus, 0.9), ElementsAre(whole));
+  EXPECT_THAT(hold(kForward, 0.9), ElementsAre(toggle_beacon));
+  EXPECT_THAT(hold(kCentre, 1.2), IsEmpty()) << "forces need a second and a half";
+  EXPECT_THAT(hold(kCentre, 1.7), ElementsAre(toggle_forces));
+}
+
+TEST_F(Buttons, BetweenShortAndLongNothingIsDone) {
+  EXPECT_THAT(hold(kPlus, 0.6), IsEmpty());
+}
+
+TEST_F(Buttons, ABounceIsNoSecondPress) {
+  buttons_.press(kPlus, true, now_);
+  buttons_.press(kPlus, false, now_ + 0.01);
+  buttons_.press(kPlus, true, now_ + 0.02);
+  EXPECT_THAT(pass(0.2), IsEmpty()) << "still down";
+  buttons_.press(kPlus, false, now_);
+  buttons_.press(kPlus, true, now_ + 0.005);
+  buttons_.press(kPlus, false, now_ + 0.03);
+  EXPECT_THAT(pass(0.3), ElementsAre(finer));
+}
+
+TEST_F(Buttons, AVeryShortPressIsNotLost) {
+  buttons_.press(kPlus, true, now_);
+  buttons_.press(kPlus, false, now_ + 0.03);
+  EXPECT_THAT(pass(0.3), ElementsAre(finer));
+}
+
+TEST_F(Buttons, MoveModeGivesTheButtonsOtherMeanings) {
+  EXPECT_THAT(hold(kForward, 0.2), ElementsAre(begin_move));
+  EXPECT_TRUE(buttons_.moving());
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(next_place));
+  EXPECT_THAT(hold(kMinus, 0.2), ElementsAre(previous_place));
+  EXPECT_THAT(hold(kMinus, 1), IsEmpty());
+  EXPECT_THAT(hold(kForward, 0.2), ElementsAre(confirm_move));
+  EXPECT_FALSE(buttons_.moving());
+  hold(kForward, 0.2);
+  EXPECT_THAT(hold(kCentre, 0.2), ElementsAre(cancel_move));
+  EXPECT_FALSE(buttons_.moving());
+  hold(kForward, 0.2);
+  EXPECT_THAT(hold(kCentre, 1.7), ElementsAre(toggle_forces)) << "stopping works everywhere";
+}
+
+TEST_F(Buttons, PushingTheGripAsideMovesOneStepPerPush) {
+  buttons_.hand({50, 0, 0});
+  EXPECT_THAT(pass(0.1), IsEmpty()) << "not in Move mode";
+  hold(kForward, 0.2);
+  buttons_.hand({5, 5, 0});
+  buttons_.hand({26, 5, 0});
+  EXPECT_THAT(pass(0.1), ElementsAre(move_right));
+  buttons_.hand({40, 5, 0});
+  EXPECT_THAT(pass(0.1), IsEmpty()) << "once, until it came back";
+  buttons_.hand({6, 5, 0});
+  buttons_.hand({6, -16, 0});
+  EXPECT_THAT(pass(0.1), ElementsAre(move_down));
+  buttons_.hand({6, 5, 0});
+  buttons_.hand({-16, 10, 0});
+  buttons_.hand({6, 5, 0});
+  buttons_.hand({6, 30, 0});
+  EXPECT_THAT(pass(0.1), ElementsAre(move_left, move_up));
+}
+
+TEST_F(Buttons, PlusAndMinusTogetherHelpAndDoNothingElse) {
+  buttons_.press(kPlus, true, now_);
+  pass(0.1);
+  buttons_.press(kMinus, true, now_);
+  EXPECT_THAT(pass(1.9), IsEmpty());
+  EXPECT_THAT(pass(0.3), ElementsAre(help));
+  EXPECT_THAT(pass(3), ElementsAre(restart_introduction));
+  buttons_.press(kPlus, false, now_);
+  pass(0.1);
+  buttons_.press(kMinus, false, now_);
+  EXPECT_THAT(pass(1), IsEmpty());
+  EXPECT_THAT(hold(kPlus, 0.2), ElementsAre(finer)) << "and then as before";
+}
+
+class OneButton : public Buttons {
+ protected:
+  OneButton() { buttons_ = ButtonCommands({.one_button = true, .scan_s = 1}); }
+};
+
+TEST_F(OneButton, OffersOneAfterTheOtherAndTakesTheLast) {
+  EXPECT_THAT(hold(kCentre, 0.2), IsEmpty());
+  pass(2);
+  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser));
+  EXPECT_THAT(hold(kCentre, 0.2), ElementsAre(coarser));
+  EXPECT_THAT(pass(10), IsEmpty());
+  EXPECT_EQ(offers_.size(), 3U) << "the scan has ended";
+}
+
+TEST_F(OneButton, AScanThatNobodyTakesEnds) {
+  hold(kPlus, 0.2);
+  EXPECT_THAT(pass(20), IsEmpty());
+  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, toggle_forces));
+}
+
+TEST_F(Buttons, EveryCommandHasANameAndWords) {
+  for (int i = 1; i <= static_cast<int>(restart_introduction); ++i) {
+    EXPECT_FALSE(commandName(static_cast<ButtonCommand>(i)).empty());
+    EXPECT_FALSE(commandWords(static_cast<ButtonCommand>(i)).empty());
+  }
+  EXPECT_EQ(commandName(finer), "finer");
+  EXPECT_EQ(commandName(restart_introduction), "introduction");
+}
+
+TEST_F(Buttons, RandomPressesAlwaysEndAtRest) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 20'000; ++i) {
+    buttons_.press(static_cast<std::uint8_t>(random() % 6), random() % 2 == 0, now_);
+    pass(0.02 * static_cast<double>(random() % 20));
+  }
+  for (std::uint8_t b = 0; b < 4; ++b) buttons_.press(b, false, now_);
+  pass(0.2);
+  EXPECT_THAT(pass(30), IsEmpty());
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The assistant with the emulated Falcon on the computer's clock, by keyboard and text alone.
+#include "plugins/haptics/device_setup_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QDeadlineTimer>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "haptics/device/falcon/firmware.h"
+#include "haptics/device/falcon/settings_file.h"
+#include "plugins/haptics/device_setup_buttons.h"
+#include "tests/emulator/in_process.h"
+#include "tests/emulator/made_image.h"
+#include "tests/haptics/haptic_fixture.h"
+#include "tests/plugins/test_host.h"
+
+namespace relievo {
+namespace {
+
+using emulator::SharedFalcon;
+using falcon::LinkState;
+
+bool eventually(const std::function<bool()>& holds) {
+  const QDeadlineTimer give_up(90'000);
+  while (!holds()) {
+    if (give_up.hasExpired()) return false;
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    QTest::qWait(1);
+  }
+  return true;
+}
+
+class DeviceSetupTest : public ::testing::Test {
+ protected:
+  DeviceSetupTest() {
+    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
+    qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
+    qunsetenv("RELIEVO_FALCON_FIRMWARE");
+  }
+  void open(emulator::EmulatorOptions options,
+            falcon::Presence presence = falcon::Presence::present) {
+    emulated_ = std::make_shared<SharedFalcon>(options);
+    auto bus = std::make_unique<emulator::InProcessBus>(
+        emulated_, std::make_shared<emulator::TestClock>(emulator::TestClock::Kind::real));
+    bus->pretend = presence;
+    dialog_ = std::make_unique<DeviceSetupDialog>(
+        std::make_unique<falcon::FalconDevice>(std::move(bus), falcon::firmwareSource()),
+        falcon::FalconSettings{});
+    QObject::connect(dialog_.get(), &DeviceSetupDialog::said,
+                     [this](const QString& text) { said_ << text; });
+    dialog_->show();
+    QApplication::setActiveWindow(dialog_.get());
+  }
+  template <class Widget>
+  Widget* child(const char* name) {
+    auto* widget = dialog_->findChild<Widget*>(QString::fromLatin1(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+  bool becomes(LinkState state) {
+    return eventually([&] { return dialog_->status().state == state; });
+  }
+  void hold(double z) {
+    emulated_->with([z](auto& f) { f.body.hold({0, 0, z}); });
+  }
+  void picture(const QString& name) {
+    QDir().mkpath(QStringLiteral(RELIEVO_BINARY_DIR "/screenshots"));
+    dialog_->grab().save(QStringLiteral(RELIEVO_BINARY_DIR "/screenshots/%1.png").arg(name));
+  }
+  QString written(const std::vector<std::uint8_t>& bytes) {
+    QFile file(folder_.filePath("image.bin"));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<qint64>(bytes.size()));
+    return file.fileName();
+  }
+
+  QTemporaryDir folder_;
+  std::shared_ptr<SharedFalcon> emulated_;
+  std::unique_ptr<DeviceSetupDialog> dialog_;
+  QStringList said_;
+};
+
+TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
+  open({});
+  ASSERT_TRUE(becomes(LinkState::no_firmware));
+  ASSERT_TRUE(eventually([this] {
+    return child<QLabel>("setupState")->text().contains("nvent_firmware.bin (8492 bytes)");
+  }));
+  EXPECT_FALSE(dialog_->installFirmware(written({1, 2, 3}), true));
+  EXPECT_TRUE(said_.last().contains("3 bytes"));
+  picture("setup_firmware");
+  EXPECT_TRUE(dialog_->installFirmware(written(relievo::test::madeImage()), true));
+  ASSERT_TRUE(becomes(LinkState::homing));
+  ASSERT_TRUE(
+      eventually([this] { return child<QLabel>("setupState")->text().startsWith("E308"); }));
+  EXPECT_TRUE(child<QProgressBar>("setupUpload")->text().startsWith("attempt 1 of 10"));
+  EXPECT_FALSE(child<QPushButton>("setupSave")->isEnabled()) << "nothing to use yet";
+  picture("setup_homing");
+  hold(172);
+  hold(90);
+  ASSERT_TRUE(becomes(LinkState::pull_out));
+  for (const char* arm : {"armTop", "armRight", "armLeft"}) {
+    EXPECT_TRUE(eventually([&] { return child<QLabel>(arm)->text().contains("found"); })) << arm;
+  }
+  hold(172);
+  ASSERT_TRUE(becomes(LinkState::ready));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSave")->isEnabled(); }));
+  EXPECT_TRUE(said_.contains("Falcon ready.")) << said_.join("|").toStdString();
+  child<QCheckBox>("leftHanded")->setChecked(true);
+  QTest::keyClick(child<QPushButton>("setupSave"), Qt::Key_Space);
+  EXPECT_FALSE(dialog_->isVisible());
+  EXPECT_TRUE(falcon::readSettings(falcon::settingsFile()).left_handed);
+  emulated_->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });
+}
+
+TEST_F(DeviceSetupTest, ShowsTheRuleWhenAccessIsForbidden) {
+  open({}, falcon::Presence::forbidden);
+  ASSERT_TRUE(becomes(LinkState::forbidden));
+  ASSERT_TRUE(eventually([this] { return child<QPlainTextEdit>("setupRule")->isVisible(); }));
+  EXPECT_TRUE(
+      child<QPlainTextEdit>("setupRule")->toPlainText().contains("ATTR{idProduct}==\"cb48\""));
+  EXPECT_TRUE(child<QLabel>("setupState")->text().startsWith("E301"));
+  EXPECT_TRUE(said_.contains("Falcon found, but not allowed. Ask staff."));
+  picture("setup_forbidden");
+}
+
+TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
+  open({.firmware_loaded = true, .homed = true});
+  emulated_->with([](auto& f) { f.body.pullToward({0, 0, 125}); });
+  ASSERT_TRUE(becomes(LinkState::ready));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
+  QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
+  ASSERT_TRUE(eventually([this] {
+    return child<QPlainTextEdit>("setupResults")->toPlainText().contains("Move the grip all round");
+  })) << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
+  for (int i = 0; i < 4; ++i) {
+    emulated_->with([i](auto& f) {
+      f.buttons = 1 << i;
+      f.body.hold({0, 0, 100.0 + 20 * i});
+    });
+    QTest::qWait(150);
+  }
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
+  const QString results = child<QPlainTextEdit>("setupResults")->toPlainText();
+  EXPECT_TRUE(results.contains("all four work")) << results.toStdString();
+  EXPECT_TRUE(results.contains("passed: Encoder of the top arm")) << results.toStdString();
+  picture("setup_tested");
+
+  emulated_->with([](auto& f) {
+    f.body.counts_per_n_mm = 6;
+    f.body.hold({0, 0, 125});
+    f.body.letGo(0.3);
+  });
+  QTest::keyClick(child<QPushButton>("setupCalibrate"), Qt::Key_Space);
+  ASSERT_TRUE(eventually([this] {
+    return child<QPushButton>("setupCalibrate")->text().startsWith("Continue");
+  })) << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
+  emulated_->with([](auto& f) { f.body.letGo(0.3 + 0.980665); });
+  QTest::keyClick(child<QPushButton>("setupCalibrate"), Qt::Key_Space);
+  ASSERT_TRUE(eventually([this] { return said_.contains("The force is calibrated."); }))
+      << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
+  const double gain = child<QLabel>("setupGain")->text().section(' ', 0, 0).toDouble();
+  EXPECT_NEAR(gain, 6, 0.3);
+}
+
+TEST_F(DeviceSetupTest, EveryControlHasANameAndALetterOfItsOwn) {
+  open({});
+  QStringList letters;
+  for (QWidget* widget : dialog_->findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->objectName().startsWith("qt_")) continue;
+    EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
+  }
+  for (QAbstractButton* button : dialog_->findChildren<QAbstractButton*>()) {
+    const int at = button->text().indexOf('&');
+    if (at >= 0) letters << button->text().mid(at + 1, 1).toLower();
+  }
+  letters << "w";  // The weight's label.
+  EXPECT_EQ(letters.removeDuplicates(), 0) << letters.join(' ').toStdString();
+  EXPECT_GE(letters.size(), 7);
+}
+
+HapticSample sampleAt(double x, double y) {
+  HapticSample sample;
+  sample.hip = {x, y, 0};
+  sample.hip_view = sample.proxy_view = {12, 34, 5.5};
+  sample.contact = true;
+  sample.origin = Origin::measured;
+  return sample;
+}
+
+TEST(DeviceButtons, RunTheWindowsCommandsAndSayWhatTheyFind) {
+  test::TestHost host;
+  host.window = std::make_shared<RegionWindow>(test::windowOf(
+      80, [](double, double) { return 5.0; }, 3));
+  DeviceButtons buttons(host, nullptr);
+  const auto press = [&](std::uint8_t button, double at, double held) {
+    buttons.press(button, true, at);
+    for (double t = at; t < at + held; t += 0.02) buttons.frame(sampleAt(0, 0), t);
+    buttons.press(button, false, at + held);
+    buttons.frame(sampleAt(0, 0), at + held + 0.1);
+  };
+  press(0, 1, 0.2);
+  press(3, 2, 0.2);
+  press(3, 3, 1.0);
+  press(2, 5, 1.6);
+  EXPECT_EQ(host.commands, (QStringList{"finer", "coarser", "whole", "forces"}));
+  press(2, 10, 0.2);
+  EXPECT_EQ(host.announcements.last(), "Touching. 12 right, 34 up, height 5.5 millimetres.");
+  press(0, 12, 1.0);
+  EXPECT_TRUE(host.announcements.last().startsWith("Detail 1 of 1, window 80 millimetres"));
+  press(1, 14, 0.2);
+  EXPECT_TRUE(host.announcements.last().startsWith("Move mode."));
+  buttons.frame(sampleAt(25, 0), 14.5);
+  EXPECT_EQ(host.commands.last(), "moveRight");
+}
+
+}  // namespace
+}  // namespace relievo
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}
