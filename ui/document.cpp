@@ -148,11 +148,11 @@ void Document::start(Work work) {
 
 void Document::read(Work& w, const Task& task) {
   const std::filesystem::path file(QFile::encodeName(w.open.file).toStdString());
+  ImportOptions import;
+  import.accept_incomplete = w.open.accept_incomplete;
   if (looksLikeRaster(file)) {
-    w.source.raster = std::make_shared<const RasterMap>(readRaster(file));
+    w.source.raster = std::make_shared<const RasterMap>(importRaster(file, import, task));
   } else {
-    ImportOptions import;
-    import.accept_incomplete = w.open.accept_incomplete;
     w.source.scan = std::make_shared<const Scan>(importScan(file, import, task));
   }
   const ScanInfo& info = w.source.info();

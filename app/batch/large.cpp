@@ -62,7 +62,7 @@ Json levelsJson(const LargeMap& map) {
   return levels;
 }
 
-Json jsonOf(const LargeMap& map) {
+Json reportOf(const LargeMap& map) {
   const auto share = [&](Origin origin) { return map.shares[static_cast<std::size_t>(origin)]; };
   Json holes = Json::array();
   for (const Hole& hole : map.holes) {
@@ -82,7 +82,7 @@ Json jsonOf(const LargeMap& map) {
                     {"hole", share(Origin::base_plane)},
                     {"steep", share(Origin::steep)},
                     {"outside", share(Origin::outside)}};
-  json["view_from_file"] = jsonOf(map.view_from_file);
+  json["view_from_file"] = batch::jsonOf(map.view_from_file);
   json["height_mm"] = {{"min", map.heights.min_mm}, {"max", map.heights.max_mm}};
   json["seconds"] = {{"first_view", map.first_view_s},
                      {"read", map.seconds.read},
@@ -128,7 +128,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
       makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
   line.clear();
   for (const std::string& message : map.messages) tell(message);
-  const Json json = jsonOf(map);
+  const Json json = reportOf(map);
   Outcome outcome{.json = json.dump(2), .lines = {}};
   for (const Json& level : json["levels"]) {
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +

@@ -31,6 +31,8 @@ struct Verb {
 // Each makes a verb whose options live as long as the verb does.
 Verb infoVerb();
 Verb depthmapVerb();
+Verb fillVerb();
+Verb convertVerb();
 Verb pyramidVerb();
 Verb renderVerb();
 Verb figureVerb();

@@ -15,9 +15,9 @@ struct InfoArguments {
 };
 
 ScanInfo readInfo(const InfoArguments& a, const Task& task) {
-  if (looksLikeRaster(a.file)) return readRaster(a.file).info;
   ImportOptions options;
   options.accept_incomplete = a.accept_incomplete;
+  if (looksLikeRaster(a.file)) return importRaster(a.file, options, task).info;
   return importScan(a.file, options, task).info;
 }
 

@@ -11,41 +11,53 @@ namespace {
 
 constexpr int kBucketRows = 8;
 constexpr std::size_t kCheckEvery = 1U << 16U;
-constexpr std::uint16_t kOffGrid = 0xFFFF;  // 65535 buckets are 524280 rows, more than any grid.
 
-std::size_t bucketCount(GridSize size) {
-  return static_cast<std::size_t>((size.rows + kBucketRows - 1) / kBucketRows);
+std::size_t bucketOf(int row) {
+  return static_cast<std::size_t>(row / kBucketRows);
+}
+
+std::vector<bool> wantedBuckets(GridSize size, std::span<const RowRange> ranges) {
+  std::vector<bool> wanted(bucketOf(size.rows - 1) + 1, false);
+  for (const RowRange& range : ranges) {
+    const int end = std::min(range.end, size.rows);
+    for (int row = std::max(range.first, 0); row < end; row += kBucketRows) {
+      wanted[bucketOf(row)] = true;
+    }
+    if (end > std::max(range.first, 0)) wanted[bucketOf(end - 1)] = true;
+  }
+  return wanted;
 }
 
 }  // namespace
 
-CellPoints::CellPoints(const DepthRequest& request, const Task& task)
-    : request_(request), threads_(threadsFor(request.scan.points.size(), request.threads)) {
-  const GridSize size = request.frame.size;
+CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ranges,
+                       const Task& task)
+    : size_(request.frame.size) {
   const auto& points = request.scan.points;
-  const std::size_t buckets = bucketCount(size);
+  const std::vector<bool> wanted = wantedBuckets(size_, ranges);
+  const std::size_t buckets = wanted.size();
   const GridFromPoint grid_from_point(request);
-  const auto parts = static_cast<std::size_t>(threads_);
-  std::vector<std::uint16_t> bucket_of(points.size());
+  const int threads = threadsFor(points.size(), request.threads);
+  const auto parts = static_cast<std::size_t>(threads);
   std::vector<std::vector<std::size_t>> next(parts, std::vector<std::size_t>(buckets, 0));
 
-  const auto inParts = [&](auto&& work) {
-    inBands(threads_, threads_, [&](int first, int) {
-      const auto part = static_cast<std::size_t>(first);
-      work(part, points.size() * part / parts, points.size() * (part + 1) / parts);
+  // visit(part, bucket, row, col, point) for every point in a wanted row.
+  const auto forPoints = [&](auto&& visit) {
+    inBands(threads, threads, [&](int first_part, int) {
+      const auto part = static_cast<std::size_t>(first_part);
+      const std::size_t end = points.size() * (part + 1) / parts;
+      for (std::size_t i = points.size() * part / parts; i < end; ++i) {
+        if (i % kCheckEvery == 0) task.check();
+        const GridPoint p = grid_from_point(points[i]);
+        const int row = nearestIndex(p.v, size_.rows);
+        if (row < 0 || !wanted[bucketOf(row)]) continue;
+        const int col = nearestIndex(p.u, size_.cols);
+        if (col >= 0) visit(part, bucketOf(row), row, col, p);
+      }
     });
   };
-  inParts([&](std::size_t part, std::size_t first, std::size_t end) {
-    std::vector<std::size_t>& counts = next[part];
-    for (std::size_t i = first; i < end; ++i) {
-      if (i % kCheckEvery == 0) task.check();
-      const GridPoint p = grid_from_point(points[i]);
-      const int row = nearestIndex(p.v, size.rows);
-      bucket_of[i] = kOffGrid;
-      if (row < 0 || nearestIndex(p.u, size.cols) < 0) continue;
-      bucket_of[i] = static_cast<std::uint16_t>(row / kBucketRows);
-      ++counts[bucket_of[i]];
-    }
+  forPoints([&](std::size_t part, std::size_t bucket, int, int, const GridPoint&) {
+    ++next[part][bucket];
   });
   // A bucket's points lie part after part, so in the file's order, however many parts there are.
   std::size_t total = 0;
@@ -58,58 +70,46 @@ CellPoints::CellPoints(const DepthRequest& request, const Task& task)
     }
   }
   starts_.push_back(total);
-  indices_.resize(total);
-  task.report("Depth map", 0.3);
-  inParts([&](std::size_t part, std::size_t first, std::size_t end) {
-    std::vector<std::size_t>& places = next[part];
-    for (std::size_t i = first; i < end; ++i) {
-      if (i % kCheckEvery == 0) task.check();
-      if (bucket_of[i] != kOffGrid)
-        indices_[places[bucket_of[i]]++] = static_cast<std::uint32_t>(i);
-    }
+  records_ = std::make_unique_for_overwrite<Record[]>(total);
+  forPoints([&](std::size_t part, std::size_t bucket, int row, int col, const GridPoint& p) {
+    const auto first_row = static_cast<int>(bucket) * kBucketRows;
+    records_[next[part][bucket]++] = {
+        .cell = static_cast<std::uint32_t>((row - first_row) * size_.cols + col),
+        .point = {.du = static_cast<float>(p.u - col),
+                  .dv = static_cast<float>(p.v - row),
+                  .z = static_cast<float>(p.z)}};
   });
 }
 
-RowPoints CellPoints::rows(int first_row, int end_row) const {
-  const GridSize size = request_.frame.size;
-  RowPoints rows;
-  rows.first_row = std::max(first_row, 0);
-  rows.end_row = std::min(end_row, size.rows);
-  rows.cols = size.cols;
-  const auto cells =
-      static_cast<std::size_t>(rows.end_row - rows.first_row) * static_cast<std::size_t>(size.cols);
-  rows.starts.assign(cells + 1, 0);
-  const std::size_t first = starts_[static_cast<std::size_t>(rows.first_row / kBucketRows)];
-  const std::size_t end =
-      starts_[static_cast<std::size_t>((rows.end_row + kBucketRows - 1) / kBucketRows)];
-
-  struct Found {
-    std::uint32_t cell = 0;
-    PlacedPoint point;
+void CellPoints::rows(int first_row, int end_row, RowPoints& out) const {
+  out.first_row = std::max(first_row, 0);
+  out.end_row = std::min(end_row, size_.rows);
+  out.cols = size_.cols;
+  const auto cols = static_cast<std::uint32_t>(size_.cols);
+  const std::size_t cells = static_cast<std::size_t>(out.end_row - out.first_row) * cols;
+  out.starts.assign(cells + 1, 0);
+  // visit(cell of `out`, record) for the records of these rows.
+  const auto forRecords = [&](auto&& visit) {
+    for (std::size_t bucket = bucketOf(out.first_row); bucket <= bucketOf(out.end_row - 1);
+         ++bucket) {
+      const auto bucket_row = static_cast<int>(bucket) * kBucketRows;
+      const auto before = static_cast<std::int64_t>(bucket_row - out.first_row) * cols;
+      for (std::size_t k = starts_[bucket]; k < starts_[bucket + 1]; ++k) {
+        const auto cell = static_cast<std::size_t>(before + records_[k].cell);
+        if (cell < cells) visit(cell, records_[k]);  // Cells before the first are huge here.
+      }
+    }
   };
-  std::vector<Found> found;
-  found.reserve(end - first);
-  const GridFromPoint grid_from_point(request_);
-  for (std::size_t k = first; k < end; ++k) {
-    const GridPoint p = grid_from_point(request_.scan.points[indices_[k]]);
-    const int row = nearestIndex(p.v, size.rows);
-    if (row < rows.first_row || row >= rows.end_row) continue;
-    const int col = nearestIndex(p.u, size.cols);
-    const auto cell = static_cast<std::uint32_t>(rows.cell(col, row));
-    found.push_back({.cell = cell,
-                     .point = {.du = static_cast<float>(p.u - col),
-                               .dv = static_cast<float>(p.v - row),
-                               .z = static_cast<float>(p.z)}});
-    ++rows.starts[cell + 1];
-  }
-  for (std::size_t i = 1; i <= cells; ++i) rows.starts[i] += rows.starts[i - 1];
-  rows.points.resize(found.size());
+  forRecords([&](std::size_t cell, const Record&) { ++out.starts[cell + 1]; });
+  for (std::size_t i = 1; i <= cells; ++i) out.starts[i] += out.starts[i - 1];
+  out.points.resize(out.starts[cells]);
   // starts[cell] moves to the cell's end while the points come in, and is then the next one's
   // start: shifting the list back by one cell restores it.
-  for (const Found& f : found) rows.points[rows.starts[f.cell]++] = f.point;
-  for (std::size_t i = cells; i > 0; --i) rows.starts[i] = rows.starts[i - 1];
-  rows.starts[0] = 0;
-  return rows;
+  forRecords([&](std::size_t cell, const Record& record) {
+    out.points[out.starts[cell]++] = record.point;
+  });
+  for (std::size_t i = cells; i > 0; --i) out.starts[i] = out.starts[i - 1];
+  out.starts[0] = 0;
 }
 
 }  // namespace relievo

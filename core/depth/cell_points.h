@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace relievo {
 /// A point in its cell: its place from the cell's sample, in cells, each in [-0.5, 0.5], and its
 /// view z in mm.
 struct PlacedPoint {
-  float du = 0, dv = 0, z = 0;
+  float du, dv, z;  // Without initial values: millions are made only to be overwritten.
 };
 
 /// The points of some rows of the grid, sorted by cell; within a cell in the file's order.
@@ -39,27 +40,33 @@ struct RowPoints {
   }
 };
 
-/// The points of a request by rows of its grid: read once, then handed out some rows at a time, so
-/// that what is worked on fits into the cache. Keeps six bytes a point. The order of the points and
+struct RowRange {
+  int first = 0, end = 0;
+};
+
+/// The points in some rows of a request's grid: read once, then handed out a few rows at a time, so
+/// that what is worked on fits into the cache. Keeps 16 bytes a point. The order of the points and
 /// so every result is the same for any number of threads.
 class CellPoints {
  public:
-  /// [worker] @throw Cancelled
-  CellPoints(const DepthRequest& request, const Task& task);
+  /// @param ranges  rows that will be asked for [worker] @throw Cancelled
+  CellPoints(const DepthRequest& request, std::span<const RowRange> ranges, const Task& task);
 
-  /// Rows [first_row, end_row), clamped to the grid. [any thread]
-  RowPoints rows(int first_row, int end_row) const;
+  /// Rows [first_row, end_row), clamped to the grid; `out` is overwritten, its memory reused.
+  /// [any thread]
+  void rows(int first_row, int end_row, RowPoints& out) const;
 
-  std::size_t onGrid() const noexcept { return indices_.size(); }
-  GridSize size() const noexcept { return request_.frame.size; }
-  const DepthRequest& request() const noexcept { return request_; }
-  int threads() const noexcept { return threads_; }
+  std::size_t count() const noexcept { return starts_.back(); }
 
  private:
-  const DepthRequest& request_;
-  int threads_ = 1;
-  std::vector<std::size_t> starts_;     ///< Per bucket of rows its first index, and the end.
-  std::vector<std::uint32_t> indices_;  ///< Points of the scan, bucket by bucket.
+  struct Record {
+    std::uint32_t cell;  ///< Within its bucket of rows.
+    PlacedPoint point;
+  };
+
+  GridSize size_;
+  std::vector<std::size_t> starts_;    ///< Per bucket of rows its first record, and the end.
+  std::unique_ptr<Record[]> records_;  ///< Bucket by bucket, in the file's order.
 };
 
 }  // namespace relievo

@@ -36,6 +36,8 @@ struct DepthRequest {
   /// For clouds; nothing: chosen from the data. The OpenGL engine knows front only.
   std::optional<PointRule> rule = PointRule::front;
   int threads = 0;  ///< 0: as many as pay. The bytes are the same for every number.
+  /// Noise of the points for PointRule::quadratic; nothing: from the points (pointNoise).
+  std::optional<double> noise_mm = std::nullopt;
 };
 
 /// View z in millimetres of the front-most surface at every sample, NaN where nothing was hit.
@@ -63,6 +65,7 @@ struct CapturedDepths {
   std::vector<std::uint8_t> steep;      ///< Per cell 1: the surface in it rises by more than
                                         ///< `kSteepRise`; empty if not known.
   std::optional<HiddenSurface> hidden;  ///< If the engine counted it.
+  bool one_layer = false;  ///< The rule is one for surfaces without a back: nothing shows through.
   std::string rule;        ///< Which rule and why, in words; empty where there was no choice.
   std::size_t flyers = 0;  ///< Points far off all their neighbours (core/depth/flyers.h); left out.
 

@@ -80,42 +80,6 @@ std::vector<float> measuredValues(const FrontDepths& depths) {
   return values;
 }
 
-/// What the engine saw, and cells from which the surface rises to one side and falls to the other
-/// by more than `kSteepRise`: walls that a cloud's points stand on one by one.
-Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame) {
-  Mask steep = depths.steep.empty() ? Mask(measured.size(), 0) : depths.steep;
-  const auto limit = static_cast<float>(kSteepRise * frame.spacing_mm);
-  const auto runs_through = [&](std::size_t before, std::size_t here, std::size_t after) {
-    const float in = depths.front[here] - depths.front[before];  // False for NaN.
-    const float out = depths.front[after] - depths.front[here];
-    return (in > limit && out > limit) || (in < -limit && out < -limit);
-  };
-  const auto cols = static_cast<std::size_t>(frame.size.cols);
-  const auto rows = static_cast<std::size_t>(frame.size.rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t col = 0; col < cols; ++col) {
-      const std::size_t i = row * cols + col;
-      if (measured[i] == 0) continue;
-      const bool along_x = col > 0 && col + 1 < cols && runs_through(i - 1, i, i + 1);
-      const bool along_y = row > 0 && row + 1 < rows && runs_through(i - cols, i, i + cols);
-      if (along_x || along_y) steep[i] = 1;
-    }
-  }
-  return steep;
-}
-
-bool isToBeFilled(const Hole& hole, const HoleChoice& choice) {
-  const bool fills = choice.rule == HoleRule::interpolate || choice.rule == HoleRule::membrane;
-  return fills && hole.area_mm2 <= choice.max_area_mm2;
-}
-}  // namespace
-
-Origin originOfHole(const Hole& hole, HoleRule rule) {
-  if (hole.filled) return Origin::interpolated;
-  return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
-}
-
-namespace {
 /// Cells of every hole that gets a membrane, in the order of `holes`.
 std::vector<std::vector<std::size_t>> cellsOf(const std::vector<LabelledHole>& holes,
                                               const EmptyAreas& areas) {
@@ -153,6 +117,38 @@ std::string squareMm(double area_mm2) {
 
 }  // namespace
 
+Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame) {
+  Mask steep = depths.steep.empty() ? Mask(measured.size(), 0) : depths.steep;
+  const auto limit = static_cast<float>(kSteepRise * frame.spacing_mm);
+  const auto runs_through = [&](std::size_t before, std::size_t here, std::size_t after) {
+    const float in = depths.front[here] - depths.front[before];  // False for NaN.
+    const float out = depths.front[after] - depths.front[here];
+    return (in > limit && out > limit) || (in < -limit && out < -limit);
+  };
+  const auto cols = static_cast<std::size_t>(frame.size.cols);
+  const auto rows = static_cast<std::size_t>(frame.size.rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t col = 0; col < cols; ++col) {
+      const std::size_t i = row * cols + col;
+      if (measured[i] == 0) continue;
+      const bool along_x = col > 0 && col + 1 < cols && runs_through(i - 1, i, i + 1);
+      const bool along_y = row > 0 && row + 1 < rows && runs_through(i - cols, i, i + cols);
+      if (along_x || along_y) steep[i] = 1;
+    }
+  }
+  return steep;
+}
+
+bool isToBeFilled(const Hole& hole, const HoleChoice& choice) {
+  const bool fills = choice.rule == HoleRule::interpolate || choice.rule == HoleRule::membrane;
+  return fills && hole.area_mm2 <= choice.max_area_mm2;
+}
+
+Origin originOfHole(const Hole& hole, HoleRule rule) {
+  if (hole.filled) return Origin::interpolated;
+  return rule == HoleRule::none ? Origin::outside : Origin::base_plane;
+}
+
 std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice) {
   if (choice.rule != HoleRule::interpolate && choice.rule != HoleRule::membrane) return {};
   const auto filled =
@@ -175,7 +171,7 @@ FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const
   FrontDepths filled = depths.front;
   Mask measured = maskOf(filled);
   int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
-  if (radius > 0) {
+  if (radius > 0 && !depths.one_layer) {
     result.seen_through = dropSeenThrough(filled, frame, radius + 1, task);
     for (std::size_t i = 0; i < depths.quality.counts.size(); ++i) {
       if (measured[i] != 0 && std::isnan(filled[i])) {

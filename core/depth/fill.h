@@ -10,6 +10,7 @@
 #include "core/base/task.h"
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
+#include "core/depth/mask.h"
 
 namespace relievo {
 
@@ -34,6 +35,15 @@ struct Hole {
 
 /// What the cells of a hole become.
 Origin originOfHole(const Hole& hole, HoleRule rule);
+
+/// Does the choice ask for this hole to be filled?
+bool isToBeFilled(const Hole& hole, const HoleChoice& choice);
+
+/// Measured cells that the engine saw to be steep, and those from which the surface rises to one
+/// side and falls to the other by more than `kSteepRise`: walls that a cloud's points stand on one
+/// by one. Looks at the four neighbours.
+Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame);
+
 /// E202: "2 of 3 holes filled. ..." if the choice asked for filling and a hole was left; else
 /// empty.
 std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice);

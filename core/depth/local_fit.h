@@ -20,6 +20,9 @@ class LocalFit {
   /// @param noise_mm  standard deviation of the points about the surface; see `noiseOf`
   explicit LocalFit(double noise_mm, double spacing_mm);
 
+  /// Residuals up to this are noise, mm.
+  double allowedMm() const noexcept { return allowed_mm_; }
+
   /// Nothing where even the widest window holds too few points.
   std::optional<double> heightAt(const RowPoints& rows, int col, int row);
 

@@ -80,13 +80,13 @@ int samplingGapRadius(const Mask& measured, GridSize size) {
 
 int samplingGapRadius(std::vector<double> shares, GridSize size) {
   if (shares.empty()) return 0;
-  // The sparser tiles decide, but not those that the outline or a hole cuts: the lower quartile of
-  // the tiles that are at least half as full as the median one.
+  // The sparser tiles decide, but not those that the outline or a hole cuts: the sparsest
+  // sixteenth of the tiles that are at least half as full as the median one.
   std::sort(shares.begin(), shares.end());
   const double median = shares[shares.size() / 2];
   const auto first = std::lower_bound(shares.begin(), shares.end(), 0.5 * median);
   const auto rest = static_cast<std::size_t>(shares.end() - first);
-  const double sparse = *(first + static_cast<std::ptrdiff_t>(rest / 4));
+  const double sparse = *(first + static_cast<std::ptrdiff_t>(rest / 16));
   if (sparse >= 1 - 1e-9) return 0;
   const double density = -std::log(1 - sparse);
   // exp(-density (2r+1)^2) <= 1e-4.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,6 +16,7 @@
 #include "core/depth/cell_points.h"
 #include "core/depth/flyers.h"
 #include "core/depth/local_fit.h"
+#include "core/depth/row_fits.h"
 
 namespace relievo {
 namespace {
@@ -28,7 +28,7 @@ constexpr double kTopLayerCells = 1.5;          // Depth of the top layer: slope
 constexpr double kOtherLayerCells = 4;          // Points this far apart are not one surface.
 constexpr double kMostLayeredShare = 0.05;      // Flyers and walls put that many cells apart.
 constexpr float kOnSample = 0.02F;              // Cells; points this near lie on their samples.
-constexpr std::size_t kSampledCells = 300'000;  // Enough to choose a rule and to know the noise.
+constexpr std::size_t kSampledCells = 100'000;  // Enough to choose a rule and to know the noise.
 
 constexpr std::array<std::pair<std::string_view, PointRule>, 7> kNames{
     {{"front", PointRule::front},
@@ -167,27 +167,28 @@ struct Statistics {
   }
 };
 
+/// Rows worked on together: many, to share what they look at around them, but still in the cache.
 int rowsAtOnce(GridSize size) {
   return std::clamp(131'072 / std::max(size.cols, 1), 16, 64);
 }
 
 /// Rows that are looked at before the rule is known: all of a small grid, else every n-th unit.
-template <class Visit>
-void forSampledRows(const CellPoints& points, int halo, const Task& task, Visit&& visit) {
-  const GridSize size = points.size();
+std::vector<RowRange> sampledRows(GridSize size) {
   const int rows_at_once = rowsAtOnce(size);
   const int units = (size.rows + rows_at_once - 1) / rows_at_once;
-  const auto wanted = static_cast<int>(kSampledCells / (static_cast<std::size_t>(rows_at_once) *
-                                                        static_cast<std::size_t>(size.cols)) +
-                                       1);
-  const int step = std::max(1, units / wanted);
+  const std::size_t cells_of_unit =
+      static_cast<std::size_t>(rows_at_once) * static_cast<std::size_t>(size.cols);
+  const int step = std::max(1, units / static_cast<int>(kSampledCells / cells_of_unit + 1));
+  std::vector<RowRange> ranges;
   for (int unit = step / 2; unit < units; unit += step) {
-    task.check();
     const int first = unit * rows_at_once;
-    const int end = std::min(first + rows_at_once, size.rows);
-    RowPoints rows = points.rows(first - halo, end + halo);
-    visit(rows, first, end);
+    ranges.push_back({.first = first, .end = std::min(first + rows_at_once, size.rows)});
   }
+  return ranges;
+}
+
+RowRange widened(RowRange range, int by) {
+  return {.first = range.first - by, .end = range.end + by};
 }
 
 std::string pointsPerCell(const Statistics& found) {
@@ -196,13 +197,15 @@ std::string pointsPerCell(const Statistics& found) {
   return text.data();
 }
 
-RuleProposal propose(const CellPoints& points, const Task& task) {
-  const double spacing = points.request().frame.spacing_mm;
+RuleProposal propose(const CellPoints& points, const GridFrame& frame, const Task& task) {
   Statistics found;
-  forSampledRows(points, kFlyerReach, task, [&](RowPoints& rows, int first, int end) {
-    dropFlyers(rows, spacing, first, end);
-    found.add(rows, first, end, spacing);
-  });
+  RowPoints rows;
+  for (const RowRange& range : sampledRows(frame.size)) {
+    task.check();
+    points.rows(range.first - kFlyerReach, range.end + kFlyerReach, rows);
+    dropFlyers(rows, frame.spacing_mm, range.first, range.end);
+    found.add(rows, range.first, range.end, frame.spacing_mm);
+  }
   RuleProposal proposal{.rule = PointRule::front, .reason = pointsPerCell(found)};
   if (found.occupied == 0) return proposal;
   const auto cells = static_cast<double>(found.occupied);
@@ -219,14 +222,16 @@ RuleProposal propose(const CellPoints& points, const Task& task) {
   return proposal;
 }
 
-double noiseOf(const CellPoints& points, const Task& task) {
-  const double spacing = points.request().frame.spacing_mm;
+double noiseOf(const CellPoints& points, const GridFrame& frame, const Task& task) {
+  constexpr int kHalo = LocalFit::kWidest + kFlyerReach;
   std::vector<double> noises;
-  forSampledRows(points, LocalFit::kWidest + kFlyerReach, task,
-                 [&](RowPoints& rows, int first, int end) {
-                   dropFlyers(rows, spacing, first, end);
-                   noises.push_back(noiseOf(rows, first, end, spacing));
-                 });
+  RowPoints rows;
+  for (const RowRange& range : sampledRows(frame.size)) {
+    task.check();
+    points.rows(range.first - kHalo, range.end + kHalo, rows);
+    dropFlyers(rows, frame.spacing_mm, range.first, range.end);
+    noises.push_back(noiseOf(rows, range.first, range.end, frame.spacing_mm));
+  }
   std::sort(noises.begin(), noises.end());
   return noises.empty() ? 0 : noises[noises.size() / 2];
 }
@@ -239,6 +244,7 @@ class RowWriter {
 
   void write(const RowPoints& rows, int first_row, int end_row) {
     for (int row = first_row; row < end_row; ++row) {
+      if (rule_ == PointRule::quadratic) row_fits_.compute(rows, row);
       for (int col = 0; col < rows.cols; ++col) {
         const std::size_t i = frame_.size.index({.col = col, .row = row});
         const CellSpan cell = rows.of(col, col + 1, row);
@@ -261,7 +267,10 @@ class RowWriter {
  private:
   std::optional<double> fromAround(const RowPoints& rows, int col, int row) {
     if (rule_ == PointRule::splat) return splatAt(rows, col, row);
-    if (rule_ == PointRule::quadratic) return fit_.heightAt(rows, col, row);
+    if (rule_ == PointRule::quadratic) {
+      const bool smooth = row_fits_.fitted(col) && row_fits_.rmsMm(col) <= fit_.allowedMm();
+      return smooth ? row_fits_.heightMm(col) : fit_.heightAt(rows, col, row);
+    }
     return std::nullopt;
   }
 
@@ -305,6 +314,7 @@ class RowWriter {
   GridFrame frame_;
   PointRule rule_;
   LocalFit fit_;
+  RowFits row_fits_;
   HiddenSurface hidden_;
   CapturedDepths& out_;
   std::vector<float> scratch_;
@@ -345,53 +355,123 @@ std::string_view describe(PointRule rule) {
 }
 
 RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
-  return propose(CellPoints(request, task), task);
+  std::vector<RowRange> ranges = sampledRows(request.frame.size);
+  for (RowRange& range : ranges) range = widened(range, kFlyerReach);
+  return propose(CellPoints(request, ranges, task), request.frame, task);
 }
 
-CapturedDepths scatterPoints(const DepthRequest& request, const Task& task) {
-  const CellPoints points(request, task);
-  const RuleProposal rule = request.rule
-                                ? RuleProposal{.rule = *request.rule, .reason = "as chosen"}
-                                : propose(points, task);
-  const double noise_mm = rule.rule == PointRule::quadratic ? noiseOf(points, task) : 0;
-  const GridSize size = request.frame.size;
-  CapturedDepths out;
-  out.rule = rule.reason + ": " + std::string(describe(rule.rule));
-  out.front.assign(size.count(), kEmpty);
-  out.quality.counts.assign(size.count(), 0);
-  out.quality.spreads_mm.assign(size.count(), 0.0F);
-  out.steep.assign(size.count(), 0);
-  const int reach = reachOf(rule.rule);
-  if (reach > 0) out.between.assign(size.count(), kEmpty);
+double pointNoise(const DepthRequest& request, const Task& task) {
+  std::vector<RowRange> ranges = sampledRows(request.frame.size);
+  for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
+  return noiseOf(CellPoints(request, ranges, task), request.frame, task);
+}
 
-  const int rows_at_once = rowsAtOnce(size);
-  const int units = (size.rows + rows_at_once - 1) / rows_at_once;
-  std::mutex joining;
-  HiddenSurface hidden{.all = static_cast<double>(points.onGrid())};
-  std::atomic<int> done = 0;
-  inBands(units, points.threads(), [&](int first_unit, int end_unit) {
-    RowWriter writer(request, rule.rule, noise_mm, out);
-    std::size_t flyers = 0;
-    for (int unit = first_unit; unit < end_unit; ++unit) {
-      task.check();
-      const int first = unit * rows_at_once;
-      const int end = std::min(first + rows_at_once, size.rows);
-      // More than the rule reaches, so that flyers are known as far as it does.
-      RowPoints rows = points.rows(first - reach - kFlyerReach, end + reach + kFlyerReach);
-      flyers += dropFlyers(rows, request.frame.spacing_mm, first, end);
-      writer.write(rows, first, end);
-      ++done;
-      if (first_unit == 0) task.report("Depth map", 0.3 + 0.7 * done / units);
+namespace {
+
+/// Scatters with one rule, a slab of the grid at a time, so that the points sorted by cell never
+/// need more than a bounded memory beside the scan.
+class Scatter {
+ public:
+  Scatter(const DepthRequest& request, const Task& task) : request_(request), task_(task) {
+    const GridSize size = request.frame.size;
+    out_.front.assign(size.count(), kEmpty);
+    out_.quality.counts.assign(size.count(), 0);
+    out_.quality.spreads_mm.assign(size.count(), 0.0F);
+    out_.steep.assign(size.count(), 0);
+    hidden_.all = 0;
+  }
+
+  CapturedDepths run() {
+    const GridSize size = request_.frame.size;
+    const std::size_t slabs = request_.scan.points.size() / kPointsAtOnce + 1;
+    std::optional<CellPoints> points;
+    if (slabs == 1) {
+      points.emplace(request_, std::array{RowRange{.first = 0, .end = size.rows}}, task_);
+      chooseRule(*points);
+    } else {
+      std::vector<RowRange> ranges = sampledRows(size);
+      for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
+      chooseRule(CellPoints(request_, ranges, task_));
     }
-    // Whole numbers: the order of the bands does not matter.
-    const std::lock_guard lock(joining);
-    out.flyers += flyers;
-    hidden.hidden += writer.hidden().hidden;
-    hidden.cells += writer.hidden().cells;
-    hidden.cells_in_layers += writer.hidden().cells_in_layers;
-  });
-  out.hidden = hidden;
-  return out;
+    const int rows_at_once = rowsAtOnce(size);
+    const int units = (size.rows + rows_at_once - 1) / rows_at_once;
+    for (std::size_t slab = 0; slab < slabs; ++slab) {
+      const auto unit = [&](std::size_t k) {
+        return static_cast<int>(static_cast<std::size_t>(units) * k / slabs);
+      };
+      const RowRange range{.first = unit(slab) * rows_at_once,
+                           .end = std::min(unit(slab + 1) * rows_at_once, size.rows)};
+      if (slabs > 1) {
+        points.reset();
+        points.emplace(request_, std::array{widened(range, halo())}, task_);
+      }
+      task_.report("Depth map", static_cast<double>(slab) / static_cast<double>(slabs));
+      write(*points, range);
+    }
+    out_.hidden = hidden_;
+    return std::move(out_);
+  }
+
+ private:
+  int halo() const { return reachOf(rule_) + kFlyerReach; }
+
+  void chooseRule(const CellPoints& points) {
+    RuleProposal rule{.rule = request_.rule.value_or(PointRule::front), .reason = "as chosen"};
+    if (!request_.rule) rule = propose(points, request_.frame, task_);
+    rule_ = rule.rule;
+    out_.rule = rule.reason + ": " + std::string(describe(rule_));
+    out_.one_layer =
+        !request_.rule && (rule_ == PointRule::quadratic || rule_ == PointRule::median);
+    if (rule_ == PointRule::quadratic) {
+      noise_mm_ = request_.noise_mm ? *request_.noise_mm : noiseOf(points, request_.frame, task_);
+    }
+    if (reachOf(rule_) > 0) out_.between.assign(out_.front.size(), kEmpty);
+  }
+
+  void write(const CellPoints& points, RowRange slab) {
+    const int rows_at_once = rowsAtOnce(request_.frame.size);
+    const int units = (slab.end - slab.first + rows_at_once - 1) / rows_at_once;
+    const int threads = threadsFor(points.count() + out_.front.size(), request_.threads);
+    inBands(units, threads, [&](int first_unit, int end_unit) {
+      RowWriter writer(request_, rule_, noise_mm_, out_);
+      RowPoints rows;
+      std::size_t flyers = 0;
+      std::size_t on_grid = 0;
+      for (int unit = first_unit; unit < end_unit; ++unit) {
+        task_.check();
+        const int first = slab.first + unit * rows_at_once;
+        const int end = std::min(first + rows_at_once, slab.end);
+        // More than the rule reaches, so that flyers are known as far as it does.
+        points.rows(first - halo(), end + halo(), rows);
+        for (int row = first; row < end; ++row) on_grid += rows.count(0, rows.cols, row);
+        flyers += dropFlyers(rows, request_.frame.spacing_mm, first, end);
+        writer.write(rows, first, end);
+      }
+      // Whole numbers: the order of the bands does not matter.
+      const std::lock_guard lock(joining_);
+      out_.flyers += flyers;
+      hidden_.all += static_cast<double>(on_grid);
+      hidden_.hidden += writer.hidden().hidden;
+      hidden_.cells += writer.hidden().cells;
+      hidden_.cells_in_layers += writer.hidden().cells_in_layers;
+    });
+  }
+
+  static constexpr std::size_t kPointsAtOnce = 12'000'000;
+
+  const DepthRequest& request_;
+  const Task& task_;
+  PointRule rule_ = PointRule::front;
+  double noise_mm_ = 0;
+  CapturedDepths out_;
+  HiddenSurface hidden_;
+  std::mutex joining_;
+};
+
+}  // namespace
+
+CapturedDepths scatterPoints(const DepthRequest& request, const Task& task) {
+  return Scatter(request, task).run();
 }
 
 }  // namespace relievo

@@ -27,6 +27,10 @@ struct RuleProposal {
 /// @throw Cancelled
 RuleProposal proposeRule(const DepthRequest& request, const Task& task = {});
 
+/// Standard deviation of the points about local quadratics, the median over some rows. [worker]
+/// @throw Cancelled
+double pointNoise(const DepthRequest& request, const Task& task = {});
+
 /// Height of every cell from its points by request.rule; NaN where there is none, and how well the
 /// points carry it. Points off all their neighbours are left out. [worker]
 /// @throw Cancelled

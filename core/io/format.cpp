@@ -33,7 +33,7 @@ constexpr std::array<FormatFact, 15> kFormats{{
     {FileFormat::png, false, "a PNG raster"},
     {FileFormat::ascii_grid, false, "an ESRI ASCII grid"},
     {FileFormat::las, true, "a LAS file"},
-    {FileFormat::laz, false, "a compressed LAS file (LAZ or COPC)"},
+    {FileFormat::laz, true, "a compressed LAS file (LAZ or COPC)"},
     {FileFormat::e57, true, "an E57 file"},
     {FileFormat::three_ds, true, "a 3DS file"},
     {FileFormat::ptx, true, "a PTX file"},
@@ -243,16 +243,11 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
     throw FileError("Cannot read " + shownName(file) + " as a scan: it is " + found_format.name +
                     ". Open it as a raster.");
   }
-  if (found_format.format == FileFormat::laz) {
-    throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
-                    ", which this version cannot unpack. Install pdal and run pdal translate " +
-                    shownName(file) + " NAME.las, or run laszip -i " + shownName(file) +
-                    " -o NAME.las, then open NAME.las.");
-  }
-  throw FileError("Cannot read " + shownName(file) + ": it is " + found_format.name +
-                  "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, PTX, XYZ/ASC/PTS/CSV "
-                  "text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. "
-                  "Convert it to one of these, or choose another file.");
+  throw FileError(
+      "Cannot read " + shownName(file) + ": it is " + found_format.name +
+      "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV "
+      "text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. "
+      "Convert it to one of these, or choose another file.");
 }
 
 }  // namespace relievo

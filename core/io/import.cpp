@@ -12,21 +12,24 @@
 #include "core/io/format.h"
 #include "core/io/pcd_header.h"
 #include "core/io/ply_header.h"
+#include "core/io/raster.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
+#include "core/io/unpack_las.h"
 #include "core/io/worker_process.h"
 
 namespace relievo {
 namespace {
 
 /// What can be seen in the first bytes is refused here, before a process is started.
-void precheck(const std::filesystem::path& file) {
+FileFormat precheck(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
   checkReadableAsScan(found, file);
   if (found.format == FileFormat::ply) parsePlyHeader(head, file);
   if (found.format == FileFormat::pcd) parsePcdHeader(head, file);
+  return found.format;
 }
 
 [[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
@@ -50,30 +53,50 @@ void precheck(const std::filesystem::path& file) {
                        "is probably damaged. Export it again.");
 }
 
-}  // namespace
-
-Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
-  task.check();
+/// What the worker answers to `wanted`; throws what it refuses with.
+template <class Wanted>
+Wanted importInWorker(const std::filesystem::path& file, ImportKind kind,
+                      const ImportOptions& options, const Task& task) {
   if (std::getenv(kWorkerMark) != nullptr) {
     throw ArgumentError(
         "This program was started as an import worker, but its main() does not "
         "call runImportWorkerIfAsked first.");
   }
-  precheck(file);
   task.report("opening", 0);
-  WorkerProcess worker(file, options);
+  WorkerProcess worker(file, kind, options);
   const WorkerEnd end = worker.wait(task);
   task.check();
   WorkerAnswer answer;
   if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
-  if (auto* scan = std::get_if<Scan>(&answer)) {
-    scan->info.file = file;
-    return std::move(*scan);
+  if (auto* wanted = std::get_if<Wanted>(&answer)) {
+    wanted->info.file = file;
+    return std::move(*wanted);
   }
   if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
     throw FileError(refusal->message, refusal->code);
   }
   refuseEnd(file, options, end);
+}
+
+}  // namespace
+
+Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
+  task.check();
+  if (precheck(file) != FileFormat::laz) {
+    return importInWorker<Scan>(file, ImportKind::scan, options, task);
+  }
+  const UnpackedLas unpacked(file, task);
+  Scan scan = importInWorker<Scan>(unpacked.file(), ImportKind::scan, options, task);
+  scan.info.file = file;
+  scan.info.format.replace(0, 3, "LAZ");
+  return scan;
+}
+
+RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& options,
+                       const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  return importInWorker<RasterMap>(file, ImportKind::raster, options, task);
 }
 
 bool looksLikeRaster(const std::filesystem::path& file) {

@@ -17,7 +17,8 @@ struct ImportOptions {
   double max_cpu_s = 600;
 };
 
-/// Reads PLY, PCD, OBJ, STL or text (XYZ ASC PTS CSV TXT), chosen by content first, name second.
+/// Reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, PTX or text (XYZ ASC PTS CSV TXT), chosen by content
+/// first, name second; LAZ and COPC where a program is installed that unpacks them (unpack_las.h).
 /// Header and sizes are checked here; the library then reads in a child process with limits, in the
 /// C locale; the result is checked again. Acts on a stop request within 250 ms. [worker]
 /// @throw FileError  missing, a directory, empty, malformed, incomplete (E101), unknown format, or
@@ -25,6 +26,14 @@ struct ImportOptions {
 /// @throw Cancelled
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options = {},
                 const Task& task = {});
+
+struct RasterMap;  // core/io/raster.h
+
+/// Reads a height raster (TIFF, PNG, ESRI ASCII grid) as readRaster does, in a child process like
+/// importScan. Of `options` the limits apply. [worker]
+/// @throw FileError, Cancelled
+RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& options = {},
+                       const Task& task = {});
 
 /// Content check only: does the file look like a raster (TIFF, PNG, ESRI ASCII grid) rather than a
 /// scan?

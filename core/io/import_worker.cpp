@@ -21,6 +21,7 @@
 #include "core/io/file_check.h"
 #include "core/io/import.h"
 #include "core/io/lines.h"
+#include "core/io/raster.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
 #include "core/io/worker_process.h"
@@ -69,17 +70,19 @@ class ProgressPipe {
 
 struct WorkerArguments {
   std::filesystem::path file;
+  ImportKind kind = ImportKind::scan;
   ImportOptions options;
 };
 
 std::optional<WorkerArguments> parseArguments(char** argv) {
   WorkerArguments arguments;
   arguments.file = argv[2];
-  const auto max_points = parseWhole<std::uint64_t>(argv[4]);
-  const auto max_memory = parseWhole<std::uint64_t>(argv[5]);
-  const auto max_cpu = parseNumber(argv[6]);
+  const auto max_points = parseWhole<std::uint64_t>(argv[5]);
+  const auto max_memory = parseWhole<std::uint64_t>(argv[6]);
+  const auto max_cpu = parseNumber(argv[7]);
   if (!max_points || !max_memory || !max_cpu || !(*max_cpu > 0)) return std::nullopt;
-  arguments.options.accept_incomplete = std::string_view(argv[3]) == "1";
+  arguments.kind = std::string_view(argv[3]) == "r" ? ImportKind::raster : ImportKind::scan;
+  arguments.options.accept_incomplete = std::string_view(argv[4]) == "1";
   arguments.options.max_points = *max_points;
   arguments.options.max_memory_bytes = *max_memory;
   arguments.options.max_cpu_s = *max_cpu;
@@ -105,8 +108,11 @@ void readAndAnswer(const WorkerArguments& arguments) {
     ProgressPipe pipe;
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
-    const Scan scan = readScanHere(arguments.file, arguments.options, task);
-    sendAnswer(kAnswerFd, scan);
+    if (arguments.kind == ImportKind::raster) {
+      sendAnswer(kAnswerFd, readRaster(arguments.file));
+    } else {
+      sendAnswer(kAnswerFd, readScanHere(arguments.file, arguments.options, task));
+    }
   } catch (const Error& error) {
     sendAnswer(kAnswerFd, WorkerRefusal{error.what(), error.code});
   } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <optional>
 #include <string>
 
@@ -86,13 +87,23 @@ std::optional<LengthUnit> lastUnit(std::string_view text) {
   return unitOfMetres(*metres);
 }
 
-/// Only projected systems of the older form of well-known text (the one LAS 1.4 asks for).
+/// Where the first of these words is; npos if none is there.
+std::size_t findAny(std::string_view text, std::initializer_list<std::string_view> words) {
+  std::size_t first = std::string_view::npos;
+  for (const std::string_view word : words) first = std::min(first, text.find(word));
+  return first;
+}
+
+/// Projected systems in the older form of well-known text (the one LAS 1.4 asks for) and in that
+/// of 2015 and later (ISO 19162).
 void readText(std::string_view text, StatedUnits& units) {
   text = text.substr(0, text.find('\0'));
-  const std::size_t vertical = text.find("VERT_CS[");
+  const std::size_t vertical = findAny(text, {"VERT_CS[", "VERTCRS[", "VERTICALCRS["});
   const std::string_view horizontal = text.substr(0, vertical);
-  if (horizontal.find("PROJCS[") == std::string_view::npos) {
-    units.degrees = units.degrees || horizontal.starts_with("GEOGCS[");
+  if (findAny(horizontal, {"PROJCS[", "PROJCRS[", "PROJECTEDCRS["}) == std::string_view::npos) {
+    const bool degrees =
+        findAny(horizontal, {"GEOGCS[", "GEOGCRS[", "GEOGRAPHICCRS[", "GEODCRS["}) == 0;
+    units.degrees = units.degrees || degrees;
     return;
   }
   units.horizontal = lastUnit(horizontal);

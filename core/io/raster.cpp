@@ -1,25 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/raster.h"
 
-#include <cpl_conv.h>
-#include <cpl_error.h>
-#include <gdal_priv.h>
 #include <ogr_spatialref.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <mutex>
 #include <string_view>
-#include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
 #include "core/io/ascii_grid.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
+#include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
 #include "core/io/planted_fault.h"
 #include "core/io/unit_text.h"
@@ -29,65 +23,15 @@ namespace {
 
 constexpr std::uint64_t kMaxCells = 400'000'000;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
-constexpr std::string_view kOriginContent = "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
-constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-/// Collects what GDAL complains about on this thread while it lives, instead of printing it.
-class GdalErrors {
- public:
-  GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::collect, this); }
-  ~GdalErrors() { CPLPopErrorHandler(); }
-  GdalErrors(const GdalErrors&) = delete;
-  GdalErrors& operator=(const GdalErrors&) = delete;
-
-  bool any() const noexcept { return failed_; }
-  const std::string& first() const noexcept { return first_; }
-
- private:
-  static void collect(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
-    auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
-    if (severity < CE_Failure || self->failed_) return;
-    self->failed_ = true;
-    self->first_ = message;
-  }
-
-  bool failed_ = false;
-  std::string first_;
-};
-
-void registerDrivers() {
-  static std::once_flag registered;
-  std::call_once(registered, [] {
-    GDALRegister_GTiff();
-    GDALRegister_PNG();
-    GDALRegister_AAIGrid();
-  });
-}
-
-GDALDriver& geoTiffDriver() {
-  registerDrivers();
-  return *GetGDALDriverManager()->GetDriverByName("GTiff");
-}
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
   throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
 }
 
-std::filesystem::path originFileOf(std::filesystem::path map_file) {
-  return map_file.replace_extension(".origin.tif");
-}
-
-// ---- reading -------------------------------------------------------------------------------
-
 Dataset openRaster(const std::filesystem::path& file, const RasterKind& kind,
                    const GdalErrors& errors) {
-  registerDrivers();
+  registerRasterDrivers();
   const char* const drivers[] = {kind.driver, nullptr};
   Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {
@@ -166,6 +110,12 @@ double readUnits(GDALDataset& dataset, ScanInfo& info) {
   info.warnings.push_back("Heights in " + std::string(name(*vertical)) + " were converted to " +
                           std::string(name(*info.unit)) + ", the unit of the coordinates.");
   return mmPer(*vertical) / mmPer(*info.unit);
+}
+
+/// Well-known text; empty if the raster has none.
+std::string projectionOf(GDALDataset& dataset) {
+  const char* const text = dataset.GetProjectionRef();
+  return text == nullptr ? std::string() : std::string(text);
 }
 
 void checkBand(GDALRasterBand& band, const std::filesystem::path& file) {
@@ -318,87 +268,6 @@ void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
   restoreFrame(dataset, raster);
 }
 
-// ---- writing -------------------------------------------------------------------------------
-
-[[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
-  throw WriteError("Cannot write " + file.string() + ": " + reason +
-                   ". Check the folder, its permissions and the free space.");
-}
-
-/// A file under a temporary name beside its final one; removed unless `keep` was called.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(std::filesystem::path final_name)
-      : final_(std::move(final_name)),
-        temporary_(final_.parent_path() /
-                   ("." + final_.stem().string() + "." + std::to_string(::getpid()) + ".tmp.tif")) {
-  }
-  ~TemporaryFile() {
-    std::error_code ignored;
-    if (!kept_) std::filesystem::remove(temporary_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  const std::filesystem::path& path() const noexcept { return temporary_; }
-  void keep() {
-    std::error_code error;
-    std::filesystem::rename(temporary_, final_, error);
-    if (error) cannotWrite(final_, error.message());
-    kept_ = true;
-  }
-
- private:
-  std::filesystem::path final_, temporary_;
-  bool kept_ = false;
-};
-
-/// One band, row 0 of `cells` at the lowest y, which is the last row of the file.
-struct BandToWrite {
-  GDALDataType type;
-  const void* cells;
-  std::size_t cell_bytes;
-};
-
-void writeBand(const std::filesystem::path& file, const std::filesystem::path& shown,
-               const GridFrame& frame, const BandToWrite& band, const CPLStringList& metadata) {
-  GdalErrors errors;
-  const GridSize size = frame.size;
-  const char* const options[] = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", nullptr};
-  Dataset dataset(geoTiffDriver().Create(file.c_str(), size.cols, size.rows, 1, band.type,
-                                         const_cast<char**>(options)));
-  if (!dataset) cannotWrite(shown, errors.first());
-  const double s = frame.spacing_mm;
-  std::array<double, 6> transform{frame.first_x_mm - 0.5 * s,         s, 0,
-                                  frame.yMm(size.rows - 1) + 0.5 * s, 0, -s};
-  dataset->SetGeoTransform(transform.data());
-  dataset->SetMetadata(const_cast<char**>(metadata.List()));
-  if (band.type == GDT_Float32) dataset->GetRasterBand(1)->SetNoDataValue(kNaN);
-  const auto* bottom_up = static_cast<const std::uint8_t*>(band.cells);
-  const std::size_t line_bytes = static_cast<std::size_t>(size.cols) * band.cell_bytes;
-  for (int file_row = 0; file_row < size.rows && !errors.any(); ++file_row) {
-    const auto row = static_cast<std::size_t>(size.rows - 1 - file_row);
-    auto* line = const_cast<std::uint8_t*>(bottom_up + row * line_bytes);
-    if (dataset->GetRasterBand(1)->RasterIO(GF_Write, 0, file_row, size.cols, 1, line, size.cols, 1,
-                                            band.type, 0, 0, nullptr) != CE_None) {
-      break;
-    }
-  }
-  dataset.reset();  // Flushes; a full disk shows itself here at the latest.
-  if (errors.any()) cannotWrite(shown, errors.first());
-}
-
-void checkMap(const DepthMap& map) {
-  const GridSize size = map.frame.size;
-  if (size.cols < 1 || size.rows < 1 || !(map.frame.spacing_mm > 0) ||
-      map.heights_mm.size() != size.count() || map.origins.size() != size.count()) {
-    throw ArgumentError("A map of " + std::to_string(size.cols) + " x " +
-                        std::to_string(size.rows) + " cells cannot be written: it has " +
-                        std::to_string(map.heights_mm.size()) + " heights and " +
-                        std::to_string(map.origins.size()) + " origins.");
-  }
-}
-
 }  // namespace
 
 RasterMap readRaster(const std::filesystem::path& file) {
@@ -426,6 +295,7 @@ RasterMap readRaster(const std::filesystem::path& file) {
     raster.info.warnings.push_back("The raster has " + std::to_string(dataset->GetRasterCount()) +
                                    " bands; the first was read as heights.");
   }
+  raster.projection = projectionOf(*dataset);
   raster.info.format = std::string(kind.name) + " " + GDALGetDataTypeName(band.GetRasterDataType());
   const bool own = dataset->GetMetadataItem("RELIEVO_VIEW_FROM_FILE") != nullptr;
   const double unit_factor = own ? 1 : readUnits(*dataset, raster.info);
@@ -437,42 +307,6 @@ RasterMap readRaster(const std::filesystem::path& file) {
   summarize(raster);
   if (raster.is_own_map) raster.origins = readOrigins(raster, raster.info.warnings);
   return raster;
-}
-
-void writeMap(const std::filesystem::path& file, const DepthMap& map,
-              const MapFileOptions& options) {
-  checkMap(map);
-  std::vector<float> heights = map.heights_mm;
-  std::vector<std::uint8_t> codes(map.origins.size());
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    codes[i] = static_cast<std::uint8_t>(map.origins[i]);
-    if (options.outside_as_nan && map.origins[i] == Origin::outside) heights[i] = kNaN;
-  }
-  CPLStringList metadata;
-  metadata.SetNameValue("RELIEVO_UNIT", "mm");
-  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
-  metadata.SetNameValue("RELIEVO_VIEW_FROM_FILE", roundTripText(options.view_from_file.m).c_str());
-  metadata.SetNameValue(
-      "RELIEVO_FRAME",
-      roundTripText(std::array{map.frame.first_x_mm, map.frame.first_y_mm, map.frame.spacing_mm})
-          .c_str());
-  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
-  if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
-
-  TemporaryFile map_file(file);
-  writeBand(map_file.path(), file, map.frame, {GDT_Float32, heights.data(), sizeof(float)},
-            metadata);
-  const std::filesystem::path origin_name = originFileOf(file);
-  if (options.write_origins) {
-    TemporaryFile origin_file(origin_name);
-    metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
-    writeBand(origin_file.path(), origin_name, map.frame, {GDT_Byte, codes.data(), 1}, metadata);
-    origin_file.keep();
-  } else {
-    std::error_code ignored;  // An older map's origins would lie about this one.
-    std::filesystem::remove(origin_name, ignored);
-  }
-  map_file.keep();
 }
 
 std::optional<std::string> rasterState(const std::filesystem::path& file) {

@@ -23,6 +23,7 @@ struct RasterMap {
   FilePoint first;            ///< File position of sample (0, 0), z = 0.
   bool is_own_map = false;    ///< Written by writeMap.
   std::optional<ViewFromFile> view_from_file;  ///< Of an own map.
+  std::string projection;       ///< Well-known text of the coordinates; empty if none is stated.
   std::vector<Origin> origins;  ///< Of an own map with its origin file beside it; else empty.
 };
 
@@ -32,7 +33,8 @@ RasterMap readRaster(const std::filesystem::path& file);
 
 struct MapFileOptions {
   ViewFromFile view_from_file;
-  bool write_origins = true;   ///< Also NAME.origin.tif.
+  bool write_origins = true;  ///< Also NAME.origin.tif.
+  bool mask_band = false;     ///< Also a mask within the file: 255 where there is a height, else 0.
   bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
   std::string state = {};      ///< ASCII; becomes the image description. Empty: none.
 };

@@ -55,6 +55,8 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
       return readE57(job);
     case FileFormat::ptx:
       return readPtx(job);
+    case FileFormat::laz:
+      refuseScan(file, "it is compressed and was not unpacked before. Convert it to LAS.");
     default:
       return readText(job);
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -10,6 +8,7 @@
 #include "core/base/task.h"
 #include "core/io/import.h"
 #include "core/io/owned_fd.h"
+#include "core/io/spawn.h"
 
 namespace relievo {
 
@@ -18,7 +17,10 @@ inline constexpr const char* kWorkerArgument = "--import-worker";
 inline constexpr const char* kWorkerMark = "RELIEVO_IMPORT_WORKER";  ///< Set in its environment.
 inline constexpr int kProgressFd = 3;                                ///< Lines "fraction step".
 inline constexpr int kAnswerFd = 4;                                  ///< scan_transport.h
-inline constexpr int kWorkerArgumentCount = 7;
+inline constexpr int kWorkerArgumentCount = 8;
+
+/// What the worker is to answer with: its third argument.
+enum class ImportKind : char { scan = 's', raster = 'r' };
 
 /// How the child came to its end.
 struct WorkerEnd {
@@ -32,8 +34,7 @@ struct WorkerEnd {
 class WorkerProcess {
  public:
   /// @throw FileError  the system refuses a further process
-  WorkerProcess(const std::filesystem::path& file, const ImportOptions& options);
-  ~WorkerProcess();
+  WorkerProcess(const std::filesystem::path& file, ImportKind kind, const ImportOptions& options);
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
@@ -44,16 +45,11 @@ class WorkerProcess {
   int answerFd() const noexcept { return answer_.get(); }
 
  private:
-  void spawn(const std::filesystem::path& file, const ImportOptions& options);
-  bool reap(bool block);
-  void kill();
   void drain(const Task& task);
   void passProgress(const Task& task);
 
-  OwnedFd answer_, progress_, words_;                    ///< Our ends.
-  OwnedFd child_answer_, child_progress_, child_words_;  ///< Closed once it runs.
-  pid_t pid_ = -1;                                       ///< -1: none, or reaped.
-  int status_ = 0;
+  OwnedFd answer_, progress_, words_;  ///< Our ends.
+  ChildProcess child_;
   std::string progress_text_, words_text_;
 };
 

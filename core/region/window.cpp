@@ -13,6 +13,8 @@
 namespace relievo {
 namespace {
 
+constexpr double kOnNode = 1e-9;  // Spacings.
+
 /// Where the window's samples lie along one axis.
 struct Axis {
   std::vector<int> low, high, cell;  ///< Nodes on both sides; cell of the origin, -1 off the map.
@@ -44,8 +46,11 @@ Axis axisOf(double start_mm, double step_mm, const Line& map, const Line& nodes,
   int last_cell = -1;
   for (int i = 0; i < kWindowSamples; ++i) {
     const double at = start_mm + (i + 0.5) * step_mm;
-    const double index =
+    const double between =
         std::clamp((at - nodes.first_mm) / nodes.spacing_mm, 0.0, nodes.count - 1.0);
+    // What is a node but for rounding is that node.
+    const double nearest = std::round(between);
+    const double index = std::abs(between - nearest) < kOnNode ? nearest : between;
     const int low = std::min(static_cast<int>(index), std::max(nodes.count - 2, 0));
     axis.low.push_back(low);
     axis.high.push_back(std::min(low + 1, nodes.count - 1));

@@ -15,9 +15,6 @@ namespace relievo {
 /// surface.unit and where it is from. @pre surface.info
 void chooseUnit(Surface& surface, const SurfaceOptions& options);
 
-NamedRotation chooseRotation(const Scan& scan, const std::optional<ViewChoice>& choice,
-                             const Task& task);
-
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
 /// @param points_in_all  if `scan` is a sample of so many points; 0: it is all of them
 /// @throw ArgumentError, FileError

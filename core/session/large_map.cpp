@@ -150,7 +150,7 @@ void copyFacts(const Surface& from, LargeMap& to) {
 
 /// From depths to files: what both kinds of input have in common.
 /// @param view  gives the matrix for the base plane that was found
-void fillAndWrite(LargeMap& map, const RowsOf& depths, const GridFrame& frame,
+void fillAndWrite(LargeMap& map, const BandDepths& depths, const GridFrame& frame,
                   const FillSource& source, const SurfaceOptions& options,
                   const LargeMapOptions& large, std::size_t memory_bytes,
                   const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
@@ -193,7 +193,9 @@ struct Placed {
 Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
              const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
   Placed placed;
-  placed.rotation = chooseRotation(sample, options.view, task);
+  placed.rotation = chosenRotation(
+      sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
+  if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
   const double mm = mmPer(facts.unit);
   const SourceBounds bounds = boundsOf(
       sourceOf(stream), viewFromFile(placed.rotation.rotation, mm, 0, 0, 0), large.threads, task);
@@ -218,10 +220,24 @@ void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
   }
 }
 
-/// Points to front depths, in files or memory.
-std::unique_ptr<RowStore> gridPoints(LargeMap& map, const PointStream& stream, const Placed& placed,
-                                     const SurfaceOptions& options, const LargeMapOptions& large,
-                                     std::size_t memory_bytes, const Task& task) {
+/// Depths of all cells, on disk.
+struct StoredDepths {
+  RowStore front;
+  std::unique_ptr<RowStore> between;
+  BitRows steep;
+
+  BandDepths rows() const {
+    const auto of = [](const RowStore& store) {
+      return [&store](int first, int rows, float* out) { store.read(first, rows, out); };
+    };
+    return {.front = of(front), .between = between ? of(*between) : RowsOf{}, .steep = &steep};
+  }
+};
+
+std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
+                                         const Placed& placed, const SurfaceOptions& options,
+                                         const LargeMapOptions& large, std::size_t memory_bytes,
+                                         const Task& task) {
   TileStore store(placed.frame.size, {.merges = options.rule && isMergeable(*options.rule),
                                       .memory_bytes = memory_bytes,
                                       .spill_folder = spillFolder(large),
@@ -234,10 +250,22 @@ std::unique_ptr<RowStore> gridPoints(LargeMap& map, const PointStream& stream, c
   sayRule(map, rule, store.merges());
   map.spilled_bytes = store.spilledBytes();
   // The store has its memory; depths go to the disk.
-  auto depths = std::make_unique<RowStore>(placed.frame.size, 0, spillFolder(large));
+  const GridSize size = placed.frame.size;
+  std::unique_ptr<StoredDepths> depths(new StoredDepths{
+      .front = {size, 0, spillFolder(large)}, .between = {}, .steep = BitRows(size)});
   makeDepths(
       store, rule.rule, placed.frame.spacing_mm,
-      [&](int first, int rows, const float* values) { depths->write(first, rows, values); }, task);
+      [&](const DepthRows& rows) {
+        depths->front.write(rows.first_row, rows.rows, rows.front.data());
+        if (!rows.between.empty()) {
+          if (!depths->between) {
+            depths->between = std::make_unique<RowStore>(size, 0, spillFolder(large));
+          }
+          depths->between->write(rows.first_row, rows.rows, rows.between.data());
+        }
+        depths->steep.setRows(rows.first_row, rows.steep);
+      },
+      task);
   return depths;
 }
 
@@ -273,8 +301,8 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   const auto depths = gridPoints(map, stream, placed, options, large, plan.points_bytes, task);
   map.seconds.grid = secondsSince(grid_start);
   fillAndWrite(
-      map, [&](int first, int rows, float* out) { depths->read(first, rows, out); }, placed.frame,
-      {.has_sampling_gaps = true}, options, large, plan.depths_bytes,
+      map, depths->rows(), placed.frame, {.has_sampling_gaps = true}, options, large,
+      plan.depths_bytes,
       [&](double base_z_mm) {
         ViewFromFile view = placed.view_from_file;
         view.m[11] = -placed.lowest_mm - base_z_mm;
@@ -376,8 +404,8 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   }
   const double lowest = lowestOf(raster);
   fillAndWrite(
-      map, depthsOf(raster, lowest, mm), frame, {.has_sampling_gaps = false, .base_quantile = 0},
-      options, large, plan.depths_bytes,
+      map, {.front = depthsOf(raster, lowest, mm), .between = {}}, frame,
+      {.has_sampling_gaps = false, .base_quantile = 0}, options, large, plan.depths_bytes,
       [&](double base_z_mm) {
         return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
                             frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * mm));

@@ -3,6 +3,7 @@
 
 #include <chrono>
 
+#include "core/io/import.h"
 #include "core/io/raster.h"
 
 namespace relievo {
@@ -14,7 +15,7 @@ Surface loadSurface(const std::filesystem::path& file, const SurfaceOptions& opt
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   if (looksLikeRaster(file)) {
-    const RasterMap raster = readRaster(file);
+    const RasterMap raster = importRaster(file, import, task);
     const double read_s = seconds_since_start();
     Surface surface = makeSurface(raster, options, task);
     surface.seconds.read = read_s;

@@ -75,9 +75,10 @@ std::vector<float> BandFill::read(const RowsOf& rows, const Band& band) const {
   return values;
 }
 
-BandFill::BandFill(RowsOf depths, const GridFrame& frame, const FillSource& source,
+BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& source,
                    const HoleChoice& choice, const BandOptions& options, const Task& task)
-    : depths_(std::move(depths)),
+    : given_(std::move(depths)),
+      depths_(given_.front),
       frame_(frame),
       source_(source),
       choice_(choice),
@@ -85,14 +86,19 @@ BandFill::BandFill(RowsOf depths, const GridFrame& frame, const FillSource& sour
       threads_(threadCount(options.threads)),
       measured_(frame.size),
       empty_(frame.size) {
+  if (choice_.rule == HoleRule::membrane) {
+    throw ArgumentError(
+        "Membranes over holes need the whole map in memory. Nothing was made. Choose another "
+        "treatment of holes, or leave out --memory.");
+  }
   markMeasured(task);
   int radius = source_.has_sampling_gaps ? gapRadius() : 0;
   if (radius > 0) {
     dropSeenThroughBands(radius + 1, task);
     radius = gapRadius();
   }
-  pullAll(task);
   findHoles(radius, task);
+  pullAll(task);
 }
 
 void BandFill::markMeasured(const Task& task) {
@@ -177,7 +183,7 @@ void BandFill::pullAll(const Task& task) {
   PushPullLayer coarse{
       .size = {.cols = coarse_cols, .rows = coarse_rows}, .values = {}, .weights = {}};
   struct Pulled {
-    std::vector<float> depths;
+    std::vector<float> depths, filled;
     PushPullLayer top;
   };
   std::vector<Pulled> bands(static_cast<std::size_t>(threads_));
@@ -188,8 +194,10 @@ void BandFill::pullAll(const Task& task) {
         const Band band = bandOf(number, 0, 1);
         Pulled& made = bands[static_cast<std::size_t>(place)];
         made.depths = read(depths_, band);
+        made.filled = made.depths;
+        addBetween(band, made.filled);
         made.top =
-            std::move(pulledLayers(made.depths, {.cols = size.cols, .rows = band.rows}).back());
+            std::move(pulledLayers(made.filled, {.cols = size.cols, .rows = band.rows}).back());
       },
       [&](int place, int number) {
         task.report("Filling gaps", 0.5 * number / bandCount());
@@ -240,7 +248,7 @@ void BandFill::findHoles(int radius, const Task& task) {
   empty_.join();
   enclosed_ = empty_.enclosed(frame_);
   for (Hole& hole : enclosed_.holes) {
-    hole.filled = choice_.rule == HoleRule::interpolate && hole.area_mm2 <= choice_.max_area_mm2;
+    hole.filled = isToBeFilled(hole, choice_);
   }
 }
 
@@ -263,10 +271,50 @@ void BandFill::placeOrigins(const Band& band, std::vector<Origin>& origins) cons
   }
 }
 
+/// What the rule found between the points stands where gaps were closed.
+void BandFill::addBetween(const Band& band, std::vector<float>& depths) const {
+  if (!given_.between) return;
+  const std::vector<float> between = read(given_.between, band);
+  for (int row = band.from; row < band.to; ++row) {
+    const std::size_t start = frame_.size.index({.col = 0, .row = row - band.from});
+    int col = 0;
+    const auto take_until = [&](int end) {
+      for (; col < end; ++col) {
+        const std::size_t i = start + static_cast<std::size_t>(col);
+        if (!isMeasured(depths[i])) depths[i] = between[i];
+      }
+    };
+    for (const EmptyRuns::Run& run : empty_.row(row)) {
+      take_until(run.first_col);
+      col = run.end_col;
+    }
+    take_until(frame_.size.cols);
+  }
+}
+
+void BandFill::markSteep(const Band& band, std::vector<Origin>& origins) const {
+  // Judged by the depths as given and by the rows beside, as in fillDepths.
+  const Band around{.first = band.first,
+                    .rows = band.rows,
+                    .from = std::max(0, band.first - 1),
+                    .to = std::min(frame_.size.rows, band.first + band.rows + 1)};
+  GridFrame frame = frame_;
+  frame.size.rows = around.to - around.from;
+  CapturedDepths depths(read(given_.front, around));
+  if (given_.steep != nullptr) depths.steep = given_.steep->bytes(around.from, frame.size.rows);
+  const Mask steep = steepCells(depths, measured_.bytes(around.from, frame.size.rows), frame);
+  const std::size_t skipped = frame.size.index({.col = 0, .row = band.first - around.from});
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    if (origins[i] == Origin::measured && steep[skipped + i] != 0) origins[i] = Origin::steep;
+  }
+}
+
 void BandFill::fillBand(const Band& band, std::vector<float>& heights,
                         std::vector<Origin>& origins) const {
   const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
-  std::vector<PushPullLayer> layers = pulledLayers(read(depths_, band), size);
+  std::vector<float> depths = read(depths_, band);
+  addBetween(band, depths);
+  std::vector<PushPullLayer> layers = pulledLayers(depths, size);
   layers.back() = rowsOfLayer(coarse_->layer, band.from / kPullRows, layers.back().size.rows);
   for (std::size_t l = layers.size() - 1; l-- > 0;) pushInto(layers[l], layers[l + 1]);
 
@@ -274,10 +322,11 @@ void BandFill::fillBand(const Band& band, std::vector<float>& heights,
       static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(size.cols);
   origins.assign(count, Origin::interpolated);
   placeOrigins(band, origins);
+  markSteep(band, origins);
   heights.assign(count, 0.0F);
   const float* filled = &layers[0].values[size.index({.col = 0, .row = band.first - band.from})];
   for (std::size_t i = 0; i < count; ++i) {
-    if (origins[i] == Origin::measured || origins[i] == Origin::interpolated) {
+    if (origins[i] != Origin::base_plane && origins[i] != Origin::outside) {
       heights[i] = static_cast<float>(static_cast<double>(filled[i]) - base_z_mm_);
     }
   }

@@ -22,15 +22,21 @@ struct BandOptions {
   int threads = 0;  ///< 0: as many as there are cores, at most 4.
 };
 
+/// CapturedDepths by rows; each must stay valid and may be called on any thread.
+struct BandDepths {
+  RowsOf front;                    ///< NaN where nothing was hit.
+  RowsOf between;                  ///< Null if the rule gives none.
+  const BitRows* steep = nullptr;  ///< What the engine saw to be steep.
+};
+
 /// fillDepths of core/depth for maps that do not fit into memory: the same steps, each on bands of
 /// rows with as many rows around them as the step looks at, and so the same bytes (a hole's centre:
 /// to rounding). Memory: bands, one bit per cell, the runs of empty cells.
 class BandFill {
  public:
   /// Finds gaps, holes and the base plane. [worker]
-  /// @param depths  NaN where nothing was hit; must stay valid, and may be called on any thread
-  /// @throw ArgumentError  no cell was hit. WriteError, Cancelled
-  BandFill(RowsOf depths, const GridFrame& frame, const FillSource& source,
+  /// @throw ArgumentError  no cell was hit, or membranes are asked for. WriteError, Cancelled
+  BandFill(BandDepths depths, const GridFrame& frame, const FillSource& source,
            const HoleChoice& choice, const BandOptions& options, const Task& task);
 
   double baseZMm() const noexcept { return base_z_mm_; }
@@ -41,8 +47,6 @@ class BandFill {
   /// [worker] @throw WriteError, Cancelled and what `take` throws
   using TakeRow = std::function<void(int row, const float* heights_mm, const Origin* origins)>;
   void write(const TakeRow& take, const Task& task) const;
-
-  std::size_t leastBandBytes() const noexcept;
 
  private:
   struct Band {
@@ -58,10 +62,13 @@ class BandFill {
   void dropSeenThroughBands(int radius, const Task& task);
   void pullAll(const Task& task);
   void findHoles(int radius, const Task& task);
+  void addBetween(const Band& band, std::vector<float>& depths) const;
+  void markSteep(const Band& band, std::vector<Origin>& origins) const;
   void fillBand(const Band& band, std::vector<float>& heights, std::vector<Origin>& origins) const;
   void placeOrigins(const Band& band, std::vector<Origin>& origins) const;
 
-  RowsOf depths_;  ///< As given; later without what was seen through gaps.
+  BandDepths given_;
+  RowsOf depths_;  ///< given_.front; later without what was seen through gaps.
   GridFrame frame_;
   FillSource source_;
   HoleChoice choice_;

@@ -43,6 +43,14 @@ std::size_t BitRows::count() const noexcept {
   return ones;
 }
 
+void BitRows::setRows(int first_row, const std::vector<std::uint8_t>& mask) noexcept {
+  Cell cell{.col = 0, .row = first_row};
+  for (const std::uint8_t value : mask) {
+    if (value != 0) set(cell);
+    if (++cell.col == size_.cols) cell = {.col = 0, .row = cell.row + 1};
+  }
+}
+
 std::vector<std::uint8_t> BitRows::bytes(int first_row, int rows) const {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(static_cast<std::size_t>(rows) * static_cast<std::size_t>(size_.cols));

@@ -44,6 +44,8 @@ class BitRows {
   void clear(Cell cell) noexcept { words_[word(cell)] &= ~bit(cell); }
   bool at(Cell cell) const noexcept { return (words_[word(cell)] & bit(cell)) != 0; }
   std::size_t count() const noexcept;
+  /// Sets the cells of whole rows that are 1 in `mask`; an empty mask sets none.
+  void setRows(int first_row, const std::vector<std::uint8_t>& mask) noexcept;
   /// One byte per cell, 0 or 1, of some rows.
   std::vector<std::uint8_t> bytes(int first_row, int rows) const;
 

@@ -107,9 +107,17 @@ class SortedTiles {
   std::map<int, std::vector<Points>> rows_;
 };
 
+/// What all tiles have in common.
+struct Gridding {
+  const TileLayout& layout;
+  PointRule rule;
+  double spacing_mm;
+  double noise_mm;
+};
+
 /// One tile with kRuleReach cells around it as a request to core/depth.
-FrontDepths depthsByRule(const SortedTiles& sorted, const TileLayout& layout, int tile,
-                         PointRule rule, double spacing_mm) {
+void depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile, DepthRows& out) {
+  const TileLayout& layout = gridding.layout;
   const Cell first = layout.firstCell(tile);
   const GridSize size = layout.sizeOf(tile);
   const Cell low{.col = std::max(first.col - kRuleReach, 0),
@@ -117,7 +125,7 @@ FrontDepths depthsByRule(const SortedTiles& sorted, const TileLayout& layout, in
   const Cell end{.col = std::min(first.col + size.cols + kRuleReach, layout.map.cols),
                  .row = std::min(first.row + size.rows + kRuleReach, layout.map.rows)};
   const GridFrame frame{.size = {.cols = end.col - low.col, .rows = end.row - low.row},
-                        .spacing_mm = spacing_mm,
+                        .spacing_mm = gridding.spacing_mm,
                         .first_x_mm = 0,
                         .first_y_mm = 0};
   Scan scan;
@@ -129,33 +137,83 @@ FrontDepths depthsByRule(const SortedTiles& sorted, const TileLayout& layout, in
                 {.col = corner.col - low.col, .row = corner.row - low.row}, frame, scan);
     }
   }
-  const FrontDepths around =
-      scatterPoints({.scan = scan, .view_from_file = {}, .frame = frame, .rule = rule}).front;
-  FrontDepths depths(size.count());
-  for (int row = 0; row < size.rows; ++row) {
-    const std::size_t from =
+  const CapturedDepths around = scatterPoints({.scan = scan,
+                                               .view_from_file = {},
+                                               .frame = frame,
+                                               .rule = gridding.rule,
+                                               .threads = 1,
+                                               .noise_mm = gridding.noise_mm});
+  const GridSize band{.cols = layout.map.cols, .rows = out.rows};
+  const auto copy_row = [&](const auto& from, auto& to, int row) {
+    if (from.empty() || to.empty()) return;
+    const std::size_t at =
         frame.size.index({.col = first.col - low.col, .row = first.row - low.row + row});
-    std::copy_n(around.begin() + static_cast<std::ptrdiff_t>(from), size.cols,
-                depths.begin() + static_cast<std::ptrdiff_t>(row) * size.cols);
+    std::copy_n(
+        from.begin() + static_cast<std::ptrdiff_t>(at), size.cols,
+        to.begin() + static_cast<std::ptrdiff_t>(band.index({.col = first.col, .row = row})));
+  };
+  for (int row = 0; row < size.rows; ++row) {
+    copy_row(around.front, out.front, row);
+    copy_row(around.between, out.between, row);
+    copy_row(around.steep, out.steep, row);
   }
-  return depths;
 }
 
-FrontDepths depthsFromStates(const TileStore& store, int tile, PointRule rule) {
+void depthsFromStates(const Gridding& gridding, const TileStore& store, int tile, DepthRows& out) {
   const std::vector<CellState> states = store.states(tile);
-  FrontDepths depths(states.size(), std::numeric_limits<float>::quiet_NaN());
+  const Cell first = gridding.layout.firstCell(tile);
+  const GridSize size = gridding.layout.sizeOf(tile);
+  const GridSize band{.cols = gridding.layout.map.cols, .rows = out.rows};
   for (std::size_t i = 0; i < states.size(); ++i) {
     const CellState& state = states[i];
-    if (state.count == 0) continue;
-    if (rule == PointRule::mean) {
-      depths[i] =
-          static_cast<float>(static_cast<double>(state.sum) * store.sumUnitMm() / state.count);
+    const int cell = static_cast<int>(i);
+    float& depth =
+        out.front[band.index({.col = first.col + cell % size.cols, .row = cell / size.cols})];
+    if (state.count == 0) {
+      depth = std::numeric_limits<float>::quiet_NaN();
+    } else if (gridding.rule == PointRule::mean) {
+      depth = static_cast<float>(static_cast<double>(state.sum) * store.sumUnitMm() / state.count);
     } else {
-      const bool by_second = rule == PointRule::second && state.count > 1;
-      depths[i] = by_second ? state.second : state.first;
+      const bool by_second = gridding.rule == PointRule::second && state.count > 1;
+      depth = by_second ? state.second : state.first;
     }
   }
-  return depths;
+}
+
+/// Up to 16 tiles with points, spread over the map, side by side in one grid.
+struct SampledTiles {
+  static constexpr int kAcross = 4;
+  Scan scan;
+  GridFrame frame;
+};
+
+SampledTiles sampledTiles(const TileStore& store, double spacing_mm, const Task& task) {
+  constexpr int kAcross = SampledTiles::kAcross;
+  const TileLayout& layout = store.layout();
+  SampledTiles sample;
+  sample.frame = {.size = {.cols = kAcross * kTileSide, .rows = kAcross * kTileSide},
+                  .spacing_mm = spacing_mm,
+                  .first_x_mm = 0,
+                  .first_y_mm = 0};
+  // Not in even steps: those could follow the map's columns.
+  constexpr double kGoldenRatio = 0.6180339887498949;
+  std::set<int> seen;
+  double position = 0.5;
+  int placed = 0;
+  for (int i = 0; i < 8 * kAcross * kAcross && placed < kAcross * kAcross; ++i) {
+    task.check();
+    const int tile = static_cast<int>(position * layout.count());
+    position += kGoldenRatio;
+    if (position >= 1) position -= 1;
+    if (!seen.insert(tile).second) continue;
+    const Points points = store.points(tile);
+    if (points.empty()) continue;
+    placeTile(points, layout.sizeOf(tile),
+              {.col = placed % kAcross * kTileSide, .row = placed / kAcross * kTileSide},
+              sample.frame, sample.scan);
+    ++placed;
+  }
+  return sample;
 }
 
 }  // namespace
@@ -183,62 +241,48 @@ void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_f
 }
 
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task) {
-  constexpr int kAcross = 4;
-  const TileLayout& layout = store.layout();
-  Scan scan;
-  const GridFrame frame{.size = {.cols = kAcross * kTileSide, .rows = kAcross * kTileSide},
-                        .spacing_mm = spacing_mm,
-                        .first_x_mm = 0,
-                        .first_y_mm = 0};
-  // Not in even steps: those could follow the map's columns.
-  constexpr double kGoldenRatio = 0.6180339887498949;
-  std::set<int> seen;
-  double position = 0.5;
-  int placed = 0;
-  for (int i = 0; i < 8 * kAcross * kAcross && placed < kAcross * kAcross; ++i) {
-    task.check();
-    const int tile = static_cast<int>(position * layout.count());
-    position += kGoldenRatio;
-    if (position >= 1) position -= 1;
-    if (!seen.insert(tile).second) continue;
-    const Points points = store.points(tile);
-    if (points.empty()) continue;
-    placeTile(points, layout.sizeOf(tile),
-              {.col = placed % kAcross * kTileSide, .row = placed / kAcross * kTileSide}, frame,
-              scan);
-    ++placed;
-  }
-  return proposeRule({.scan = scan, .view_from_file = {}, .frame = frame}, task);
+  const SampledTiles sample = sampledTiles(store, spacing_mm, task);
+  return proposeRule({.scan = sample.scan, .view_from_file = {}, .frame = sample.frame}, task);
+}
+
+double pointNoise(const TileStore& store, double spacing_mm, const Task& task) {
+  const SampledTiles sample = sampledTiles(store, spacing_mm, task);
+  return pointNoise({.scan = sample.scan, .view_from_file = {}, .frame = sample.frame}, task);
 }
 
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
                 const Task& task) {
   const TileLayout& layout = store.layout();
+  const bool quadratic = rule == PointRule::quadratic;
+  const Gridding gridding{.layout = layout,
+                          .rule = rule,
+                          .spacing_mm = spacing_mm,
+                          .noise_mm = quadratic ? pointNoise(store, spacing_mm, task) : 0};
   SortedTiles sorted(store);
-  FrontDepths band;
+  DepthRows band;
   for (int y = 0; y < layout.down(); ++y) {
     task.check();
     task.report("Heights of cells", static_cast<double>(y) / layout.down());
     if (!store.merges()) sorted.centre(y);
-    const int rows = layout.sizeOf(y * layout.across()).rows;
-    const GridSize size{.cols = layout.map.cols, .rows = rows};
-    band.resize(size.count());
+    band.first_row = y * kTileSide;
+    band.rows = layout.sizeOf(y * layout.across()).rows;
+    const GridSize size{.cols = layout.map.cols, .rows = band.rows};
+    band.front.resize(size.count());
+    if (quadratic || rule == PointRule::splat) band.between.resize(size.count());
+    if (!store.merges()) band.steep.resize(size.count());
     inParts(0, static_cast<std::uint64_t>(layout.across()), store.threads(),
             [&](int, std::uint64_t first, std::uint64_t end) {
               for (int x = static_cast<int>(first); x < static_cast<int>(end); ++x) {
                 task.check();
                 const int tile = y * layout.across() + x;
-                const FrontDepths depths =
-                    store.merges() ? depthsFromStates(store, tile, rule)
-                                   : depthsByRule(sorted, layout, tile, rule, spacing_mm);
-                const int cols = layout.sizeOf(tile).cols;
-                for (int row = 0; row < rows; ++row) {
-                  std::copy_n(depths.begin() + static_cast<std::ptrdiff_t>(row) * cols, cols,
-                              &band[size.index({.col = x * kTileSide, .row = row})]);
+                if (store.merges()) {
+                  depthsFromStates(gridding, store, tile, band);
+                } else {
+                  depthsByRule(gridding, sorted, tile, band);
                 }
               }
             });
-    take(y * kTileSide, rows, band.data());
+    take(band);
   }
 }
 

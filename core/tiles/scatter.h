@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "core/base/grid.h"
 #include "core/base/task.h"
@@ -25,12 +27,22 @@ void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_f
 /// merge. [worker] @throw Cancelled
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task);
 
-/// Front depths of the whole map by a rule, tile row after tile row, lowest first: core/depth's own
+/// pointNoise of core/depth on the same tiles. [worker] @throw Cancelled
+double pointNoise(const TileStore& store, double spacing_mm, const Task& task);
+
+/// Rows of what the rule found; as in CapturedDepths.
+struct DepthRows {
+  int first_row = 0, rows = 0;
+  std::vector<float> front;
+  std::vector<float> between;       ///< Empty if the rule gives none.
+  std::vector<std::uint8_t> steep;  ///< Empty if not known.
+};
+
+/// Depths of the whole map by a rule, tile row after tile row, lowest first: core/depth's own
 /// scatterPoints on each tile with `kRuleReach` cells around it; for a store that merges, from the
 /// states. [worker]
-/// @param take  gets rows first ... first + rows - 1 of the map, NaN where there is no point
 /// @throw Cancelled, WriteError
-using TakeDepths = std::function<void(int first_row, int rows, const float* depths)>;
+using TakeDepths = std::function<void(const DepthRows& rows)>;
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,
                 const Task& task);
 

@@ -177,6 +177,89 @@ TEST_F(Batch, TheSameMapComesBackFromItsFile) {
   EXPECT_EQ(a.view_from_file, b.view_from_file);
 }
 
+TEST_F(Batch, ConvertWritesTheMapForOtherProgramsAndItReopensToTheSameHeights) {
+  const std::string map = path("map.tif");
+  reportOf(runRelievo({"depthmap", kReliefF, "-o", map, "--cells", "120", "--report", "json"}));
+  const RasterMap wanted = readRaster(map);
+  for (const char* const name : {"out.tif", "out.asc"}) {
+    const json report = reportOf(runRelievo({"convert", map, path(name), "--report", "json"}));
+    EXPECT_EQ(report["frame"], "view");
+    const RasterMap back = readRaster(path(name));
+    EXPECT_EQ(back.valid, wanted.valid) << name;
+    for (std::size_t i = 0; i < back.values.size(); ++i) {
+      if (wanted.valid[i]) {
+        ASSERT_EQ(back.values[i], wanted.values[i]) << name << " " << i;
+      }
+    }
+  }
+  for (const char* const name : {"out.ply", "out.xyz", "out.stl", "out.vti"}) {
+    EXPECT_EQ(runRelievo({"convert", map, path(name)}).exit_code, 0);
+    EXPECT_GT(std::filesystem::file_size(path(name)), 10'000U) << name;
+  }
+  const json mesh = reportOf(runRelievo({"info", path("out.ply"), "--report", "json"}));
+  EXPECT_EQ(mesh["points"], wanted.info.finite_points);
+}
+
+TEST_F(Batch, ConvertGivesAnElevationModelBackInItsOwnCoordinates) {
+  const std::string dem = write("dem.asc",
+                                "ncols 3\nnrows 2\nxllcorner 512022.5\nyllcorner 5403117\n"
+                                "cellsize 0.5\nNODATA_value -1\n250.1 250.2 250.3\n251 -1 252.7\n");
+  const json report = reportOf(runRelievo({"convert", dem, path("out.tif"), "--report", "json"}));
+  EXPECT_EQ(report["frame"], "file");
+  const RasterMap before = readRaster(dem);
+  const RasterMap after = readRaster(path("out.tif"));
+  EXPECT_EQ(after.first.x, before.first.x);
+  EXPECT_EQ(after.first.y, before.first.y);
+  EXPECT_EQ(after.pixel, before.pixel);
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (before.valid[i]) {
+      EXPECT_EQ(after.values[i], before.values[i]);
+    }
+  }
+  const CommandResult sideways =
+      runRelievo({"convert", kReliefF, path("x.tif"), "--frame", "file", "--view", "left"});
+  EXPECT_EQ(sideways.exit_code, 1);
+  EXPECT_THAT(sideways.err, HasSubstr("--view top"));
+  EXPECT_EQ(runRelievo({"convert", dem, path("x.docx")}).exit_code, 1);
+  EXPECT_EQ(runRelievo({"convert", dem, path("no/x.vti")}).exit_code, 3);
+}
+
+TEST_F(Batch, FillTreatsHolesAnewAndSaysWhatItCouldNotDo) {
+  // A plane z = x of 21 x 21 cells with a hole of 3 x 3 and one of 1.
+  std::ostringstream grid;
+  grid << "ncols 21\nnrows 21\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n";
+  for (int row = 0; row < 21; ++row) {
+    for (int col = 0; col < 21; ++col) {
+      const bool large = row >= 9 && row <= 11 && col >= 9 && col <= 11;
+      const bool small = row == 4 && col == 4;
+      grid << (large || small ? "-9" : std::to_string(col) + ".0") << ' ';
+    }
+    grid << '\n';
+  }
+  const std::string map = path("map.tif");
+  reportOf(runRelievo({"depthmap", write("plane.asc", grid.str()), "-o", map, "--report", "json"}));
+
+  const CommandResult partly = runRelievo(
+      {"fill", map, "-o", path("partly.tif"), "--holes", "interpolate:2", "--report", "json"});
+  EXPECT_EQ(partly.exit_code, 4);
+  EXPECT_THAT(partly.err, HasSubstr("1 of 2 holes"));
+  EXPECT_EQ(json::parse(partly.out)["filled"], 1);
+
+  const json report = reportOf(runRelievo(
+      {"fill", map, "-o", path("full.tif"), "--holes", "interpolate:100", "--report", "json"}));
+  EXPECT_EQ(report["filled"], 2);
+  const RasterMap before = readRaster(map);
+  const RasterMap after = readRaster(path("full.tif"));
+  for (std::size_t i = 0; i < after.values.size(); ++i) {
+    if (before.origins[i] == Origin::measured) {
+      ASSERT_EQ(after.values[i], before.values[i]);
+    } else {
+      EXPECT_EQ(after.origins[i], Origin::interpolated);
+      EXPECT_NEAR(after.values[i], static_cast<double>(i % 21), 0.6);
+    }
+  }
+}
+
 TEST_F(Batch, PyramidWritesEveryLevel) {
   const json report = reportOf(runRelievo({"pyramid", kReliefF, "--unit", "mm", "-o", path("p.tif"),
                                            "--factor", "2", "--report", "json"}));

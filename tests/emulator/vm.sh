@@ -17,13 +17,13 @@ for tool in qemu-system-x86_64 busybox cpio dpkg-deb; do
 done
 mkdir -p "$here" || exit 1
 
-if [ ! -d "$here/root/boot" ]; then
+if [ ! -d "$here/kernel/boot" ]; then
   package=$(apt-cache depends linux-image-amd64 | sed -n 's/.*Depends: \(linux-image-[0-9][^ ]*\)/\1/p' | head -1)
   (cd "$here" && apt-get -q download "$package") || fail "Debian's kernel could not be fetched."
-  dpkg-deb -x "$here/$package"_*.deb "$here/root" || fail "The kernel could not be unpacked."
+  dpkg-deb -x "$here/$package"_*.deb "$here/kernel" || fail "The kernel could not be unpacked."
 fi
-kernel=$(echo "$here"/root/boot/vmlinuz-*)
-modules=$(echo "$here"/root/lib/modules/*)
+kernel=$(echo "$here"/kernel/boot/vmlinuz-*)
+modules=$(echo "$here"/kernel/lib/modules/*)
 
 # The initial file system: busybox, the check with its libraries, the modules in their order.
 tree=$here/tree

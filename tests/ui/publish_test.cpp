@@ -113,7 +113,9 @@ TEST_F(PublishTest, AProjectMovedWithItsScanOpensAndAChangedScanIsSaid) {
   scan.write("\x00\x00\x80\x3f", 4);  // The last point is 1 mm high now.
   scan.close();
   window().open(path("p.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return window().message().contains("E501"); }));
+  ASSERT_TRUE(waitFor([&] { return window().message().contains("E501"); }))
+      << window().message().toStdString() << document().fileSha256().toStdString() << ' '
+      << window().project().sha256;
   scan.remove();
   window().open(path("p.relievo.json"));
   EXPECT_TRUE(window().message().contains("has moved")) << window().message().toStdString();

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <QPainterPath>
+#include <tuple>
+#include <vector>
 
 #include "core/project/caption.h"
 #include "ui/vtk/scale_length.h"
@@ -216,48 +218,84 @@ void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
   ink.painter().restore();
 }
 
-void drawLegend(FigureInk& ink, const Surface& surface, const FigureRequest& f, const QRectF& paper,
-                const ReliefValues& values) {
-  const QRectF box = ink.px(paper);
-  const double line = ink.lineHeight();
-  double x = box.left();
-  QPainter& painter = ink.painter();
-  if (hasLegend(f.look.kind)) {
-    const double width = std::min(0.42 * box.width(), ink.pt(160));
-    const QRectF bar(x, box.top() + 0.1 * line, width, 0.7 * line);
-    const int steps = 128;
-    for (int i = 0; i < steps; ++i) {
-      const Rgb8 c = colourOf(coloursOf(f.look), (i + 0.5) / steps);
-      const double from = bar.left() + bar.width() * i / steps;
-      // A little over the next one: no paper shines through between two steps.
-      painter.fillRect(QRectF(from, bar.top(), 1.3 * bar.width() / steps, bar.height()),
-                       QColor(c[0], c[1], c[2]));
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(ink.pen(kInk, 0.4));
-    painter.drawRect(bar);
-    const double below = bar.bottom() + 0.85 * line;
-    ink.text({bar.left(), below}, text(values.low));
-    ink.text({bar.right(), below}, text(values.high), Qt::AlignRight);
-    QString title = QString::fromUtf8(values.title.data(), static_cast<int>(values.title.size()));
-    if (!values.unit.empty()) {
-      title += QStringLiteral(" (%1)").arg(
-          QString::fromUtf8(values.unit.data(), static_cast<int>(values.unit.size())));
-    }
-    ink.text({bar.center().x(), below}, title, Qt::AlignHCenter);
-    x = bar.right() + ink.pt(10);
-  }
+namespace {
+
+struct Swatch {
+  bool crossed = false;
+  QString label;
+};
+
+std::vector<Swatch> swatchesOf(const Surface& surface, const FigureRequest& f) {
+  std::vector<Swatch> swatches;
+  if (!f.hatch) return swatches;
   const auto shares = originShares(surface.map);
   for (const auto& [origin, words, crossed] :
        {std::tuple{Origin::interpolated, "interpolated", false},
         std::tuple{Origin::base_plane, "hole, on the base plane", true}}) {
     const double share = shares[static_cast<std::size_t>(origin)];
-    if (!f.hatch || share == 0) continue;
+    if (share == 0) continue;
+    swatches.push_back(
+        {crossed, QStringLiteral("%1 %2 %").arg(QLatin1String(words), text(100 * share, 2))});
+  }
+  return swatches;
+}
+
+QString titleOf(const ReliefValues& values) {
+  const auto word = [](std::string_view t) {
+    return QString::fromUtf8(t.data(), static_cast<int>(t.size()));
+  };
+  if (values.unit.empty()) return word(values.title);
+  return QStringLiteral("%1 (%2)").arg(word(values.title), word(values.unit));
+}
+
+}  // namespace
+
+// One row. Where the figure is too narrow for it, its text is smaller.
+void drawLegend(FigureInk& ink, const Surface& surface, const FigureRequest& f, const QRectF& paper,
+                const ReliefValues& values) {
+  const QRectF box = ink.px(paper);
+  const bool coloured = hasLegend(f.look.kind);
+  const std::vector<Swatch> swatches = swatchesOf(surface, f);
+  const QString low = text(values.low);
+  const QString high = text(values.high);
+  const double gap = ink.pt(10);
+  const double bar_width =
+      coloured ? ink.width(low) + ink.width(titleOf(values)) + ink.width(high) + 2 * gap : 0;
+  double needed = bar_width;
+  for (const Swatch& s : swatches) {
+    needed += 1.6 * ink.lineHeight() + ink.pt(3) + gap + ink.width(s.label);
+  }
+  const double size = std::min(1.0, box.width() / std::max(needed, 1.0));
+  const double line = ink.lineHeight(size);
+  double x = box.left();
+  QPainter& painter = ink.painter();
+  if (coloured) {
+    const QRectF bar(x, box.top() + 0.1 * line, size * bar_width, 0.7 * line);
+    const int steps = 128;
+    for (int i = 0; i < steps; ++i) {
+      const Rgb8 c = colourOf(coloursOf(f.look), (i + 0.5) / steps);
+      const double from = bar.left() + bar.width() * i / steps;
+      const double to = bar.left() + bar.width() * (i + 1) / steps;
+      // Up to the end from each step on: no paper shines through between two of them.
+      painter.fillRect(
+          QRectF(from, bar.top(), i + 1 < steps ? bar.right() - from : to - from, bar.height()),
+          QColor(c[0], c[1], c[2]));
+    }
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(ink.pen(kInk, 0.4));
+    painter.drawRect(bar);
+    const double below = bar.bottom() + 0.85 * line;
+    ink.text({bar.left(), below}, low, Qt::AlignLeft, size);
+    ink.text({bar.right(), below}, high, Qt::AlignRight, size);
+    ink.text({bar.center().x(), below}, titleOf(values), Qt::AlignHCenter, size);
+    x = bar.right() + size * gap;
+  }
+  for (const Swatch& s : swatches) {
     const QRectF field(x, box.top() + 0.1 * line, 1.6 * line, 0.8 * line);
-    swatch(ink, field, crossed);
-    const QString label = QStringLiteral("%1 %2 %").arg(QLatin1String(words), text(100 * share, 2));
-    ink.text({field.right() + ink.pt(3), field.bottom() - 0.12 * line}, label);
-    x = field.right() + ink.pt(10) + ink.width(label);
+    swatch(ink, field, s.crossed);
+    ink.text({field.right() + size * ink.pt(3), field.bottom() - 0.12 * line}, s.label,
+             Qt::AlignLeft, size);
+    x = field.right() + size * (ink.pt(3) + gap + ink.width(s.label));
   }
 }
 

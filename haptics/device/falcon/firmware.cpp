@@ -184,7 +184,7 @@ fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places)
   fs::create_directories(places.data_home, error);
   if (error) refuse(error.message());
   // The first name that is looked for, so that this choice wins over older ones.
-  const fs::path target = places.data_home / kNames[0];
+  fs::path target = places.data_home / kNames[0];
   const fs::path part = places.data_home / "firmware.part";
   {
     std::ofstream stream(part, std::ios::binary | std::ios::trunc);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/falcon/last_words.h"
 
-#include <signal.h>
 #include <sys/ioctl.h>
+#include <csignal>
 #include <ctime>
 
 #include <linux/usbdevice_fs.h>
@@ -65,8 +65,8 @@ LastWords::LastWords(int descriptor) {
   descriptor_of_falcon.store(descriptor);
   has_spoken.store(false);
   // exit() from anywhere runs no destructor of what lives on a stack.
-  static const bool at_exit = std::atexit(sayZero) == 0;
-  (void)at_exit;
+  static const bool kAtExit = std::atexit(sayZero) == 0;
+  (void)kAtExit;
   for (std::size_t i = 0; i < kSignals.size(); ++i) {
     struct sigaction before {};
     if (sigaction(kSignals[i], nullptr, &before) != 0) continue;

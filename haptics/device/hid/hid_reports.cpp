@@ -7,7 +7,7 @@ namespace relievo::hid {
 
 namespace {
 constexpr std::uint32_t kButtonPage = 0x09;
-constexpr std::size_t kMostFields = 64, kMostBits = 8 * 4096;
+constexpr std::size_t kMostFields = 64, kMostBits = std::size_t{8} * 4096;
 constexpr double kFullDeflection = 350;
 
 /// One item of a report descriptor (HID 1.11, section 6.2.2).

@@ -84,6 +84,14 @@ TEST_F(ReadLas, TheUnitComesFromTheProjectionRecords) {
                                        ",UNIT[\"metre\",1]],VERT_CS[\"e\",UNIT[\"metre\",1]]]")),
       LengthUnit::m);
   EXPECT_EQ(unit_of(variableRecord(2112, projected + "]")), std::nullopt);
+  const std::string later =
+      R"wkt(PROJCRS["a",BASEGEOGCRS["b",ANGLEUNIT["degree",0.0174532925199433]],CONVERSION["c",)wkt"
+      R"wkt(PARAMETER["d",1,SCALEUNIT["unity",1]]],CS[Cartesian,2],AXIS["(E)",east],)wkt"
+      R"wkt(LENGTHUNIT["US survey foot",0.304800609601219],ID["EPSG",2992]])wkt";
+  EXPECT_EQ(unit_of(variableRecord(2112, later)), LengthUnit::us_ft);
+  EXPECT_EQ(unit_of(variableRecord(
+                2112, "COMPOUNDCRS[\"d\"," + later + R"(,VERTCRS["e",LENGTHUNIT["metre",1]]])")),
+            LengthUnit::us_ft);
   EXPECT_EQ(unit_of(variableRecord(2112, "PROJCS[UNIT[\"")), std::nullopt);
 }
 
@@ -94,6 +102,8 @@ TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
   };
   EXPECT_THAT(warning_of(geoKeys({{1024, 0, 1, 2}})), HasSubstr("degrees"));
   EXPECT_THAT(warning_of(variableRecord(2112, "GEOGCS[\"b\",UNIT[\"degree\",0.01745]]")),
+              HasSubstr("degrees"));
+  EXPECT_THAT(warning_of(variableRecord(2112, "GEOGCRS[\"b\",ANGLEUNIT[\"degree\",0.01745]]")),
               HasSubstr("degrees"));
   EXPECT_THAT(warning_of(geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
               HasSubstr("heights are in m"));
@@ -142,8 +152,8 @@ TEST_F(ReadLas, OddFilesLoadOrAreRefused) {
       refused("points_in_header.las", patched(good, 96, bytesOf(10U)), "within itself"),
       refused("points_beyond.las", patched(good, 96, bytesOf(0xFFFFFFF0U)), "file ends at 0"),
       refused("format_11.las", patched(good, 104, "\x0B"), "format 11"),
-      refused("compressed.las", patched(good, 104, "\x83"), "pdal translate"),
-      refused("compressed_6.laz", patched(good, 104, R"(F)"), "pdal translate"),
+      refused("compressed.las", patched(good, 104, "\x83"), "Install laszip or pdal"),
+      refused("compressed_6.laz", patched(good, 104, R"(F)"), "Install laszip or pdal"),
       refused("short_records.las", patched(good, 105, bytesOf(std::uint16_t{12})), "they need 20"),
       refused("zero_records.las", patched(good, 105, bytesOf(std::uint16_t{0})), "they need 20"),
       refused("huge_count.las", patched(good, 107, bytesOf(0xFFFFFFFFU)), "file ends at 10"),

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include <cmath>
 
 #include "core/base/error.h"
@@ -54,6 +56,35 @@ TEST(SampleWindow, BeyondTheMapIsOutsideWithHeightZero) {
   const std::size_t middle = 100U * kWindowSamples + 100U;  // (101, 101) mm.
   EXPECT_EQ(window.origins[middle], Origin::measured);
   EXPECT_NEAR(window.heights_mm[middle], 1 + 10.1 + 5.05, 1e-4);
+}
+
+TEST(SampleWindow, AWindowOnTheNodesIsACopyOfThem) {
+  std::mt19937 random(3);
+  DepthMap map;
+  map.frame = {.size = {.cols = 300, .rows = 260},
+               .spacing_mm = 0.5,
+               .first_x_mm = 0.25,
+               .first_y_mm = 0.25};
+  for (std::size_t i = 0; i < map.frame.size.count(); ++i) {
+    map.heights_mm.push_back(static_cast<float>(random()) * 1e-9F);
+  }
+  map.origins.assign(map.heights_mm.size(), Origin::measured);
+  const Pyramid pyramid = buildPyramid(map);
+  const RegionWindow window =
+      sampleWindow(map, pyramid, {.x_mm = 20, .y_mm = 10, .side_mm = 100, .level = {0}});
+  // A shift of a quarter of a sample mixes the neighbours bilinearly.
+  const RegionWindow shifted =
+      sampleWindow(map, pyramid, {.x_mm = 20.125, .y_mm = 10, .side_mm = 100, .level = {0}});
+  for (int row = 0; row < 200; ++row) {
+    for (int col = 0; col < 200; ++col) {
+      const std::size_t i = static_cast<std::size_t>(row) * 200 + static_cast<std::size_t>(col);
+      const float here = map.heightMm({.col = col + 40, .row = row + 20});
+      const float next = map.heightMm({.col = col + 41, .row = row + 20});
+      ASSERT_EQ(window.heights_mm[i], here);
+      ASSERT_NEAR(shifted.heights_mm[i], 0.75F * here + 0.25F * next, 1e-6);
+    }
+  }
+  EXPECT_NE(window.id, shifted.id);
 }
 
 TEST(SampleWindow, GainScalesHeightsAndChangesTheId) {

@@ -27,7 +27,7 @@ void expectSameAsWholeMap(const Case& c) {
   const FillSource source{.has_sampling_gaps = c.has_sampling_gaps};
   const FilledMap whole = fillDepths(depths, frame, source, c.holes);
   const BandFill bands(
-      rowsOf(depths, c.size), frame, source, c.holes,
+      {.front = rowsOf(depths, c.size), .between = {}}, frame, source, c.holes,
       {.memory_bytes = c.memory_bytes, .spill_folder = folder.path(), .threads = c.threads}, {});
 
   EXPECT_EQ(bands.baseZMm(), whole.base_z_mm);
@@ -101,7 +101,9 @@ TEST(BandFill, LeavesRastersWithoutSamplingGapsAsTheyAre) {
 TEST(BandFill, SaysWhenNoCellWasHit) {
   const GridFrame frame{.size = {300, 300}, .spacing_mm = 1, .first_x_mm = 0, .first_y_mm = 0};
   const FrontDepths nothing(frame.size.count(), std::numeric_limits<float>::quiet_NaN());
-  EXPECT_THROW(BandFill(rowsOf(nothing, frame.size), frame, {}, {}, {}, {}), ArgumentError);
+  EXPECT_THROW(
+      BandFill({.front = rowsOf(nothing, frame.size), .between = {}}, frame, {}, {}, {}, {}),
+      ArgumentError);
 }
 
 TEST(BandFill, StopsWhenAsked) {
@@ -109,7 +111,7 @@ TEST(BandFill, StopsWhenAsked) {
   const FrontDepths depths = gappyDepths(frame.size, 0.5, 1);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(BandFill(rowsOf(depths, frame.size), frame, {}, {}, {},
+  EXPECT_THROW(BandFill({.front = rowsOf(depths, frame.size), .between = {}}, frame, {}, {}, {},
                         {.stop = stop.get_token(), .progress = {}}),
                Cancelled);
 }

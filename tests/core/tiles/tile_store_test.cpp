@@ -37,7 +37,7 @@ struct How {
 };
 
 struct Gridded {
-  FrontDepths depths;
+  FrontDepths depths, between;
   std::uint64_t spilled_bytes = 0;
 };
 
@@ -50,12 +50,14 @@ Gridded grid(const std::vector<FilePoint>& points, const How& how) {
                                 .threads = how.threads});
   scatterIntoTiles(test::sourceOf(points), {}, kFrame, store, {});
   Gridded result;
-  makeDepths(store, how.rule, kFrame.spacing_mm,
-             [&](int first, int rows, const float* depths) {
-               EXPECT_EQ(kFrame.size.index({.col = 0, .row = first}), result.depths.size());
-               result.depths.insert(result.depths.end(), depths, depths + rows * kFrame.size.cols);
-             },
-             {});
+  makeDepths(
+      store, how.rule, kFrame.spacing_mm,
+      [&](const DepthRows& rows) {
+        EXPECT_EQ(kFrame.size.index({.col = 0, .row = rows.first_row}), result.depths.size());
+        result.depths.insert(result.depths.end(), rows.front.begin(), rows.front.end());
+        result.between.insert(result.between.end(), rows.between.begin(), rows.between.end());
+      },
+      {});
   result.spilled_bytes = store.spilledBytes();
   EXPECT_LE(store.residentBytes(), how.memory_bytes);
   return result;
@@ -104,7 +106,7 @@ TEST(TileStore, GridsAsTheWholeMapDoes) {
   for (const PointRule rule : kRules) {
     SCOPED_TRACE(describe(rule));
     const FrontDepths whole =
-        scatterPoints({.scan = scan, .view_from_file = {}, .frame = kFrame, .rule = rule});
+        scatterPoints({.scan = scan, .view_from_file = {}, .frame = kFrame, .rule = rule}).front;
     const Gridded tiles = grid(points, {.rule = rule});
     ASSERT_EQ(tiles.depths.size(), whole.size());
     std::size_t other = 0;

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <CLI/CLI.hpp>
+
+#include "app/batch/json.h"
+#include "app/batch/verb.h"
+#include "core/base/error.h"
+#include "core/io/export_grid.h"
+#include "core/io/import.h"
+#include "core/io/raster.h"
+
+namespace relievo::batch {
+namespace {
+
+struct ConvertArguments {
+  MapArguments map;
+  std::string out;
+  std::string frame;  ///< Empty: file for rasters of others, view for all else.
+  ExportOptions how;
+};
+
+/// A surface, and the raster it was made from, if it was.
+struct Source {
+  Surface surface;
+  std::optional<RasterMap> raster;
+};
+
+Source load(const ConvertArguments& a, const Task& task) {
+  if (!looksLikeRaster(a.map.file)) return {loadForVerb(a.map, task), std::nullopt};
+  RasterMap raster = importRaster(a.map.file, {}, task);
+  Source source{makeSurface(raster, surfaceOptions(a.map), task), std::move(raster)};
+  for (const std::string& message : source.surface.messages) tell(message);
+  for (const std::string& message : source.surface.not_done) tell(message);
+  return source;
+}
+
+ExportGrid gridInFile(const Source& source, const std::string& file) {
+  const Surface& surface = source.surface;
+  auto grid = fileGrid(surface.map, surface.view_from_file, surface.unit,
+                       source.raster ? &*source.raster : nullptr);
+  if (grid) return std::move(*grid);
+  throw ArgumentError("--frame file: " + file +
+                      " was not seen from the top, so heights are no z of the file. Choose --view "
+                      "top or --frame view.");
+}
+
+Outcome runConvert(const ConvertArguments& a, const Task& task) {
+  const auto format = exportFormatOf(a.out);
+  if (!format) {
+    throw ArgumentError(a.out + ": its ending is none of .tif, .asc, .vti, .ply, .xyz and .stl.");
+  }
+  if (!a.frame.empty() && a.frame != "view" && a.frame != "file") {
+    throw ArgumentError("--frame: '" + a.frame + "' is neither view nor file.");
+  }
+  const Source source = load(a, task);
+  const Surface& surface = source.surface;
+  const bool foreign = source.raster && !source.raster->is_own_map;
+  const bool in_file =
+      a.frame.empty() ? foreign && *format != ExportFormat::stl : a.frame == "file";
+  const ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
+  if (*format == ExportFormat::geotiff && !in_file) {
+    writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .mask_band = true});
+  } else {
+    exportGrid(a.out, grid, *format, a.how);
+  }
+
+  const auto heights = static_cast<std::size_t>(
+      std::count_if(grid.origins.begin(), grid.origins.end(),
+                    [](Origin origin) { return origin != Origin::outside; }));
+  Json json;
+  json["file"] = a.out;
+  json["cells"] = {grid.size.cols, grid.size.rows};
+  json["spacing"] = grid.spacing;
+  json["first"] = {grid.first_x, grid.first_y};
+  json["unit"] = grid.unit;
+  json["frame"] = in_file ? "file" : "view";
+  json["heights"] = heights;
+  return {.json = json.dump(2),
+          .lines = {a.out + ": " + std::to_string(grid.size.cols) + " x " +
+                    std::to_string(grid.size.rows) + " cells of " + json["spacing"].dump() + " " +
+                    grid.unit + ", " + std::to_string(heights) + " with a height, frame " +
+                    json["frame"].get<std::string>()},
+          .exit_code = exitCodeAfter(surface)};
+}
+
+}  // namespace
+
+Verb convertVerb() {
+  auto arguments = std::make_shared<ConvertArguments>();
+  return {.name = "convert",
+          .help = "Write the depth map of a file for other programs: .tif .asc .vti .ply .xyz .stl",
+          .declare =
+              [arguments](CLI::App& verb) {
+                addMapOptions(verb, arguments->map);
+                verb.add_option("OUT", arguments->out,
+                                "GeoTIFF, ESRI ASCII grid, VTK image, mesh, points, or a plate to "
+                                "print, by its ending")
+                    ->required();
+                verb.add_option("--frame", arguments->frame,
+                                "view: mm above the base plane; file: the file's coordinates and "
+                                "unit (the default for rasters)");
+                verb.add_option("--plate", arguments->how.plate_mm,
+                                "STL: thickness below the lowest height in mm; 3");
+              },
+          .run = [arguments](const Task& task) { return runConvert(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

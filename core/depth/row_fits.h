@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/depth/cell_points.h"
+
+namespace relievo {
+
+/// The local quadratics of `LocalFit` for a whole row of cells at once, each over the 5 x 5 cells
+/// around: sums of powers down every column, then along the row, then eight systems of equations
+/// side by side. About ten times as fast, but no point is left out and no window shrinks: where
+/// `rms_mm` is too large for the noise, or `fitted` is 0, ask `LocalFit`. One per thread.
+class RowFits {
+ public:
+  /// Computes the fits of one row. The rows must reach `kReach` beyond it or to the grid's border.
+  void compute(const RowPoints& rows, int row);
+
+  bool fitted(int col) const noexcept { return fitted_[index(col)] != 0; }
+  double heightMm(int col) const noexcept { return heights_mm_[index(col)]; }
+  double rmsMm(int col) const noexcept { return rms_mm_[index(col)]; }
+
+  static constexpr int kReach = 2;
+  static constexpr std::size_t kSums = 22;  ///< Of u^a v^b (a + b <= 4), z u^a v^b (<= 2), z^2.
+  static constexpr double kFewest = 12;     ///< Points of a window.
+
+ private:
+  static std::size_t index(int col) noexcept { return static_cast<std::size_t>(col); }
+  void sumColumns(const RowPoints& rows, int row);
+
+  std::size_t stride_ = 0;       ///< Of a plane: the columns and kReach more on both sides, padded.
+  std::vector<double> columns_;  ///< kSums planes: sums down the columns, u from the column's cell.
+  std::vector<double> windows_;  ///< kSums planes: sums over the windows, u from the window's cell.
+  std::vector<double> heights_mm_, rms_mm_;
+  std::vector<double> fitted_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Only for the .cpp files of core/io that read and write rasters: what both need of GDAL.
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <gdal_priv.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace relievo {
+
+inline constexpr std::string_view kOriginContent =
+    "origins";  ///< RELIEVO_CONTENT of NAME.origin.tif.
+
+/// Holds the state a file was made with (MapFileOptions::state).
+inline constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";
+
+/// NAME.origin.tif beside NAME.tif.
+inline std::filesystem::path originFileOf(std::filesystem::path map_file) {
+  return map_file.replace_extension(".origin.tif");
+}
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+/// Collects what GDAL complains about on this thread while it lives, instead of printing it.
+class GdalErrors {
+ public:
+  GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::collect, this); }
+  ~GdalErrors() { CPLPopErrorHandler(); }
+  GdalErrors(const GdalErrors&) = delete;
+  GdalErrors& operator=(const GdalErrors&) = delete;
+
+  bool any() const noexcept { return failed_; }
+  const std::string& first() const noexcept { return first_; }
+
+ private:
+  static void collect(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
+    auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
+    if (severity < CE_Failure || self->failed_) return;
+    self->failed_ = true;
+    self->first_ = message;
+  }
+
+  bool failed_ = false;
+  std::string first_;
+};
+
+/// GeoTIFF, PNG and ESRI ASCII grid; once. [any thread]
+void registerRasterDrivers();
+
+}  // namespace relievo

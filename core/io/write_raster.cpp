@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps and exports as GeoTIFF.
+#include <array>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/io/export_grid.h"
+#include "core/io/gdal_session.h"
+#include "core/io/number_text.h"
+#include "core/io/raster.h"
+#include "core/io/replaced_file.h"
+
+namespace relievo {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+
+/// One band, row 0 of `cells` at the lowest y, which is the last row of the file.
+struct BandToWrite {
+  GDALDataType type;
+  const void* cells;
+  std::size_t cell_bytes;
+  const std::vector<std::uint8_t>* mask = nullptr;  ///< 255 where the cell counts, else 0.
+};
+
+/// Where the samples lie, in view mm or in a file's unit.
+struct RasterPlace {
+  GridSize size;
+  double first_x = 0, first_y = 0, spacing = 1;
+  const char* projection = "";
+};
+
+RasterPlace placeOf(const GridFrame& frame) {
+  return {frame.size, frame.first_x_mm, frame.first_y_mm, frame.spacing_mm};
+}
+
+/// @return  false once GDAL complains
+bool writeRows(GDALRasterBand& band, GridSize size, GDALDataType type, const void* cells,
+               std::size_t cell_bytes) {
+  const auto* bottom_up = static_cast<const std::uint8_t*>(cells);
+  const std::size_t line_bytes = static_cast<std::size_t>(size.cols) * cell_bytes;
+  for (int file_row = 0; file_row < size.rows; ++file_row) {
+    const auto row = static_cast<std::size_t>(size.rows - 1 - file_row);
+    auto* line = const_cast<std::uint8_t*>(bottom_up + row * line_bytes);
+    if (band.RasterIO(GF_Write, 0, file_row, size.cols, 1, line, size.cols, 1, type, 0, 0,
+                      nullptr) != CE_None) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void writeBand(const std::filesystem::path& file, const std::filesystem::path& shown,
+               const RasterPlace& place, const BandToWrite& band, const CPLStringList& metadata) {
+  GdalErrors errors;
+  registerRasterDrivers();
+  const GridSize size = place.size;
+  const char* const options[] = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", nullptr};
+  Dataset dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+      file.c_str(), size.cols, size.rows, 1, band.type, const_cast<char**>(options)));
+  if (!dataset) cannotWrite(shown, errors.first());
+  const double s = place.spacing;
+  std::array<double, 6> transform{
+      place.first_x - 0.5 * s, s, 0, place.first_y + (size.rows - 1) * s + 0.5 * s, 0, -s};
+  dataset->SetGeoTransform(transform.data());
+  if (*place.projection != '\0') dataset->SetProjection(place.projection);
+  dataset->SetMetadata(const_cast<char**>(metadata.List()));
+  GDALRasterBand& cells = *dataset->GetRasterBand(1);
+  if (band.type == GDT_Float32) cells.SetNoDataValue(kNaN);
+  bool good = writeRows(cells, size, band.type, band.cells, band.cell_bytes);
+  if (good && band.mask != nullptr) {
+    // Within the file, not as NAME.tif.msk beside it.
+    const CPLConfigOptionSetter inside("GDAL_TIFF_INTERNAL_MASK", "YES", false);
+    good = dataset->CreateMaskBand(GMF_PER_DATASET) == CE_None &&
+           writeRows(*cells.GetMaskBand(), size, GDT_Byte, band.mask->data(), 1);
+  }
+  dataset.reset();  // Flushes; a full disk shows itself here at the latest.
+  if (!good || errors.any()) cannotWrite(shown, errors.first());
+}
+
+void checkMap(const DepthMap& map) {
+  const GridSize size = map.frame.size;
+  if (size.cols < 1 || size.rows < 1 || !(map.frame.spacing_mm > 0) ||
+      map.heights_mm.size() != size.count() || map.origins.size() != size.count()) {
+    throw ArgumentError("A map of " + std::to_string(size.cols) + " x " +
+                        std::to_string(size.rows) + " cells cannot be written: it has " +
+                        std::to_string(map.heights_mm.size()) + " heights and " +
+                        std::to_string(map.origins.size()) + " origins.");
+  }
+}
+
+}  // namespace
+
+void registerRasterDrivers() {
+  static std::once_flag registered;
+  std::call_once(registered, [] {
+    GDALRegister_GTiff();
+    GDALRegister_PNG();
+    GDALRegister_AAIGrid();
+  });
+}
+
+void writeMap(const std::filesystem::path& file, const DepthMap& map,
+              const MapFileOptions& options) {
+  checkMap(map);
+  std::vector<float> heights = map.heights_mm;
+  std::vector<std::uint8_t> codes(map.origins.size());
+  std::vector<std::uint8_t> mask(map.origins.size(), 255);
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    codes[i] = static_cast<std::uint8_t>(map.origins[i]);
+    if (map.origins[i] != Origin::outside) continue;
+    mask[i] = 0;
+    if (options.outside_as_nan) heights[i] = kNaN;
+  }
+  CPLStringList metadata;
+  metadata.SetNameValue("RELIEVO_UNIT", "mm");
+  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
+  metadata.SetNameValue("RELIEVO_VIEW_FROM_FILE", roundTripText(options.view_from_file.m).c_str());
+  metadata.SetNameValue(
+      "RELIEVO_FRAME",
+      roundTripText(std::array{map.frame.first_x_mm, map.frame.first_y_mm, map.frame.spacing_mm})
+          .c_str());
+  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
+  if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
+
+  ReplacedFile map_file(file);
+  writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},
+            metadata);
+  const std::filesystem::path origin_name = originFileOf(file);
+  if (options.write_origins) {
+    ReplacedFile origin_file(origin_name);
+    metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
+    writeBand(origin_file.path(), origin_name, placeOf(map.frame), {GDT_Byte, codes.data(), 1},
+              metadata);
+    origin_file.keep();
+  } else {
+    std::error_code ignored;  // An older map's origins would lie about this one.
+    std::filesystem::remove(origin_name, ignored);
+  }
+  map_file.keep();
+}
+
+void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
+  std::vector<float> heights = grid.heights;
+  std::vector<std::uint8_t> mask(heights.size(), 255);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (grid.holds(i)) continue;
+    heights[i] = kNaN;
+    mask[i] = 0;
+  }
+  CPLStringList metadata;
+  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
+  metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
+  ReplacedFile written(file);
+  writeBand(written.path(), file,
+            {grid.size, grid.first_x, grid.first_y, grid.spacing, grid.projection.c_str()},
+            {GDT_Float32, heights.data(), sizeof(float), &mask}, metadata);
+  written.keep();
+}
+
+}  // namespace relievo

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From a scan to a depth map and pyramid: the times and accuracies that docs/dev/surface-figures.md
+// lists, on relief N. `times_memcpy` compares with a plain copy of the scan's bytes in the same
+// run; `times_cloudcompare` is how many times longer CloudCompare's RASTERIZE (no fill, no pyramid;
+// its own start included) takes on the same file in the same run, if it is installed. `best_s` is
+// the best of the iterations: what other work on the machine adds is not the program's.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/depth/rasterize.h"
+#include "core/io/import.h"
+#include "core/region/window.h"
+#include "core/session/load.h"
+#include "tests/core/relief_n_accuracy.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using relievo::Scan;
+using relievo::Surface;
+using relievo::SurfaceOptions;
+
+double secondsOf(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double secondsToCopy(std::size_t bytes) {
+  std::vector<char> from(bytes, 1);
+  std::vector<char> to(bytes);
+  double best = 1e9;
+  for (int i = 0; i < 5; ++i) {
+    best = std::min(best, secondsOf([&] {
+                      std::memcpy(to.data(), from.data(), bytes);
+                      benchmark::DoNotOptimize(to.data());
+                      benchmark::ClobberMemory();
+                    }));
+  }
+  return best;
+}
+
+double peakMib() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+/// Runs every iteration, keeps the best time and puts it beside a copy of `bytes`.
+double measure(benchmark::State& state, std::size_t bytes, const std::function<void()>& work) {
+  double best = 1e9;
+  for (auto _ : state) best = std::min(best, secondsOf(work));
+  state.counters["best_s"] = best;
+  state.counters["times_memcpy"] = best / secondsToCopy(bytes);
+  return best;
+}
+
+const Scan& reliefN(std::size_t points, double flyer_share) {
+  static std::map<std::pair<std::size_t, double>, std::unique_ptr<Scan>> scans;
+  auto& scan = scans[{points, flyer_share}];
+  if (!scan) {
+    scan = std::make_unique<Scan>(
+        relievo::test::reliefNScan({.points = points, .flyer_share = flyer_share}));
+  }
+  return *scan;
+}
+
+void mapOf(benchmark::State& state, std::size_t points, double flyer_share, int cells,
+           std::optional<relievo::PointRule> rule) {
+  const Scan& scan = reliefN(points, flyer_share);
+  SurfaceOptions options = relievo::test::topView(cells);
+  options.rule = rule;
+  Surface surface;
+  measure(state, points * sizeof(scan.points[0]),
+          [&] { surface = relievo::makeSurface(scan, options, relievo::rasterize); });
+  const auto found = relievo::test::accuracyOnReliefN(surface);
+  state.counters["rms_mm"] = found.rms_mm;
+  state.counters["holes_kept"] = found.holes_kept;
+  state.counters["gaps_closed"] = found.gaps_closed;
+  state.counters["peak_MiB"] = peakMib();
+  state.SetLabel(surface.rule);
+}
+
+void million(benchmark::State& state) {
+  mapOf(state, 1'000'000, 0, 800, std::nullopt);
+}
+BENCHMARK(million)->Unit(benchmark::kMillisecond)->Iterations(5);
+
+void millionBySplat(benchmark::State& state) {
+  mapOf(state, 1'000'000, 0, 800, relievo::PointRule::splat);
+}
+BENCHMARK(millionBySplat)->Unit(benchmark::kMillisecond)->Iterations(5);
+
+void tenMillionWithFlyers(benchmark::State& state) {
+  mapOf(state, 10'000'000, 0.0005, 800, std::nullopt);
+}
+BENCHMARK(tenMillionWithFlyers)->Unit(benchmark::kMillisecond)->Iterations(5);
+
+void fiftyMillionTo4096(benchmark::State& state) {
+  mapOf(state, 50'000'000, 0, 4096, std::nullopt);
+}
+BENCHMARK(fiftyMillionTo4096)->Unit(benchmark::kMillisecond)->Iterations(2);
+
+/// 158 x 316 nodes: 99 855 triangles over the relief.
+void hundredThousandTriangles(benchmark::State& state) {
+  static const Scan kMesh = relievo::test::latticeMesh(
+      317, 159, 0.3, [](double x, double y) { return relievo::samples::reliefNHeightMm(x, y); });
+  const SurfaceOptions options = relievo::test::topView(800);
+  measure(state, kMesh.points.size() * 12 + kMesh.triangles.size() * 12, [&] {
+    const Surface surface = relievo::makeSurface(kMesh, options, relievo::rasterize);
+    benchmark::DoNotOptimize(surface.map.heights_mm.data());
+  });
+  state.counters["triangles"] = static_cast<double>(kMesh.triangles.size());
+}
+BENCHMARK(hundredThousandTriangles)->Unit(benchmark::kMillisecond)->Iterations(5);
+
+class PlyFile {
+ public:
+  explicit PlyFile(const Scan& scan)
+      : path_(fs::temp_directory_path() / "relievo_benchmark_relief_n.ply") {
+    std::ofstream out(path_, std::ios::binary);
+    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << scan.points.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+    out.write(reinterpret_cast<const char*>(scan.points.data()),
+              static_cast<std::streamsize>(scan.points.size() * sizeof(scan.points[0])));
+  }
+  PlyFile(const PlyFile&) = delete;
+  PlyFile& operator=(const PlyFile&) = delete;
+  ~PlyFile() { fs::remove(path_); }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+bool isInstalled(const char* program) {
+  return std::system((std::string("command -v ") + program + " >/dev/null").c_str()) == 0;
+}
+
+/// CloudCompare's grid of maxima on the same file and cell, on a screen of its own.
+double cloudCompareSeconds(const fs::path& file, double cell_mm) {
+  const std::string command = "xvfb-run -a CloudCompare -SILENT -AUTO_SAVE OFF -O '" +
+                              file.string() + "' -RASTERIZE -GRID_STEP " + std::to_string(cell_mm) +
+                              " -VERT_DIR 2 -PROJ MAX >/dev/null 2>&1";
+  double best = 1e9;
+  for (int i = 0; i < 3; ++i) {
+    best = std::min(best, secondsOf([&] {
+                      if (std::system(command.c_str()) != 0) std::abort();
+                    }));
+  }
+  return best;
+}
+
+void millionFromPly(benchmark::State& state) {
+  const Scan& scan = reliefN(1'000'000, 0);
+  const PlyFile file(scan);
+  const SurfaceOptions options = relievo::test::topView(800);
+  Surface surface;
+  const double best = measure(state, scan.points.size() * 12, [&] {
+    surface = relievo::loadSurface(file.path(), options, relievo::rasterize);
+  });
+  state.counters["read_s"] = surface.seconds.read;
+  state.SetLabel(surface.rule);
+  if (isInstalled("CloudCompare") && isInstalled("xvfb-run")) {
+    state.counters["times_cloudcompare"] = cloudCompareSeconds(file.path(), 100.0 / 799) / best;
+  }
+}
+BENCHMARK(millionFromPly)->Unit(benchmark::kMillisecond)->Iterations(7);
+
+/// @param state  range(0): 1 if the samples lie on the level's nodes
+void windowOf200(benchmark::State& state) {
+  const Surface surface =
+      relievo::makeSurface(reliefN(1'000'000, 0), relievo::test::topView(800), relievo::rasterize);
+  const relievo::GridFrame& frame = surface.map.frame;
+  const double step = frame.spacing_mm;
+  const bool aligned = state.range(0) == 1;
+  int shift = 0;
+  double best = 1e9;
+  for (auto _ : state) {
+    shift = (shift + 7) % 500;
+    const double off = aligned ? 0 : 0.37 * step;
+    const double seconds = secondsOf([&] {
+      const relievo::RegionWindow window = relievo::sampleWindow(surface.map, surface.pyramid,
+                                                                 {.x_mm = shift * step + off,
+                                                                  .y_mm = 200 * step + off,
+                                                                  .side_mm = 200 * step,
+                                                                  .level = {0}});
+      benchmark::DoNotOptimize(window.heights_mm.data());
+    });
+    best = std::min(best, seconds);
+  }
+  state.counters["best_us"] = 1e6 * best;
+  state.counters["times_memcpy"] = best / secondsToCopy(relievo::kWindowCount * sizeof(float));
+}
+BENCHMARK(windowOf200)->ArgName("aligned")->Arg(1)->Arg(0)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every export is opened again, by our readers or by the library that its users have, and holds
+// the same heights at the same places.
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/io/export_grid.h"
+#include "core/io/import.h"
+#include "core/io/raster.h"
+#include "tests/core/io/import_main.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+/// 7 x 5 samples: a slope, one hole on the base plane, one cell outside, one below the plane.
+DepthMap smallMap() {
+  DepthMap map{.frame = {.size = {7, 5}, .spacing_mm = 0.1, .first_x_mm = 0.05, .first_y_mm = 0.05},
+               .heights_mm = {},
+               .origins = std::vector<Origin>(35, Origin::measured)};
+  for (int i = 0; i < 35; ++i) map.heights_mm.push_back(0.3F * static_cast<float>(i) + 1 / 3.0F);
+  map.origins[16] = Origin::base_plane;
+  map.heights_mm[16] = 0;
+  map.origins[34] = Origin::outside;
+  map.heights_mm[34] = 0;
+  map.heights_mm[3] = -0.7F;
+  map.heights_mm[4] = 2;  // A whole number among the others.
+  return map;
+}
+
+class Export : public ::testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const ExportGrid& grid) const {
+    std::filesystem::path file = folder_.path() / name;
+    exportGrid(file, grid, *exportFormatOf(file));
+    return file;
+  }
+  static void expectSame(const RasterMap& raster, const ExportGrid& grid) {
+    ASSERT_EQ(raster.size, grid.size);
+    EXPECT_NEAR(raster.pixel, grid.spacing, 1e-12 * grid.spacing);
+    EXPECT_NEAR(raster.first.x, grid.first_x, 1e-12 * std::abs(grid.first_x));
+    EXPECT_NEAR(raster.first.y, grid.first_y, 1e-12 * std::abs(grid.first_y));
+    for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+      ASSERT_EQ(raster.valid[i], grid.holds(i)) << i;
+      if (grid.holds(i)) {
+        ASSERT_EQ(raster.values[i], grid.heights[i]) << i;
+      }
+    }
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(Export, GeoTiffHoldsTheHeightsAndAMaskBand) {
+  const ExportGrid grid = viewGrid(smallMap());
+  const auto file = write("map.tif", grid);
+  expectSame(importRaster(file), grid);
+  EXPECT_FALSE(std::filesystem::exists(file.string() + ".msk"));
+  auto* const dataset = GDALDataset::Open(file.c_str(), GDAL_OF_RASTER);
+  ASSERT_NE(dataset, nullptr);
+  EXPECT_EQ(dataset->GetRasterBand(1)->GetRasterDataType(), GDT_Float32);
+  std::vector<std::uint8_t> mask(35);
+  GDALRasterBand* const band = dataset->GetRasterBand(1)->GetMaskBand();
+  EXPECT_EQ(band->RasterIO(GF_Read, 0, 0, 7, 5, mask.data(), 7, 5, GDT_Byte, 0, 0, nullptr),
+            CE_None);
+  EXPECT_EQ(mask[6], 0);  // The last cell of the top row, which a file has first.
+  EXPECT_EQ(std::count(mask.begin(), mask.end(), 255), 34);
+  GDALClose(dataset);
+}
+
+TEST_F(Export, AsciiGridHoldsTheSameFloats) {
+  ExportGrid grid = viewGrid(smallMap());
+  grid.first_x = 512022.46875;
+  grid.first_y = 5403117.5;
+  grid.heights[0] = 2;  // GDAL decides by the first cells whether numbers are whole.
+  expectSame(importRaster(write("map.asc", grid)), grid);
+}
+
+TEST_F(Export, VtiOpensInVtk) {
+  const ExportGrid grid = viewGrid(smallMap());
+  const vtkNew<vtkXMLImageDataReader> reader;
+  const auto file = write("map.vti", grid);
+  ASSERT_TRUE(reader->CanReadFile(file.c_str()));
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkImageData* const image = reader->GetOutput();
+  EXPECT_EQ(image->GetDimensions()[0], 7);
+  EXPECT_EQ(image->GetDimensions()[1], 5);
+  EXPECT_EQ(image->GetOrigin()[0], 0.05);
+  EXPECT_EQ(image->GetSpacing()[1], 0.1);
+  auto* const heights = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("height"));
+  auto* const origins = image->GetPointData()->GetArray("origin");
+  ASSERT_NE(heights, nullptr);
+  ASSERT_NE(origins, nullptr);
+  for (int i = 0; i < 35; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    EXPECT_EQ(origins->GetTuple1(i), static_cast<double>(grid.origins[at]));
+    if (grid.holds(at)) {
+      EXPECT_EQ(heights->GetValue(i), grid.heights[at]);
+    } else {
+      EXPECT_TRUE(std::isnan(heights->GetValue(i)));
+    }
+  }
+}
+
+TEST_F(Export, PlyAndXyzHoldEveryCellThatHasAHeight) {
+  const ExportGrid grid = viewGrid(smallMap());
+  const Scan mesh = importScan(write("map.ply", grid));
+  EXPECT_EQ(mesh.info.unit, LengthUnit::mm);
+  EXPECT_EQ(mesh.triangles.size(), 2U * (6 * 4 - 1));
+  const Scan cloud = importScan(write("map.xyz", grid));
+  for (const Scan& scan : {mesh, cloud}) {
+    ASSERT_EQ(scan.points.size(), 34U);
+    for (std::size_t i = 0; i < 34; ++i) {  // The missing cell is the last one.
+      const auto col = static_cast<double>(i % 7);
+      const auto row = static_cast<double>(i / 7);
+      EXPECT_NEAR(scan.point(i).x, 0.05 + 0.1 * col, 1e-6);
+      EXPECT_NEAR(scan.point(i).y, 0.05 + 0.1 * row, 1e-6);
+      EXPECT_EQ(scan.points[i][2], grid.heights[i]);
+    }
+  }
+}
+
+TEST_F(Export, StlIsAClosedPlateOfTheRightVolume) {
+  const ExportGrid grid = viewGrid(smallMap());
+  const auto file = folder_.path() / "plate.stl";
+  exportGrid(file, grid, ExportFormat::stl, {.plate_mm = 2});
+  const Scan solid = importScan(file);
+  using Corner = std::array<float, 3>;
+  std::map<std::pair<Corner, Corner>, int> edges;
+  double volume = 0;
+  std::map<std::pair<float, float>, float> highest;
+  for (const auto& t : solid.triangles) {
+    std::array<std::array<double, 3>, 3> p{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Corner& from = solid.points[t[i]];
+      ++edges[{from, solid.points[t[(i + 1) % 3]]}];
+      for (std::size_t axis = 0; axis < 3; ++axis) p[i][axis] = static_cast<double>(from[axis]);
+      const auto [place, first] = highest.try_emplace({from[0], from[1]}, from[2]);
+      if (!first) place->second = std::max(place->second, from[2]);
+    }
+    volume += (p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) -
+               p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
+               p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0])) /
+              6;
+  }
+  for (const auto& [edge, times] : edges) {
+    EXPECT_EQ(times, 1);
+    EXPECT_EQ(edges.count({edge.second, edge.first}), 1U);
+  }
+  // Below every cell two triangles: the mean height above the bottom at -0.7 - 2.
+  double expected = 0;
+  for (int row = 0; row < 4; ++row) {
+    for (int col = 0; col < 6; ++col) {
+      const auto z = [&](int c, int r) {
+        return static_cast<double>(grid.heights[grid.size.index({c, r})]) + 2.7;
+      };
+      const double a = z(col, row);
+      const double b = z(col + 1, row);
+      const double c = z(col + 1, row + 1);
+      const double d = z(col, row + 1);
+      expected += 0.01 / 6 * ((a + b + c) + (a + c + d));
+    }
+  }
+  EXPECT_NEAR(volume, expected, 1e-5 * expected);
+  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+    const auto x = static_cast<float>(static_cast<double>(i % 7) * 0.1);
+    const auto y = static_cast<float>(static_cast<double>(i / 7) * 0.1);
+    EXPECT_EQ(highest.at({x, y}), grid.heights[i]);
+  }
+}
+
+TEST_F(Export, AnElevationModelGoesBackWhereItCameFrom) {
+  RasterMap raster;
+  raster.size = {3, 2};
+  raster.pixel = 0.5;
+  raster.first = {512022.1, 5403117.3, 0};
+  raster.projection = R"(LOCAL_CS["site",UNIT["metre",1]])";
+  raster.values = {250.1F, 250.2F, 250.3F, 251, 0, 252.7F};
+  raster.valid = {true, true, true, true, false, true};
+  DepthMap map{.frame = {.size = {3, 2}, .spacing_mm = 500, .first_x_mm = 250, .first_y_mm = 250},
+               .heights_mm = {0, 100, 200, 900, 450, 2600},
+               .origins = std::vector<Origin>(6, Origin::measured)};
+  map.origins[4] = Origin::interpolated;
+  ViewFromFile view;
+  view.m = {1000, 0, 0,    250 - 512022100.0, 0, 1000, 0, 250 - 5403117300.0,
+            0,    0, 1000, -250100,           0, 0,    0, 1};
+  const auto grid = fileGrid(map, view, LengthUnit::m, &raster);
+  ASSERT_TRUE(grid.has_value());
+  EXPECT_EQ(grid->heights[5], 252.7F);
+  EXPECT_NEAR(grid->heights[4], 250.55, 1e-4);
+  for (const char* name : {"dem.tif", "dem.asc"}) {
+    SCOPED_TRACE(name);
+    const RasterMap back = importRaster(write(name, *grid));
+    expectSame(back, *grid);
+    EXPECT_EQ(back.info.unit, LengthUnit::m);
+  }
+  // Without the raster the place comes from the view, to its rounding.
+  EXPECT_NEAR(fileGrid(map, view, LengthUnit::m)->first_x, 512022.1, 1e-9 * 512022);
+  view.m[0] = 0;
+  view.m[1] = 1000;
+  EXPECT_FALSE(fileGrid(map, view, LengthUnit::m).has_value());
+}
+
+TEST_F(Export, WhatCannotBeWrittenLeavesWhatWasThere) {
+  const auto file = folder_.write("map.xyz", "older");
+  DepthMap nothing = smallMap();
+  nothing.origins.assign(35, Origin::outside);
+  EXPECT_THROW(exportGrid(file, viewGrid(nothing), ExportFormat::xyz), ArgumentError);
+  EXPECT_THROW(
+      exportGrid(folder_.path() / "no" / "map.vti", viewGrid(smallMap()), ExportFormat::vti),
+      WriteError);
+  EXPECT_THROW(exportGrid(file, viewGrid(smallMap()), ExportFormat::stl, {.plate_mm = 0}),
+               ArgumentError);
+  std::stringstream content;
+  content << std::ifstream(file).rdbuf();
+  EXPECT_EQ(content.str(), "older");
+  EXPECT_FALSE(exportFormatOf("map.docx").has_value());
+  EXPECT_EQ(exportFormatOf("MAP.TIFF"), ExportFormat::geotiff);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// LAZ and COPC through a program of the system. Debian 12 has none, so a script stands for it.
+#include "core/io/unpack_las.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/io/import.h"
+#include "tests/core/io/import_main.h"
+#include "tests/core/io/las_sample.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+using namespace test;
+using ::testing::HasSubstr;
+
+/// A compressed file as far as its header says so.
+std::string lazFile() {
+  std::string bytes = lasFile({});
+  bytes[104] = '\x80';
+  return bytes;
+}
+
+class UnpackLas : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_.path() / "bin");
+    std::filesystem::create_directories(folder_.path() / "tmp");
+    old_path_ = std::getenv("PATH");
+    ::setenv("PATH", (folder_.path() / "bin").c_str(), 1);
+    ::setenv("TMPDIR", (folder_.path() / "tmp").c_str(), 1);
+    packed_ = folder_.write("scan.laz", lazFile());
+    plain_ = folder_.write("plain.las", lasFile({}));
+  }
+  void TearDown() override {
+    ::setenv("PATH", old_path_.c_str(), 1);
+    ::unsetenv("TMPDIR");
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path() / "tmp")) << "something was left behind";
+  }
+
+  void install(const std::string& name, const std::string& script) const {
+    const auto file = folder_.write("bin/" + name, "#!/bin/sh\nPATH=" + old_path_ + "\n" + script);
+    ::chmod(file.c_str(), 0755);
+  }
+  std::string quoted(const std::filesystem::path& file) const { return "'" + file.string() + "'"; }
+
+  std::string refusal() const {
+    try {
+      importScan(packed_);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "it was loaded";
+  }
+
+  TemporaryFolder folder_;
+  std::string old_path_;
+  std::filesystem::path packed_, plain_;
+};
+
+TEST_F(UnpackLas, WithoutAProgramTheSentenceSaysWhatToInstall) {
+  EXPECT_FALSE(findLasUnpacker().has_value());
+  EXPECT_THAT(refusal(),
+              HasSubstr("Cannot read scan.laz: it is a compressed LAS file (LAZ or COPC)"));
+  EXPECT_THAT(refusal(), HasSubstr("Install laszip or pdal"));
+}
+
+TEST_F(UnpackLas, LaszipIsCalledWithBothNamesAndItsPointsAreRead) {
+  install("laszip", "[ \"$1 $3\" = \"-i -o\" ] && [ \"$2\" = " + quoted(packed_) + " ] && cat " +
+                        quoted(plain_) + " > \"$4\"");
+  const Scan scan = importScan(packed_);
+  EXPECT_EQ(scan.points.size(), 10U);
+  EXPECT_EQ(scan.info.file, packed_);
+  EXPECT_EQ(scan.info.format, "LAZ 1.2 point format 0");
+  EXPECT_EQ(scan.point(9), (FilePoint{9, 4.5, 2.25}));
+}
+
+TEST_F(UnpackLas, PdalKeepsScaleAndProjection) {
+  install("pdal", "[ \"$1 $4\" = \"translate --writers.las.forward=all\" ] && cat " +
+                      quoted(plain_) + " > \"$3\"");
+  EXPECT_EQ(importScan(packed_).points.size(), 10U);
+  install("laszip", "exit 1");
+  EXPECT_EQ(findLasUnpacker()->kind, LasUnpacker::Kind::laszip);  // It changes nothing at all.
+}
+
+TEST_F(UnpackLas, AProgramThatFailsIsQuotedAndNothingStays) {
+  install("laszip", "echo half > \"$4\"\necho 'ERROR: chunk 7 is corrupt' >&2\nexit 3");
+  EXPECT_THAT(refusal(), HasSubstr("laszip cannot unpack it (\"ERROR: chunk 7 is corrupt\")"));
+  install("laszip", "exit 0");
+  EXPECT_THAT(refusal(), HasSubstr("laszip cannot unpack it."));
+  install("laszip", "kill -SEGV $$");
+  EXPECT_THAT(refusal(), HasSubstr("laszip cannot unpack it"));
+  install("laszip", "echo 'no LAS file' > \"$4\"");
+  EXPECT_THAT(refusal(), HasSubstr("Cannot read scan.las"));
+}
+
+TEST_F(UnpackLas, CancelEndsTheProgramAndAllItStarted) {
+  const auto running = folder_.path() / "running";
+  install("laszip", "echo part > \"$4\"\nsleep 600 &\necho $! > " + quoted(running) + "\nmv " +
+                        quoted(running) + " " + quoted(running.string() + ".now") + "\nwait");
+  std::stop_source stop;
+  std::atomic<bool> cancelled{false};
+  std::jthread import([&] {
+    try {
+      importScan(packed_, {}, {.stop = stop.get_token(), .progress = {}});
+    } catch (const Cancelled&) {
+      cancelled = true;
+    }
+  });
+  while (!std::filesystem::exists(running.string() + ".now")) std::this_thread::yield();
+  stop.request_stop();
+  import.join();
+  EXPECT_TRUE(cancelled);
+  pid_t sleeper = 0;
+  std::ifstream(running.string() + ".now") >> sleeper;
+  ASSERT_GT(sleeper, 0);
+  // Its parent is gone, so somebody else reaps it: a zombie for a moment, then nothing.
+  std::string state = "gone";
+  std::ifstream stat("/proc/" + std::to_string(sleeper) + "/stat");
+  std::string word;
+  if (stat >> word >> word) stat >> state;
+  EXPECT_TRUE(state == "gone" || state == "Z" || state == "X") << state;
+}
+
+TEST_F(UnpackLas, RelativeFoldersOfPathAreNotTrusted) {
+  install("laszip", "exit 0");
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path() / "bin");
+  ::setenv("PATH", ".:", 1);
+  EXPECT_FALSE(findLasUnpacker().has_value());
+  std::filesystem::current_path(before);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/large_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/depth/rasterize.h"
+#include "core/io/raster.h"
+#include "core/session/tiled_surface.h"
+#include "core/tiles/tiled_map.h"
+#include "tests/core/io/las_sample.h"
+#include "tests/core/scan_fixtures.h"
+#include "tests/core/tiles/tile_fixtures.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kScale = 1.0 / 512;  // Exact in float and double, as are all sums below.
+
+/// A relief of 2000 x 2000 cells of 1/4 mm with a hole, as stored whole numbers of 1/512 mm.
+test::Las bigLas(int points) {
+  std::mt19937 random(2000);
+  std::uniform_int_distribution<int> place(0, 1999 * 128);
+  test::Las las;
+  las.scale = {kScale, kScale, kScale};
+  // The corners fix the frame.
+  las.raw = {{0, 0, 0}, {1999 * 128, 1999 * 128, 0}};
+  while (static_cast<int>(las.raw.size()) < points) {
+    const int x = place(random);
+    const int y = place(random);
+    const double u = x * kScale;
+    const double v = y * kScale;
+    if (std::hypot(u - 300, v - 200) < 20) continue;
+    const double z = 10 + 3 * std::sin(u / 17) * std::cos(v / 23);
+    las.raw.push_back({x, y, static_cast<int>(std::lround(z / kScale))});
+  }
+  las.promised = las.legacy_promised = static_cast<std::uint32_t>(las.raw.size());
+  return las;
+}
+
+void writeLas(const std::filesystem::path& file, const test::Las& las) {
+  std::ofstream(file, std::ios::binary) << test::lasFile(las);
+}
+
+Scan scanOf(const test::Las& las) {
+  Scan scan;
+  for (const auto& raw : las.raw) {
+    scan.points.push_back({static_cast<float>(raw[0] * kScale), static_cast<float>(raw[1] * kScale),
+                           static_cast<float>(raw[2] * kScale)});
+  }
+  test::finishScan(scan);
+  return scan;
+}
+
+SurfaceOptions gridOptions(PointRule rule) {
+  SurfaceOptions options;
+  options.unit = LengthUnit::mm;
+  options.view = ViewChoice{.name = "top", .rotation = std::nullopt};
+  options.spacing_mm = 0.25;
+  options.rule = rule;
+  return options;
+}
+
+constexpr std::uint64_t kTinyBudget = 165'000'000;  // 13 MB for 48 MB of points.
+
+std::string bytesOfFile(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(LargeMap, GivesTheBytesOfTheMapInMemory) {
+  const test::TileFolder folder;
+  const test::Las las = bigLas(3'000'000);
+  writeLas(folder / "scan.las", las);
+  const SurfaceOptions options = gridOptions(PointRule::median);
+  const LargeMap large = makeLargeMap(
+      folder / "scan.las", options,
+      {.file = folder / "map.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}});
+  EXPECT_GT(large.spilled_bytes, 10'000'000U);
+  const Surface whole = makeSurface(scanOf(las), options, rasterize);
+
+  ASSERT_EQ(large.frames.size(), whole.pyramid.levels.size());
+  EXPECT_EQ(large.frames[0], whole.map.frame);
+  EXPECT_EQ(large.view_from_file, whole.view_from_file);
+  EXPECT_EQ(large.rule, whole.rule);
+  ASSERT_EQ(large.holes.size(), whole.holes.size());
+  ASSERT_FALSE(whole.holes.empty());
+  EXPECT_EQ(large.holes[0].cells, whole.holes[0].cells);
+  EXPECT_EQ(large.shares, originShares(whole.map));
+  const TiledMap tiled(folder / "map.tif");
+  for (std::size_t l = 0; l < whole.pyramid.levels.size(); ++l) {
+    EXPECT_EQ(tiled.levelMap({static_cast<int>(l)}).heights_mm, whole.pyramid.levels[l].heights_mm)
+        << "level " << l;
+  }
+  EXPECT_EQ(tiled.levelMap({0}).origins, whole.map.origins);
+}
+
+TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {
+  const test::TileFolder folder;
+  writeLas(folder / "scan.las", bigLas(2'500'000));
+  const SurfaceOptions options = gridOptions(PointRule::mean);
+  for (const auto& [name, budget, threads] :
+       {std::tuple{"a.tif", kTinyBudget, 1}, std::tuple{"b.tif", std::uint64_t{900'000'000}, 2}}) {
+    makeLargeMap(
+        folder / "scan.las", options,
+        {.file = folder / name, .memory_bytes = budget, .threads = threads, .on_view = {}});
+  }
+  for (const char* end : {".tif", ".origin.tif", ".L1.tif", ".L3.tif", ".L3.origin.tif"}) {
+    EXPECT_EQ(bytesOfFile(folder / (std::string("a") + end)),
+              bytesOfFile(folder / (std::string("b") + end)))
+        << end;
+  }
+}
+
+TEST(LargeMap, TakesRastersWithHoles) {
+  const test::TileFolder folder;
+  DepthMap map;
+  map.frame = {.size = {.cols = 1300, .rows = 1100},
+               .spacing_mm = 0.5,
+               .first_x_mm = 0.25,
+               .first_y_mm = 0.25};
+  for (int row = 0; row < map.frame.size.rows; ++row) {
+    for (int col = 0; col < map.frame.size.cols; ++col) {
+      const bool hole = std::hypot(col - 600, row - 500) < 60;
+      map.heights_mm.push_back(hole ? 0 : 3 + std::sin(static_cast<float>(col) / 30));
+      map.origins.push_back(hole ? Origin::base_plane : Origin::measured);
+    }
+  }
+  writeMap(folder / "own.tif", map, {.view_from_file = {}});
+  const LargeMap large =
+      makeLargeMap(folder / "own.tif", {}, {.file = folder / "out.tif", .on_view = {}});
+  const Pyramid pyramid = buildPyramid(map);
+  const TiledMap tiled(folder / "out.tif");
+  ASSERT_EQ(large.frames.size(), pyramid.levels.size());
+  for (std::size_t l = 0; l < pyramid.levels.size(); ++l) {
+    EXPECT_EQ(tiled.levelMap({static_cast<int>(l)}).heights_mm, pyramid.levels[l].heights_mm);
+  }
+  EXPECT_EQ(tiled.levelMap({0}).origins, map.origins);
+}
+
+TEST(LargeMap, ShowsASampleFirst) {
+  const test::TileFolder folder;
+  writeLas(folder / "scan.las", bigLas(1'000'000));
+  std::vector<GridSize> views;
+  const SurfaceOptions options = gridOptions(PointRule::median);
+  const LargeMap large = makeLargeMap(
+      folder / "scan.las", options,
+      {.file = folder / "map.tif",
+       .memory_bytes = 600'000'000,
+       .on_view = [&](const Surface& view) {
+         views.push_back(view.map.frame.size);
+         EXPECT_NEAR(view.map.widthMm(), 500, 3);
+         EXPECT_NEAR(heightRange(view.map).max_mm - heightRange(view.map).min_mm, 6, 1.5);
+       }});
+  ASSERT_EQ(views.size(), 2U);
+  EXPECT_GT(views[1].cols, views[0].cols);
+  EXPECT_GT(large.first_view_s, 0);
+}
+
+TEST(LargeMap, RefusesABudgetThatIsTooSmallBeforeTheWork) {
+  const test::TileFolder folder;
+  writeLas(folder / "scan.las", bigLas(10'000));
+  try {
+    makeLargeMap(folder / "scan.las", gridOptions(PointRule::median),
+                 {.file = folder / "map.tif", .memory_bytes = 50'000'000, .on_view = {}});
+    FAIL() << "was accepted";
+  } catch (const ArgumentError& error) {
+    EXPECT_EQ(error.code, "E102");
+    EXPECT_NE(std::string(error.what()).find("50 MB"), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder / "map.tif"));
+}
+
+TEST(LargeMap, LeavesNothingWhenCancelled) {
+  const test::TileFolder folder;
+  writeLas(folder / "scan.las", bigLas(500'000));
+  for (const std::string_view step :
+       {"Sorting points into tiles", "Filling gaps", "Writing levels"}) {
+    std::stop_source stop;
+    const Task task{.stop = stop.get_token(), .progress = [&](std::string_view now, double) {
+                      if (now == step) stop.request_stop();
+                    }};
+    EXPECT_THROW(makeLargeMap(folder / "scan.las", gridOptions(PointRule::median),
+                              {.file = folder / "map.tif", .on_view = {}}, {}, task),
+                 Cancelled)
+        << step;
+    const auto files = std::filesystem::directory_iterator(folder.path());
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1) << step;
+  }
+}
+
+TEST(TiledSurface, HasTheWindowsAndASmallMapForTheWhole) {
+  const test::TileFolder folder;
+  writeLas(folder / "scan.las", bigLas(600'000));
+  makeLargeMap(folder / "scan.las", gridOptions(PointRule::median),
+               {.file = folder / "map.tif", .on_view = {}});
+  const Surface surface = openTiledSurface(folder / "map.tif");
+  EXPECT_EQ(surface.map.frame.size.cols, 1000);
+  EXPECT_EQ(surface.ladder.levels(), 5);
+  const Region region{.x_mm = 100, .y_mm = 120, .side_mm = 50, .level = {0}};
+  EXPECT_EQ(windowOf(surface, region).heights_mm,
+            TiledMap(folder / "map.tif").window(region).heights_mm);
+}
+
+}  // namespace
+}  // namespace relievo
