@@ -3,9 +3,11 @@
 
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/provenance/embedded.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
+#include "ui/vtk/picture_file.h"
 
 namespace relievo::batch {
 namespace {
@@ -21,27 +23,8 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier, const Inp
     if (fs::is_regular_file(candidate, error)) return candidate;
   }
   throw FileError(carrier.filename().string() + " was made from '" + input.file +
-                      "', which is not there. Nothing was made. Give its place as FILE.",
+                      "', which is not there (E501). Nothing was made. Give its place as FILE.",
                   "E501");
-}
-
-/// @throw FileError (E501)
-StoredState withInput(const Provenance& provenance, const std::filesystem::path& carrier,
-                      const std::string& given, bool accept_changed, const Task& task) {
-  StoredState state{.provenance = provenance, .input = given};
-  if (given.empty()) state.input = foundInput(carrier, provenance.input);
-  if (sha256OfFile(state.input, task) == provenance.input.sha256) return state;
-  const std::string changed = "'" + state.input.filename().string() + "' is not the file that " +
-                              carrier.filename().string() + " was made from (checksum differs).";
-  if (!accept_changed) {
-    throw FileError(changed +
-                        " Nothing was made. Give the right one as FILE, or --changed-input to use "
-                        "this one.",
-                    "E501");
-  }
-  tell(changed + " It was used all the same.");
-  state.input_changed = true;
-  return state;
 }
 
 }  // namespace
@@ -56,9 +39,40 @@ Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surfac
   return provenance;
 }
 
+std::optional<std::string> carriedState(const std::filesystem::path& file) {
+  // A figure's TIFF keeps its state behind the caption, a map's in place of one.
+  const std::string head = readHead(file, 2);
+  if (head == "II" || head == "MM") {
+    if (auto state = pictureState(file)) return state;
+  }
+  auto state = embeddedState(file);
+  if (state && !state->starts_with('{')) return std::nullopt;  // Another program's description.
+  return state;
+}
+
+FoundInput findInput(const std::filesystem::path& carrier, const InputFile& input,
+                     const std::string& given, bool accept_changed, const Task& task) {
+  FoundInput found{.file = given};
+  if (given.empty()) found.file = foundInput(carrier, input);
+  // Without a checksum nobody can tell.
+  if (input.sha256.empty() || sha256OfFile(found.file, task) == input.sha256) return found;
+  const std::string changed = "'" + found.file.filename().string() + "' is not the file that " +
+                              carrier.filename().string() +
+                              " was made from (checksum differs, E501).";
+  if (!accept_changed) {
+    throw FileError(changed +
+                        " Nothing was made. Give the right one as FILE, or --changed-input to use "
+                        "this one.",
+                    "E501");
+  }
+  tell(changed + " It was used all the same.");
+  found.changed = true;
+  return found;
+}
+
 StoredState storedState(const std::filesystem::path& file, const std::string& given,
                         bool accept_changed, const Task& task) {
-  const std::optional<std::string> json = embeddedState(file);
+  const std::optional<std::string> json = carriedState(file);
   const std::string shown = file.filename().string();
   if (!json) {
     throw FileError(shown +
@@ -66,7 +80,8 @@ StoredState storedState(const std::filesystem::path& file, const std::string& gi
                     "wrote it; other programs may drop what is inside.");
   }
   const Provenance provenance = provenanceFromJson(*json, shown);
-  return withInput(provenance, file, given, accept_changed, task);
+  const FoundInput input = findInput(file, provenance.input, given, accept_changed, task);
+  return {.provenance = provenance, .input = input.file};
 }
 
 Surface loadStored(const StoredState& state, const Task& task) {

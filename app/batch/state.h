@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "app/batch/arguments.h"
@@ -14,17 +15,27 @@ namespace relievo::batch {
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const std::filesystem::path& out, const Task& task);
 
-/// A state that a file carries, and the input it was made from.
+/// What a picture, map or log of ours carries, wherever its format keeps it; nothing if it carries
+/// none: a figure's project, or a provenance (see isProject). @throw FileError  missing or damaged
+std::optional<std::string> carriedState(const std::filesystem::path& file);
+
+/// The file that a carrier was made from.
+struct FoundInput {
+  std::filesystem::path file;
+  bool changed = false;  ///< Its checksum is another one, and that was accepted.
+};
+/// Finds and checks the input: `given` if it is not empty, else where the state says, beside the
+/// carrier, and in the working folder.
+/// @throw FileError  (E501) not there, or changed and not accepted
+FoundInput findInput(const std::filesystem::path& carrier, const InputFile& input,
+                     const std::string& given, bool accept_changed, const Task& task);
+
+/// A provenance that a file carries, and the input it was made from.
 struct StoredState {
   Provenance provenance;
   std::filesystem::path input;
-  bool input_changed = false;  ///< Its checksum is another one, and that was accepted.
 };
-
-/// Finds and checks the input: `given` if it is not empty, else where the state says, beside the
-/// file, and in the working folder.
-/// @throw FileError  no state in the file, or no input (E501); input changed and not accepted
-/// (E501)
+/// @throw FileError  no state in the file; and as findInput
 StoredState storedState(const std::filesystem::path& file, const std::string& given,
                         bool accept_changed, const Task& task);
 

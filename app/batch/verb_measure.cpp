@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <utility>
 
 #include "app/batch/json.h"
@@ -8,6 +9,7 @@
 #include "app/batch/verb.h"
 #include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
+#include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 
 namespace relievo::batch {
@@ -35,7 +37,7 @@ Measurement measurementFrom(MeasureKind kind, const std::string& text, double pl
                 .plane_mm = kind == MeasureKind::area ? plane_mm : 0};
   const std::string numbers = named ? text.substr(equals + 1) : text;
   const auto count = static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), ',')) + 1;
-  const auto needed = static_cast<std::size_t>(2 * placesNeeded(kind));
+  const auto needed = 2 * static_cast<std::size_t>(placesNeeded(kind));
   const bool fits = takesMore(kind) ? count >= needed && count % 2 == 0 : count == needed;
   if (!fits) {
     throw ArgumentError(option + " needs x and y of " + (takesMore(kind) ? "at least " : "") +
@@ -86,14 +88,19 @@ Json readingJson(const Measurement& m, const Reading& reading) {
   return json;
 }
 
+/// To the nearest nanometre, for people; files keep every digit.
+std::string shown(double value) {
+  return shortNumber(std::round(value * 1e6) / 1e6 + 0.0, 7);  // + 0.0: no "-0".
+}
+
 std::string lineFor(const Measurement& m, const Reading& reading) {
   std::string line = m.name + ":";
   for (const Quantity& q : reading.quantities) {
-    line += (line.back() == ':' ? " " : ", ") + std::string(q.title) + " " + Json(q.value).dump() +
-            " \u00b1 " + Json(q.uncertainty).dump() + " " + std::string(q.unit);
+    line += (line.back() == ':' ? " " : ", ") + std::string(q.title) + " " + shown(q.value) +
+            " \u00b1 " + shown(q.uncertainty) + " " + std::string(q.unit);
   }
   if (reading.not_measured > 0) {
-    line += "; " + Json(100 * reading.not_measured).dump() + " % of it not measured";
+    line += "; " + shortNumber(100 * reading.not_measured, 3) + " % of it not measured";
   }
   return line;
 }

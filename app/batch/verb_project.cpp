@@ -4,13 +4,13 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
 #include "core/project/project_files.h"
-#include "core/provenance/embedded.h"
-#include "core/provenance/provenance.h"
 
 namespace relievo::batch {
 namespace {
@@ -42,36 +42,27 @@ bool allAsBefore(const std::vector<FileCheck>& checks) {
 
 std::vector<std::string> namesOf(const auto& list) {
   std::vector<std::string> names;
+  names.reserve(list.size());
   for (const auto& entry : list) names.push_back(entry.name);
   return names;
 }
 
-/// A project from a picture or log of ours: what it shows, and logs as recordings.
+/// A project from a picture, figure or log of ours: what it shows, and logs as recordings.
 Outcome makeNew(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw ArgumentError("project new needs -o PROJECT.json.");
-  const auto state = embeddedState(a.file);
+  const auto state = carriedState(a.file);
   const std::string shown = fs::path(a.file).filename().string();
   if (!state) {
     throw FileError(shown +
                     " carries no state of relievo, so that no project can be made from it. "
                     "Choose a picture or log that relievo wrote.");
   }
-  const Provenance made = provenanceFromJson(*state, shown);
+  Project project = projectFromState(*state, shown);
   const fs::path folder = fs::absolute(a.file).parent_path();
-  Project project;
-  project.file = (folder / made.input.file).lexically_normal().generic_string();
-  project.sha256 = made.input.sha256;
-  project.options = made.options;
-  if (!made.view) {
-    throw FileError(shown +
-                    " shows no region, so that no project can be made from it. Choose a "
-                    "picture or a log.");
+  project.file = (folder / project.file).lexically_normal().generic_string();
+  if (project.places.empty()) {
+    project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   }
-  project.region = made.view->region;
-  project.gain = made.view->gain;
-  project.look = project.figure.look = made.view->look;
-  project.stereo = made.view->stereo;
-  project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   for (const std::string& recording : a.recordings) {
     project.recordings.push_back(inputFile(recording, {}, task));
     project.recordings.back().file = fs::absolute(recording).lexically_normal().generic_string();

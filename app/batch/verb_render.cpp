@@ -8,6 +8,7 @@
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/io/text_file.h"
+#include "core/project/carried_state.h"
 #include "core/provenance/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/program.h"
@@ -117,18 +118,25 @@ RgbImage draw(const RegionWindow& window, const ViewState& view, const PictureCh
   return renderOffscreen(scene, picture.width_px, picture.height_px);
 }
 
-/// Does a picture carry a figure's state, and not that of `render`?
 bool isFigure(const std::string& picture) {
-  const auto state = embeddedState(picture);
-  return state && state->find("\"relievo_project\"") != std::string::npos;
+  const auto state = carriedState(picture);
+  return state && isProject(*state);
 }
 
-/// A figure that carries its project, drawn again.
+void writeCaptionIfAsked(const RenderArguments& a, const std::string& text, Outcome& outcome) {
+  if (a.caption == "-") outcome.lines.push_back(text);
+  if (!a.caption.empty() && a.caption != "-") writeTextFile(a.caption, text + "\n");
+}
+
+/// A figure that carries its project, drawn again as `figure` draws it.
 Outcome runFigure(const RenderArguments& a, const Task& task) {
-  if (!a.map.file.empty() || !a.caption.empty()) {
-    throw ArgumentError("A figure is drawn again without FILE and --caption. Nothing was drawn.");
-  }
-  const Stored stored = loadFromImage(a.from_image, task);
+  const std::filesystem::path picture(a.from_image);
+  Project project = projectFromJson(*carriedState(picture), picture.filename().string());
+  const FoundInput input = findInput(picture, {.file = project.file, .sha256 = project.sha256},
+                                     a.map.file, a.changed_input, task);
+  project.file = input.file.string();
+  if (input.changed) project.sha256 = sha256OfFile(input.file, task);
+  const Stored stored = loadStored(project, task);
   const DisplayGuard display;
   const FigureSession session;
   const FigureFacts facts = writeFigure(stored.surface, stored.project, a.out, task);
@@ -137,10 +145,13 @@ Outcome runFigure(const RenderArguments& a, const Task& task) {
   json["mm_per_pixel"] = facts.mm_per_pixel;
   json["level"] = stored.project.region.level.value;
   json["region_mm"] = jsonOf(stored.project.region);
-  return {.json = json.dump(2),
-          .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
-                    std::to_string(facts.height_px) + " pixels, as " + a.from_image},
-          .exit_code = stored.input_changed ? 5 : 0};
+  json["caption"] = facts.caption;
+  Outcome outcome{.json = json.dump(2),
+                  .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                            std::to_string(facts.height_px) + " pixels, as " + a.from_image},
+                  .exit_code = exitCodeAfter(stored.surface)};
+  writeCaptionIfAsked(a, facts.caption, outcome);
+  return outcome;
 }
 
 Outcome runRender(const RenderArguments& a, const Task& task) {
@@ -176,8 +187,7 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
                 " pixels, " + json["mm_per_pixel"].dump() + " mm each, level " +
                 std::to_string(region.level.value)},
       .exit_code = exitCodeAfter(surface)};
-  if (a.caption == "-") outcome.lines.push_back(text);
-  if (!a.caption.empty() && a.caption != "-") writeTextFile(a.caption, text + "\n");
+  writeCaptionIfAsked(a, text, outcome);
   return outcome;
 }
 

@@ -27,14 +27,18 @@ class Repeatable : public testing::Test {
   void SetUp() override {
     fs::create_directories(folder_.path() / "scans");
     fs::create_directories(folder_.path() / "figures");
+    writeScan("scans/a.xyz", 97);
+  }
+  /// Another `modulus` is another relief.
+  void writeScan(const std::string& name, int modulus) const {
     std::string text;
     for (int y = 0; y <= 60; ++y) {
       for (int x = 0; x <= 80; ++x) {
         text += std::to_string(x) + " " + std::to_string(y) + " " +
-                std::to_string((x * x + 3 * y * y) % 97 / 30.0) + "\n";
+                std::to_string((x * x + 3 * y * y) % modulus / 30.0) + "\n";
       }
     }
-    std::ofstream(path("scans/a.xyz")) << text;
+    std::ofstream(path(name)) << text;
   }
   std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
   static Provenance stateOf(const std::string& file) {
@@ -124,7 +128,7 @@ TEST_F(Repeatable, AMovedInputIsGivenAndAChangedOneRefused) {
             0);
   EXPECT_TRUE(samePixels(first, path("c.png")));
 
-  std::ofstream(path("elsewhere/deep/b.xyz"), std::ios::app) << "5 5 9\n";
+  writeScan("elsewhere/deep/b.xyz", 89);
   const CommandResult changed = runRelievo(
       {"render", path("elsewhere/deep/b.xyz"), "--from-image", first, "-o", path("d.png")});
   EXPECT_EQ(changed.exit_code, 2);
@@ -151,6 +155,68 @@ TEST_F(Repeatable, WhatTheImageSaysIsNotSaidTwice) {
       runRelievo({"render", "--from-image", path("foreign.png"), "-o", path("b.png")});
   EXPECT_EQ(foreign.exit_code, 2);
   EXPECT_THAT(foreign.err, HasSubstr("foreign.png"));
+}
+
+TEST_F(Repeatable, AFigureIsToldFromAPictureAndBothAreDrawnAgain) {
+  const std::string scan = path("scans/a.xyz");
+  for (const char* file : {"figures/f.png", "figures/f.tif"}) {
+    ASSERT_EQ(runRelievo({"figure", scan, "--unit", "mm", "--dpi", "60", "--relief", "slope", "-o",
+                          path(file)})
+                  .exit_code,
+              0);
+    const std::string again = path(fs::path(file).filename().string());
+    const CommandResult result =
+        runRelievo({"render", "--from-image", path(file), "-o", again, "--report", "json"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(samePixels(path(file), again)) << file;
+    EXPECT_THAT(json::parse(result.out)["caption"], HasSubstr("Slope in viridis"));
+  }
+  // The other way round: a figure of what a picture shows.
+  const std::string picture = path("p.png");
+  ASSERT_EQ(runRelievo({"render", scan, "--unit", "mm", "--region", "10,5,30,30", "-o", picture})
+                .exit_code,
+            0);
+  const CommandResult figure =
+      runRelievo({"figure", "--from-image", picture, "-o", path("pf.png"), "--report", "json"});
+  ASSERT_EQ(figure.exit_code, 0) << figure.err;
+  EXPECT_EQ(json::parse(figure.out)["region_mm"], json({10, 5, 30, 30}));
+  // A project comes from either.
+  for (const std::string& made : {picture, path("figures/f.tif")}) {
+    const CommandResult project = runRelievo({"project", "new", made, "-o", path("p.json")});
+    EXPECT_EQ(project.exit_code, 0) << made << project.err;
+    EXPECT_EQ(runRelievo({"project", "check", path("p.json")}).exit_code, 0) << made;
+  }
+  // A map shows no region.
+  ASSERT_EQ(runRelievo({"depthmap", scan, "-o", path("m.tif")}).exit_code, 0);
+  EXPECT_EQ(runRelievo({"project", "new", path("m.tif"), "-o", path("q.json")}).exit_code, 2);
+  EXPECT_EQ(runRelievo({"render", "--from-image", path("m.tif"), "-o", path("n.png")}).exit_code,
+            2);
+  EXPECT_FALSE(fs::exists(path("q.json")) || fs::exists(path("n.png")));
+}
+
+TEST_F(Repeatable, AFigureOfAChangedInputIsRefusedToo) {
+  const std::string scan = path("scans/a.xyz");
+  const std::string first = path("figures/f.png");
+  ASSERT_EQ(runRelievo({"figure", scan, "--unit", "mm", "--dpi", "60", "-o", first}).exit_code, 0);
+  fs::rename(scan, path("b.xyz"));
+  EXPECT_EQ(runRelievo({"render", "--from-image", first, "-o", path("g.png")}).exit_code, 2);
+  const CommandResult given =
+      runRelievo({"render", path("b.xyz"), "--from-image", first, "-o", path("g.png")});
+  ASSERT_EQ(given.exit_code, 0) << given.err;
+  writeScan("b.xyz", 89);
+  const CommandResult changed =
+      runRelievo({"render", path("b.xyz"), "--from-image", first, "-o", path("h.png")});
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_THAT(changed.err, HasSubstr("E501"));
+  EXPECT_FALSE(fs::exists(path("h.png")));
+  ASSERT_EQ(runRelievo({"render", path("b.xyz"), "--from-image", first, "--changed-input", "-o",
+                        path("h.png")})
+                .exit_code,
+            0);
+  // What was drawn from the new bytes says so, and is itself drawn again.
+  EXPECT_EQ(runRelievo({"render", "--from-image", path("h.png"), "-o", path("i.png")}).exit_code,
+            0);
+  EXPECT_TRUE(samePixels(path("h.png"), path("i.png")));
 }
 
 TEST_F(Repeatable, EveryWrittenFileNamesItsInput) {
