@@ -166,8 +166,6 @@ void readWindows(const std::filesystem::path& file) {
       resident.push_back(seconds([&] { roomy.window(region); }));
       copied.push_back(seconds([&] { std::memcpy(to.data(), from.data(), 4 * from.size()); }));
     }
-    const Spread file_s = spreadOf(from_file);
-    const Spread resident_s = spreadOf(resident);
     const Spread copy_s = spreadOf(copied);
     const auto say = [&](const char* what, const Spread& s) {
       std::printf("level %d, %s: least %.0f us, median %.0f, 99 %% %.0f; %.1f times a copy\n",
