@@ -100,8 +100,10 @@ std::string windowHelp() {
          "  --safe-mode                  ignore and keep no settings\n"
          "  --version, --help\n"
          "\n"
-         "Verbs: info, depthmap, pyramid, render, figure, devices, touch, record, replay\n"
-         "Exit codes: 0 done, 1 usage, 2 cannot read, 3 cannot write, 7 no graphics\n";
+         "Verbs: info, depthmap, fill, pyramid, convert, render, figure, measure, project,\n"
+         "       devices, touch, record, replay\n"
+         "Exit codes: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 not all done,\n"
+         "            5 not as before, 7 no graphics\n";
 }
 
 }  // namespace relievo

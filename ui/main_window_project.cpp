@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 
 #include "core/base/error.h"
+#include "core/project/carried_state.h"
 #include "ui/detail_view.h"
 #include "ui/figure_dialog.h"
 #include "ui/main_window.h"
@@ -121,7 +122,7 @@ bool MainWindow::restoreFromFile(const QString& file) {
     if (!endsIn(file, {".png", ".tif", ".tiff"})) return false;
     const auto state = pictureState(pathOf(file));
     if (!state) return false;  // A height map, then.
-    Project project = projectFromJson(*state, QFileInfo(file).fileName().toStdString());
+    Project project = projectFromState(*state, QFileInfo(file).fileName().toStdString());
     const QString input =
         QFileInfo(file).absoluteDir().filePath(QString::fromStdString(project.file));
     project.file = QDir::cleanPath(input).toStdString();

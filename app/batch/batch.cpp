@@ -20,8 +20,8 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
-  return {infoVerb(),       depthmapVerb(),    fillVerb(),   pyramidVerb(),
-          convertVerb(),    renderVerb(),      figureVerb(), devicesVerb(),
+  return {infoVerb(),       depthmapVerb(),    fillVerb(),    pyramidVerb(), convertVerb(),
+          renderVerb(),     figureVerb(),      measureVerb(), projectVerb(), devicesVerb(),
           touchVerb(words), recordVerb(words), replayVerb()};
 }
 

@@ -37,6 +37,8 @@ Verb pyramidVerb();
 Verb renderVerb();
 Verb figureVerb();
 Verb devicesVerb();
+Verb measureVerb();
+Verb projectVerb();
 /// `words`: the command line, which the log keeps.
 Verb touchVerb(std::vector<std::string> words);
 Verb recordVerb(std::vector<std::string> words);

@@ -4,6 +4,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
 
@@ -67,8 +68,9 @@ Json lossesJson(const Surface& surface) {
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
   const Surface surface = loadForVerb(a.map, task);
+  const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   const auto start = std::chrono::steady_clock::now();
-  writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file});
+  writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .state = state});
   const double write_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

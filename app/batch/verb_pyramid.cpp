@@ -3,6 +3,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
 
@@ -25,6 +26,7 @@ std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t le
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, levelFile(a.out, 0), task);
   const Surface surface = loadForVerb(a.map, task);
+  const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   Json levels = Json::array();
   Outcome outcome;
   for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
@@ -33,7 +35,8 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
                  .heights_mm = level.heights_mm,
                  .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
     const std::filesystem::path file = levelFile(a.out, l);
-    writeMap(file, map, {.view_from_file = surface.view_from_file, .write_origins = false});
+    writeMap(file, map,
+             {.view_from_file = surface.view_from_file, .write_origins = false, .state = state});
     levels.push_back({{"level", l},
                       {"cells", {level.frame.size.cols, level.frame.size.rows}},
                       {"spacing_mm", level.frame.spacing_mm},

@@ -8,8 +8,10 @@
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "core/provenance/embedded.h"
 #include "core/region/hand.h"
 #include "core/session/tiled_surface.h"
 #include "haptics/device_catalog.h"
@@ -115,6 +117,25 @@ struct StrokeFindings {
   }
 };
 
+/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
+std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
+  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
+  const InputFile stroke = inputFile(a.stroke, {}, task);
+  provenance.touch = Json{
+      {"stroke", {{"file", stroke.file}, {"sha256", stroke.sha256}}},
+      {"frame", a.frame},
+      {"surface", name(surfaceKind(a))},
+      {"proxy", a.proxy},
+      {"stiffness_n_per_mm", a.stiffness_n_per_mm},
+      {"friction", a.friction},
+      {"damping_n_s_per_mm", a.damping},
+      {"device", a.device},
+      {"safety",
+       safetyOf(a)}}.dump();
+  return stateLine(toJson(provenance, -1));
+}
+
 Outcome runTouch(const TouchArguments& a, const Task& task) {
   const Stroke stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
@@ -132,7 +153,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     device->open();
   }
 
-  const std::unique_ptr<SampleLog> log = openLog(a.out, touchHeader(a, setup), setup.space.get());
+  const std::unique_ptr<SampleLog> log = openLog(
+      a.out, touchHeader(a, setup) + "\n" + stateOfTouch(a, setup, task), setup.space.get());
   StrokeFindings findings{window, *setup.space};
   std::optional<HapticSample> before;
   std::vector<PlotRow> plot;

@@ -12,11 +12,15 @@
 #include <QTableWidget>
 #include <QtTest/QTest>
 
+#include "core/provenance/embedded.h"
+#include "core/provenance/provenance.h"
+#include "core/provenance/sha256.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/colour_bar.h"
 #include "ui/figure/figure.h"
 #include "ui/figure_dialog.h"
 #include "ui/measure_panel.h"
+#include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo {
@@ -94,6 +98,25 @@ TEST_F(PublishTest, DroppingAFigureRestoresWindowAndMeasurements) {
   ASSERT_EQ(measure().measurements().size(), 1U);
   EXPECT_EQ(measure().measurements()[0].name, "top");
   EXPECT_EQ(window().detailView().sceneState().look.kind, ReliefKind::slope);
+  EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
+}
+
+TEST_F(PublishTest, DroppingAPictureOfRenderRestoresItsRegion) {
+  openRelief();
+  Provenance provenance = provenanceOf(*document().surface(), {});
+  provenance.input = {.file = "relief.ply",
+                      .sha256 = sha256OfFile(path("relief.ply").toStdString())};
+  Region region = document().state().region;
+  region.x_mm += 40;
+  region.y_mm += 30;
+  region.side_mm = 20;
+  provenance.view = ViewState{.region = region, .gain = 2};
+  writePng(path("r.png").toStdString(), {.width = 1, .height = 1, .rgb = {0, 0, 0}},
+           {{std::string(kStateKey), toJson(provenance)}});
+  window().open(path("r.png"));
+  ASSERT_TRUE(waitFor([&] { return document().state().region.side_mm == 20; }));
+  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(document().state().gain, 2);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
 }
 
