@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/base/error.h"
 #include "core/base/bands.h"
+#include "core/base/error.h"
 #include "core/relief/horizon.h"
 #include "core/relief/smooth.h"
 

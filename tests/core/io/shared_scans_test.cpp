@@ -115,7 +115,8 @@ TEST(SharedScans, FormatsOfLaterVersionsAreNamedAndRefused) {
   if (data.empty()) GTEST_SKIP() << "the shared scans are not here";
   const std::vector<std::pair<std::string, std::string>> cases{
 
-      {"las/autzen_trim.laz", "Install laszip or pdal"}, {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
+      {"las/autzen_trim.laz", "Install laszip or pdal"},
+      {"dem/synthetic_dem15_0.50.tif", "TIFF raster"}};
   for (const auto& [file, name] : cases) {
     try {
       importScan(data / file);
