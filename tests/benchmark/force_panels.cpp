@@ -44,10 +44,10 @@ Curve readLog(const std::string& file) {
   return curve;
 }
 
-/// Largest change of force from tick to tick in the last half, where the hand slides evenly.
+/// Largest change of force from tick to tick.
 double largestStep(const Curve& curve) {
   double largest = 0;
-  for (std::size_t i = curve.size() / 2; i < curve.size(); ++i) {
+  for (std::size_t i = 1; i < curve.size(); ++i) {
     largest = std::max(largest, std::abs(curve[i].force_n - curve[i - 1].force_n));
   }
   return largest;
@@ -85,8 +85,8 @@ std::string panel(const Curve& curve, double left, double top, Axis time, Axis f
     }
   }
   svg += "'/>\n";
-  return svg + textAt(left + kPanelWidth - 18, top + 13, "end",
-                      "largest step " + fixedDigits(largestStep(curve), 4) + " N");
+  return svg + textAt(left + kPanelWidth - 18, top + kPanelHeight - 8, "end",
+                      "largest step per tick " + fixedDigits(largestStep(curve), 4) + " N");
 }
 
 struct Row {
