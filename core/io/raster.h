@@ -34,6 +34,7 @@ struct MapFileOptions {
   ViewFromFile view_from_file;
   bool write_origins = true;   ///< Also NAME.origin.tif.
   bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
+  std::string unit = "mm";     ///< Of the values. Others than mm are not read back as a map.
 };
 
 /// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres
