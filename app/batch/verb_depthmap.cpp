@@ -15,6 +15,7 @@ struct DepthmapArguments {
   MapArguments map;
   std::optional<double> memory_mb;
   std::string out;
+  bool quality = false;
 };
 
 Json sharesJson(const DepthMap& map) {
@@ -36,6 +37,28 @@ Json holesJson(const Surface& surface) {
                      {"filled", hole.filled}});
   }
   return holes;
+}
+
+/// MAP.tif -> MAP.count.tif
+std::filesystem::path besideMap(const std::filesystem::path& map, const std::string& what) {
+  std::filesystem::path file = map;
+  return file.replace_extension("." + what + map.extension().string());
+}
+
+/// MAP.count.tif and MAP.spread.tif: NaN where a cell has no point of its own.
+void writeQuality(const std::filesystem::path& out, const Surface& surface) {
+  const QualityMap& quality = surface.quality;
+  DepthMap counts{.frame = surface.map.frame,
+                  .heights_mm = std::vector<float>(quality.counts.begin(), quality.counts.end()),
+                  .origins = std::vector<Origin>(quality.counts.size(), Origin::measured)};
+  for (std::size_t i = 0; i < quality.counts.size(); ++i) {
+    if (quality.counts[i] == 0) counts.origins[i] = Origin::outside;
+  }
+  writeMap(besideMap(out, "count"), counts,
+           {.view_from_file = surface.view_from_file, .write_origins = false, .unit = kPointsUnit});
+  counts.heights_mm = quality.spreads_mm;
+  writeMap(besideMap(out, "spread"), counts,
+           {.view_from_file = surface.view_from_file, .write_origins = false});
 }
 
 /// How the points carry the cells, over the cells that have any; null where not known.
@@ -66,11 +89,21 @@ Json lossesJson(const Surface& surface) {
 }
 
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
+  if (a.memory_mb && a.quality) {
+    throw ArgumentError("--quality is for maps that are made in memory. Leave out --memory.");
+  }
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
-  const Surface surface = loadForVerb(a.map, task);
+  Surface surface = loadForVerb(a.map, task);
+  if (a.quality && surface.quality.empty()) {
+    surface.not_done.emplace_back(
+        "Points and spread per cell are known for point clouds in the cpu engine only; no quality "
+        "map was written.");
+    tell(surface.not_done.back());
+  }
   const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   const auto start = std::chrono::steady_clock::now();
   writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .state = state});
+  if (a.quality && !surface.quality.empty()) writeQuality(a.out, surface);
   const double write_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
@@ -116,6 +149,9 @@ Verb depthmapVerb() {
                 addMemoryOption(verb, arguments->memory_mb);
                 verb.add_option("-o,--output", arguments->out, "MAP.tif; MAP.origin.tif beside it")
                     ->required();
+                verb.add_flag("--quality", arguments->quality,
+                              "Also MAP.count.tif and MAP.spread.tif: points of every cell, and "
+                              "their standard deviation in mm");
               },
           .run = [arguments](const Task& task) { return runDepthmap(*arguments, task); }};
 }

@@ -257,6 +257,7 @@ void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
   const char* unit = dataset.GetMetadataItem("RELIEVO_UNIT");
   const char* matrix = dataset.GetMetadataItem("RELIEVO_VIEW_FROM_FILE");
   if (unit == nullptr || matrix == nullptr) return;
+  if (std::string_view(unit) == kPointsUnit) return;  // Counts of a map's points, not heights.
   const auto numbers = parseNumbers<16>(matrix);
   if (!numbers || std::string_view(unit) != "mm") {
     refuse(raster.info.file,

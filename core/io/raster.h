@@ -31,12 +31,15 @@ struct RasterMap {
 /// @throw FileError  unreadable, rotated or non-square pixels, or no valid cell
 RasterMap readRaster(const std::filesystem::path& file);
 
+inline constexpr const char* kPointsUnit = "points";  ///< MapFileOptions::unit of counts.
+
 struct MapFileOptions {
   ViewFromFile view_from_file;
   bool write_origins = true;  ///< Also NAME.origin.tif.
   bool mask_band = false;     ///< Also a mask within the file: 255 where there is a height, else 0.
   bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
   std::string state = {};      ///< ASCII; becomes the image description. Empty: none.
+  std::string unit = "mm";     ///< Of the values. Others than mm are not read back as a map.
 };
 
 /// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres

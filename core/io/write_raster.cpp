@@ -117,7 +117,7 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
     if (options.outside_as_nan) heights[i] = kNaN;
   }
   CPLStringList metadata;
-  metadata.SetNameValue("RELIEVO_UNIT", "mm");
+  metadata.SetNameValue("RELIEVO_UNIT", options.unit.c_str());
   metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
   metadata.SetNameValue("RELIEVO_VIEW_FROM_FILE", roundTripText(options.view_from_file.m).c_str());
   metadata.SetNameValue(

@@ -293,6 +293,49 @@ TEST_F(Batch, DepthmapTakesAPointRuleAndSaysWhichWasUsed) {
   EXPECT_THAT(wrong.err, HasSubstr("--rule"));
 }
 
+TEST_F(Batch, DepthmapFillsHolesAsAskedAndEndsWithFourWhereItCannot) {
+  std::string text;
+  for (int j = 0; j < 20; ++j) {
+    for (int i = 0; i < 20; ++i) {
+      if (std::abs(i - 9) < 3 && std::abs(j - 9) < 3) continue;
+      text += std::to_string(i) + " " + std::to_string(j) + " " + std::to_string(i + 2 * j) + "\n";
+    }
+  }
+  const std::string cloud = write("hole.xyz", text);
+  const auto run = [&](const std::string& holes) {
+    return runRelievo({"depthmap", cloud, "--unit", "mm", "--view", "top", "--cells", "20",
+                       "--holes", holes, "-o", path("h.tif"), "--report", "json", "--quality"});
+  };
+  const CommandResult left = run("interpolate:1");
+  EXPECT_EQ(left.exit_code, 4);
+  EXPECT_THAT(left.err, HasSubstr("0 of 1 holes filled. The largest left (25 mm2)"));
+  EXPECT_EQ(json::parse(left.out)["not_done"].size(), 1U);
+  const CommandResult filled = run("membrane");
+  EXPECT_EQ(filled.exit_code, 0) << filled.err;
+  const json report = json::parse(filled.out);
+  EXPECT_EQ(report["holes"][0]["filled"], true);
+  EXPECT_DOUBLE_EQ(report["shares"]["hole"], 0);
+  EXPECT_EQ(report["losses"]["flyers"], 0);
+  EXPECT_DOUBLE_EQ(report["quality"]["mean_points"], 1);
+  const RasterMap map = readRaster(path("h.tif"));
+  EXPECT_NEAR(map.values[9 * 20 + 9] - map.values[0], 27, 1e-3) << "a plane goes on through it";
+  const RasterMap counts = readRaster(path("h.count.tif"));
+  EXPECT_EQ(counts.values[0], 1);
+  EXPECT_FALSE(counts.valid[9 * 20 + 9]);
+  EXPECT_FALSE(counts.is_own_map);
+  EXPECT_TRUE(readRaster(path("h.spread.tif")).is_own_map);
+  EXPECT_EQ(run("membrane:few").exit_code, 1);
+}
+
+TEST_F(Batch, DepthmapTurnsAViewByDegrees) {
+  const json report =
+      reportOf(runRelievo({"depthmap", plane(), "--unit", "mm", "--view", "top", "--turn", "0,0,90",
+                           "-o", path("t.tif"), "--report", "json"}));
+  EXPECT_EQ(report["view"], "top + 0, 0, 90 degrees");
+  EXPECT_NEAR(report["view_from_file"][1], -1, 1e-12);
+  EXPECT_EQ(runRelievo({"depthmap", plane(), "--turn", "1,2", "-o", path("t.tif")}).exit_code, 1);
+}
+
 TEST_F(Batch, PyramidTakesAnyFactorAndSaysWhatPassesAtItsLimit) {
   for (const char* factor : {"1.5", "1.41421356", "3"}) {
     const json report =
