@@ -10,6 +10,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "core/provenance/embedded.h"
+#include "core/provenance/provenance.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/reference_view.h"
@@ -183,6 +185,10 @@ QString MainWindow::recordingHeader() const {
   QStringList matrix;
   for (const double v : s.view_from_file.m) matrix << exact(v);
   const Region& r = state.region;
+  Provenance provenance = provenanceOf(s, state.options);
+  provenance.input = {document_.file().toStdString(), document_.fileSha256().toStdString(),
+                      static_cast<std::uint64_t>(QFileInfo(document_.file()).size())};
+  provenance.view = ViewState{.region = r, .gain = state.gain};
   return QStringList{
       QLatin1String("# application: relievo ") + QStringLiteral(RELIEVO_VERSION_STRING),
       QLatin1String("# input: ") + QFileInfo(document_.file()).fileName(),
@@ -195,7 +201,8 @@ QString MainWindow::recordingHeader() const {
       QStringLiteral("# region_mm: %1 %2 %3 %3")
           .arg(exact(r.x_mm), exact(r.y_mm), exact(r.side_mm)),
       QStringLiteral("# level: %1").arg(r.level.value),
-      QLatin1String("# gain: ") + exact(state.gain)}
+      QLatin1String("# gain: ") + exact(state.gain),
+      QLatin1String("# ") + QString::fromStdString(stateLine(toJson(provenance, -1)))}
       .join('\n');
 }
 

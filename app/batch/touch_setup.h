@@ -65,4 +65,8 @@ TouchSetup prepareTouch(const TouchArguments& arguments, const Task& task);
 /// Comment lines of the log: enough to repeat it.
 std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup);
 
+/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
+std::string stateOfTouch(const TouchArguments& arguments, const TouchSetup& setup,
+                         const Task& task);
+
 }  // namespace relievo::batch

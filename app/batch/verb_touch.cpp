@@ -96,20 +96,6 @@ struct StrokeFindings {
   }
 };
 
-/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
-std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
-  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
-  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
-  const InputFile stroke = inputFile(a.stroke, {}, task);
-  Json touch = Json::parse(feelJson(a));
-  touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
-  touch["frame"] = a.frame;
-  touch["device"] = a.device;
-  touch["safety"] = safetyOf(a);
-  provenance.touch = touch.dump();
-  return stateLine(toJson(provenance, -1));
-}
-
 Outcome runTouch(const TouchArguments& a, const Task& task) {
   const Stroke stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
@@ -202,6 +188,21 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
     fillTexture(*setup.space, finerHeights(surface, region, a.region.gain));
   }
   return setup;
+}
+
+std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
+  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
+  Json touch = Json::parse(feelJson(a));
+  if (!a.stroke.empty()) {
+    const InputFile stroke = inputFile(a.stroke, {}, task);
+    touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+  }
+  touch["frame"] = a.frame;
+  touch["device"] = a.device;
+  touch["safety"] = safetyOf(a);
+  provenance.touch = touch.dump();
+  return stateLine(toJson(provenance, -1));
 }
 
 std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
