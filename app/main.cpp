@@ -10,7 +10,6 @@
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
-#include "core/io/import.h"
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/depth_capture.h"
@@ -69,7 +68,6 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
   relievo::WindowOptions options;
   try {
