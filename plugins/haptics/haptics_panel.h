@@ -26,6 +26,8 @@ class HapticsPanel : public QWidget {
   void setSettings(const TouchSettings& settings);
   TouchSettings settings() const;
   void setForcesAsked(bool on);
+  /// Those that are there now; the chosen one stays chosen.
+  void listDevices();
   void show(const LoopReport& report);  ///< A few times a second.
   using QWidget::show;
 
@@ -40,7 +42,7 @@ class HapticsPanel : public QWidget {
   void takePreset(int index);
   void showPreset();
   SurfaceFeel feel() const;
-  void listDevices();
+  void chooseDevice(const QString& id);
   void buildReadouts();
   QFormLayout* rows();
   void showDetails();

@@ -33,11 +33,13 @@ void HapticsPlugin::attach(Host& host) {
   constexpr int kFrameMs = 16;
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
   timer_.start(kFrameMs);
+  plugs_ = std::make_unique<falcon::PlugWatch>();
   slowReadouts();
 }
 
 void HapticsPlugin::openDevice() {
   session_.reset();  // One program at a time can hold a device.
+  device_said_.clear();
   opened_ = settings_.device;
   try {
     session_ = std::make_unique<LoopSession>(settings_.device);
@@ -58,13 +60,21 @@ void HapticsPlugin::changeDevice() {
   openDevice();
   applySettings();
   if (const auto window = host_->shownWindow()) showWindow(*window);
+  if (opened_ != wish_) return;  // Why not, has been said.
   const QString name = QString::fromStdString(session_->loop().device().name);
   host_->announce(tr("Device: %1.").arg(name));
+}
+
+void HapticsPlugin::chooseDevice(const std::string& id) {
+  wish_ = settings_.device = id;
+  if (panel_) panel_->setSettings(settings_);
+  if (session_ && settings_.device != opened_) changeDevice();
 }
 
 void HapticsPlugin::detach() noexcept {
   if (!session_) return;
   timer_.stop();
+  plugs_.reset();
   disconnect(host_, nullptr, this, nullptr);
   delete setup_;  // Zero force, joins.
   buttons_.reset();
@@ -113,7 +123,10 @@ void HapticsPlugin::connectControls() {
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
-    if (settings_.device != opened_) changeDevice();
+    if (settings_.device != opened_) {
+      wish_ = settings_.device;
+      changeDevice();
+    }
     applySettings();
     applySurface();
   });
@@ -204,6 +217,7 @@ void HapticsPlugin::slowReadouts() {
   report.realtime = session_->loop().realtime();
   const DeviceInfo& device = session_->loop().device();
   report.device = QString::fromStdString(device.name);
+  watchDevice(report);
   report.actuated = device.max_force_n > 0;
   if (panel_) panel_->show(report);
 
@@ -219,6 +233,32 @@ void HapticsPlugin::slowReadouts() {
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
   host_->showStatus(status);
+  watchPlugs();
+}
+
+void HapticsPlugin::watchDevice(LoopReport& report) {
+  const falcon::LinkStatus* status = session_->falconStatus();
+  if (status == nullptr) return;
+  const falcon::LinkMessage message = falcon::describe(*status);
+  const QString text = QString::fromStdString(
+      message.code.empty() ? message.screen : message.code + ": " + message.screen);
+  report.device = QString::fromStdString(message.spoken);
+  if (status->state != falcon::LinkState::ready) report.not_ready = text;
+  if (text == device_said_) return;
+  device_said_ = text;
+  host_->announce(text);
+}
+
+void HapticsPlugin::watchPlugs() {
+  if (!plugs_ || !plugs_->changed()) return;
+  if (panel_) panel_->listDevices();
+  if (setup_ || opened_.starts_with("falcon")) return;  // They wait for it themselves.
+  const bool here = !falcon::seenFalcons().empty();
+  if (here && wish_ == falcon::kFalconId) {
+    chooseDevice(wish_);
+  } else if (here) {
+    host_->announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
+  }
 }
 
 void HapticsPlugin::watchFault(const HapticSample& sample) {
@@ -273,9 +313,9 @@ void HapticsPlugin::setUpDevice() {
     setup_->activateWindow();
     return;
   }
-  const std::string before = settings_.device;
+  const std::string before = wish_;
   setForces(false);
-  if (before.starts_with("falcon")) {  // The dialog holds it now.
+  if (opened_.starts_with("falcon")) {  // The dialog holds it now.
     settings_.device = "mouse";
     changeDevice();
   }
@@ -285,19 +325,20 @@ void HapticsPlugin::setUpDevice() {
   });
   connect(setup_, &QDialog::finished, this, [this, before](int result) {
     if (!session_) return;
-    settings_.device = result == QDialog::Accepted ? falcon::kFalconId : before;
-    if (panel_) panel_->setSettings(settings_);
-    if (settings_.device != opened_) changeDevice();
+    chooseDevice(result == QDialog::Accepted ? falcon::kFalconId : before);
   });
   setup_->show();
 }
 
 QByteArray HapticsPlugin::saveState() const {
-  return toJson(settings_);
+  TouchSettings kept = settings_;
+  kept.device = wish_;
+  return toJson(kept);
 }
 
 void HapticsPlugin::restoreState(const QByteArray& state) {
   settings_ = touchSettingsFromJson(state);
+  wish_ = settings_.device;
   if (panel_) panel_->setSettings(settings_);
   if (session_ && settings_.device != opened_) changeDevice();
   applySettings();

@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include "haptics/device/falcon/usb_bus.h"
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/device_setup_buttons.h"
 #include "plugins/haptics/device_setup_dialog.h"
@@ -36,6 +37,7 @@ class HapticsPlugin : public QObject, public Plugin {
  private:
   void openDevice();    // As the settings say; the mouse if that fails.
   void changeDevice();  // While attached.
+  void chooseDevice(const std::string& id);
   void connectHost();
   void connectControls();
   void showWindow(const RegionWindow& window);
@@ -49,6 +51,8 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
+  void watchDevice(LoopReport& report);  // Announces its news, and adds them.
+  void watchPlugs();
   void runButtons(const HapticSample& sample);
   void setUpDevice();
 
@@ -57,7 +61,10 @@ class HapticsPlugin : public QObject, public Plugin {
   TouchSettings settings_;
   std::unique_ptr<DeviceButtons> buttons_;
   QPointer<DeviceSetupDialog> setup_;
-  std::string opened_;  // Id of the session's device.
+  std::string opened_;          // Id of the session's device.
+  std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.
+  QString device_said_;         // Its last message.
+  std::unique_ptr<falcon::PlugWatch> plugs_;
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
