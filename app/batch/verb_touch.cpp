@@ -121,7 +121,7 @@ struct StrokeFindings {
 std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
   provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
-  const InputFile stroke = inputFile(a.stroke, {}, task);
+  const InputFile stroke = a.stroke.empty() ? InputFile{} : inputFile(a.stroke, {}, task);
   provenance.touch = Json{
       {"stroke", {{"file", stroke.file}, {"sha256", stroke.sha256}}},
       {"frame", a.frame},
@@ -153,8 +153,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     device->open();
   }
 
-  const std::unique_ptr<SampleLog> log = openLog(
-      a.out, touchHeader(a, setup) + "\n" + stateOfTouch(a, setup, task), setup.space.get());
+  const std::unique_ptr<SampleLog> log =
+      openLog(a.out, touchHeader(a, setup, task), setup.space.get());
   StrokeFindings findings{window, *setup.space};
   std::optional<HapticSample> before;
   std::vector<PlotRow> plot;
@@ -224,7 +224,7 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   return setup;
 }
 
-std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   const Surface& surface = setup.surface;
   const std::string stroke = a.stroke.empty()
                                  ? "by hand"
@@ -245,7 +245,8 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
          name(surfaceKind(a)) + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm" +
          (a.friction.empty() ? std::string() : ", friction " + Json(a.friction).dump()) +
          (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
-         ", safety " + (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump();
+         ", safety " + (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump() + "\n" +
+         stateOfTouch(a, setup, task);
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {

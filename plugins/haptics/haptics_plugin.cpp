@@ -100,6 +100,7 @@ void HapticsPlugin::showWindow(const RegionWindow& window) {
   surface_ = settings_.feel.surface;
   try {
     session_->show(window, surface_);
+    if (session_->recorder().running()) recorded_windows_ += windowLine(window);
   } catch (const Error& error) {
     setForces(false);
     host_->announce(QString::fromStdString(error.what()));
@@ -172,7 +173,7 @@ void HapticsPlugin::applySurface() {
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop(loopLines(session_->stats()));
+    session_->recorder().stop(loopLines(session_->stats()) + recorded_windows_.toStdString());
     return;
   }
   try {
@@ -183,6 +184,8 @@ void HapticsPlugin::setRecording(bool on) {
         host_->recordingHeader(), QString::fromStdString(device.name),
         withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
     session_->recorder().start(file.toStdString(), header.toStdString());
+    const auto window = host_->shownWindow();
+    recorded_windows_ = window ? windowLine(*window) : QString();
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
   } catch (const Error& error) {
     const QSignalBlocker blocker(actions_.record);

@@ -68,7 +68,8 @@ class HapticsPlugin : public QObject, public Plugin {
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
-  Probe shown_;  // Last given to the host; window_id 0: none yet.
+  QString recorded_windows_;  // Lines for the running recording's end.
+  Probe shown_;               // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last.
