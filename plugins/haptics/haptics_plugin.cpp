@@ -34,6 +34,7 @@ void HapticsPlugin::attach(Host& host) {
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
   timer_.start(kFrameMs);
   plugs_ = std::make_unique<falcon::PlugWatch>();
+  sleep_ = std::make_unique<SleepWatch>();
   slowReadouts();
 }
 
@@ -75,6 +76,7 @@ void HapticsPlugin::detach() noexcept {
   if (!session_) return;
   timer_.stop();
   plugs_.reset();
+  sleep_.reset();
   disconnect(host_, nullptr, this, nullptr);
   delete setup_;  // Zero force, joins.
   buttons_.reset();
@@ -209,6 +211,7 @@ void HapticsPlugin::frame() {
   watchSoftening(sample);
   watchRecording();
   runButtons(sample);
+  watchSleep(sample);
   constexpr int kFramesPerReadout = 8;
   if (++frames_ % kFramesPerReadout == 0) slowReadouts();
 }
@@ -250,6 +253,25 @@ void HapticsPlugin::watchDevice(LoopReport& report) {
   if (text == device_said_) return;
   device_said_ = text;
   host_->announce(text);
+}
+
+void HapticsPlugin::watchSleep(const HapticSample& sample) {
+  switch (sleep_->poll()) {
+    case SleepWatch::News::about_to_sleep:
+      setForces(false);
+      frames_at_zero_ = 0;
+      break;
+    case SleepWatch::News::woken:
+      frames_at_zero_ = -1;
+      host_->announce(tr("Forces are off after the sleep. Press F5 to switch them on."));
+      break;
+    case SleepWatch::News::none:
+      break;
+  }
+  if (frames_at_zero_ < 0 || sample.engaged != EngagePhase::off) return;
+  // Zero reaches the wire within two ticks, unless the driver is busy asking again.
+  constexpr int kFramesUntilSent = 3;
+  if (++frames_at_zero_ == kFramesUntilSent) sleep_->letSleep();
 }
 
 void HapticsPlugin::watchPlugs() {

@@ -7,6 +7,7 @@
 #include <QTimer>
 
 #include "haptics/device/falcon/usb_bus.h"
+#include "haptics/rt/sleep_watch.h"
 #include "plugins/api/plugin.h"
 #include "plugins/haptics/device_setup_buttons.h"
 #include "plugins/haptics/device_setup_dialog.h"
@@ -53,6 +54,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchRecording();
   void watchDevice(LoopReport& report);  // Announces its news, and adds them.
   void watchPlugs();
+  void watchSleep(const HapticSample& sample);
   void runButtons(const HapticSample& sample);
   void setUpDevice();
 
@@ -65,6 +67,8 @@ class HapticsPlugin : public QObject, public Plugin {
   std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.
   QString device_said_;         // Its last message.
   std::unique_ptr<falcon::PlugWatch> plugs_;
+  std::unique_ptr<SleepWatch> sleep_;
+  int frames_at_zero_ = -1;  // Since sleep was announced; -1: it was not.
   TouchActions actions_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;

@@ -13,6 +13,8 @@
 #include "tests/emulator/mock_usb.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/plugins/test_host.h"
+#include "tests/realtime/fake_logind.h"
+#include "tests/realtime/message_bus.h"
 
 namespace relievo {
 namespace {
@@ -40,6 +42,7 @@ class FalconPluginTest : public ::testing::Test {
   }
   void SetUp() override {
     if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
+    logind_ = std::make_unique<test::FakeLogind>(bus_->address());
     ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
     plugin_ = qobject_cast<Plugin*>(loader_.instance());
     ASSERT_NE(plugin_, nullptr);
@@ -70,13 +73,22 @@ class FalconPluginTest : public ::testing::Test {
   }
   QString all() const { return host_.announcements.join('\n'); }
 
+  static void SetUpTestSuite() {
+    dbus_threads_init_default();
+    bus_ = std::make_unique<test::MessageBus>();
+  }
+  static void TearDownTestSuite() { bus_.reset(); }
+
+  static std::unique_ptr<test::MessageBus> bus_;
   QTemporaryDir home_;
   emulator::MockUsb usb_;
   std::shared_ptr<SharedFalcon> falcon_;
+  std::unique_ptr<test::FakeLogind> logind_;
   TestHost host_;
   QPluginLoader loader_{QStringLiteral(RELIEVO_BINARY_DIR "/plugins/haptics_plugin.so")};
   Plugin* plugin_ = nullptr;
 };
+std::unique_ptr<test::MessageBus> FalconPluginTest::bus_;
 
 TEST_F(FalconPluginTest, TheListFollowsThePlug) {
   auto* list = inPanel<QComboBox>("deviceList");
@@ -119,6 +131,32 @@ TEST_F(FalconPluginTest, AnUnpluggedFalconIsNamedAndComesBackByItself) {
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
   EXPECT_TRUE(listed("Falcon"));
   EXPECT_EQ(list->findText("Falcon (not here now)"), -1);
+}
+
+TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
+  plugIn();
+  falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 165}); });
+  ASSERT_TRUE(listed("Falcon"));
+  auto* list = inPanel<QComboBox>("deviceList");
+  list->setCurrentIndex(list->findData("falcon:0"));
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  host_.actions.at("forces")->trigger();
+  const auto pushed = [this] {
+    return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
+  };
+  ASSERT_TRUE(
+      eventually([this] { return !host_.probes.empty() && host_.probes.back().forces_on; }));
+  falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 100}); });
+  ASSERT_TRUE(eventually(pushed));
+  ASSERT_TRUE(logind_->isDelayed());
+  logind_->tell(true);
+  ASSERT_TRUE(eventually([this] { return !logind_->isDelayed(); }));
+  EXPECT_TRUE(falcon_->with([](FalconEmulator& f) { return f.commands().back().neutral(); }))
+      << "before the computer sleeps";
+  EXPECT_FALSE(host_.actions.at("forces")->isChecked());
+  logind_->tell(false);
+  EXPECT_TRUE(said("Forces are off after the sleep. Press F5 to switch them on."));
+  EXPECT_TRUE(eventually([this] { return logind_->isDelayed(); })) << "the next sleep waits, too";
 }
 
 }  // namespace
