@@ -46,7 +46,7 @@ std::string windowText(const HapticSample& sample) {
 }
 
 std::string stiffnessText(const HapticSample& sample) {
-  return "stiffness " + numberText(1000 * sample.stiffness_n_per_mm, 0) + " N/m";
+  return "stiffness " + numberText(1000 * sample.firm_stiffness_n_per_mm, 0) + " N/m";
 }
 
 void addButtons(Events& events, std::uint32_t before, std::uint32_t now) {
@@ -82,7 +82,9 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
   if (now.fault != before.fault) events.add(std::string(describe(now.fault)));
   if (now.engaged != before.engaged) events.add(std::string(phaseText(now.engaged)));
   if (now.softened > before.softened) events.add("softened against swinging");
-  if (now.stiffness_n_per_mm != before.stiffness_n_per_mm) events.add(stiffnessText(now));
+  if (now.firm_stiffness_n_per_mm != before.firm_stiffness_n_per_mm) {
+    events.add(stiffnessText(now));
+  }
   addButtons(events, before.buttons, now.buttons);
   return events.take();
 }

@@ -101,7 +101,10 @@ void HapticsPlugin::showWindow(const RegionWindow& window) {
   shown_ = {};  // The host may have cleared its probe.
   surface_ = settings_.feel.surface;
   try {
-    session_->show(window, surface_);
+    std::vector<float> finer_mm;
+    textured_ = settings_.feel.fields.texture_mm > 0;
+    if (textured_) finer_mm = host_->finerHeights(window);
+    session_->show(window, surface_, finer_mm);
     if (session_->recorder().running()) recorded_windows_ += windowLine(window);
   } catch (const Error& error) {
     setForces(false);
@@ -168,7 +171,8 @@ void HapticsPlugin::applySettings() {
 }
 
 void HapticsPlugin::applySurface() {
-  if (!session_ || surface_ == settings_.feel.surface) return;
+  const bool texture_missing = settings_.feel.fields.texture_mm > 0 && !textured_;
+  if (!session_ || (surface_ == settings_.feel.surface && !texture_missing)) return;
   if (const auto window = host_->shownWindow()) showWindow(*window);
 }
 

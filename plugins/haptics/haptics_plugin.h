@@ -76,7 +76,8 @@ class HapticsPlugin : public QObject, public Plugin {
   Probe shown_;               // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   int softened_ = 0;
-  SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last.
+  SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
+  bool textured_ = false;
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;
 };

@@ -5,6 +5,7 @@
 
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
+#include "haptics/proxy/texture.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -43,12 +44,14 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
   }
 }
 
-void LoopSession::show(const RegionWindow& window, SurfaceKind kind) {
+void LoopSession::show(const RegionWindow& window, SurfaceKind kind,
+                       std::span<const float> finer_mm) {
   const HapticSample& last = update();
   std::optional<Anchor> touched;  // Stays under the hand.
   if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
-  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels},
-       kind, touched);
+  HapticSpace& space = loop_->spaces().back();
+  fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched);
+  fillTexture(space, finer_mm);
   loop_->spaces().publish();
   mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);

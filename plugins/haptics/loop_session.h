@@ -30,7 +30,8 @@ class LoopSession {
   /// A new surface. The hand keeps its place sideways and its depth, so that a change of detail
   /// while touching goes on touching; so does another kind of surface of the same window.
   /// @throw ArgumentError
-  void show(const RegionWindow& window, SurfaceKind kind);
+  /// @param finer_mm  see fillTexture(); empty: no texture
+  void show(const RegionWindow& window, SurfaceKind kind, std::span<const float> finer_mm = {});
   bool hasWindow() const noexcept { return has_window_; }
   /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
   /// does not care.

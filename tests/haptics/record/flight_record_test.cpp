@@ -68,7 +68,7 @@ TEST(FlightRecord, SaysWhyThereIsNone) {
 
 TEST(Events, NameWhatChangedBetweenTwoSamples) {
   HapticSample a, b;
-  a.stiffness_n_per_mm = b.stiffness_n_per_mm = 0.8;
+  a.firm_stiffness_n_per_mm = b.firm_stiffness_n_per_mm = 0.8;
   b.tick = 1;
   EXPECT_EQ(eventBetween(a, b), "");
   b.tick = 4;
@@ -77,7 +77,8 @@ TEST(Events, NameWhatChangedBetweenTwoSamples) {
   b.window_id = 7;
   b.detail = 3;
   b.engaged = EngagePhase::rising;
-  b.stiffness_n_per_mm = 0.6;
+  b.stiffness_n_per_mm = 0.3;  // On soft ground: not a change of its own.
+  b.firm_stiffness_n_per_mm = 0.6;
   b.buttons = 0b100;
   b.softened = 1;
   b.fault = DeviceFault::timeout;
