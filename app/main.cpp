@@ -7,10 +7,10 @@
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
+#include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
-#include "core/io/import.h"
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/depth_capture.h"
@@ -43,6 +43,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 
   MainWindow window(captureDepths,
                     options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered);
+  window.setRecordingReader(batch::readRecording);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
@@ -69,7 +70,6 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
   relievo::WindowOptions options;
   try {

@@ -62,11 +62,7 @@ struct TouchSetup {
 /// @throw ArgumentError, FileError, DeviceError (no such device)
 TouchSetup prepareTouch(const TouchArguments& arguments, const Task& task);
 
-/// Comment lines of the log: enough to repeat it.
-std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup);
-
-/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
-std::string stateOfTouch(const TouchArguments& arguments, const TouchSetup& setup,
-                         const Task& task);
+/// Comment lines of the log: enough to repeat it, and where it comes from in one line.
+std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup, const Task& task);
 
 }  // namespace relievo::batch

@@ -96,6 +96,20 @@ struct StrokeFindings {
   }
 };
 
+/// Where the log comes from, in one line; what decides the force stands in the header's parameters.
+std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
+  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
+  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
+  const InputFile stroke = a.stroke.empty() ? InputFile{} : inputFile(a.stroke, {}, task);
+  Json touch = Json::parse(feelJson(a));
+  touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+  touch["frame"] = a.frame;
+  touch["device"] = a.device;
+  touch["safety"] = safetyOf(a);
+  provenance.touch = touch.dump();
+  return stateLine(toJson(provenance, -1));
+}
+
 Outcome runTouch(const TouchArguments& a, const Task& task) {
   const Stroke stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
@@ -113,8 +127,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     device->open();
   }
 
-  const std::unique_ptr<SampleLog> log = openLog(
-      a.out, touchHeader(a, setup) + "\n" + stateOfTouch(a, setup, task), setup.space.get());
+  const std::unique_ptr<SampleLog> log =
+      openLog(a.out, touchHeader(a, setup, task), setup.space.get());
   StrokeFindings findings{window, *setup.space};
   std::optional<HapticSample> before;
   std::vector<PlotRow> plot;
@@ -190,22 +204,7 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   return setup;
 }
 
-std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
-  Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
-  provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
-  Json touch = Json::parse(feelJson(a));
-  if (!a.stroke.empty()) {
-    const InputFile stroke = inputFile(a.stroke, {}, task);
-    touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
-  }
-  touch["frame"] = a.frame;
-  touch["device"] = a.device;
-  touch["safety"] = safetyOf(a);
-  provenance.touch = touch.dump();
-  return stateLine(toJson(provenance, -1));
-}
-
-std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   const Surface& surface = setup.surface;
   const std::string stroke = a.stroke.empty()
                                  ? "by hand"
@@ -224,7 +223,8 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
                                                     : std::string("by detail")) +
          " N/mm, friction " + parameters["friction"].dump() + ", damping " +
          parameters["damping_n_s_per_mm"].dump() + " N s/mm, safety " +
-         (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump();
+         (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump() + "\n" +
+         stateOfTouch(a, setup, task);
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {

@@ -171,7 +171,8 @@ FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const
   FrontDepths filled = depths.front;
   Mask measured = maskOf(filled);
   int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
-  if (radius > 0 && !depths.one_layer) {
+  // A back can hide all gaps: then no cell is empty, and the radius is 0.
+  if (source.has_sampling_gaps && !depths.one_layer) {
     result.seen_through = dropSeenThrough(filled, frame, radius + 1, task);
     for (std::size_t i = 0; i < depths.quality.counts.size(); ++i) {
       if (measured[i] != 0 && std::isnan(filled[i])) {
@@ -189,15 +190,20 @@ FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const
   std::vector<LabelledHole> holes = enclosedHoles(areas, frame);
   for (LabelledHole& labelled : holes) labelled.hole.filled = isToBeFilled(labelled.hole, choice);
 
-  // What the rule found between the points stands; the rest comes from the cells around.
+  // What the rule found between the points stands; the rest comes from the cells around. In a cell
+  // that showed the back the rule found the back.
   Mask known = measured;
   for (std::size_t i = 0; i < depths.between.size(); ++i) {
     if (known[i] != 0 || covered[i] == 0 || std::isnan(depths.between[i])) continue;
+    if (!std::isnan(depths.front[i])) continue;
     filled[i] = depths.between[i];
     known[i] = 1;
   }
   pushPull(filled, known, frame.size, task);
   task.check();
+  Mask gaps = covered;
+  for (std::size_t i = 0; i < count; ++i) gaps[i] &= static_cast<std::uint8_t>(known[i] ^ 1U);
+  keepWithinNeighbours(filled, known, gaps, frame.size);
   if (choice.rule == HoleRule::membrane) {
     layMembranes(holes, areas, covered, filled, frame.size, task);
   }

@@ -354,6 +354,10 @@ std::string_view describe(PointRule rule) {
   return "front-most point";
 }
 
+bool isForOneLayer(PointRule rule) {
+  return rule == PointRule::quadratic || rule == PointRule::median;
+}
+
 RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
   std::vector<RowRange> ranges = sampledRows(request.frame.size);
   for (RowRange& range : ranges) range = widened(range, kFlyerReach);
@@ -420,8 +424,7 @@ class Scatter {
     if (!request_.rule) rule = propose(points, request_.frame, task_);
     rule_ = rule.rule;
     out_.rule = rule.reason + ": " + std::string(describe(rule_));
-    out_.one_layer =
-        !request_.rule && (rule_ == PointRule::quadratic || rule_ == PointRule::median);
+    out_.one_layer = !request_.rule && isForOneLayer(rule_);
     if (rule_ == PointRule::quadratic) {
       noise_mm_ = request_.noise_mm ? *request_.noise_mm : noiseOf(points, request_.frame, task_);
     }

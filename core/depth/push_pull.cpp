@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -27,6 +29,19 @@ float coarseValue(const PushPullLayer& coarse, Cell fine) {
   return (1 - v) * ((1 - u) * at(c0, r0) + u * at(c1, r0)) +
          v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
 }
+
+/// The second lowest and the second highest of some values.
+struct NeighbourRange {
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
+  float lowest = kFar, low = kFar, high = -kFar, highest = -kFar;
+  int found = 0;
+
+  void add(float z) {
+    low = std::min(low, z < lowest ? std::exchange(lowest, z) : z);
+    high = std::max(high, z > highest ? std::exchange(highest, z) : z);
+    ++found;
+  }
+};
 
 }  // namespace
 
@@ -81,6 +96,35 @@ void pushPull(std::vector<float>& values, const Mask& known, GridSize size, cons
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (known[i] == 0) values[i] = layers[0].values[i];
+  }
+}
+
+void keepWithinNeighbours(std::vector<float>& values, Mask known, const Mask& gaps, GridSize size) {
+  constexpr int kEnough = 4;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] != 0) left.push_back(i);
+  }
+  std::vector<std::size_t> kept;
+  for (int round = 0; round < kNeighbourRounds; ++round) {
+    kept.clear();
+    const auto is_kept = [&](std::size_t i) {
+      const int row = static_cast<int>(i / static_cast<std::size_t>(size.cols));
+      const int col = static_cast<int>(i % static_cast<std::size_t>(size.cols));
+      NeighbourRange range;
+      for (int r = std::max(row - 1, 0); r < std::min(row + 2, size.rows); ++r) {
+        for (int c = std::max(col - 1, 0); c < std::min(col + 2, size.cols); ++c) {
+          const std::size_t k = size.index({.col = c, .row = r});
+          if (known[k] != 0) range.add(values[k]);
+        }
+      }
+      if (range.found < kEnough) return false;
+      values[i] = std::clamp(values[i], range.low, range.high);
+      kept.push_back(i);
+      return true;
+    };
+    std::erase_if(left, is_kept);
+    for (const std::size_t i : kept) known[i] = 1;
   }
 }
 

@@ -2,7 +2,6 @@
 #include "core/io/import.h"
 
 #include <csignal>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <variant>
@@ -21,15 +20,25 @@
 namespace relievo {
 namespace {
 
-/// What can be seen in the first bytes is refused here, before a process is started.
-FileFormat precheck(const std::filesystem::path& file) {
+/// What can be seen of a scan in its first bytes.
+struct Foresight {
+  FileFormat format = FileFormat::other;
+  ImportProgram program = ImportProgram::own;
+};
+
+/// What can be refused by the first bytes is refused here, before a process is started.
+Foresight precheck(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
   checkReadableAsScan(found, file);
   if (found.format == FileFormat::ply) parsePlyHeader(head, file);
-  if (found.format == FileFormat::pcd) parsePcdHeader(head, file);
-  return found.format;
+  Foresight foresight{.format = found.format};
+  if (found.format == FileFormat::pcd &&
+      parsePcdHeader(head, file).encoding == PcdEncoding::binary_compressed) {
+    foresight.program = ImportProgram::libraries;
+  }
+  return foresight;
 }
 
 [[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
@@ -55,15 +64,10 @@ FileFormat precheck(const std::filesystem::path& file) {
 
 /// What the worker answers to `wanted`; throws what it refuses with.
 template <class Wanted>
-Wanted importInWorker(const std::filesystem::path& file, ImportKind kind,
+Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
                       const ImportOptions& options, const Task& task) {
-  if (std::getenv(kWorkerMark) != nullptr) {
-    throw ArgumentError(
-        "This program was started as an import worker, but its main() does not "
-        "call runImportWorkerIfAsked first.");
-  }
   task.report("opening", 0);
-  WorkerProcess worker(file, kind, options);
+  WorkerProcess worker(program, file, kind, options);
   const WorkerEnd end = worker.wait(task);
   task.check();
   WorkerAnswer answer;
@@ -82,11 +86,13 @@ Wanted importInWorker(const std::filesystem::path& file, ImportKind kind,
 
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  if (precheck(file) != FileFormat::laz) {
-    return importInWorker<Scan>(file, ImportKind::scan, options, task);
+  const Foresight foresight = precheck(file);
+  if (foresight.format != FileFormat::laz) {
+    return importInWorker<Scan>(foresight.program, file, ImportKind::scan, options, task);
   }
   const UnpackedLas unpacked(file, task);
-  Scan scan = importInWorker<Scan>(unpacked.file(), ImportKind::scan, options, task);
+  Scan scan =
+      importInWorker<Scan>(ImportProgram::own, unpacked.file(), ImportKind::scan, options, task);
   scan.info.file = file;
   scan.info.format.replace(0, 3, "LAZ");
   return scan;
@@ -96,7 +102,8 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
                        const Task& task) {
   task.check();
   checkedFileSize(file);
-  return importInWorker<RasterMap>(file, ImportKind::raster, options, task);
+  return importInWorker<RasterMap>(ImportProgram::libraries, file, ImportKind::raster, options,
+                                   task);
 }
 
 bool looksLikeRaster(const std::filesystem::path& file) {

@@ -156,14 +156,16 @@ std::vector<double> readColumn(hid_t file, std::string_view name) {
 }
 }  // namespace
 
-LogTable readHdf5Log(const std::filesystem::path& file) {
+LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
   LogTable table;
   try {
     const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     table.header = readText(held, "provenance");
+    if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
     for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
+      task.check();
       const std::vector<double> values = readColumn(held, kLogColumns[i].name);
       if (i == 0) table.rows.resize(values.size());
       if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");

@@ -3,13 +3,14 @@
 
 #include <memory>
 
+#include "core/base/task.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo {
 
 struct LogTable;
-/// See readLog. @throw FileError
-LogTable readHdf5Log(const std::filesystem::path& file);
+/// See readLog. @throw FileError, Cancelled
+LogTable readHdf5Log(const std::filesystem::path& file, const Task& task = {});
 
 /// A log as HDF5: /log/COLUMN one compressed dataset each with the attributes `unit` and
 /// `description`; /events (time_s, tick, text); /surface/depth and /surface/origin; /parameters,

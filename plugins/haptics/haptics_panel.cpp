@@ -14,6 +14,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "core/base/error.h"
 #include "haptics/device_catalog.h"
 
 namespace relievo {
@@ -68,6 +69,7 @@ void setTextIfNew(QLabel* label, const QString& text) {
 
 QString stateText(const LoopReport& report) {
   const HapticSample& sample = report.sample;
+  if (!report.not_ready.isEmpty()) return report.not_ready;
   if (sample.fault != DeviceFault::none) {
     const std::string_view fault = describe(sample.fault);
     return HapticsPanel::tr("Off: %1. Switch off and on to try again.")
@@ -245,12 +247,29 @@ void HapticsPanel::connectControls() {
 }
 
 void HapticsPanel::listDevices() {
+  const QSignalBlocker blocker(device_);
+  const QString chosen = device_->currentData().toString();
+  device_->clear();
   for (const DeviceDriver& driver : deviceCatalog()) {
     for (const std::string& id : driver.scan()) {
       device_->addItem(QString::fromStdString(driver.make(id)->info().name),
                        QString::fromStdString(id));
     }
   }
+  if (!chosen.isEmpty()) chooseDevice(chosen);
+}
+
+void HapticsPanel::chooseDevice(const QString& id) {
+  if (device_->findData(id) < 0) {
+    QString name = id;
+    try {
+      name = QString::fromStdString(makeDevice(id.toStdString())->info().name);
+    } catch (const Error&) {
+      // Known to no driver: its id must do.
+    }
+    device_->addItem(tr("%1 (not here now)").arg(name), id);
+  }
+  device_->setCurrentIndex(device_->findData(id));
 }
 
 void HapticsPanel::buildReadouts() {
@@ -322,9 +341,7 @@ void HapticsPanel::setSettings(const TouchSettings& settings) {
     knock_->setValue(feel.transient.contact_n);
     magnet_->setValue(feel.fields.magnet_n);
     magnet_reach_mm_ = feel.fields.magnet_reach_mm;
-    const QString device = QString::fromStdString(settings.device);
-    if (device_->findData(device) < 0) device_->addItem(device, device);  // Not here now.
-    device_->setCurrentIndex(device_->findData(device));
+    chooseDevice(QString::fromStdString(settings.device));
   }
   changed();
 }

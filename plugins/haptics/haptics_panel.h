@@ -26,6 +26,8 @@ class HapticsPanel : public QWidget {
   void setSettings(const TouchSettings& settings);
   TouchSettings settings() const;
   void setForcesAsked(bool on);
+  /// Those that are there now; the chosen one stays chosen.
+  void listDevices();
   void show(const LoopReport& report);  ///< A few times a second.
   using QWidget::show;
 
@@ -44,7 +46,7 @@ class HapticsPanel : public QWidget {
   void takeStiffness(double value);
   std::size_t level() const;  // Index of the shown level's own stiffness.
   SurfaceFeel feel() const;
-  void listDevices();
+  void chooseDevice(const QString& id);
   void buildReadouts();
   QFormLayout* rows();
   void showDetails();

@@ -21,6 +21,7 @@ LoopSession::LoopSession(const std::string& device_id)
       plot_start_ns_(monotonicNs()) {
   std::unique_ptr<Device> device = makeDevice(device_id);
   steered_ = dynamic_cast<SteeredDevice*>(device.get());
+  falcon_ = dynamic_cast<falcon::FalconDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
   drain_ = std::make_unique<SampleDrain>(
@@ -78,6 +79,10 @@ const HapticSample& LoopSession::update() {
 const LoopStats& LoopSession::stats() {
   loop_->stats().update();
   return loop_->stats().front();
+}
+
+const falcon::LinkStatus* LoopSession::falconStatus() {
+  return falcon_ == nullptr ? nullptr : &falcon_->status();
 }
 
 std::vector<PlotSample> LoopSession::takePlot() {

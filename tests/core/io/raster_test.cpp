@@ -18,6 +18,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "tests/core/io/refusal.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -83,12 +84,7 @@ struct ForeignRaster {
 };
 
 std::string refusal(const std::filesystem::path& file) {
-  try {
-    readRaster(file);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf([&] { readRaster(file); }).words;
 }
 
 TEST(Raster, OwnMapComesBackBitForBit) {
