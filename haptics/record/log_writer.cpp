@@ -43,7 +43,7 @@ void appendQuoted(std::string& to, std::string_view text) {
   to += '"';
 }
 
-/// How the loop ran, and where the windows lay: of these there may be any number.
+/// How the loop ran; and lines of which there may be any number.
 struct Footer {
   std::string loop, windows;
 };
@@ -52,7 +52,8 @@ Footer splitFooter(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = text.substr(0, end);
-    (line.starts_with("window ") ? parts.windows : parts.loop).append(line).append("\n");
+    const bool many = line.starts_with("window ") || line.starts_with("replay ");
+    (many ? parts.windows : parts.loop).append(line).append("\n");
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return parts;
