@@ -210,7 +210,10 @@ void HapticsPlugin::frame() {
     }
   }
   const std::vector<PlotSample> plot = session_->takePlot();
-  if (!plot.empty()) host_->plot(plot);
+  if (!plot.empty()) {
+    host_->plot(plot);
+    if (panel_) panel_->plot(plot);
+  }
   watchFault(sample);
   watchSoftening(sample);
   watchRecording();
