@@ -27,16 +27,25 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier, const Inp
                   "E501");
 }
 
-}  // namespace
-
-Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
-                            const std::filesystem::path& out, const Task& task) {
-  Provenance provenance = provenanceOf(surface, surfaceOptions(arguments));
+Provenance withInput(Provenance provenance, const MapArguments& arguments,
+                     const std::filesystem::path& out, const Task& task) {
   const std::filesystem::path folder = out.parent_path();
   provenance.input =
       inputFile(arguments.file, folder.empty() ? std::filesystem::path(".") : folder, task);
   provenance.accept_incomplete = arguments.accept_incomplete;
   return provenance;
+}
+
+}  // namespace
+
+Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
+                            const std::filesystem::path& out, const Task& task) {
+  return withInput(provenanceOf(surface, surfaceOptions(arguments)), arguments, out, task);
+}
+
+Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map,
+                            const std::filesystem::path& out, const Task& task) {
+  return withInput(provenanceOf(map, surfaceOptions(arguments)), arguments, out, task);
 }
 
 std::optional<std::string> carriedState(const std::filesystem::path& file) {

@@ -14,6 +14,8 @@ namespace relievo::batch {
 /// Where what a verb writes to `out` comes from.
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const std::filesystem::path& out, const Task& task);
+Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map,
+                            const std::filesystem::path& out, const Task& task);
 
 /// What a picture, map or log of ours carries, wherever its format keeps it; nothing if it carries
 /// none: a figure's project, or a provenance (see isProject). @throw FileError  missing or damaged

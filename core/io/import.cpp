@@ -108,9 +108,8 @@ RasterRows importRasterRows(const std::filesystem::path& file, const std::filesy
                             const ImportOptions& options, const Task& task) {
   task.check();
   checkedFileSize(file);
-  RasterRows rows =
-      importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster_rows, options,
-                                 task, folder.empty() ? "." : folder);
+  auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster_rows,
+                                         options, task, folder.empty() ? "." : folder);
   rows.nameFile(file);
   return rows;
 }
@@ -119,7 +118,7 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
                        const Task& task) {
   task.check();
   checkedFileSize(file);
-  RasterRows rows =
+  auto rows =
       importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster, options, task);
   rows.nameFile(file);
   RasterMap raster;

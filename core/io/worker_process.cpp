@@ -45,7 +45,7 @@ std::filesystem::path importProgram(ImportProgram program, const std::filesystem
   // Installed; beside the program in the build folder; beside the build's tests.
   for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
     std::error_code missing;
-    const std::filesystem::path found = (folder / place / name).lexically_normal();
+    std::filesystem::path found = (folder / place / name).lexically_normal();
     if (std::filesystem::is_regular_file(found, missing)) return found;
   }
   throw FileError("Files cannot be read: the program " + name.string() +

@@ -176,9 +176,9 @@ void fillAndWrite(LargeMap& map, const BandDepths& depths, const GridFrame& fram
         files.add(heights, origins);
       },
       task);
-  files.finish(map.view_from_file);
   finest.into(map);
   map.frames = files.frames();
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
   map.seconds.pyramid = secondsSince(write_start);
 }
 
@@ -346,9 +346,9 @@ void writeOwnMap(LargeMap& map, const RasterRows& raster, const GridFrame& frame
     files.add(heights.data(), origins.data());
   }
   map.view_from_file = raster.head().view_from_file.value_or(ViewFromFile{});
-  files.finish(map.view_from_file);
   finest.into(map);
   map.frames = files.frames();
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
   map.seconds.pyramid = secondsSince(start);
 }
 

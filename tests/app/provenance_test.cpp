@@ -56,6 +56,28 @@ class Repeatable : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(Repeatable, AMapByTilesSaysInEveryFileWhatItWasMadeFrom) {
+  std::ofstream grid(path("scans/dem.asc"));
+  grid << "ncols 300\nnrows 250\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 300 * 250; ++i) grid << i % 37 << ' ';
+  grid.close();
+  ASSERT_EQ(runRelievo({"depthmap", path("scans/dem.asc"), "--unit", "cm", "--memory", "500", "-o",
+                        path("figures/map.tif")})
+                .exit_code,
+            0);
+  for (const char* const name : {"map.tif", "map.origin.tif", "map.L1.tif"}) {
+    SCOPED_TRACE(name);
+    const Provenance found = stateOf(path(std::string("figures/") + name));
+    EXPECT_EQ(found.input.file, "../scans/dem.asc");
+    EXPECT_EQ(found.input.sha256, sha256OfFile(path("scans/dem.asc"), {}));
+    EXPECT_EQ(found.options.unit, LengthUnit::cm);
+    EXPECT_EQ(found.version, RELIEVO_VERSION_STRING);
+    const json made = json::parse(found.made);
+    EXPECT_EQ(made["cells"], (json{300, 250}));
+    EXPECT_EQ(made["engine"], "raster");
+  }
+}
+
 TEST_F(Repeatable, AnImageIsDrawnAgainFromItself) {
   const std::string first = path("figures/a.png");
   ASSERT_EQ(runRelievo({"render",

@@ -105,6 +105,40 @@ TEST(LargeMap, GivesTheBytesOfTheMapInMemory) {
   EXPECT_EQ(tiled.levelMap({0}).origins, whole.map.origins);
 }
 
+/// Rules that weigh points by their place. A tile keeps places as floats, to some 1/30 000 of a
+/// cell; the whole map has them from the file. So weights differ that much, and heights by less
+/// than a thousandth of a millimetre on this relief (docs/adr/0037).
+class LargeMapRule : public ::testing::TestWithParam<PointRule> {};
+
+TEST_P(LargeMapRule, GivesTheHeightsOfTheMapInMemory) {
+  const test::TileFolder folder;
+  const test::Las las = bigLas(1'500'000);
+  writeLas(folder / "scan.las", las);
+  SurfaceOptions options = gridOptions(GetParam());
+  options.spacing_mm = 0.5;
+  const LargeMap large = makeLargeMap(
+      folder / "scan.las", options,
+      {.file = folder / "map.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}});
+  EXPECT_GT(large.spilled_bytes, 1'000'000U);
+  const Surface whole = makeSurface(scanOf(las), options, rasterize);
+  const DepthMap tiled = TiledMap(folder / "map.tif").levelMap({0});
+  ASSERT_EQ(tiled.heights_mm.size(), whole.map.heights_mm.size());
+  std::size_t other_heights = 0;
+  float furthest = 0;
+  for (std::size_t i = 0; i < tiled.heights_mm.size(); ++i) {
+    other_heights += tiled.heights_mm[i] == whole.map.heights_mm[i] ? 0 : 1;
+    furthest = std::max(furthest, std::abs(tiled.heights_mm[i] - whole.map.heights_mm[i]));
+  }
+  EXPECT_TRUE(tiled.origins == whole.map.origins);
+  EXPECT_LT(furthest, 1e-3F);
+  EXPECT_LT(other_heights, tiled.heights_mm.size() / 10);
+}
+INSTANTIATE_TEST_SUITE_P(NotMerging, LargeMapRule,
+                         ::testing::Values(PointRule::splat, PointRule::quadratic),
+                         [](const auto& rule) {
+                           return rule.param == PointRule::splat ? "Splat" : "Quadratic";
+                         });
+
 TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {
   const test::TileFolder folder;
   writeLas(folder / "scan.las", bigLas(2'500'000));
