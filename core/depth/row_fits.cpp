@@ -7,12 +7,8 @@
 #include <array>
 #include <cmath>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define RELIEVO_WIDE_VECTORS
-#endif
+#include "core/base/wide_vectors.h"
+
 #define RELIEVO_INLINE inline __attribute__((always_inline))
 
 namespace relievo {

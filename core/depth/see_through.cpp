@@ -164,7 +164,8 @@ class GapWindow {
         const int up = next.row - middle_.row + kGapReach;
         if (right < 0 || up < 0 || right >= kSide || up >= kSide) return true;
         if (!frame_.size.contains(next)) continue;
-        bool& was_seen = seen[static_cast<std::size_t>(up * kSide + right)];
+        bool& was_seen =
+            seen[static_cast<std::size_t>(up) * kSide + static_cast<std::size_t>(right)];
         if (was_seen || !is_part(next)) continue;
         was_seen = true;
         found.push_back(next);
