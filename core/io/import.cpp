@@ -17,6 +17,7 @@
 #include "core/io/raster_rows.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
+#include "core/io/system_unit.h"
 #include "core/io/unpack_las.h"
 #include "core/io/worker_process.h"
 
@@ -93,6 +94,7 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
   const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
     Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
     scan.info.file = file;
+    if (scan.info.format.starts_with("LAS")) addUnitOfSystem(what, scan.info);
     return scan;
   };
   if (foresight.format != FileFormat::laz) return read(foresight.program, file);
