@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "core/session/finer_heights.h"
+
 namespace relievo {
 
 WindowHost::WindowHost(MainWindow& window) : window_(window) {
@@ -58,6 +60,12 @@ bool WindowHost::run(const QString& command) {
 
 std::shared_ptr<const RegionWindow> WindowHost::shownWindow() const {
   return window_.document().window();
+}
+
+std::vector<float> WindowHost::finerHeights(const RegionWindow& window) const {
+  const auto surface = window_.document().surface();
+  if (!surface || surface->tiles) return {};
+  return relievo::finerHeights(*surface, window.region, window.gain);
 }
 
 QString WindowHost::recordingHeader() const {

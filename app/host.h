@@ -20,6 +20,7 @@ class WindowHost : public Host {
   void announce(const QString& text) override;
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;
+  std::vector<float> finerHeights(const RegionWindow& window) const override;
   QString recordingHeader() const override;
 
  private:

@@ -7,6 +7,7 @@
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
+#include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
@@ -42,6 +43,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 
   MainWindow window(captureDepths,
                     options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered);
+  window.setRecordingReader(batch::readRecording);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });

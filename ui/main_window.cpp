@@ -26,6 +26,7 @@
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
 #include "ui/reference_view.h"
+#include "ui/replay_panel.h"
 #include "ui/side_panels.h"
 #include "ui/start_page.h"
 #include "ui/status_fields.h"
@@ -80,6 +81,7 @@ MainWindow::~MainWindow() {
   // Views that vanish under the pointer still speak; nobody must be half gone when they do.
   document_.disconnect();
   document_.history().disconnect();
+  replay_->disconnect();
   detail_->disconnect();
   reference_->disconnect();
   delete takeCentralWidget();
@@ -137,10 +139,14 @@ void MainWindow::layOut() {
   rows_ = new QSplitter(Qt::Vertical);
   rows_->addWidget(views_);
   rows_->addWidget(plot_);
+  replay_ = new ReplayControl(document_, this);
+  replay_->panel()->setMinimumHeight(120);
+  rows_->addWidget(replay_->panel());
   rows_->setCollapsible(0, false);
   rows_->setStretchFactor(0, 1);
   rows_->setStretchFactor(1, 0);
-  rows_->setSizes({kFirstSize.height(), kPlotHeight});
+  rows_->setStretchFactor(2, 0);
+  rows_->setSizes({kFirstSize.height(), kPlotHeight, kPlotHeight});
   row->addWidget(rows_, 1);
 
   panels_ = new SidePanels(work);
@@ -186,6 +192,7 @@ void MainWindow::connectParts() {
     askUnitIfAssumed();
     showRestored();
     detail_->setFocus();
+    replay_->showWaiting();
   });
   connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
   for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
@@ -224,11 +231,13 @@ void MainWindow::connectParts() {
   connect(detail_, &DetailView::pressDepthChanged, this, [this](double depth) {
     announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
+  connectReplay();
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }
 
 void MainWindow::open(const QString& file) {
   restoring_.reset();
+  replay_->forgetWaiting();
   if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
   OpenRequest request;
   request.file = file;
@@ -390,7 +399,7 @@ void MainWindow::setFullScreenDetail(bool on) {
   tools_->setVisible(!on && document_.isOpen());
   reference_box_->setVisible(!on && command("show_reference")->isChecked());
   panels_->setVisible(!on && command("show_panels")->isChecked());
-  plot_->setVisible(!on && command("show_plots")->isChecked());
+  plot_->setVisible(!on && !replay_->showing() && command("show_plots")->isChecked());
   inset_->setVisible(on);
   if (!on) restoreState(layout_before_full_screen_);
   command("full_screen")->setChecked(on);
@@ -432,6 +441,7 @@ void MainWindow::setTheme(Theme theme) {
   reference_->setBackground(c.viewport);
   detail_->setBackground(c.viewport);
   plot_->takeColours();
+  replay_->panel()->takeColours();
   for (QLabel* label : {reference_title_, reference_note_, detail_title_, detail_note_}) {
     QPalette quiet = label->palette();
     quiet.setColor(QPalette::WindowText, c.quiet_text);
@@ -501,8 +511,16 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
       document_.cancel();
       return true;
     }
+    if (replay_->reading()) {
+      replay_->cancel();
+      return true;
+    }
     if (measure_panel_->measuring()) {
       measure_panel_->cancel();
+      return true;
+    }
+    if (replay_->showing()) {
+      replay_->close();
       return true;
     }
     if (isFullScreen()) {

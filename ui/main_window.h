@@ -11,6 +11,7 @@
 #include "ui/document.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
+#include "ui/replay_control.h"
 #include "ui/settings.h"
 #include "ui/touch_readout.h"
 
@@ -78,6 +79,11 @@ class MainWindow : public QMainWindow {
   void announce(const QString& text);
   /// Runs a command by its object name. @return false: unknown or disabled
   bool runCommand(const QString& name);
+  /// Who reads recordings; without one there is no replay.
+  void setRecordingReader(RecordingReader reader);
+  /// Shows a recording on the open map, or offers to open the one it was made on.
+  void replay(const QString& file);
+  ReplayControl& replayControl() { return *replay_; }
   /// Comment lines about input, unit, view and region for a recording's header.
   QString recordingHeader() const;
 
@@ -158,9 +164,20 @@ class MainWindow : public QMainWindow {
   void showMeasurements();
   void saveMeasurements();
 
+  // main_window_replay.cpp
+  void makeReplayCommands();
+  void connectReplay();
+  void chooseRecording();
+  void showReplaying(bool on);
+  void offerRecordedMap(const QString& sentence);
+  void openRecordedMap(const QString& file);
+
   // main_window_touch.cpp
+  void drawProbe(const Probe& probe);
   void showPosition(const ViewMm& position, std::optional<Origin> known);
   StepAbout about() const;
+  /// What is shown, as one line of JSON without places of this computer.
+  std::string carriedState() const;
   bool stopForces();
 
   Settings settings_;
@@ -183,6 +200,7 @@ class MainWindow : public QMainWindow {
   StereoPanel* stereo_panel_ = nullptr;
   MeasurePanel* measure_panel_ = nullptr;
   TimePlot* plot_ = nullptr;
+  ReplayControl* replay_ = nullptr;
   StatusFields* status_ = nullptr;
   QToolBar* tools_ = nullptr;
   QComboBox* detail_choice_ = nullptr;

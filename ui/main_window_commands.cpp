@@ -119,6 +119,7 @@ void MainWindow::makeCommands() {
   makeWindowCommands();
   makeReliefCommands();
   makeMeasureCommands();
+  makeReplayCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {
@@ -302,7 +303,8 @@ void MainWindow::makeWindowCommands() {
                       {},
                       {},
                       true});
-  connect(plots, &QAction::toggled, plot_, &QWidget::setVisible);
+  connect(plots, &QAction::toggled, this,
+          [this](bool on) { plot_->setVisible(on && !replay_->showing()); });
   make({"full_screen",
         tr("Full s&creen detail"),
         {QKeySequence("F11")},

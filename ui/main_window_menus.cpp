@@ -79,10 +79,9 @@ void MainWindow::makeMenus() {
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(tr("&Measure")), {"measure_point", "measure_distance", "measure_depth", "measure_angle",
                              "measure_profile", "measure_area", "-", "measure_save_list"});
-  // Present from the start so that their order is fixed; shown once somebody adds an entry.
-  for (const QString& title : {tr("&Touch"), tr("Re&cord")}) {
-    menu(title)->menuAction()->setVisible(false);
-  }
+  // Present from the start so that the order is fixed; shown once somebody adds an entry.
+  menu(tr("&Touch"))->menuAction()->setVisible(false);
+  add(menu(tr("Re&cord")), {"replay", "replay_play", "replay_close"});
   add(menu(tr("&Help")), {"search_commands", "keys", "about"});
 }
 
@@ -220,6 +219,13 @@ void MainWindow::enableCommands() {
   }
   command("use_view")->setEnabled(is_open && !is_raster && detail_->isTurned());
   if (!is_open) return;
+  if (replay_->showing()) {  // The recording chooses the window.
+    for (const char* name : {"finer", "coarser", "whole", "move_left", "move_right", "move_up",
+                             "move_down", "type_window", "depth_map", "units"}) {
+      command(name)->setEnabled(false);
+    }
+    return;
+  }
   const Region& region = document_.state().region;
   const DetailLadder& ladder = document_.surface()->ladder;
   const StepAbout centre = document_.aboutCentre();

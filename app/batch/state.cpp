@@ -7,6 +7,7 @@
 #include "core/provenance/embedded.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
+#include "haptics/record/sample_log.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo::batch {
@@ -54,6 +55,7 @@ std::optional<std::string> carriedState(const std::filesystem::path& file) {
   if (head == "II" || head == "MM") {
     if (auto state = pictureState(file)) return state;
   }
+  if (readHead(file, 4) == "\x89HDF") return hdf5State(file);
   auto state = embeddedState(file);
   if (state && !state->starts_with('{')) return std::nullopt;  // Another program's description.
   return state;

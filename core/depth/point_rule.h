@@ -14,6 +14,9 @@ std::optional<PointRule> pointRule(std::string_view name);
 /// In words, for people: "front-most point", "median of the points", ...
 std::string_view describe(PointRule rule);
 
+/// Proposed only where the points lie in one layer, so that nothing shows through.
+bool isForOneLayer(PointRule rule);
+
 /// A rule and why, in words for people.
 struct RuleProposal {
   PointRule rule = PointRule::front;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace relievo {
 namespace {
@@ -28,6 +30,27 @@ float coarseValue(const PushPullLayer& coarse, Cell fine) {
          v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
 }
 
+/// From sums of weighted values to means.
+void finishPull(PushPullLayer& coarse) {
+  for (std::size_t i = 0; i < coarse.values.size(); ++i) {
+    if (coarse.weights[i] > 0) coarse.values[i] /= coarse.weights[i];
+    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
+  }
+}
+
+/// The second lowest and the second highest of some values.
+struct NeighbourRange {
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
+  float lowest = kFar, low = kFar, high = -kFar, highest = -kFar;
+  int found = 0;
+
+  void add(float z) {
+    low = std::min(low, z < lowest ? std::exchange(lowest, z) : z);
+    high = std::max(high, z > highest ? std::exchange(highest, z) : z);
+    ++found;
+  }
+};
+
 }  // namespace
 
 PushPullLayer pulled(const PushPullLayer& fine) {
@@ -43,10 +66,7 @@ PushPullLayer pulled(const PushPullLayer& fine) {
       coarse.weights[to] += fine.weights[from];
     }
   }
-  for (std::size_t i = 0; i < coarse.values.size(); ++i) {
-    if (coarse.weights[i] > 0) coarse.values[i] /= coarse.weights[i];
-    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
-  }
+  finishPull(coarse);
   return coarse;
 }
 
@@ -62,15 +82,22 @@ void pushInto(PushPullLayer& fine, const PushPullLayer& coarse) {
 }
 
 void pushPull(std::vector<float>& values, const Mask& known, GridSize size, const Task& task) {
+  // As `pulled` and `pushInto`, with the mask for the weights of the finest layer.
   std::vector<PushPullLayer> layers(1);
-  layers[0].size = size;
-  layers[0].values.assign(values.size(), 0.0F);
-  layers[0].weights.assign(values.size(), 0.0F);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (known[i] == 0) continue;
-    layers[0].values[i] = values[i];
-    layers[0].weights[i] = 1;
+  layers[0].size = {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
+  layers[0].values.assign(layers[0].size.count(), 0.0F);
+  layers[0].weights.assign(layers[0].size.count(), 0.0F);
+  for (int row = 0; row < size.rows; ++row) {
+    if (row % 64 == 0) task.check();
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t from = size.index({.col = col, .row = row});
+      if (known[from] == 0) continue;
+      const std::size_t to = layers[0].size.index({.col = col / 2, .row = row / 2});
+      layers[0].values[to] += values[from];
+      layers[0].weights[to] += 1;
+    }
   }
+  finishPull(layers[0]);
   while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
     task.check();
     layers.push_back(pulled(layers.back()));
@@ -79,8 +106,41 @@ void pushPull(std::vector<float>& values, const Mask& known, GridSize size, cons
     task.check();
     pushInto(layers[level], layers[level + 1]);
   }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (known[i] == 0) values[i] = layers[0].values[i];
+  for (int row = 0; row < size.rows; ++row) {
+    if (row % 64 == 0) task.check();
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t i = size.index({.col = col, .row = row});
+      if (known[i] == 0) values[i] = coarseValue(layers[0], {.col = col, .row = row});
+    }
+  }
+}
+
+void keepWithinNeighbours(std::vector<float>& values, Mask known, const Mask& gaps, GridSize size) {
+  constexpr int kEnough = 4;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (gaps[i] != 0) left.push_back(i);
+  }
+  std::vector<std::size_t> kept;
+  for (int round = 0; round < kNeighbourRounds; ++round) {
+    kept.clear();
+    const auto is_kept = [&](std::size_t i) {
+      const int row = static_cast<int>(i / static_cast<std::size_t>(size.cols));
+      const int col = static_cast<int>(i % static_cast<std::size_t>(size.cols));
+      NeighbourRange range;
+      for (int r = std::max(row - 1, 0); r < std::min(row + 2, size.rows); ++r) {
+        for (int c = std::max(col - 1, 0); c < std::min(col + 2, size.cols); ++c) {
+          const std::size_t k = size.index({.col = c, .row = r});
+          if (known[k] != 0) range.add(values[k]);
+        }
+      }
+      if (range.found < kEnough) return false;
+      values[i] = std::clamp(values[i], range.low, range.high);
+      kept.push_back(i);
+      return true;
+    };
+    std::erase_if(left, is_kept);
+    for (const std::size_t i : kept) known[i] = 1;
   }
 }
 

@@ -30,4 +30,14 @@ void pushInto(PushPullLayer& fine, const PushPullLayer& coarse);
 /// @throw Cancelled
 void pushPull(std::vector<float>& values, const Mask& known, GridSize size, const Task& task = {});
 
+/// The averages that reach a cell beside an edge come from both its sides, so that single cells can
+/// end up far off all that is known right beside them. Limits the values of the cells of `gaps` to
+/// those of their known neighbours without the lowest and the highest, where at least four of the
+/// eight are known; then they count as known themselves, for `kNeighbourRounds` rounds. Looks so
+/// many cells around.
+/// @param known  0 in the cells of `gaps`
+void keepWithinNeighbours(std::vector<float>& values, Mask known, const Mask& gaps, GridSize size);
+
+inline constexpr int kNeighbourRounds = 4;
+
 }  // namespace relievo

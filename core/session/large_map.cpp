@@ -225,12 +225,16 @@ struct StoredDepths {
   RowStore front;
   std::unique_ptr<RowStore> between;
   BitRows steep;
+  bool one_layer = false;
 
   BandDepths rows() const {
     const auto of = [](const RowStore& store) {
       return [&store](int first, int rows, float* out) { store.read(first, rows, out); };
     };
-    return {.front = of(front), .between = between ? of(*between) : RowsOf{}, .steep = &steep};
+    return {.front = of(front),
+            .between = between ? of(*between) : RowsOf{},
+            .steep = &steep,
+            .one_layer = one_layer};
   }
 };
 
@@ -253,6 +257,7 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
   const GridSize size = placed.frame.size;
   std::unique_ptr<StoredDepths> depths(new StoredDepths{
       .front = {size, 0, spillFolder(large)}, .between = {}, .steep = BitRows(size)});
+  depths->one_layer = !options.rule && isForOneLayer(rule.rule);
   makeDepths(
       store, rule.rule, placed.frame.spacing_mm,
       [&](const DepthRows& rows) {

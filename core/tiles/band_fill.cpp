@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/base/error.h"
@@ -93,7 +94,7 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
   }
   markMeasured(task);
   int radius = source_.has_sampling_gaps ? gapRadius() : 0;
-  if (radius > 0) {
+  if (source_.has_sampling_gaps && !given_.one_layer) {
     dropSeenThroughBands(radius + 1, task);
     radius = gapRadius();
   }
@@ -149,8 +150,7 @@ void BandFill::dropSeenThroughBands(int radius, const Task& task) {
       bandCount(), threads_,
       [&](int place, int number) {
         task.check();
-        // It looks twice, the second time at what the first has left.
-        const Band band = bandOf(number, 2 * radius, 1);
+        const Band band = bandOf(number, seeThroughReach(radius), 1);
         FrontDepths depths = read(depths_, band);
         GridFrame frame = frame_;
         frame.size.rows = band.to - band.from;
@@ -159,7 +159,7 @@ void BandFill::dropSeenThroughBands(int radius, const Task& task) {
       },
       [&](int place, int number) {
         task.report("Looking through gaps", static_cast<double>(number) / bandCount());
-        const Band band = bandOf(number, 2 * radius, 1);
+        const Band band = bandOf(number, seeThroughReach(radius), 1);
         const float* depth = bands[static_cast<std::size_t>(place)].data() +
                              frame_.size.index({.col = 0, .row = band.first - band.from});
         kept_->write(band.first, band.rows, depth);
@@ -271,10 +271,17 @@ void BandFill::placeOrigins(const Band& band, std::vector<Origin>& origins) cons
   }
 }
 
-/// What the rule found between the points stands where gaps were closed.
+/// What the rule found between the points stands where gaps were closed, but for cells that showed
+/// the back.
 void BandFill::addBetween(const Band& band, std::vector<float>& depths) const {
   if (!given_.between) return;
-  const std::vector<float> between = read(given_.between, band);
+  std::vector<float> between = read(given_.between, band);
+  if (kept_) {
+    const std::vector<float> front = read(given_.front, band);
+    for (std::size_t i = 0; i < front.size(); ++i) {
+      if (isMeasured(front[i])) between[i] = std::numeric_limits<float>::quiet_NaN();
+    }
+  }
   for (int row = band.from; row < band.to; ++row) {
     const std::size_t start = frame_.size.index({.col = 0, .row = row - band.from});
     int col = 0;
@@ -309,6 +316,20 @@ void BandFill::markSteep(const Band& band, std::vector<Origin>& origins) const {
   }
 }
 
+/// Cells without a height that are neither in a hole nor outside.
+Mask BandFill::gapsOf(const Band& band, const Mask& known) const {
+  Mask gaps(known.size());
+  for (std::size_t i = 0; i < known.size(); ++i) gaps[i] = known[i] == 0 ? 1 : 0;
+  for (int row = band.from; row < band.to; ++row) {
+    const auto start = gaps.begin() + static_cast<std::ptrdiff_t>(
+                                          frame_.size.index({.col = 0, .row = row - band.from}));
+    for (const EmptyRuns::Run& run : empty_.row(row)) {
+      std::fill(start + run.first_col, start + run.end_col, std::uint8_t{0});
+    }
+  }
+  return gaps;
+}
+
 void BandFill::fillBand(const Band& band, std::vector<float>& heights,
                         std::vector<Origin>& origins) const {
   const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
@@ -317,6 +338,9 @@ void BandFill::fillBand(const Band& band, std::vector<float>& heights,
   std::vector<PushPullLayer> layers = pulledLayers(depths, size);
   layers.back() = rowsOfLayer(coarse_->layer, band.from / kPullRows, layers.back().size.rows);
   for (std::size_t l = layers.size() - 1; l-- > 0;) pushInto(layers[l], layers[l + 1]);
+  Mask known(depths.size());
+  for (std::size_t i = 0; i < depths.size(); ++i) known[i] = isMeasured(depths[i]) ? 1 : 0;
+  keepWithinNeighbours(layers[0].values, known, gapsOf(band, known), size);
 
   const std::size_t count =
       static_cast<std::size_t>(band.rows) * static_cast<std::size_t>(size.cols);
@@ -343,7 +367,10 @@ void BandFill::write(const TakeRow& take, const Task& task) const {
       [&](int place, int number) {
         task.check();
         Filled& filled = bands[static_cast<std::size_t>(place)];
-        fillBand(bandOf(number, kPullRows, kPullRows), filled.heights, filled.origins);
+        // Push-pull is off by one coarse row at a band's border; beyond it neighbours must be
+        // right.
+        static_assert(kNeighbourRounds <= kPullRows);
+        fillBand(bandOf(number, 2 * kPullRows, kPullRows), filled.heights, filled.origins);
       },
       [&](int place, int number) {
         task.report("Writing levels", static_cast<double>(number) / bandCount());

@@ -11,6 +11,7 @@
 #include "core/base/grid.h"
 #include "core/base/task.h"
 #include "core/depth/fill.h"
+#include "core/depth/mask.h"
 #include "core/tiles/empty_runs.h"
 #include "core/tiles/row_store.h"
 
@@ -27,6 +28,7 @@ struct BandDepths {
   RowsOf front;                    ///< NaN where nothing was hit.
   RowsOf between;                  ///< Null if the rule gives none.
   const BitRows* steep = nullptr;  ///< What the engine saw to be steep.
+  bool one_layer = false;          ///< Nothing shows through.
 };
 
 /// fillDepths of core/depth for maps that do not fit into memory: the same steps, each on bands of
@@ -64,6 +66,7 @@ class BandFill {
   void findHoles(int radius, const Task& task);
   void addBetween(const Band& band, std::vector<float>& depths) const;
   void markSteep(const Band& band, std::vector<Origin>& origins) const;
+  Mask gapsOf(const Band& band, const Mask& known) const;
   void fillBand(const Band& band, std::vector<float>& heights, std::vector<Origin>& origins) const;
   void placeOrigins(const Band& band, std::vector<Origin>& origins) const;
 

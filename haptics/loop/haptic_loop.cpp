@@ -86,6 +86,7 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   sample.rate_hz = meter.stats().rate_hz;
   force = sample.force;
   latest.write(sample);
+  meter.faulted(threadPageFaults());
   stats.write(meter.stats());
   samples.push(sample);
   reportButtons(sample);

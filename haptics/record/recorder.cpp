@@ -20,7 +20,7 @@ Recorder::~Recorder() {
 void Recorder::start(const std::filesystem::path& file, std::string_view header,
                      const HapticSpace* surface) {
   if (running_) throw Error("A recording is running already; stop it first.");
-  std::unique_ptr<SampleLog> writer = openLog(file, header, surface);
+  std::unique_ptr<SampleLog> writer = openLog(file, header, surface, LogKind::recording);
   counts_.update();
   if (!commands_.push(writer.get())) throw Error("The recorder does not answer; try again.");
   [[maybe_unused]] const SampleLog* handed_over = writer.release();

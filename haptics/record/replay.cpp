@@ -36,7 +36,7 @@ bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& val
   return true;
 }
 
-LogTable readCsvLog(const std::filesystem::path& file) {
+LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) throw FileError(name + "cannot be read.");
@@ -44,7 +44,8 @@ LogTable readCsvLog(const std::filesystem::path& file) {
   bool have_columns = false;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with('#')) {
-      if (!have_columns) table.header += line.substr(std::min<std::size_t>(2, line.size())) + '\n';
+      std::string& lines = have_columns ? table.footer : table.header;
+      lines += line.substr(std::min<std::size_t>(2, line.size())) + '\n';
       continue;
     }
     if (!have_columns) {
@@ -52,6 +53,8 @@ LogTable readCsvLog(const std::filesystem::path& file) {
       have_columns = true;
       continue;
     }
+    constexpr std::size_t kRowsPerCheck = 4096;
+    if (table.rows.size() % kRowsPerCheck == 0) task.check();
     table.rows.emplace_back();
     if (!parseRow(line, table.rows.back())) {
       throw FileError(name + "has a row that cannot be read: number " +
@@ -71,9 +74,9 @@ bool sameBits(double a, double b) {
 }
 }  // namespace
 
-LogTable readLog(const std::filesystem::path& file) {
+LogTable readLog(const std::filesystem::path& file, const Task& task) {
   const std::string ending = file.extension().string();
-  return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file) : readCsvLog(file);
+  return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file, task) : readCsvLog(file, task);
 }
 
 ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,

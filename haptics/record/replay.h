@@ -17,12 +17,14 @@ namespace relievo {
 /// A log that was read back.
 struct LogTable {
   std::string header;  ///< Comment lines before the rows, without "# ".
+  std::string footer;  ///< Those after the first row: how the loop ran, where windows lay.
   std::vector<std::array<double, kLogColumns.size()>> rows;
 };
 
 /// Reads a log of `openLog`, CSV or HDF5.
 /// @throw FileError  unreadable, no log, other columns; a value that is no number names its row
-LogTable readLog(const std::filesystem::path& file);
+/// @throw Cancelled
+LogTable readLog(const std::filesystem::path& file, const Task& task = {});
 
 /// Where a replay first gave something else than the log says.
 struct ReplayDifference {

@@ -7,6 +7,7 @@
 #include <QString>
 #include <QtPlugin>
 #include <span>
+#include <vector>
 
 #include "core/region/probe.h"
 #include "core/region/window.h"
@@ -60,6 +61,9 @@ class Host : public QObject {
   /// @return false: unknown or disabled
   virtual bool run(const QString& command) = 0;
   virtual std::shared_ptr<const RegionWindow> shownWindow() const = 0;  ///< May be null.
+  /// What the next finer level says about a shown window, 400 x 400 heights with its gain
+  /// (core/session/finer_heights.h). Empty: nothing, or it would have to be read from disk.
+  virtual std::vector<float> finerHeights(const RegionWindow& /*window*/) const { return {}; }
   /// Comment lines for a recording's header: input, hash, unit, view, region (conventions.md 5.5).
   virtual QString recordingHeader() const = 0;
 

@@ -5,6 +5,7 @@
 
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
+#include "haptics/proxy/texture.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -20,6 +21,7 @@ LoopSession::LoopSession(const std::string& device_id)
       plot_start_ns_(monotonicNs()) {
   std::unique_ptr<Device> device = makeDevice(device_id);
   steered_ = dynamic_cast<SteeredDevice*>(device.get());
+  falcon_ = dynamic_cast<falcon::FalconDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
   drain_ = std::make_unique<SampleDrain>(
@@ -42,12 +44,14 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
   }
 }
 
-void LoopSession::show(const RegionWindow& window, SurfaceKind kind) {
+void LoopSession::show(const RegionWindow& window, SurfaceKind kind,
+                       std::span<const float> finer_mm) {
   const HapticSample& last = update();
   std::optional<Anchor> touched;  // Stays under the hand.
   if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
-  fill(loop_->spaces().back(), window, {window.levels - window.region.level.value, window.levels},
-       kind, touched);
+  HapticSpace& space = loop_->spaces().back();
+  fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched);
+  fillTexture(space, finer_mm);
   loop_->spaces().publish();
   mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);
@@ -75,6 +79,10 @@ const HapticSample& LoopSession::update() {
 const LoopStats& LoopSession::stats() {
   loop_->stats().update();
   return loop_->stats().front();
+}
+
+const falcon::LinkStatus* LoopSession::falconStatus() {
+  return falcon_ == nullptr ? nullptr : &falcon_->status();
 }
 
 std::vector<PlotSample> LoopSession::takePlot() {

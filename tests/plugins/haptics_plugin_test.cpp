@@ -18,6 +18,7 @@
 #include <QTest>
 
 #include "core/region/hand.h"
+#include "plugins/haptics/touch_settings.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/plugins/test_host.h"
 
@@ -259,6 +260,46 @@ TEST_F(HapticsPluginTest, APresetSetsAllThatIsFeltAndOwnValuesAreNamedSo) {
   plugin_->restoreState(state);
   EXPECT_EQ(friction->value(), 0.3);
   EXPECT_EQ(preset->currentText(), "Own values");
+}
+
+TEST_F(HapticsPluginTest, ALevelTakesAStiffnessOfItsOwn) {
+  host_.window = flatWindow(5, 33);
+  attach();
+  auto* stiffness = inPanel<QDoubleSpinBox>("stiffness");
+  auto* by_detail = inPanel<QCheckBox>("stiffnessByDetail");
+  ASSERT_TRUE(by_detail->isChecked());
+  stiffness->setValue(0.7);
+  EXPECT_EQ(inPanel<QComboBox>("surfacePreset")->currentText(), "Own values");
+  by_detail->setChecked(false);
+  stiffness->setValue(0.4);
+  by_detail->setChecked(true);
+  EXPECT_EQ(stiffness->value(), 0.7) << "the level's";
+  const TouchSettings settings = touchSettingsFromJson(plugin_->saveState());
+  EXPECT_EQ(settings.feel.detail_stiffness[0], 0.7);
+  EXPECT_EQ(settings.feel.detail_stiffness[2], 0.6) << "others keep theirs";
+  EXPECT_EQ(settings.feel.stiffness_n_per_mm, 0.4);
+}
+
+TEST_F(HapticsPluginTest, SoftnessTextureKnockAndMagnetAreChosenAndRemembered) {
+  host_.window = flatWindow(5, 33);
+  attach();
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("softPart")->value(), 60) << "the default";
+  inPanel<QDoubleSpinBox>("softPart")->setValue(50);
+  inPanel<QDoubleSpinBox>("crossingTick")->setValue(0.1);
+  inPanel<QDoubleSpinBox>("texture")->setValue(20);
+  inPanel<QDoubleSpinBox>("contactKnock")->setValue(0.25);
+  inPanel<QDoubleSpinBox>("magnet")->setValue(0.4);
+  const HapticOptions options = hapticOptions(touchSettingsFromJson(plugin_->saveState()), true);
+  EXPECT_EQ(options.fields.softest_part, 0.5);
+  EXPECT_EQ(options.fields.texture_mm, 0.02);
+  EXPECT_EQ(options.fields.magnet_n, 0.4);
+  EXPECT_EQ(options.force.transient.contact_n, 0.25);
+  EXPECT_EQ(options.force.transient.crossing_n, 0.1);
+  auto* preset = inPanel<QComboBox>("surfacePreset");
+  preset->setCurrentIndex(preset->findText("As in the paper"));
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("softPart")->value(), 100);
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("texture")->value(), 0);
+  EXPECT_EQ(inPanel<QDoubleSpinBox>("magnet")->value(), 0);
 }
 
 TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {

@@ -17,6 +17,20 @@ struct SeenFalcon {
 /// None where USB cannot be used at all; opening says why.
 std::vector<SeenFalcon> seenFalcons();
 
+/// Tells when a Falcon was plugged in or pulled. Opens none. [one thread]
+class PlugWatch {
+ public:
+  PlugWatch();  ///< Where USB cannot be used at all, nothing ever changes.
+  ~PlugWatch();
+  PlugWatch(const PlugWatch&) = delete;
+  PlugWatch& operator=(const PlugWatch&) = delete;
+  bool changed();  ///< Since the last call. Never waits.
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// Falcons on USB through libusb. Made by one thread, then used by one.
 class UsbBus : public Bus {
  public:

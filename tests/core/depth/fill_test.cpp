@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "core/depth/mask.h"
 
@@ -92,7 +93,7 @@ TEST(FillDepths, BasePlaneIsTheThousandthQuantileAndFlyersBelowStayNegative) {
   FrontDepths depths(frame.size.count());
   for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i);
   depths[5000] = -500;
-  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  const FilledMap filled = fillDepths(depths, frame, {.has_sampling_gaps = false}, {});
   // Sorted: -500, 0, 1, 2, ...; position 0.001 * 9999 = 9.999 lies between the values 8 and 9.
   EXPECT_NEAR(filled.base_z_mm, 8.999, 1e-6);
   EXPECT_LT(filled.map.heights_mm[5000], -500);
@@ -180,6 +181,38 @@ TEST(FillDepths, AStraightWallInASparseCloudKeepsItsFoot) {
     EXPECT_LT(filled.map.heightMm({.col = 97, .row = row}), 1) << row;
     EXPECT_GT(filled.map.heightMm({.col = 102, .row = row}), 25) << row;
   }
+}
+
+TEST(FillDepths, AGapBesideAnEdgeTakesItsHeightFromRightBesideIt) {
+  // Lone gaps the second cell from a step of 30 mm; averages over blocks of cells would mix its
+  // sides.
+  const GridFrame frame = squareFrame(200, 0.5);
+  FrontDepths depths(frame.size.count());
+  for (std::size_t i = 0; i < depths.size(); ++i) {
+    const std::size_t col = i % 200;
+    const std::size_t row = i / 200;
+    depths[i] = col < 101 ? 0.0F : 30.0F;
+    if (row % 4 == 2 && (col == 99 || col == 102)) depths[i] = kNothing;
+    if (row % 7 == 3 && col % 5 == 3 && (col < 90 || col > 110)) depths[i] = kNothing;
+  }
+  const FilledMap filled = fillDepths(CapturedDepths(depths), frame, {}, {});
+  for (int row = 2; row < 200; row += 4) {
+    EXPECT_FLOAT_EQ(filled.map.heightMm({.col = 99, .row = row}), 0) << row;
+    EXPECT_FLOAT_EQ(filled.map.heightMm({.col = 102, .row = row}), 30) << row;
+  }
+}
+
+TEST(FillDepths, WhatTheRuleFoundWhereTheBackShowsIsNotTakenForAGapsHeight) {
+  const GridFrame frame = squareFrame(60, 0.5);
+  CapturedDepths depths(FrontDepths(frame.size.count(), 20.0F));
+  for (std::size_t i = 3; i < depths.front.size(); i += 17) depths.front[i] = kNothing;
+  const std::size_t back = frame.size.index({.col = 30, .row = 30});
+  depths.front[back] = 1;
+  depths.between = depths.front;
+  const FilledMap filled = fillDepths(std::move(depths), frame, {}, {});
+  EXPECT_EQ(filled.seen_through, 1U);
+  EXPECT_EQ(filled.map.origins[back], Origin::interpolated);
+  EXPECT_FLOAT_EQ(filled.map.heights_mm[back], 0);  // The base plane is the front.
 }
 
 TEST(FillDepths, NothingHitIsRefused) {
@@ -280,7 +313,7 @@ TEST(FillDepths, WhatTheRuleFoundBetweenThePointsFillsTheGaps) {
   const std::size_t gap = frame.size.index({.col = 10, .row = 10});
   depths.front[gap] = depths.front[gap + 7] = kNothing;
   depths.between[gap] = 1.25F;
-  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  const FilledMap filled = fillDepths(std::move(depths), frame, {}, {});
   EXPECT_EQ(filled.map.origins[gap], Origin::interpolated);
   EXPECT_EQ(filled.map.origins[gap + 7], Origin::interpolated);
   EXPECT_FLOAT_EQ(filled.map.heights_mm[gap], 0.25F);
