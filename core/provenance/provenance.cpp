@@ -63,12 +63,16 @@ Provenance provenanceFrom(const Json& json) {
 
 }  // namespace
 
+std::string madeText(const Surface& surface) {
+  return madeJson(surface).dump();
+}
+
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options) {
   Provenance p;
   p.version = programVersion();
   p.commit = programCommit();
   p.options = resolved(options, surface);
-  p.made = madeJson(surface).dump();
+  p.made = madeText(surface);
   return p;
 }
 

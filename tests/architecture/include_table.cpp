@@ -47,7 +47,9 @@ bool mayIncludeProject(const IncludeTable& table, const ModuleRule& from,
   const ModuleRule* to = moduleOf(table, header);
   if (to == nullptr) return false;
   if (to == &from) return true;
-  if (contains(table.internal_headers, header) && from.name != "tests") return false;
+  const bool is_guest = std::find(table.guests.begin(), table.guests.end(),
+                                  std::pair(header, from.name)) != table.guests.end();
+  if (contains(table.internal_headers, header) && from.name != "tests" && !is_guest) return false;
   return std::any_of(from.modules.begin(), from.modules.end(),
                      [&](const auto& m) { return to->name == m || isWithin(to->name, m); });
 }
@@ -68,6 +70,7 @@ IncludeTable parseTable(const std::string& text) {
       table.modules.push_back({head[1], words(field[1]), words(field[2]), words(field[3])});
     } else if (head[0] == "internal") {
       table.internal_headers.push_back(head[1]);
+      for (const std::string& module : words(field[1])) table.guests.emplace_back(head[1], module);
     } else if (head[0] == "single") {
       table.singles.emplace_back(head[1], words(field[1]).at(0));
     } else {

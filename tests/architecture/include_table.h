@@ -25,6 +25,7 @@ struct IncludeTable {
   std::vector<LibraryRule> libraries;
   std::vector<ModuleRule> modules;
   std::vector<std::string> internal_headers;
+  std::vector<std::pair<std::string, std::string>> guests;   ///< Internal header, module.
   std::vector<std::pair<std::string, std::string>> singles;  ///< Library, folder.
 };
 
