@@ -11,6 +11,7 @@
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/depth_capture.h"
@@ -41,8 +42,20 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   std::setlocale(LC_NUMERIC, "C");
   installAccessibleViews();
 
-  MainWindow window(captureDepths,
-                    options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered);
+  const auto mode = options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered;
+  {
+    const Settings settings(mode);
+    const QString chosen = settings.choice(QStringLiteral("language"), QString()).toString();
+    applyLanguage(app,
+                  options.language.empty() ? chosen : QString::fromStdString(options.language));
+    const QString firmware =
+        settings.choice(QStringLiteral("falcon_firmware"), QString()).toString();
+    // The plugin's search takes the variable; one that is set by hand goes before the setting.
+    if (!firmware.isEmpty() && !qEnvironmentVariableIsSet("RELIEVO_FALCON_FIRMWARE")) {
+      qputenv("RELIEVO_FALCON_FIRMWARE", QFile::encodeName(firmware));
+    }
+  }
+  MainWindow window(captureDepths, mode);
   window.setRecordingReader(batch::readRecording);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());

@@ -27,6 +27,7 @@ class DetailView;
 class MeasurePanel;
 class MessageStrip;
 class OverviewInset;
+class PlacesPanel;
 class ReferenceView;
 class RegionPanel;
 class SidePanels;
@@ -36,6 +37,7 @@ class StereoPanel;
 class SurfacePanel;
 class TimePlot;
 class ViewPanel;
+class WorkKeeper;
 
 enum class ImageSource { reference, detail, window };
 
@@ -94,6 +96,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -122,9 +125,13 @@ class MainWindow : public QMainWindow {
   void askUnitIfAssumed();
   void chooseUnit(LengthUnit unit);
   void useThisView();
+
+  // main_window_layout.cpp
   void setFullScreenDetail(bool on);
   void focusNextPart(int direction);
   void setTheme(Theme theme);
+  void showPreferences();
+  void applyPreference(const QString& key);
   void restoreLayout();
   void saveLayout();
 
@@ -156,6 +163,16 @@ class MainWindow : public QMainWindow {
   bool restoreFromFile(const QString& file);
   void showLook(const ReliefLook& look);
   void showStereo(const StereoOptions& stereo);
+  void showParallax();
+
+  // main_window_places.cpp
+  void makePlaceCommands();
+  void connectPlaces();
+  void keepWork();
+  void namePlace();
+  void goToPlace(const NamedRegion& place);
+  void showView(const ViewState& view);
+  void offerLeftWork();
 
   // main_window_measure.cpp
   void makeMeasureCommands();
@@ -199,6 +216,8 @@ class MainWindow : public QMainWindow {
   ViewPanel* view_panel_ = nullptr;
   StereoPanel* stereo_panel_ = nullptr;
   MeasurePanel* measure_panel_ = nullptr;
+  PlacesPanel* places_panel_ = nullptr;
+  WorkKeeper* keeper_ = nullptr;
   TimePlot* plot_ = nullptr;
   ReplayControl* replay_ = nullptr;
   StatusFields* status_ = nullptr;
@@ -209,6 +228,7 @@ class MainWindow : public QMainWindow {
   Project project_;                   ///< What of the state no other part holds.
   std::optional<Project> restoring_;  ///< Until its file is open.
   QString project_file_;
+  QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;
   TouchReadout touch_;
   bool touch_present_ = false;

@@ -82,14 +82,18 @@ Provenance provenanceFrom(const Json& json) {
 
 }  // namespace
 
+std::string madeText(const Surface& surface) {
+  return madeJson(surface, surface.map.frame, heightRange(surface.map), originShares(surface.map),
+                  static_cast<std::size_t>(surface.ladder.levels()))
+      .dump();
+}
+
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options) {
   Provenance p;
   p.version = programVersion();
   p.commit = programCommit();
   p.options = resolved(options, surface);
-  p.made = madeJson(surface, surface.map.frame, heightRange(surface.map), originShares(surface.map),
-                    static_cast<std::size_t>(surface.ladder.levels()))
-               .dump();
+  p.made = madeText(surface);
   return p;
 }
 

@@ -45,6 +45,9 @@ struct Provenance {
   std::string touch, made, figure;
 };
 
+/// What a surface came out as, for a reader of the file: one JSON object.
+std::string madeText(const Surface& surface);
+
 /// `version`, `commit`, `options` and `made` of a surface that is in memory.
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options);
 

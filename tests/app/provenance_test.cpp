@@ -153,7 +153,7 @@ TEST_F(Repeatable, AMovedInputIsGivenAndAChangedOneRefused) {
   writeScan("elsewhere/deep/b.xyz", 89);
   const CommandResult changed = runRelievo(
       {"render", path("elsewhere/deep/b.xyz"), "--from-image", first, "-o", path("d.png")});
-  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_EQ(changed.exit_code, 5);
   EXPECT_THAT(changed.err, HasSubstr("checksum"));
   EXPECT_FALSE(fs::exists(path("d.png")));
   EXPECT_EQ(runRelievo({"render", path("elsewhere/deep/b.xyz"), "--from-image", first,
@@ -202,6 +202,17 @@ TEST_F(Repeatable, AFigureIsToldFromAPictureAndBothAreDrawnAgain) {
       runRelievo({"figure", "--from-image", picture, "-o", path("pf.png"), "--report", "json"});
   ASSERT_EQ(figure.exit_code, 0) << figure.err;
   EXPECT_EQ(json::parse(figure.out)["region_mm"], json({10, 5, 30, 30}));
+  // What is asked for beside the picture takes the place of what it says; the map stays its own.
+  const CommandResult finer = runRelievo({"figure", "--from-image", path("figures/f.png"), "--dpi",
+                                          "90", "-o", path("fine.png"), "--report", "json"});
+  ASSERT_EQ(finer.exit_code, 0) << finer.err;
+  EXPECT_EQ(json::parse(finer.out)["pixels"][0], 638) << "180 mm at 90 dots per inch";
+  EXPECT_EQ(json::parse(finer.out)["relief"], "slope");
+  const CommandResult other = runRelievo(
+      {"figure", "--from-image", path("figures/f.png"), "--holes", "none", "-o", path("x.png")});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.err, HasSubstr("--holes"));
+  EXPECT_FALSE(fs::exists(path("x.png")));
   // A project comes from either.
   for (const std::string& made : {picture, path("figures/f.tif")}) {
     const CommandResult project = runRelievo({"project", "new", made, "-o", path("p.json")});
@@ -228,7 +239,7 @@ TEST_F(Repeatable, AFigureOfAChangedInputIsRefusedToo) {
   writeScan("b.xyz", 89);
   const CommandResult changed =
       runRelievo({"render", path("b.xyz"), "--from-image", first, "-o", path("h.png")});
-  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_EQ(changed.exit_code, 5);
   EXPECT_THAT(changed.err, HasSubstr("E501"));
   EXPECT_FALSE(fs::exists(path("h.png")));
   ASSERT_EQ(runRelievo({"render", path("b.xyz"), "--from-image", first, "--changed-input", "-o",
