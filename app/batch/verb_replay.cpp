@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/batch/json.h"
+#include "app/batch/replay_window.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "haptics/record/replay.h"
@@ -31,8 +32,9 @@ std::vector<std::string> commandOf(const LogTable& log, const std::string& file)
       return json["command"].get<std::vector<std::string>>();
     }
   }
-  throw FileError("The log \"" + file +
-                  "\" does not say what made it; only logs of touch and record can be replayed.");
+  throw FileError(
+      "The log \"" + file +
+      "\" does not say what made it; only logs of touch, record and the window can be replayed.");
 }
 
 TouchArguments argumentsOf(const std::vector<std::string>& command) {
@@ -55,22 +57,29 @@ TouchArguments argumentsOf(const std::vector<std::string>& command) {
 
 Outcome runReplay(const ReplayArguments& a, const Task& task) {
   const LogTable log = readLog(a.log);
-  TouchArguments touch = argumentsOf(commandOf(log, a.log));
-  if (!a.input.empty()) touch.map.file = a.input;
-  const TouchSetup setup = prepareTouch(touch, task);
   std::unique_ptr<SampleLog> out;
-  if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
-  const ReplayResult result = replay(
-      *setup.space, setup.core, log,
-      [&out](const HapticSample& sample, double t_s) {
-        if (out) out->write(sample, t_s);
-      },
-      task);
+  const auto each = [&out](const HapticSample& sample, double t_s) {
+    if (out) out->write(sample, t_s);
+  };
+  if (!a.out.empty() && log.footer.find("replay core ") != std::string::npos) {
+    out = openLog(a.out, log.header);
+  }
+  std::string input = a.input;
+  std::optional<ReplayResult> of_window = replayOfWindow(log, a.log, a.input, each, task);
+  if (!of_window) {
+    TouchArguments touch = argumentsOf(commandOf(log, a.log));
+    if (!a.input.empty()) touch.map.file = a.input;
+    input = touch.map.file;
+    const TouchSetup setup = prepareTouch(touch, task);
+    if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
+    of_window = replay(*setup.space, setup.core, log, each, task);
+  }
+  const ReplayResult& result = *of_window;
   if (out) out->close();
 
   Json json;
   json["log"] = a.log;
-  json["input"] = touch.map.file;
+  json["input"] = input;
   json["ticks"] = result.ticks;
   json["different_ticks"] = result.different;
   json["identical"] = result.different == 0;
