@@ -37,6 +37,8 @@ class LoopSession {
   /// does not care.
   void moveHand(ViewMm target);
   void setOptions(const HapticOptions& options);
+  /// In Move mode the window goes on below the hand: what is touched does not come along.
+  void setMoving(bool moving) { moving_ = moving; }
 
   const HapticSample& update();  ///< The newest sample.
   const LoopStats& stats();
@@ -63,7 +65,7 @@ class LoopSession {
   falcon::FalconDevice* falcon_ = nullptr;
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
-  bool has_window_ = false;
+  bool has_window_ = false, moving_ = false;
 };
 
 /// Would a picture of the two differ? A hand at rest costs no frames.
