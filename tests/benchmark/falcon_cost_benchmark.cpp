@@ -59,8 +59,7 @@ double processorSeconds(pid_t process) {
 
 /// The client: looks at the device 60 times a second, as a window does, and asks for nothing.
 int idle(bool with) {
-  falcon::FalconDevice device(std::make_unique<falcon::UsbBus>(),
-                              [] { return test::madeImage(); });
+  falcon::FalconDevice device(std::make_unique<falcon::UsbBus>(), [] { return test::madeImage(); });
   if (with) {
     device.open();
     while (device.status().state != falcon::LinkState::ready) sleepSeconds(0.01);
@@ -131,9 +130,11 @@ int main(int argc, char** argv) {
   usb.plugIn(std::make_shared<emulator::SharedFalcon>(
       emulator::EmulatorOptions{.firmware_loaded = true, .homed = true}));
   const std::string self = std::filesystem::read_symlink("/proc/self/exe");
-  compare("a process, loop stopped", [&] { return idleSeconds(self, false); },
-          [&] { return idleSeconds(self, true); });
-  compare("the program, loop running", [] { return programSeconds("mouse"); },
-          [] { return programSeconds("falcon:0"); });
+  compare(
+      "a process, loop stopped", [&] { return idleSeconds(self, false); },
+      [&] { return idleSeconds(self, true); });
+  compare(
+      "the program, loop running", [] { return programSeconds("mouse"); },
+      [] { return programSeconds("falcon:0"); });
   return 0;
 }

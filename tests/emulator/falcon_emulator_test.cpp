@@ -86,11 +86,16 @@ TEST_F(FalconBytes, AnswersCarryEncodersButtonsAndHomedArms) {
   runningSpeed();
   falcon_.body.hold({0, 0, 125});  // Encoders -200.10 each: 0xff38, lowest nibble first.
   falcon_.buttons = 0b0101;
-  EXPECT_EQ(ask("<AAAAAAAAAAAAJA>"), "<IDPPIDPPIDPP\xb6""A>") << "0x41 + 0x70 + 5";
+  EXPECT_EQ(ask("<AAAAAAAAAAAAJA>"),
+            "<IDPPIDPPIDPP\xb6"
+            "A>")
+      << "0x41 + 0x70 + 5";
   falcon_.buttons = 0;
   EXPECT_EQ(ask("<AAAAAAAAAAAAIA>"), "<IDPPIDPPIDPPAA>") << "not homing: nothing told of arms";
   falcon_.body.hold({30, 0, 125});  // 60.04, -616.72, 232.31.
-  EXPECT_EQ(ask("<AAAAAAAAAAAAJA>"), "<MDAAHJNPIOAA\xb1""A>");
+  EXPECT_EQ(ask("<AAAAAAAAAAAAJA>"),
+            "<MDAAHJNPIOAA\xb1"
+            "A>");
 }
 
 TEST_F(FalconBytes, AnAnswerWaitsForTheLatencyTimer) {
@@ -121,8 +126,9 @@ TEST_F(FalconBootBytes, HelloLockUploadAndStart) {
   EXPECT_EQ(ask(hello_, 40), hello_answer_);
   request(1, 0x0100);
   request(3, 0x0015);
+  EXPECT_EQ(answer(40), "");
+  EXPECT_TRUE(clear_to_send_) << "ready for the upload's baud rate";
   EXPECT_EQ(ask("A", 40), "A");
-  EXPECT_TRUE(clear_to_send_);
   const Bytes image = relievo::test::madeImage();
   const std::string text(image.begin(), image.end());
   EXPECT_EQ(text.substr(0, 2), "\xaa\x08");

@@ -359,9 +359,8 @@ TEST_F(DeviceButtonsTest, ThePanelsSettingsAreKept) {
   panel.findChild<QComboBox*>("spaceMouse")->setCurrentIndex(1);
   EXPECT_EQ(changes, 3);
   const ButtonSettings chosen = panel.settings();
-  EXPECT_EQ(chosen, (ButtonSettings{.one_button = true,
-                                    .scan_s = 3,
-                                    .space_mouse = SpaceMouseMoves::view}));
+  EXPECT_EQ(chosen, (ButtonSettings{
+                        .one_button = true, .scan_s = 3, .space_mouse = SpaceMouseMoves::view}));
   const QByteArray json = withButtons(R"({"device": "mouse"})", chosen);
   EXPECT_TRUE(json.contains("\"device\":\"mouse\"")) << "beside the others";
   EXPECT_EQ(buttonSettingsFromJson(json), chosen);

@@ -61,9 +61,7 @@ void writeSettings(const FalconSettings& settings, const fs::path& file) {
 }
 
 FirmwareSource storedFirmwareSource() {
-  return [] {
-    return findFirmware(firmwarePlaces(readSettings(settingsFile()).firmware)).bytes;
-  };
+  return [] { return findFirmware(firmwarePlaces(readSettings(settingsFile()).firmware)).bytes; };
 }
 
 }  // namespace relievo::falcon
