@@ -196,6 +196,7 @@ class MainWindow : public QMainWindow {
   /// What is shown, as one line of JSON without places of this computer.
   std::string carriedState() const;
   bool stopForces();
+  QString introduction() const;
 
   Settings settings_;
   Document document_;

@@ -83,7 +83,7 @@ void MainWindow::makeMenus() {
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(tr("&Touch"))->menuAction()->setVisible(false);
   add(menu(tr("Re&cord")), {"replay", "replay_play", "replay_close"});
-  add(menu(tr("&Help")), {"search_commands", "keys", "about"});
+  add(menu(tr("&Help")), {"search_commands", "keys", "introduction", "about"});
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {
