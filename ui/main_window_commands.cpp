@@ -120,6 +120,7 @@ void MainWindow::makeCommands() {
   makeReliefCommands();
   makeMeasureCommands();
   makeReplayCommands();
+  makeVideoCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {

@@ -204,6 +204,26 @@ Measurement measurementFrom(const Json& json) {
   return m;
 }
 
+Json pathJson(const CameraPath& path) {
+  Json keys = Json::array();
+  for (const KeyView& key : path.keys) {
+    keys.push_back({{"t_s", key.t_s}, {"view", Json::parse(toText(key.view))}});
+  }
+  return {{"name", path.name}, {"keys", keys}};
+}
+
+CameraPath pathFrom(const Json& json) {
+  CameraPath path{json.at("name").get<std::string>(), {}};
+  for (const Json& key : json.at("keys")) {
+    try {
+      path.keys.push_back({key.at("t_s").get<double>(), viewFromText(key.at("view").dump())});
+    } catch (const ArgumentError& error) {
+      throw FileError(error.what());
+    }
+  }
+  return path;
+}
+
 Project projectFrom(const Json& json) {
   if (!json.is_object() || !json.contains("relievo_project")) {
     throw FileError("There is no 'relievo_project' in it.");
@@ -240,11 +260,14 @@ Project projectFrom(const Json& json) {
                             .sha256 = file.at("sha256").get<std::string>(),
                             .bytes = file.at("bytes").get<std::uint64_t>()});
   }
+  for (const Json& path : json.value("camera_paths", Json::array())) {
+    p.paths.push_back(pathFrom(path));
+  }
   p.history = json.value("history", std::vector<std::string>());
   Json others = Json::object();
-  constexpr std::array<const char*, 12> kKnown{
-      "relievo_project", "version", "input",        "depth_map", "region",     "look",
-      "stereo",          "figure",  "measurements", "places",    "recordings", "history"};
+  constexpr std::array<const char*, 13> kKnown{
+      "camera_paths", "relievo_project", "version",      "input",  "depth_map",  "region", "look",
+      "stereo",       "figure",          "measurements", "places", "recordings", "history"};
   for (const auto& [key, value] : json.items()) {
     if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) others[key] = value;
   }
@@ -279,6 +302,8 @@ std::string projectJson(const Project& p) {
     json["recordings"].push_back(
         {{"file", file.file}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   }
+  if (!p.paths.empty()) json["camera_paths"] = Json::array();
+  for (const CameraPath& path : p.paths) json["camera_paths"].push_back(pathJson(path));
   json["history"] = p.history;
   if (!p.others.empty()) json.update(Json::parse(p.others));
   // A file name need not be UTF-8; JSON must be.

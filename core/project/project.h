@@ -11,6 +11,7 @@
 #include "core/provenance/sha256.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
+#include "core/replay/camera_path.h"
 #include "core/session/surface.h"
 
 namespace relievo {
@@ -39,6 +40,7 @@ struct Project {
   std::vector<Measurement> measurements;
   /// Logs of touches; found like `file`, each with its checksum.
   std::vector<InputFile> recordings;
+  std::vector<CameraPath> paths;     ///< The first is the window's.
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
   std::string version;               ///< Of the program that wrote it.
   std::string others;                ///< JSON object of keys this version does not know.
