@@ -134,6 +134,7 @@ void MainWindow::makeCommands() {
   makeMeasureCommands();
   makePlaceCommands();
   makeReplayCommands();
+  makeVideoCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {

@@ -82,7 +82,8 @@ void MainWindow::makeMenus() {
                              "measure_profile", "measure_area", "-", "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(tr("&Touch"))->menuAction()->setVisible(false);
-  add(menu(tr("Re&cord")), {"replay", "replay_play", "replay_close"});
+  add(menu(tr("Re&cord")), {"replay", "replay_play", "replay_close", "-", "video", "video_live",
+                            "-", "key_view", "path_play", "path_clear"});
   add(menu(tr("&Help")), {"search_commands", "keys", "introduction", "about"});
 }
 
@@ -206,6 +207,7 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::enableCommands() {
+  enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
   for (const char* name :
