@@ -3,6 +3,7 @@
 #include <cmath>
 #include <QAccessible>
 #include <QAction>
+#include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QMenu>
@@ -183,6 +184,17 @@ bool MainWindow::runCommand(const QString& name) {
   return true;
 }
 
+QString MainWindow::introduction() const {
+  if (!document_.isOpen()) return tr("Nothing is open. Open a scan with Ctrl+O.");
+  const DetailLadder& ladder = document_.surface()->ladder;
+  return tr("%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. "
+            "Plus: finer; Minus: coarser; both for two seconds: help.")
+      .arg(QFileInfo(document_.file()).fileName())
+      .arg(ladder.width_mm, 0, 'f', 0)
+      .arg(ladder.height_mm, 0, 'f', 0)
+      .arg(document_.details());
+}
+
 bool MainWindow::stopForces() {
   if (!touch_.forces_on) return false;
   QAction* forces = command("forcesOff");
@@ -253,6 +265,8 @@ void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QStri
                 QLatin1String("relievo ") + QStringLiteral(RELIEVO_VERSION_STRING));
   image.setText(QStringLiteral("Title"), QFileInfo(document_.file()).fileName());
   image.setText(QStringLiteral("Description"), recordingHeader());
+  const Project state = relativeTo(project(), QFile::encodeName(file).toStdString());
+  image.setText(QString::fromUtf8(kStateKey.data()), QString::fromStdString(projectJson(state)));
   if (!image.save(file, "PNG")) {
     throw WriteError(tr("%1 could not be written. Nothing was saved. Choose another place.")
                          .arg(file)

@@ -55,7 +55,7 @@ std::optional<ReplayResult> replayOfWindow(
     const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
   const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
   if (!loop) return std::nullopt;
-  Scenes scenes(loadStored(storedState(file, input, false, task), task));
+  Scenes scenes(loadStored({.from_image = file, .project = {}}, input, task).surface);
   return replayLoop(
       *loop, log,
       [&scenes](const RecordedScene& scene) -> const HapticSpace& { return scenes.at(scene); },

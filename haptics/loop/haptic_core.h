@@ -8,6 +8,7 @@
 #include "haptics/device/device.h"
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
+#include "haptics/force/move_gate.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
 #include "haptics/loop/surface_fields.h"
@@ -28,6 +29,7 @@ struct HapticOptions {
   /// samples the surface goes on as a constant.
   bool frame = false;
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
+  MoveGate gate;  ///< While on, felt in place of the surface.
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 
@@ -110,6 +112,8 @@ class HapticCore {
   HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
                       const HapticOptions& options, const DeviceReading& reading,
                       std::int64_t now_ns) RELIEVO_REALTIME;
+  ForceInput throughGate(const MoveGate& gate, const ForceInput& input,
+                         ForceOptions& options) const RELIEVO_REALTIME;
   HapticSample describeTick(const HapticSpace& space,
                             const HapticSpace* previous) const RELIEVO_REALTIME;
 
@@ -132,6 +136,7 @@ class HapticCore {
   std::uint64_t window_id_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;
   std::int64_t last_ns_ = 0;  // Of the last tick.
+  bool gated_ = false;        // In the last tick.
   bool placed_ = false;
   bool resume_ = false;
 };

@@ -51,7 +51,7 @@ void LoopSession::show(const RegionWindow& window, SurfaceKind kind,
                        std::span<const float> finer_mm) {
   const HapticSample& last = update();
   std::optional<Anchor> touched;  // Stays under the hand.
-  if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
+  if (has_window_ && last.contact && !moving_) touched = Anchor{last.proxy_view, last.proxy};
   HapticSpace& space = loop_->spaces().back();
   fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched);
   fillTexture(space, finer_mm);

@@ -366,6 +366,40 @@ TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
   EXPECT_GT(static_cast<double>(log.rows.size()), 100 * seconds);
 }
 
+TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
+  host_.window = flatWindow(5, 35);
+  attach();
+  auto* device = inPanel<QComboBox>("deviceList");
+  device->setCurrentIndex(device->findData("virtual:relaxed"));
+  hover();
+  host_.actions.at("forces")->trigger();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on && !p.touching; }));
+  press(10);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 1; }));
+  QAction* move = host_.actions.at("moveMode");
+  move->trigger();
+  EXPECT_TRUE(move->isChecked());
+  EXPECT_TRUE(host_.announcements.last().startsWith("Move mode."));
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z < 0.5; })) << "no surface";
+  // Far to the right: over the click, one step, and the gate pulls back.
+  Q_EMIT host_.handMoved({handOver(*host_.window, 75, 40, false, 0), true});
+  ASSERT_TRUE(eventually([this] { return host_.commands.contains("move_right"); }));
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.force.x < -0.1; }));
+  EXPECT_TRUE(host_.actions.at("moveBack")->isEnabled());
+  host_.actions.at("moveBack")->trigger();
+  EXPECT_FALSE(move->isChecked());
+  ASSERT_EQ(host_.regions.size(), 1U);
+  EXPECT_EQ(host_.regions[0], host_.window->region);
+  host_.actions.at("whereAmI")->trigger();
+  EXPECT_TRUE(host_.announcements.last().contains("millimetres"));
+  host_.actions.at("sayDetail")->trigger();
+  EXPECT_TRUE(host_.announcements.last().startsWith("Detail 1 of"));
+  host_.actions.at("buttonHelp")->trigger();
+  EXPECT_TRUE(host_.announcements.last().startsWith("Plus: finer."));
+  host_.actions.at("useMouse")->trigger();
+  EXPECT_EQ(device->currentData().toString(), "mouse");
+}
+
 TEST_F(HapticsPluginTest, GivesEveryControlANameForSpeech) {
   attach();
   QWidget* panel = host_.panels.at("Touch");
