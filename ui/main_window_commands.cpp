@@ -9,6 +9,7 @@
 #include "ui/main_window.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
+#include "ui/stereo_panel.h"
 #include "ui/surface_panel.h"
 #include "ui/time_plot.h"
 #include "ui/view_panel.h"
@@ -104,6 +105,12 @@ void MainWindow::makeCommands() {
         tr("Every step so far; choose one to go back to it"),
         [this] { showSteps(); },
         {}});
+  make({"preferences",
+        tr("&Preferences\u2026"),
+        {QKeySequence("Ctrl+,")},
+        tr("Colours, text size, language, units, stereo, device"),
+        [this] { showPreferences(); },
+        {}});
   make({"search_commands",
         tr("&Search commands\u2026"),
         {QKeySequence("Ctrl+K")},
@@ -125,7 +132,9 @@ void MainWindow::makeCommands() {
   makeWindowCommands();
   makeReliefCommands();
   makeMeasureCommands();
+  makePlaceCommands();
   makeReplayCommands();
+  makeVideoCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {

@@ -119,7 +119,9 @@ void MainWindow::openRecordedMap(const QString& file) {
   if (!recording) return;
   Project project;
   try {
-    if (!recording->state.empty()) project = projectFromState(recording->state, recording->name);
+    if (!recording->state.empty()) {
+      project = projectFromState(recording->state, recording->name).value_or(Project{});
+    }
   } catch (const Error& error) {
     replay_->forgetWaiting();
     strip_->show(QString::fromUtf8(error.what()));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <QAccessible>
 #include <QAction>
+#include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QMenu>
@@ -264,6 +265,8 @@ void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QStri
                 QLatin1String("relievo ") + QStringLiteral(RELIEVO_VERSION_STRING));
   image.setText(QStringLiteral("Title"), QFileInfo(document_.file()).fileName());
   image.setText(QStringLiteral("Description"), recordingHeader());
+  const Project state = relativeTo(project(), QFile::encodeName(file).toStdString());
+  image.setText(QString::fromUtf8(kStateKey.data()), QString::fromStdString(projectJson(state)));
   if (!image.save(file, "PNG")) {
     throw WriteError(tr("%1 could not be written. Nothing was saved. Choose another place.")
                          .arg(file)

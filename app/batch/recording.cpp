@@ -68,7 +68,7 @@ TouchRow rowOf(const std::array<double, kLogColumns.size()>& v, const std::strin
 
 /// What the carried state says: input, map and the window at the start.
 void takeState(TouchRecording& recording) {
-  const Project project = projectFromState(recording.state, recording.name);
+  const Project project = projectFromState(recording.state, recording.name).value_or(Project{});
   recording.input = project.file;
   recording.input_sha256 = project.sha256;
   recording.windows.push_back(

@@ -100,9 +100,11 @@ struct StrokeFindings {
 std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
   provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
-  const InputFile stroke = a.stroke.empty() ? InputFile{} : inputFile(a.stroke, {}, task);
   Json touch = Json::parse(feelJson(a));
-  touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+  if (!a.stroke.empty()) {
+    const InputFile stroke = inputFile(a.stroke, {}, task);
+    touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+  }
   touch["frame"] = a.frame;
   touch["device"] = a.device;
   touch["safety"] = safetyOf(a);

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "core/depth/mask.h"
 #include "core/depth/membrane.h"
@@ -164,12 +165,16 @@ std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice) 
   return text + " and now rests on the base plane.";
 }
 
-FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const FillSource& source,
+FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task) {
   FilledMap result;
   const std::size_t count = frame.size.count();
-  FrontDepths filled = depths.front;
-  Mask measured = maskOf(filled);
+  const Mask had_points = maskOf(depths.front);
+  // By the depths as given; asked for cells that stay measured only.
+  const Mask steep = steepCells(depths, had_points, frame);
+  depths.steep = {};
+  FrontDepths filled = std::move(depths.front);
+  Mask measured = had_points;
   int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
   // A back can hide all gaps: then no cell is empty, and the radius is 0.
   if (source.has_sampling_gaps && !depths.one_layer) {
@@ -195,10 +200,11 @@ FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const
   Mask known = measured;
   for (std::size_t i = 0; i < depths.between.size(); ++i) {
     if (known[i] != 0 || covered[i] == 0 || std::isnan(depths.between[i])) continue;
-    if (!std::isnan(depths.front[i])) continue;
+    if (had_points[i] != 0) continue;
     filled[i] = depths.between[i];
     known[i] = 1;
   }
+  depths.between = {};
   pushPull(filled, known, frame.size, task);
   task.check();
   Mask gaps = covered;
@@ -215,7 +221,7 @@ FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const
     result.holes.push_back(labelled.hole);
   }
 
-  const Mask steep = steepCells(depths, measured, frame);
+  result.quality = std::move(depths.quality);
   DepthMap& map = result.map;
   map.frame = frame;
   map.heights_mm.assign(count, 0.0F);

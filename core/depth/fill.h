@@ -52,6 +52,7 @@ struct FilledMap {
   DepthMap map;             ///< Heights above the base plane.
   double base_z_mm = 0;     ///< View z of the base plane, to be subtracted from view_from_file.
   std::vector<Hole> holes;  ///< Largest first.
+  QualityMap quality;       ///< As captured.
   std::size_t seen_through = 0;  ///< Cells that showed the back through gaps of the front ...
   std::size_t seen_through_points = 0;  ///< ... and the points in them, if the engine counted.
 };
@@ -64,8 +65,9 @@ struct FillSource {
 
 /// From raw front depths to a depth map: sampling gaps (empty cells smaller than the data's own
 /// spacing) are interpolated, enclosed holes treated as chosen, the rest is outside. [worker]
+/// @param depths  used up, for their memory
 /// @throw ArgumentError  no cell was hit
-FilledMap fillDepths(const CapturedDepths& depths, const GridFrame& frame, const FillSource& source,
+FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const FillSource& source,
                      const HoleChoice& choice, const Task& task = {});
 
 }  // namespace relievo

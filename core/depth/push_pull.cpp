@@ -30,6 +30,14 @@ float coarseValue(const PushPullLayer& coarse, Cell fine) {
          v * ((1 - u) * at(c0, r1) + u * at(c1, r1));
 }
 
+/// From sums of weighted values to means.
+void finishPull(PushPullLayer& coarse) {
+  for (std::size_t i = 0; i < coarse.values.size(); ++i) {
+    if (coarse.weights[i] > 0) coarse.values[i] /= coarse.weights[i];
+    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
+  }
+}
+
 /// The second lowest and the second highest of some values.
 struct NeighbourRange {
   static constexpr float kFar = std::numeric_limits<float>::infinity();
@@ -58,10 +66,7 @@ PushPullLayer pulled(const PushPullLayer& fine) {
       coarse.weights[to] += fine.weights[from];
     }
   }
-  for (std::size_t i = 0; i < coarse.values.size(); ++i) {
-    if (coarse.weights[i] > 0) coarse.values[i] /= coarse.weights[i];
-    coarse.weights[i] = std::min(coarse.weights[i], 1.0F);
-  }
+  finishPull(coarse);
   return coarse;
 }
 
@@ -77,15 +82,22 @@ void pushInto(PushPullLayer& fine, const PushPullLayer& coarse) {
 }
 
 void pushPull(std::vector<float>& values, const Mask& known, GridSize size, const Task& task) {
+  // As `pulled` and `pushInto`, with the mask for the weights of the finest layer.
   std::vector<PushPullLayer> layers(1);
-  layers[0].size = size;
-  layers[0].values.assign(values.size(), 0.0F);
-  layers[0].weights.assign(values.size(), 0.0F);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (known[i] == 0) continue;
-    layers[0].values[i] = values[i];
-    layers[0].weights[i] = 1;
+  layers[0].size = {.cols = (size.cols + 1) / 2, .rows = (size.rows + 1) / 2};
+  layers[0].values.assign(layers[0].size.count(), 0.0F);
+  layers[0].weights.assign(layers[0].size.count(), 0.0F);
+  for (int row = 0; row < size.rows; ++row) {
+    if (row % 64 == 0) task.check();
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t from = size.index({.col = col, .row = row});
+      if (known[from] == 0) continue;
+      const std::size_t to = layers[0].size.index({.col = col / 2, .row = row / 2});
+      layers[0].values[to] += values[from];
+      layers[0].weights[to] += 1;
+    }
   }
+  finishPull(layers[0]);
   while (layers.back().size.cols > 1 || layers.back().size.rows > 1) {
     task.check();
     layers.push_back(pulled(layers.back()));
@@ -94,8 +106,12 @@ void pushPull(std::vector<float>& values, const Mask& known, GridSize size, cons
     task.check();
     pushInto(layers[level], layers[level + 1]);
   }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (known[i] == 0) values[i] = layers[0].values[i];
+  for (int row = 0; row < size.rows; ++row) {
+    if (row % 64 == 0) task.check();
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t i = size.index({.col = col, .row = row});
+      if (known[i] == 0) values[i] = coarseValue(layers[0], {.col = col, .row = row});
+    }
   }
 }
 

@@ -7,12 +7,8 @@
 #include <array>
 #include <cmath>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define RELIEVO_WIDE_VECTORS
-#endif
+#include "core/base/wide_vectors.h"
+
 #define RELIEVO_INLINE inline __attribute__((always_inline))
 
 namespace relievo {
@@ -61,6 +57,65 @@ RELIEVO_INLINE void sumPower(const double* __restrict in, std::ptrdiff_t stride,
       }
     }
     out[c] = sum;
+  }
+}
+
+using CellRows = std::array<const double*, 2 * kReach + 1>;
+
+/// Sum over the window's rows of u^A (v + e)^B = sum_i binomial(B, i) e^(B - i) u^A v^i, as above;
+/// z times that with `kHeights`.
+template <int A, int B, bool kHeights>
+RELIEVO_INLINE void sumDown(const CellRows& rows, std::ptrdiff_t stride, double* __restrict out) {
+  constexpr auto kPlane = [](int b) {
+    return static_cast<std::ptrdiff_t>(kHeights ? heightPlane(A, b) : plane(A, b));
+  };
+  const double* __restrict r0 = rows[0];
+  const double* __restrict r1 = rows[1];
+  const double* __restrict r2 = rows[2];
+  const double* __restrict r3 = rows[3];
+  const double* __restrict r4 = rows[4];
+  double* const to = out + kPlane(B) * stride;
+  for (std::ptrdiff_t c = 0; c < stride; ++c) {
+    double sum = 0;
+    for (int i = 0; i <= B; ++i) {
+      const std::ptrdiff_t at = kPlane(i) * stride + c;
+      const double one = binomial(B, i);
+      const double two = one * power(2, B - i);
+      const double odd = (B - i) % 2 == 0 ? 1 : -1;
+      sum += two * (r4[at] + odd * r0[at]) + one * (r3[at] + odd * r1[at]);
+    }
+    to[c] = sum + r2[kPlane(B) * stride + c];
+  }
+}
+
+/// From sums over the cells to sums down the columns.
+RELIEVO_WIDE_VECTORS
+void sumColumns(const CellRows& cells, std::ptrdiff_t stride, double* columns) {
+  static_assert(kReach == 2);
+  sumDown<0, 0, false>(cells, stride, columns);
+  sumDown<0, 1, false>(cells, stride, columns);
+  sumDown<0, 2, false>(cells, stride, columns);
+  sumDown<0, 3, false>(cells, stride, columns);
+  sumDown<0, 4, false>(cells, stride, columns);
+  sumDown<1, 0, false>(cells, stride, columns);
+  sumDown<1, 1, false>(cells, stride, columns);
+  sumDown<1, 2, false>(cells, stride, columns);
+  sumDown<1, 3, false>(cells, stride, columns);
+  sumDown<2, 0, false>(cells, stride, columns);
+  sumDown<2, 1, false>(cells, stride, columns);
+  sumDown<2, 2, false>(cells, stride, columns);
+  sumDown<3, 0, false>(cells, stride, columns);
+  sumDown<3, 1, false>(cells, stride, columns);
+  sumDown<4, 0, false>(cells, stride, columns);
+  sumDown<0, 0, true>(cells, stride, columns);
+  sumDown<0, 1, true>(cells, stride, columns);
+  sumDown<0, 2, true>(cells, stride, columns);
+  sumDown<1, 0, true>(cells, stride, columns);
+  sumDown<1, 1, true>(cells, stride, columns);
+  sumDown<2, 0, true>(cells, stride, columns);
+  const std::ptrdiff_t squares = static_cast<std::ptrdiff_t>(kSquares) * stride;
+  for (std::ptrdiff_t c = squares; c < squares + stride; ++c) {
+    columns[c] = ((cells[0][c] + cells[4][c]) + (cells[1][c] + cells[3][c])) + cells[2][c];
   }
 }
 
@@ -151,49 +206,63 @@ void solve(const double* windows, std::ptrdiff_t stride, int blocks, double* hei
 
 }  // namespace
 
-void RowFits::sumColumns(const RowPoints& rows, int row) {
-  const int first = std::max(row - kReach, rows.first_row);
-  const int end = std::min(row + kReach + 1, rows.end_row);
+void RowFits::resize(int cols) {
+  const std::size_t blocks = (static_cast<std::size_t>(cols) + kLanes - 1) / kLanes;
+  const std::size_t stride = blocks * kLanes + 2 * kReach;
+  if (stride == stride_) return;
+  stride_ = stride;
+  for (std::vector<double>& row : cells_) row.assign(kSums * stride_, 0.0);
+  columns_.assign(kSums * stride_, 0.0);
+  windows_.assign(kSums * stride_, 0.0);
+  heights_mm_.assign(blocks * kLanes, 0.0);
+  rms_mm_.assign(blocks * kLanes, 0.0);
+  fitted_.assign(blocks * kLanes, 0.0);
+}
+
+void RowFits::sumCells(const RowPoints& rows, int row) {
+  // One beyond the grid is empty; rows begin at -kReach.
+  std::vector<double>& to = cells_[static_cast<std::size_t>(row + kRows) % kRows];
+  if (row < rows.first_row || row >= rows.end_row) {
+    std::fill(to.begin(), to.end(), 0.0);
+    return;
+  }
   for (int col = 0; col < rows.cols; ++col) {
-    // One column's sums stay in registers; the planes are written once.
+    // One cell's sums stay in registers; the planes are written once.
     std::array<double, kSums> sums{};
-    for (int r = first; r < end; ++r) {
-      const double dv = r - row;
-      for (const PlacedPoint& p : rows.of(col, col + 1, r)) {
-        const auto u = static_cast<double>(p.du);
-        const double v = static_cast<double>(p.dv) + dv;
-        const auto z = static_cast<double>(p.z);
-        const double uu = u * u;
-        const double uv = u * v;
-        const double vv = v * v;
-        const std::array<double, kSums> terms{1,      u,       uu,      u * uu, uu * uu, v,
-                                              uv,     uv * u,  uv * uu, vv,     uv * v,  uv * uv,
-                                              vv * v, uv * vv, vv * vv, z,      z * u,   z * uu,
-                                              z * v,  z * uv,  z * vv,  z * z};
-        for (std::size_t k = 0; k < kSums; ++k) sums[k] += terms[k];
-      }
+    for (const PlacedPoint& p : rows.of(col, col + 1, row)) {
+      const auto u = static_cast<double>(p.du);
+      const auto v = static_cast<double>(p.dv);
+      const auto z = static_cast<double>(p.z);
+      const double uu = u * u;
+      const double uv = u * v;
+      const double vv = v * v;
+      const std::array<double, kSums> terms{1,      u,       uu,      u * uu, uu * uu, v,
+                                            uv,     uv * u,  uv * uu, vv,     uv * v,  uv * uv,
+                                            vv * v, uv * vv, vv * vv, z,      z * u,   z * uu,
+                                            z * v,  z * uv,  z * vv,  z * z};
+      for (std::size_t k = 0; k < kSums; ++k) sums[k] += terms[k];
     }
-    double* const to = columns_.data() + kReach + col;
-    for (std::size_t k = 0; k < kSums; ++k) to[k * stride_] = sums[k];
+    double* const out = to.data() + kReach + col;
+    for (std::size_t k = 0; k < kSums; ++k) out[k * stride_] = sums[k];
   }
 }
 
-void RowFits::compute(const RowPoints& rows, int row) {
-  const auto cols = static_cast<std::size_t>(rows.cols);
-  const std::size_t blocks = (cols + kLanes - 1) / kLanes;
-  if (const std::size_t stride = blocks * kLanes + 2 * kReach; stride != stride_) {
-    stride_ = stride;
-    columns_.assign(kSums * stride_, 0.0);
-    windows_.assign(kSums * stride_, 0.0);
-    heights_mm_.assign(blocks * kLanes, 0.0);
-    rms_mm_.assign(blocks * kLanes, 0.0);
-    fitted_.assign(blocks * kLanes, 0.0);
+void RowFits::compute(const RowPoints& rows, int row, bool first) {
+  resize(rows.cols);
+  for (int r = first ? row - kReach : row + kReach; r <= row + kReach; ++r) sumCells(rows, r);
+  CellRows cells{};
+  for (int e = -kReach; e <= kReach; ++e) {
+    cells[static_cast<std::size_t>(e + kReach)] =
+        cells_[static_cast<std::size_t>(row + e + kRows) % kRows].data();
   }
-  sumColumns(rows, row);
-  sumWindows(columns_.data(), static_cast<std::ptrdiff_t>(stride_), rows.cols, windows_.data());
-  solve(windows_.data(), static_cast<std::ptrdiff_t>(stride_), static_cast<int>(blocks),
-        heights_mm_.data(), rms_mm_.data(), fitted_.data());
-  for (std::size_t i = 0; i < cols; ++i) rms_mm_[i] = std::sqrt(rms_mm_[i]);
+  const auto stride = static_cast<std::ptrdiff_t>(stride_);
+  sumColumns(cells, stride, columns_.data());
+  sumWindows(columns_.data(), stride, rows.cols, windows_.data());
+  solve(windows_.data(), stride, static_cast<int>(heights_mm_.size() / kLanes), heights_mm_.data(),
+        rms_mm_.data(), fitted_.data());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rows.cols); ++i) {
+    rms_mm_[i] = std::sqrt(rms_mm_[i]);
+  }
 }
 
 }  // namespace relievo

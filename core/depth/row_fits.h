@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -9,13 +10,15 @@
 namespace relievo {
 
 /// The local quadratics of `LocalFit` for a whole row of cells at once, each over the 5 x 5 cells
-/// around: sums of powers down every column, then along the row, then eight systems of equations
-/// side by side. About ten times as fast, but no point is left out and no window shrinks: where
-/// `rms_mm` is too large for the noise, or `fitted` is 0, ask `LocalFit`. One per thread.
+/// around: sums of powers in every cell, then down the columns, then along the row, then eight
+/// systems of equations side by side. About ten times as fast, but no point is left out and no
+/// window shrinks: where `rms_mm` is too large for the noise, or `fitted` is 0, ask `LocalFit`. One
+/// per thread.
 class RowFits {
  public:
   /// Computes the fits of one row. The rows must reach `kReach` beyond it or to the grid's border.
-  void compute(const RowPoints& rows, int row);
+  /// @param first  the first row asked for of these `rows`; the others follow in turn
+  void compute(const RowPoints& rows, int row, bool first);
 
   bool fitted(int col) const noexcept { return fitted_[index(col)] != 0; }
   double heightMm(int col) const noexcept { return heights_mm_[index(col)]; }
@@ -27,9 +30,13 @@ class RowFits {
 
  private:
   static std::size_t index(int col) noexcept { return static_cast<std::size_t>(col); }
-  void sumColumns(const RowPoints& rows, int row);
+  static constexpr int kRows = 2 * kReach + 1;
+  void resize(int cols);
+  void sumCells(const RowPoints& rows, int row);
 
-  std::size_t stride_ = 0;       ///< Of a plane: the columns and kReach more on both sides, padded.
+  std::size_t stride_ = 0;  ///< Of a plane: the columns and kReach more on both sides, padded.
+  std::array<std::vector<double>, kRows> cells_;  ///< Of row r in place r mod kRows: kSums planes,
+                                                  ///< u and v from the cell.
   std::vector<double> columns_;  ///< kSums planes: sums down the columns, u from the column's cell.
   std::vector<double> windows_;  ///< kSums planes: sums over the windows, u from the window's cell.
   std::vector<double> heights_mm_, rms_mm_;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace relievo {
@@ -17,33 +18,43 @@ float limitAbove(float depth, const GridFrame& frame) {
   return depth + static_cast<float>(kSeeThroughCells * frame.spacing_mm);
 }
 
-/// Highest value within `radius` along one line of `count` cells that are `stride` apart.
-void highestAlong(const float* in, float* out, std::ptrdiff_t count, std::ptrdiff_t stride,
-                  std::ptrdiff_t radius) {
-  for (std::ptrdiff_t i = 0; i < count; ++i) {
-    float highest = kNone;
-    const std::ptrdiff_t last = std::min(i + radius, count - 1);
-    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(i - radius, 0); k <= last; ++k) {
-      highest = std::max(highest, in[k * stride]);
-    }
-    out[i * stride] = highest;
+/// out[i] = the higher of a[i] and b[i].
+void takeHigher(const float* a, const float* b, float* out, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) out[i] = a[i] > b[i] ? a[i] : b[i];
+}
+
+/// Highest of every `width` lines of `length` values in turn, in place, by doubling: the first
+/// lines - width + 1 lines then hold them.
+void highestOfLines(std::vector<float>& values, std::size_t lines, std::size_t length,
+                    std::size_t width) {
+  std::size_t known = 1;
+  while (known < width) {
+    const std::size_t more = std::min(known, width - known);
+    takeHigher(values.data(), values.data() + more * length, values.data(),
+               (lines - more) * length);
+    known += more;
   }
 }
 
-/// Highest measured depth in the square around every cell; rows first, then columns.
+/// Highest measured depth in the square around every cell; columns first, then rows.
 FrontDepths highestAround(const FrontDepths& depths, GridSize size, int radius) {
-  FrontDepths known = depths;
-  for (float& z : known) z = std::isnan(z) ? kNone : z;
-  FrontDepths along_rows(depths.size());
-  for (int row = 0; row < size.rows; ++row) {
-    const std::size_t start = size.index({.col = 0, .row = row});
-    highestAlong(&known[start], &along_rows[start], size.cols, 1, radius);
+  const auto r = static_cast<std::size_t>(radius);
+  const auto cols = static_cast<std::size_t>(size.cols);
+  const auto rows = static_cast<std::size_t>(size.rows);
+  std::vector<float> padded((rows + 2 * r) * cols, kNone);
+  std::transform(depths.begin(), depths.end(),
+                 padded.begin() + static_cast<std::ptrdiff_t>(r * cols),
+                 [](float z) { return std::isnan(z) ? kNone : z; });
+  highestOfLines(padded, rows + 2 * r, cols, 2 * r + 1);
+  FrontDepths highest(depths.size());
+  std::vector<float> line(cols + 2 * r);
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::fill(line.begin(), line.end(), kNone);
+    std::copy_n(&padded[row * cols], cols, line.begin() + static_cast<std::ptrdiff_t>(r));
+    highestOfLines(line, cols + 2 * r, 1, 2 * r + 1);
+    std::copy_n(line.begin(), cols, &highest[row * cols]);
   }
-  for (int col = 0; col < size.cols; ++col) {
-    const auto start = static_cast<std::size_t>(col);
-    highestAlong(&along_rows[start], &known[start], size.rows, size.cols, radius);
-  }
-  return known;
+  return highest;
 }
 
 bool isSeenThrough(const FrontDepths& depths, const GridFrame& frame, Cell cell, int radius) {
@@ -79,16 +90,34 @@ class GapWindow {
       : depths_(depths),
         frame_(frame),
         middle_(cell),
-        limit_(limitAbove(depths[frame.size.index(cell)], frame)),
-        free_(freeShare()) {}
+        limit_(limitAbove(depths[frame.size.index(cell)], frame)) {}
 
-  /// Is there enough front around to tell a gap from a groove?
-  bool tells() const { return free_ < kMostFree; }
+  /// Are there straight ways out of sight with no front on them, in three of eight directions? Most
+  /// cells of slopes and beside walls have these, and few others.
+  bool isOpen() const {
+    int ways = 0;
+    for (int down = -1; down <= 1; ++down) {
+      for (int right = -1; right <= 1; ++right) {
+        if (down == 0 && right == 0) continue;
+        int step = 1;
+        while (step <= kGapReach &&
+               !isFront({.col = middle_.col + step * right, .row = middle_.row + step * down})) {
+          ++step;
+        }
+        ways += step > kGapReach ? 1 : 0;
+        if (ways == 3) return true;
+      }
+    }
+    return false;
+  }
 
-  bool isGap() const {
+  /// Nothing where too little front is around to tell a gap from a groove.
+  std::optional<bool> isGap() const {
+    const double free = freeShare();
+    if (free >= kMostFree) return std::nullopt;
     // 999 of 1000 cells that chance leaves empty are connected to fewer than these.
     const int enough =
-        static_cast<int>(std::ceil(kClusterCells * std::pow(kThreshold - free_, kExponent)));
+        static_cast<int>(std::ceil(kClusterCells * std::pow(kThreshold - free, kExponent)));
     // A neck of one cell leads from many a gap to what lies beyond the front's edge. It is a groove
     // only if it is itself long enough.
     if (isShutIn(middle_, kNeckShare)) {
@@ -96,7 +125,7 @@ class GapWindow {
                             [this](Cell c) { return !isFront(c) && isShutIn(c, kOpenShare); });
     }
     if (isConnectedTo(enough, [this](Cell c) { return !isFront(c); })) return false;
-    const double density = -std::log(std::max(free_, 1e-9));
+    const double density = -std::log(std::max(free, 1e-9));
     return !isInSquare(static_cast<int>(std::ceil(std::sqrt(kChanceOfSquare / density))));
   }
 
@@ -164,7 +193,8 @@ class GapWindow {
         const int up = next.row - middle_.row + kGapReach;
         if (right < 0 || up < 0 || right >= kSide || up >= kSide) return true;
         if (!frame_.size.contains(next)) continue;
-        bool& was_seen = seen[static_cast<std::size_t>(up * kSide + right)];
+        bool& was_seen =
+            seen[static_cast<std::size_t>(up) * kSide + static_cast<std::size_t>(right)];
         if (was_seen || !is_part(next)) continue;
         was_seen = true;
         found.push_back(next);
@@ -195,7 +225,6 @@ class GapWindow {
   const GridFrame& frame_;
   Cell middle_;
   float limit_;
-  double free_;
 };
 
 /// Empties the cells for which `drops` holds, judged by the depths as they are before. Hardly any
@@ -224,10 +253,15 @@ std::size_t dropSeenThrough(FrontDepths& depths, const GridFrame& frame, int rad
   std::size_t dropped = 0;
   // Twice: without the first pass's cells the rest stands out better.
   for (int pass = 0; pass < kSeeThroughPasses; ++pass) {
-    dropped += dropWhere(depths, frame, std::max(radius, kDensityReach), task, [&](Cell cell) {
-      const GapWindow around(depths, frame, cell);
-      return around.tells() ? around.isGap() : isSeenThrough(depths, frame, cell, radius);
-    });
+    const std::size_t now =
+        dropWhere(depths, frame, std::max(radius, kDensityReach), task, [&](Cell cell) {
+          const GapWindow around(depths, frame, cell);
+          if (around.isOpen()) return false;
+          const std::optional<bool> is_gap = around.isGap();
+          return is_gap ? *is_gap : isSeenThrough(depths, frame, cell, radius);
+        });
+    if (now == 0) break;
+    dropped += now;
   }
   return dropped;
 }

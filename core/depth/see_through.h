@@ -14,6 +14,7 @@ namespace relievo {
 /// is as dense as it is there. Grooves, holes and the feet of walls are larger and stay. Where less
 /// than 55 % of the cells are measured chance leaves areas of any size; there the cells are emptied
 /// that lie so far below most of the measured cells around them.
+/// Cells with a clear way of `kGapReach` cells in three of eight directions are never emptied.
 /// To be used only where the data leave sampling gaps. Looks `seeThroughReach` cells around.
 /// @param radius  of the neighbourhood that counts in sparse parts, cells, >= 1
 /// @return cells emptied @throw Cancelled

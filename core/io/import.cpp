@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/import.h"
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <string>
 #include <utility>
@@ -12,13 +14,17 @@
 #include "core/io/pcd_header.h"
 #include "core/io/ply_header.h"
 #include "core/io/raster.h"
+#include "core/io/raster_rows.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
+#include "core/io/system_unit.h"
 #include "core/io/unpack_las.h"
 #include "core/io/worker_process.h"
 
 namespace relievo {
 namespace {
+
+constexpr int kRowsAtOnce = 64;  ///< Between two looks at the stop token.
 
 /// What can be seen of a scan in its first bytes.
 struct Foresight {
@@ -65,17 +71,15 @@ Foresight precheck(const std::filesystem::path& file) {
 /// What the worker answers to `wanted`; throws what it refuses with.
 template <class Wanted>
 Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
-                      const ImportOptions& options, const Task& task) {
+                      const ImportOptions& options, const Task& task,
+                      const std::filesystem::path& answer_folder = {}) {
   task.report("opening", 0);
-  WorkerProcess worker(program, file, kind, options);
+  WorkerProcess worker(program, file, kind, options, answer_folder);
   const WorkerEnd end = worker.wait(task);
   task.check();
   WorkerAnswer answer;
   if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
-  if (auto* wanted = std::get_if<Wanted>(&answer)) {
-    wanted->info.file = file;
-    return std::move(*wanted);
-  }
+  if (auto* wanted = std::get_if<Wanted>(&answer)) return std::move(*wanted);
   if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
     throw FileError(refusal->message, refusal->code);
   }
@@ -87,23 +91,50 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
   const Foresight foresight = precheck(file);
-  if (foresight.format != FileFormat::laz) {
-    return importInWorker<Scan>(foresight.program, file, ImportKind::scan, options, task);
-  }
+  const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
+    Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
+    scan.info.file = file;
+    if (scan.info.format.starts_with("LAS")) addUnitOfSystem(what, scan.info);
+    return scan;
+  };
+  if (foresight.format != FileFormat::laz) return read(foresight.program, file);
   const UnpackedLas unpacked(file, task);
-  Scan scan =
-      importInWorker<Scan>(ImportProgram::own, unpacked.file(), ImportKind::scan, options, task);
-  scan.info.file = file;
+  Scan scan = read(ImportProgram::own, unpacked.file());
   scan.info.format.replace(0, 3, "LAZ");
   return scan;
+}
+
+RasterRows importRasterRows(const std::filesystem::path& file, const std::filesystem::path& folder,
+                            const ImportOptions& options, const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster_rows,
+                                         options, task, folder.empty() ? "." : folder);
+  rows.nameFile(file);
+  return rows;
 }
 
 RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& options,
                        const Task& task) {
   task.check();
   checkedFileSize(file);
-  return importInWorker<RasterMap>(ImportProgram::libraries, file, ImportKind::raster, options,
-                                   task);
+  auto rows =
+      importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster, options, task);
+  rows.nameFile(file);
+  RasterMap raster;
+  static_cast<RasterHead&>(raster) = rows.head();
+  const GridSize size = raster.size;
+  raster.values.resize(size.count());
+  if (rows.hasOrigins()) raster.origins.resize(size.count());
+  for (int row = 0; row < size.rows; row += kRowsAtOnce) {
+    task.check();
+    const std::size_t start = size.index({.col = 0, .row = row});
+    rows.read(row, std::min(kRowsAtOnce, size.rows - row), raster.values.data() + start,
+              rows.hasOrigins() ? raster.origins.data() + start : nullptr);
+  }
+  raster.valid.reserve(raster.values.size());
+  for (const float value : raster.values) raster.valid.push_back(!std::isnan(value));
+  return raster;
 }
 
 bool looksLikeRaster(const std::filesystem::path& file) {

@@ -44,8 +44,11 @@ void limit(__rlimit_resource resource, std::uint64_t amount) {
 }
 
 /// The file is mapped, so its size comes on top of what the reader may allocate.
-void setLimits(const ImportOptions& options, std::uint64_t file_size) {
+void setLimits(const ImportOptions& options, ImportKind kind, std::uint64_t file_size) {
   if (kAddressSpaceIsOurs) limit(RLIMIT_AS, options.max_memory_bytes + file_size);
+  // An answer in memory counts as well; writing beyond is an error, not a signal.
+  ::signal(SIGXFSZ, SIG_IGN);
+  if (kind != ImportKind::raster_rows) limit(RLIMIT_FSIZE, options.max_memory_bytes);
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(options.max_cpu_s)));
   limit(RLIMIT_CORE, 0);
 }
@@ -82,7 +85,7 @@ std::optional<WorkerArguments> parseArguments(char** argv) {
   const auto max_memory = parseWhole<std::uint64_t>(argv[6]);
   const auto max_cpu = parseNumber(argv[7]);
   if (!max_points || !max_memory || !max_cpu || !(*max_cpu > 0)) return std::nullopt;
-  arguments.kind = std::string_view(argv[3]) == "r" ? ImportKind::raster : ImportKind::scan;
+  arguments.kind = static_cast<ImportKind>(argv[3][0]);
   arguments.options.accept_incomplete = std::string_view(argv[4]) == "1";
   arguments.options.max_points = *max_points;
   arguments.options.max_memory_bytes = *max_memory;
@@ -105,7 +108,7 @@ WorkerRefusal tooLarge(const WorkerArguments& arguments) {
 
 void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libraries) {
   try {
-    setLimits(arguments.options, checkedFileSize(arguments.file));
+    setLimits(arguments.options, arguments.kind, checkedFileSize(arguments.file));
     ProgressPipe pipe;
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
@@ -113,7 +116,8 @@ void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libr
       sendAnswer(kAnswerFd,
                  readScanHere(arguments.file, arguments.options, task, libraries.unpack_lzf));
     } else if (libraries.read_raster != nullptr) {
-      sendAnswer(kAnswerFd, libraries.read_raster(arguments.file));
+      RasterAnswer answer(kAnswerFd);
+      answer.finish(libraries.read_raster(arguments.file, answer.sink(), task));
     } else {
       refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
     }

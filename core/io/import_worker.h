@@ -4,15 +4,14 @@
 #include <filesystem>
 
 #include "core/io/lzf.h"
+#include "core/io/raster.h"
 
 namespace relievo {
-
-struct RasterMap;  // core/io/raster.h
 
 /// What a worker program reads by large libraries; null where it has none.
 struct WorkerLibraries {
   UnpackLzf unpack_lzf = nullptr;
-  RasterMap (*read_raster)(const std::filesystem::path&) = nullptr;
+  RasterEnd (*read_raster)(const std::filesystem::path&, const RasterSink&, const Task&) = nullptr;
 };
 
 /// main() of the import programs: reads one file under limits and answers its parent.

@@ -7,17 +7,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
+#include "core/io/unnamed_file.h"
 
 namespace relievo {
 namespace {
 
 constexpr int kPollMs = 50;
 constexpr std::size_t kWordsKept = 4096;
+
+OwnedFd answerFile(const std::filesystem::path& folder) {
+  if (folder.empty()) return OwnedFd(raised(::memfd_create("relievo-import", MFD_CLOEXEC)));
+  const OwnedFd file = unnamedFile(folder);
+  if (file.get() < 0) {
+    throw FileError("The import cannot keep heights in " + printable(folder.string()) + ": " +
+                    std::strerror(errno) + ". Write the result to another folder.");
+  }
+  return OwnedFd(raised(::fcntl(file.get(), F_DUPFD_CLOEXEC, 0)));
+}
 
 std::filesystem::path ownFolder() {
   std::error_code error;
@@ -32,7 +45,7 @@ std::filesystem::path importProgram(ImportProgram program, const std::filesystem
   // Installed; beside the program in the build folder; beside the build's tests.
   for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
     std::error_code missing;
-    const std::filesystem::path found = (folder / place / name).lexically_normal();
+    std::filesystem::path found = (folder / place / name).lexically_normal();
     if (std::filesystem::is_regular_file(found, missing)) return found;
   }
   throw FileError("Files cannot be read: the program " + name.string() +
@@ -42,9 +55,10 @@ std::filesystem::path importProgram(ImportProgram program, const std::filesystem
 }
 
 WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path& file,
-                             ImportKind kind, const ImportOptions& options) {
+                             ImportKind kind, const ImportOptions& options,
+                             const std::filesystem::path& answer_folder) {
   const std::filesystem::path executable = importProgram(program, ownFolder());
-  OwnedFd child_answer(raised(::memfd_create("relievo-import", MFD_CLOEXEC)));
+  OwnedFd child_answer = answerFile(answer_folder);
   answer_.reset(raised(::fcntl(child_answer.get(), F_DUPFD_CLOEXEC, 0)));
   OwnedFd child_progress;
   OwnedFd child_words;

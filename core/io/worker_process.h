@@ -19,7 +19,7 @@ inline constexpr int kAnswerFd = 4;    ///< scan_transport.h
 inline constexpr int kWorkerArgumentCount = 8;
 
 /// What the worker is to answer with: its third argument.
-enum class ImportKind : char { scan = 's', raster = 'r' };
+enum class ImportKind : char { scan = 's', raster = 'r', raster_rows = 'R' };
 
 /// Which program reads: `own` starts in a few milliseconds, because it loads none of the large
 /// libraries; `libraries` has them all and reads everything.
@@ -41,8 +41,9 @@ struct WorkerEnd {
 class WorkerProcess {
  public:
   /// @throw FileError  the program is missing, or the system refuses a further process
+  /// @param answer_folder  where the answer is a file without a name; empty: it is in memory
   WorkerProcess(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
-                const ImportOptions& options);
+                const ImportOptions& options, const std::filesystem::path& answer_folder);
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 

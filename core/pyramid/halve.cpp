@@ -6,16 +6,8 @@
 #include <cstddef>
 
 #include "core/base/bands.h"
+#include "core/base/wide_vectors.h"
 #include "core/pyramid/kernel.h"
-
-// Wider vectors where the processor has them. The resolver of such functions runs before a
-// sanitizer is ready.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define RELIEVO_WIDE_VECTORS __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define RELIEVO_WIDE_VECTORS
-#endif
 
 namespace relievo {
 namespace {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/wide_vectors.h"
 
 namespace relievo {
 namespace {
@@ -17,11 +18,16 @@ constexpr double kOnNode = 1e-9;  // Spacings.
 
 /// Where the window's samples lie along one axis.
 struct Axis {
-  std::vector<int> low, high, cell;  ///< Nodes on both sides; cell of the origin, -1 off the map.
-  std::vector<double> part;          ///< Way from low to high, [0, 1].
-  std::vector<std::uint8_t> on_map;  ///< Heights exist here.
-  int first_node = 0, nodes = 0;     ///< All that low and high name.
+  std::array<int, kWindowSamples> low{};       ///< Node before; the one after is `to_high` on.
+  std::array<int, kWindowSamples> cell{};      ///< Of the origin; -1 off the map.
+  std::array<double, kWindowSamples> part{};   ///< Way from the one to the other, [0, 1].
+  int to_high = 1;                             ///< 0 where the level has one node only.
+  int first_on_map = 0, end_on_map = 0;        ///< Samples that have heights, ...
+  int first_with_cell = 0, end_with_cell = 0;  ///< ... and an origin.
+  int first_node = 0, nodes = 0;               ///< All that low and its next name.
   int first_cell = 0, cells = 0;
+  bool nodes_in_turn = true;  ///< Each sample has the next node.
+  bool cells_in_turn = true;
 };
 
 /// One axis of a grid.
@@ -43,32 +49,75 @@ Axis axisOf(double start_mm, double step_mm, const Line& map, const Line& nodes,
   const double map_start = map.first_mm - 0.5 * map.spacing_mm;
   const double map_end = map_start + map.count * map.spacing_mm;
   const double cells_start = cells.first_mm - 0.5 * cells.spacing_mm;
-  int last_cell = -1;
-  for (int i = 0; i < kWindowSamples; ++i) {
-    const double at = start_mm + (i + 0.5) * step_mm;
+  axis.to_high = nodes.count > 1 ? 1 : 0;
+  for (std::size_t i = 0; i < kWindowSamples; ++i) {
+    const int sample = static_cast<int>(i);
+    const double at = start_mm + (sample + 0.5) * step_mm;
     const double between =
         std::clamp((at - nodes.first_mm) / nodes.spacing_mm, 0.0, nodes.count - 1.0);
     // What is a node but for rounding is that node.
     const double nearest = std::round(between);
     const double index = std::abs(between - nearest) < kOnNode ? nearest : between;
     const int low = std::min(static_cast<int>(index), std::max(nodes.count - 2, 0));
-    axis.low.push_back(low);
-    axis.high.push_back(std::min(low + 1, nodes.count - 1));
-    axis.part.push_back(index - low);
+    axis.low[i] = low;
+    axis.part[i] = index - low;
+    axis.nodes_in_turn = axis.nodes_in_turn && low == axis.low[0] + sample;
     const bool on_map = at >= map_start && at <= map_end;
-    axis.on_map.push_back(on_map ? 1 : 0);
     const double u = (at - cells_start) / cells.spacing_mm;
-    const int cell = std::min(static_cast<int>(std::max(u, 0.0)), cells.count - 1);
     const bool has_origin = on_map && u >= 0;
-    axis.cell.push_back(has_origin ? cell : -1);
-    if (!has_origin) continue;
-    if (last_cell < 0) axis.first_cell = cell;
-    last_cell = cell;
+    axis.cell[i] = has_origin ? std::min(static_cast<int>(u), cells.count - 1) : -1;
+    // The samples rise, so both kinds lie in one run.
+    if (on_map) {
+      if (axis.end_on_map == 0) axis.first_on_map = sample;
+      axis.end_on_map = sample + 1;
+    }
+    if (has_origin) {
+      if (axis.end_with_cell == 0) axis.first_with_cell = sample;
+      axis.end_with_cell = sample + 1;
+    }
   }
   axis.first_node = axis.low.front();
-  axis.nodes = axis.high.back() - axis.first_node + 1;
-  axis.cells = last_cell < 0 ? 0 : last_cell - axis.first_cell + 1;
+  axis.nodes = axis.low.back() + axis.to_high - axis.first_node + 1;
+  if (axis.end_with_cell > 0) {
+    const auto first = static_cast<std::size_t>(axis.first_with_cell);
+    const auto last = static_cast<std::size_t>(axis.end_with_cell - 1);
+    axis.first_cell = axis.cell[first];
+    axis.cells = axis.cell[last] - axis.first_cell + 1;
+    axis.cells_in_turn = axis.cells == axis.end_with_cell - axis.first_with_cell;
+    for (std::size_t i = first; i < last; ++i) {
+      axis.cells_in_turn = axis.cells_in_turn && axis.cell[i + 1] == axis.cell[i] + 1;
+    }
+  }
   return axis;
+}
+
+/// Bilinear along one row, at the window's columns. @param heights  from the axis' first node on
+RELIEVO_WIDE_VECTORS
+void mixAlongRow(const float* heights, const Axis& columns, double* out) {
+  const double* part = columns.part.data();
+  const float* next = heights + columns.to_high;
+  if (columns.nodes_in_turn) {
+    for (std::size_t i = 0; i < kWindowSamples; ++i) {
+      out[i] =
+          (1 - part[i]) * static_cast<double>(heights[i]) + part[i] * static_cast<double>(next[i]);
+    }
+    return;
+  }
+  const int* low = columns.low.data();
+  for (std::size_t i = 0; i < kWindowSamples; ++i) {
+    const int from = low[i] - columns.first_node;
+    out[i] = (1 - part[i]) * static_cast<double>(heights[from]) +
+             part[i] * static_cast<double>(next[from]);
+  }
+}
+
+/// ... and between two of those rows.
+RELIEVO_WIDE_VECTORS
+void mixRows(const double* low, const double* high, double v, double gain, float* out) {
+  for (std::size_t i = 0; i < kWindowSamples; ++i) {
+    const auto height = static_cast<float>((1 - v) * low[i] + v * high[i]);
+    out[i] = static_cast<float>(gain * static_cast<double>(height));
+  }
 }
 
 /// A row of the level at the window's columns, kept while window rows lie beside it.
@@ -76,13 +125,7 @@ class RowAtColumns {
  public:
   const double* at(int row, const WindowRows& rows, const Axis& columns) {
     if (row == row_) return values_.data();
-    const float* heights = rows.heights(row, columns.first_node, columns.nodes);
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      const double u = columns.part[i];
-      const auto low = static_cast<double>(heights[columns.low[i] - columns.first_node]);
-      const auto high = static_cast<double>(heights[columns.high[i] - columns.first_node]);
-      values_[i] = (1 - u) * low + u * high;
-    }
+    mixAlongRow(rows.heights(row, columns.first_node, columns.nodes), columns, values_.data());
     row_ = row;
     return values_.data();
   }
@@ -96,38 +139,38 @@ class RowAtColumns {
 /// Bilinear between the nodes.
 void sampleHeights(const WindowRows& rows, const Axis& columns, const Axis& lines,
                    RegionWindow& window) {
-  RowAtColumns below;
-  RowAtColumns above;
-  for (std::size_t j = 0; j < kWindowSamples; ++j) {
-    if (lines.on_map[j] == 0) continue;
-    if (lines.low[j] == above.row()) std::swap(below, above);
-    const double* low = below.at(lines.low[j], rows, columns);
-    const double* high = above.at(lines.high[j], rows, columns);
-    const double v = lines.part[j];
+  std::array<RowAtColumns, 2> kept;
+  RowAtColumns* below = kept.data();
+  RowAtColumns* above = &kept[1];
+  for (int line = lines.first_on_map; line < lines.end_on_map; ++line) {
+    const auto j = static_cast<std::size_t>(line);
+    if (lines.low[j] == above->row()) std::swap(below, above);
+    const double* low = below->at(lines.low[j], rows, columns);
+    const double* high = above->at(lines.low[j] + lines.to_high, rows, columns);
     float* out = &window.heights_mm[j * kWindowSamples];
-    for (std::size_t i = 0; i < kWindowSamples; ++i) {
-      const auto height = static_cast<float>((1 - v) * low[i] + v * high[i]);
-      out[i] = static_cast<float>(window.gain * static_cast<double>(height));
-    }
-    for (std::size_t i = 0; i < kWindowSamples; ++i) {
-      if (columns.on_map[i] == 0) out[i] = 0;
-    }
+    mixRows(low, high, lines.part[j], window.gain, out);
+    std::fill_n(out, columns.first_on_map, 0.0F);
+    std::fill(out + columns.end_on_map, out + kWindowSamples, 0.0F);
   }
 }
 
 void sampleOrigins(const WindowRows& rows, const Axis& columns, const Axis& lines,
                    RegionWindow& window) {
   if (columns.cells == 0) return;
-  for (std::size_t j = 0; j < kWindowSamples; ++j) {
-    if (lines.cell[j] < 0) continue;
+  for (int line = lines.first_with_cell; line < lines.end_with_cell; ++line) {
+    const auto j = static_cast<std::size_t>(line);
     Origin* out = &window.origins[j * kWindowSamples];
-    if (j > 0 && lines.cell[j] == lines.cell[j - 1]) {
+    if (line > lines.first_with_cell && lines.cell[j] == lines.cell[j - 1]) {
       std::copy_n(out - kWindowSamples, kWindowSamples, out);
       continue;
     }
     const Origin* origins = rows.origins(lines.cell[j], columns.first_cell, columns.cells);
-    for (std::size_t i = 0; i < kWindowSamples; ++i) {
-      if (columns.cell[i] >= 0) out[i] = origins[columns.cell[i] - columns.first_cell];
+    if (columns.cells_in_turn) {
+      std::copy_n(origins, columns.cells, out + columns.first_with_cell);
+      continue;
+    }
+    for (int i = columns.first_with_cell; i < columns.end_with_cell; ++i) {
+      out[i] = origins[columns.cell[static_cast<std::size_t>(i)] - columns.first_cell];
     }
   }
 }
@@ -156,8 +199,9 @@ std::uint64_t contentId(const RegionWindow& window) {
   return hash == 0 ? 1 : hash;  // 0 means no window.
 }
 
+RELIEVO_WIDE_VECTORS
 void findRange(RegionWindow& window) {
-  constexpr std::size_t kLanes = 8;
+  constexpr std::size_t kLanes = 32;
   static_assert(kWindowCount % kLanes == 0);
   std::array<float, kLanes> low{};
   std::array<float, kLanes> high{};

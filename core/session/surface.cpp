@@ -188,8 +188,8 @@ FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, double mm
     if (!raster.valid[i]) continue;
     depths[i] = static_cast<float>((static_cast<double>(raster.values[i]) - lowest) * mm);
   }
-  FilledMap filled =
-      fillDepths(depths, frame, {.has_sampling_gaps = false, .base_quantile = 0}, choice, task);
+  FilledMap filled = fillDepths(std::move(depths), frame,
+                                {.has_sampling_gaps = false, .base_quantile = 0}, choice, task);
   filled.base_z_mm += lowest * mm;
   return filled;
 }
@@ -271,18 +271,19 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   sayRule(surface, scan, depths);
   const HiddenSurface hidden =
       depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
+  const std::size_t flyers = depths.flyers;
   surface.seconds.grid = watch.lap();
 
   task.report("Filling gaps", 0.0);
-  FilledMap filled =
-      fillDepths(depths, frame, {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
+  FilledMap filled = fillDepths(std::move(depths), frame,
+                                {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
   surface.seconds.fill = watch.lap();
   surface.view_name = view.name;
   surface.engine = options.engine;
   surface.view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z - filled.base_z_mm);
   surface.map = std::move(filled.map);
-  surface.quality = std::move(depths.quality);
-  surface.losses = lossesOf(hidden, depths.flyers, filled.seen_through_points, surface.map);
+  surface.quality = std::move(filled.quality);
+  surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, surface.map);
   sayLosses(surface, filled);
   takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);

@@ -89,6 +89,8 @@ class HapticCore {
   /// The next tick counts as the first after a pause, as when a watchdog cut the force.
   void resume() RELIEVO_REALTIME { resume_ = true; }
 
+  /// Ticks so far; the next one has this number.
+  std::uint64_t ticks() const RELIEVO_REALTIME { return tick_; }
   /// What was sent against what may be sent, since the core was made.
   const ForceAudit& audit() const RELIEVO_REALTIME { return audit_; }
 
@@ -138,6 +140,8 @@ class HapticCore {
   bool placed_ = false;
   bool resume_ = false;
 };
+
+static_assert(std::is_trivially_copyable_v<HapticCore>);
 
 /// What is asked for, within what the device can do: its largest force caps, its encoders and its
 /// delay are made known to the passivity stage.

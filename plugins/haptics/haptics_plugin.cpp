@@ -213,7 +213,7 @@ void HapticsPlugin::applySurface() {
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop(loopLines(session_->stats()) + recorded_windows_.toStdString());
+    session_->stopRecording(loopLines(session_->stats()) + recorded_windows_.toStdString());
     return;
   }
   try {
@@ -223,7 +223,7 @@ void HapticsPlugin::setRecording(bool on) {
     const QString header = recordingHeaderLines(
         host_->recordingHeader(), QString::fromStdString(device.name),
         withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
-    session_->recorder().start(file.toStdString(), header.toStdString());
+    session_->startRecording(file.toStdString(), header.toStdString());
     const auto window = host_->shownWindow();
     recorded_windows_ = window ? windowLine(*window) : QString();
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));

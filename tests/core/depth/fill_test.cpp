@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <utility>
 
 #include "core/depth/mask.h"
 
@@ -208,7 +209,7 @@ TEST(FillDepths, WhatTheRuleFoundWhereTheBackShowsIsNotTakenForAGapsHeight) {
   const std::size_t back = frame.size.index({.col = 30, .row = 30});
   depths.front[back] = 1;
   depths.between = depths.front;
-  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  const FilledMap filled = fillDepths(std::move(depths), frame, {}, {});
   EXPECT_EQ(filled.seen_through, 1U);
   EXPECT_EQ(filled.map.origins[back], Origin::interpolated);
   EXPECT_FLOAT_EQ(filled.map.heights_mm[back], 0);  // The base plane is the front.
@@ -312,7 +313,7 @@ TEST(FillDepths, WhatTheRuleFoundBetweenThePointsFillsTheGaps) {
   const std::size_t gap = frame.size.index({.col = 10, .row = 10});
   depths.front[gap] = depths.front[gap + 7] = kNothing;
   depths.between[gap] = 1.25F;
-  const FilledMap filled = fillDepths(depths, frame, {}, {});
+  const FilledMap filled = fillDepths(std::move(depths), frame, {}, {});
   EXPECT_EQ(filled.map.origins[gap], Origin::interpolated);
   EXPECT_EQ(filled.map.origins[gap + 7], Origin::interpolated);
   EXPECT_FLOAT_EQ(filled.map.heights_mm[gap], 0.25F);

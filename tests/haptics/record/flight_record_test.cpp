@@ -89,6 +89,21 @@ TEST(Events, NameWhatChangedBetweenTwoSamples) {
   EXPECT_EQ(eventAtStart(b), "window 7 of detail 3; stiffness 600 N/m; forces rise");
 }
 
+TEST(Events, TellHowSamplesCame) {
+  std::vector<HapticSample> samples(4);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].time_ns = static_cast<std::int64_t>(i) * 1'000'000;
+    samples[i].tick_ns = 700;
+  }
+  samples[3].time_ns += 30'000'000;  // A pause of 30 ms.
+  samples[3].late = samples[3].resumed = true;
+  const std::string lines = sampleLines(samples);
+  EXPECT_NE(lines.find("loop ticks 4, late 1, pauses 1, rate 90.9 Hz"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("beyond the period us <=20.0:2 "), std::string::npos) << lines;
+  EXPECT_NE(lines.find("<=100000.0:1 "), std::string::npos) << lines;
+  EXPECT_NE(lines.find("work us <=0.5:0 <=1.0:4 "), std::string::npos) << lines;
+}
+
 TEST(Events, TellHowTheLoopRan) {
   LoopStats stats;
   stats.ticks = 12;
