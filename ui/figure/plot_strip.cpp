@@ -66,7 +66,7 @@ RgbaImage PlotStrip::draw(double t_s, const std::string& words) const {
   RgbaImage image{page.width(), page.height(), {}};
   for (int row = 0; row < page.height(); ++row) {
     const uchar* line = page.constScanLine(row);
-    image.rgba.insert(image.rgba.end(), line, line + 4 * page.width());
+    image.rgba.insert(image.rgba.end(), line, line + 4 * static_cast<std::ptrdiff_t>(page.width()));
   }
   return image;
 }

@@ -97,7 +97,7 @@ std::vector<std::string> encoding(const VideoFormat& f) {
                                  "pipe:0",
                                  "-an"};
   for (const std::string& word : packing(f.profile)) words.push_back(word);
-  const std::string frames_a_second = std::to_string(std::max(1, static_cast<int>(f.fps + 0.5)));
+  const std::string frames_a_second = std::to_string(std::max(1L, std::lround(f.fps)));
   for (const std::string& word :
        {std::string("-g"), frames_a_second, std::string("-fflags"), std::string("+bitexact"),
         std::string("-flags:v"), std::string("+bitexact"), std::string("-metadata"),

@@ -68,7 +68,7 @@ DepthMap cut(const Surface& surface, int level, const RectMm& rect, double gain)
 
 }  // namespace
 
-void VideoSurface::show(ReliefScene& scene, DepthMap map) {
+void VideoSurface::show(ReliefScene& scene, const DepthMap& map) {
   std::vector<std::uint8_t> colours;
   if (look_.kind != ReliefKind::lit) colours = reliefColours(reliefValues(map, look_), look_);
   scene.setSurface({map.frame, &map.heights_mm, &map.origins, colours.empty() ? nullptr : &colours,

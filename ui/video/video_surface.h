@@ -25,7 +25,7 @@ class VideoSurface {
   double midHeightMm() const { return mid_height_mm_; }
 
  private:
-  void show(ReliefScene& scene, DepthMap map);
+  void show(ReliefScene& scene, const DepthMap& map);
 
   const Surface& surface_;
   const ReliefLook& look_;
