@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QVTKOpenGLNativeWidget.h>
 #include <clocale>
+#include <csignal>
 #include <iostream>
 #include <QApplication>
 #include <QFile>
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
+#include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
-#include "core/io/import.h"
+#include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/depth_capture.h"
@@ -41,8 +43,21 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   std::setlocale(LC_NUMERIC, "C");
   installAccessibleViews();
 
-  MainWindow window(captureDepths,
-                    options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered);
+  const auto mode = options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered;
+  {
+    const Settings settings(mode);
+    const QString chosen = settings.choice(QStringLiteral("language"), QString()).toString();
+    applyLanguage(app,
+                  options.language.empty() ? chosen : QString::fromStdString(options.language));
+    const QString firmware =
+        settings.choice(QStringLiteral("falcon_firmware"), QString()).toString();
+    // The plugin's search takes the variable; one that is set by hand goes before the setting.
+    if (!firmware.isEmpty() && !qEnvironmentVariableIsSet("RELIEVO_FALCON_FIRMWARE")) {
+      qputenv("RELIEVO_FALCON_FIRMWARE", QFile::encodeName(firmware));
+    }
+  }
+  MainWindow window(captureDepths, mode);
+  window.setRecordingReader(batch::readRecording);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
@@ -69,7 +84,8 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
+  // A file that may not grow is met like a full disk: what is written is completed.
+  std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
   relievo::WindowOptions options;
   try {

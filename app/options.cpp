@@ -78,6 +78,8 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
         refuse("There is no unit '" + name + "'; known are mm, cm, m, in, ft, us-ft.");
     } else if (option == "--view") {
       options.view = view(value());
+    } else if (option == "--lang") {
+      options.language = value();
     } else if (option == "--detail") {
       options.detail = number<int>(option, value());
       if (*options.detail < 1) refuse("--detail counts from 1, the whole object.");
@@ -97,6 +99,7 @@ std::string windowHelp() {
          "  --view NAME                  front, back, left, right, top, bottom or auto\n"
          "  --detail N                   first detail; 1 is the whole object\n"
          "  --region X,Y,W,H             first window, millimetres from the lower left corner\n"
+         "  --lang xx                    language of the window: en, de, hi\n"
          "  --safe-mode                  ignore and keep no settings\n"
          "  --version, --help\n"
          "\n"

@@ -18,6 +18,7 @@ struct WindowOptions {
   std::optional<ViewChoice> view;
   std::optional<int> detail;
   std::optional<RectMm> region;
+  std::string language;  ///< "de"; empty: as set, else the system's.
   bool safe_mode = false;
   bool help = false;
   bool version = false;

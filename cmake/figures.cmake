@@ -63,9 +63,86 @@ foreach(relief IN ITEMS lit height hillshade multi slope local skyview openness)
     -o ${figures}/relief_${relief}.png)
 endforeach()
 
+# The holes case: what was not measured, as measured and filled.
+list(APPEND user_figures
+  COMMAND relievo figure ${samples}/relief_f.ply --unit mm --view top --holes interpolate:100
+    --layout beforeafter --region 130,40,45,45 --width-mm 120 --dpi 150
+    -o ${figures}/figure_holes.png)
+
 add_custom_target(figures
   COMMAND ${CMAKE_COMMAND} -E make_directory ${figures}
   ${force_figures} ${detail_figures} ${user_figures}
   DEPENDS samples
   COMMENT "Drawing the paper's figures into ${figures}"
   VERBATIM)
+
+# Every picture of docs/user again: figures by the command line, the window by a program that works
+# in it. cmake --build --preset release --target user-pictures; needs a display, or Xvfb.
+if(TARGET user_pictures)
+  set(user ${CMAKE_SOURCE_DIR}/docs/user)
+  file(GLOB kept RELATIVE ${user} CONFIGURE_DEPENDS ${user}/figure_*.png ${user}/relief_*.png)
+  foreach(picture IN LISTS kept)
+    list(APPEND kept_figures ${figures}/${picture})
+  endforeach()
+  add_custom_target(user-pictures
+    COMMAND ${CMAKE_COMMAND} -E copy ${kept_figures} ${user}
+    COMMAND ${CMAKE_COMMAND} -E copy ${figures}/force_flat.svg ${figures}/force_curved.svg
+      ${figures}/force_proxies.svg ${user}/paper
+    COMMAND user_pictures ${user}
+    COMMAND user_pictures ${user} de
+    COMMAND user_pictures ${user} hi
+    COMMENT "Making the pictures of docs/user anew"
+    VERBATIM)
+  add_dependencies(user-pictures figures)
+endif()
+
+# The paper's figure set on one relief: reference and window at three levels, holes, anaglyph, forces.
+# On our own panel; and, where the folder of shared scans is there, on three scans whose licence
+# allows pictures with credit. The sheets are kept in docs/user/paper.
+if(TARGET contact_sheet)
+  set(sheets ${CMAKE_BINARY_DIR}/sheets)
+  if(DEFINED ENV{RELIEVO_SHARED_DATA})
+    set(shared $ENV{RELIEVO_SHARED_DATA})
+  else()
+    set(shared ${CMAKE_SOURCE_DIR}/../shared/data)
+  endif()
+  # name, scan, side of view, credit; then the window at three levels in thousandths of the map.
+  function(relievo_sheet name scan view credit)
+    set(out ${sheets}/${name})
+    set(map ${out}/map.tif)
+    set(commands COMMAND ${CMAKE_COMMAND} -E make_directory ${out}
+      COMMAND relievo depthmap ${scan} --view ${view} --unit mm --cells 800 -o ${map})
+    list(APPEND commands
+      COMMAND relievo figure ${map} --width-mm 160 --dpi 110 -o ${out}/reference.png
+        --caption ${out}/caption.txt
+      COMMAND relievo figure ${map} --layout levels --width-mm 160 --dpi 110 -o ${out}/levels.png
+      COMMAND relievo figure ${scan} --view ${view} --unit mm --cells 800
+        --holes interpolate:1000000 --layout beforeafter --width-mm 160 --dpi 110
+        -o ${out}/holes.png
+      COMMAND relievo figure ${map} --layout detail --stereo dubois --width-mm 80 --dpi 220
+        -o ${out}/anaglyph.png
+      COMMAND ${CMAKE_COMMAND} -DRELIEVO=$<TARGET_FILE:relievo> -DMAP=${map} -DOUT=${out}
+        -P ${CMAKE_SOURCE_DIR}/cmake/SheetStroke.cmake)
+    set(list "${credit}=" "Reference and window=${out}/reference.png"
+      "Levels of detail=${out}/levels.png" "As measured, and filled=${out}/holes.png"
+      "Anaglyph (Dubois)=${out}/anaglyph.png" "z and force against time=${out}/force.svg")
+    set(sheet_commands ${sheet_commands} ${commands} PARENT_SCOPE)
+    set(sheet_entries ${sheet_entries} ${list} PARENT_SCOPE)
+  endfunction()
+  relievo_sheet(panel ${samples}/panel.ply top
+    "Carved panel. Sample of this project, BSD-3-Clause")
+  if(EXISTS ${shared}/obj/demosthenes-low-res.obj)
+    relievo_sheet(demosthenes ${shared}/obj/demosthenes-low-res.obj auto
+      "Bust of Demosthenes, Louvre. Scan by ryanfb, CC BY 4.0 (odedstein/meshes), rendered by relievo")
+    relievo_sheet(dancing_girl ${shared}/ply/DancingGirl_be.ply auto
+      "Dancing Girl by B. Thorvaldsen, Thorvaldsens Museum. Scan by Geoffrey Marchal, CC BY 4.0 (keijiro/DanishStatues), rendered by relievo")
+    relievo_sheet(mountain ${shared}/obj/mountain.obj auto
+      "Mountain. Scan by lastloginname, CC BY 4.0 (odedstein/meshes), rendered by relievo")
+  endif()
+  add_custom_target(sheets
+    ${sheet_commands}
+    COMMAND contact_sheet ${sheets}/contact_sheet.png 3 420 ${sheet_entries}
+    DEPENDS samples contact_sheet relievo
+    COMMENT "Drawing the paper's figure set into ${sheets}"
+    VERBATIM)
+endif()

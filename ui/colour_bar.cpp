@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <QPainter>
 
+#include "ui/core_words.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -23,7 +24,7 @@ void ColourBar::show(const ReliefValues& values, const ReliefLook& look) {
   look_ = look;
   low_ = values.low;
   high_ = values.high;
-  title_ = QString::fromUtf8(values.title.data(), static_cast<int>(values.title.size()));
+  title_ = coreText(values.title);
   if (!values.unit.empty()) {
     title_ += QStringLiteral(" (%1)").arg(
         QString::fromUtf8(values.unit.data(), static_cast<int>(values.unit.size())));

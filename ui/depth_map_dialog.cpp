@@ -12,6 +12,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "ui/core_words.h"
 #include "ui/depth_map_form.h"
 #include "ui/text.h"
 
@@ -148,7 +149,7 @@ DepthMapDialog::DepthMapDialog(Document& document, QWidget* parent)
   });
   connect(&worker_, &LatestWorker::busyChanged, this, &DepthMapDialog::showBusy);
   connect(&worker_, &LatestWorker::progressed, this, [this](const QString& step, double fraction) {
-    step_->setText(step);
+    step_->setText(coreText(step));
     bar_->setValue(static_cast<int>(100 * fraction));
   });
   showBusy(false);
@@ -217,6 +218,7 @@ void DepthMapDialog::layOut() {
   columns->addLayout(right, 1);
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+  nameButtons(*buttons);
   ok_ = buttons->button(QDialogButtonBox::Ok);
   ok_->setObjectName(QStringLiteral("depth_ok"));
   connect(buttons, &QDialogButtonBox::accepted, this, &DepthMapDialog::take);

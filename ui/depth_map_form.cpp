@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 
 #include "core/depth/point_rule.h"
+#include "ui/core_words.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -111,9 +112,7 @@ void DepthMapForm::addSource(QFormLayout* layout) {
                            tr("Which height a cell gets from the points in it"));
   rule_->addItem(tr("From the data"), QString());
   for (const char* name : kRules) {
-    const std::string_view words = describe(*pointRule(name));
-    rule_->addItem(capital(QString::fromUtf8(words.data(), static_cast<int>(words.size()))),
-                   QString::fromLatin1(name));
+    rule_->addItem(capital(coreText(describe(*pointRule(name)))), QString::fromLatin1(name));
   }
 }
 

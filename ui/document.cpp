@@ -7,7 +7,7 @@
 #include <QUndoCommand>
 
 #include "core/io/import.h"
-#include "ui/figure/file_hash.h"
+#include "core/provenance/sha256.h"
 
 namespace relievo {
 namespace {
@@ -33,6 +33,7 @@ class StateCommand : public QUndoCommand {
   void undo() override { document_.apply(before_); }
   void redo() override { document_.apply(after_); }
   int id() const override { return merge_id_; }
+  const DocumentState& before() const { return before_; }
   bool mergeWith(const QUndoCommand* later) override {
     if (later->id() != merge_id_) return false;
     after_ = static_cast<const StateCommand*>(later)->after_;
@@ -165,7 +166,7 @@ void Document::read(Work& w, const Task& task) {
     const FilePoint size = mm * (info.bounds->max - info.bounds->min);
     Q_EMIT scanRead(w.open.file, size.x, size.y, size.z, info.points);
   }
-  w.sha256 = QString::fromStdString(sha256Of(file, task));
+  w.sha256 = QString::fromStdString(sha256OfFile(file, task));
 }
 
 void Document::finish(const Work& work) {
@@ -215,8 +216,53 @@ void Document::showOpened(const Work& work) {
   } catch (const ArgumentError& error) {
     Q_EMIT failed(QString::fromUtf8(error.what()), {}, file_);
   }
-  apply(next);
+  restoreSteps(work, next);
   Q_EMIT opened(file_);
+}
+
+// Each step began where its record says, and ended where the next one began.
+void Document::restoreSteps(const Work& work, const DocumentState& now) {
+  const std::vector<NamedRegion>& undo = work.open.undo;
+  earlier_steps_ = work.open.history;
+  const int levels = now.surface->ladder.levels();
+  const bool fits = undo.size() <= earlier_steps_.size() &&
+                    std::all_of(undo.begin(), undo.end(), [&](const NamedRegion& step) {
+                      return step.region.level.value < levels;
+                    });
+  if (!fits || undo.empty() || now.region != work.open.exact_region) {
+    apply(now);
+    return;
+  }
+  earlier_steps_.resize(earlier_steps_.size() - undo.size());
+  const auto stateOf = [&](const NamedRegion& step) {
+    DocumentState state = now;
+    state.region = step.region;
+    state.gain = step.gain;
+    return state;
+  };
+  apply(stateOf(undo.front()));
+  for (std::size_t i = 0; i < undo.size(); ++i) {
+    const DocumentState after = i + 1 < undo.size() ? stateOf(undo[i + 1]) : now;
+    push(after, QString::fromStdString(undo[i].name));
+  }
+}
+
+std::vector<std::string> Document::stepNames() const {
+  std::vector<std::string> names = earlier_steps_;
+  for (int i = 0; i < history_.index(); ++i) names.push_back(history_.text(i).toStdString());
+  return names;
+}
+
+std::vector<NamedRegion> Document::undoSteps() const {
+  std::vector<NamedRegion> steps;
+  for (int i = history_.index() - 1; i >= 0; --i) {
+    const DocumentState& before = static_cast<const StateCommand*>(history_.command(i))->before();
+    if (before.surface != state_.surface) break;  // Its surface would have to be made again.
+    steps.push_back(
+        {.name = history_.text(i).toStdString(), .region = before.region, .gain = before.gain});
+  }
+  std::reverse(steps.begin(), steps.end());
+  return steps;
 }
 
 StepAbout Document::aboutCentre() const {
@@ -292,6 +338,16 @@ bool Document::setGain(double gain) {
   DocumentState after = state_;
   after.gain = gain;
   push(std::move(after), tr("Height gain"), kMergeGain);
+  return true;
+}
+
+bool Document::goTo(const Region& region, double gain, const QString& name) {
+  if (!isOpen() || inGesture() || !(gain > 0)) return false;
+  DocumentState after = state_;
+  after.region = region;
+  after.gain = gain;
+  if (after == state_) return false;
+  push(std::move(after), name);
   return true;
 }
 

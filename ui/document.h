@@ -9,6 +9,7 @@
 #include <QUndoStack>
 
 #include "core/depth/depth_request.h"
+#include "core/project/project.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
 #include "core/session/surface.h"
@@ -29,6 +30,8 @@ struct OpenRequest {
   // A state that comes back, in place of the choices above.
   std::optional<SurfaceOptions> options;
   std::optional<Region> exact_region;
+  std::vector<std::string> history;  ///< As Project has them.
+  std::vector<NamedRegion> undo;
   double gain = 1;
 };
 
@@ -69,6 +72,10 @@ class Document : public QObject {
   int detail() const;
   int details() const;
   QUndoStack& history() { return history_; }
+  /// Names of the steps that led here, those of earlier runs first.
+  std::vector<std::string> stepNames() const;
+  /// The last of these steps that can be undone after a restart: each with where it began.
+  std::vector<NamedRegion> undoSteps() const;
 
   // Made anew from the scan in memory, in the worker.
   void setView(const ViewChoice& view);
@@ -88,6 +95,8 @@ class Document : public QObject {
   /// A drawn or typed rectangle; widened to a square about its centre.
   bool setRect(const RectMm& rect);
   bool setGain(double gain);
+  /// A place as it is, with its gain, as one step.
+  bool goTo(const Region& region, double gain, const QString& name);
   /// Like setRect, but one zoom in several steps is one entry in the history.
   bool zoomTo(const Region& region);
   StepAbout aboutCentre() const;
@@ -121,6 +130,7 @@ class Document : public QObject {
   void read(Work& work, const Task& task);  ///< [worker]
   void finish(const Work& work);
   void showOpened(const Work& work);
+  void restoreSteps(const Work& work, const DocumentState& now);
   void go(const std::optional<Region>& region, const QString& name);
   void push(DocumentState after, const QString& name, int merge_id = -1);
 
@@ -131,6 +141,7 @@ class Document : public QObject {
   std::shared_ptr<const RegionWindow> window_;
   std::optional<DocumentState> gesture_start_;
   QUndoStack history_;
+  std::vector<std::string> earlier_steps_;  ///< Of earlier runs, beyond undoing.
 
   LatestWorker worker_;  ///< Last: its job ends before anything else goes.
 };

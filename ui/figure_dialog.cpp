@@ -25,6 +25,7 @@
 
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
+#include "ui/core_words.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -37,35 +38,36 @@ struct Words {
   const char* text;
 };
 constexpr std::array<Words, 5> kLayouts{
-    {{QT_TRANSLATE_NOOP("FigureDialog", "Detail alone")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Whole object and detail")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "As measured and filled")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Several levels")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "With force plots of a recording")}}};
+    {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "Detail alone")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Whole object and detail")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "As measured and filled")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Several levels")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "With force plots of a recording")}}};
 constexpr std::array<Words, 8> kReliefs{
-    {{QT_TRANSLATE_NOOP("FigureDialog", "Lit stone")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Height in colour")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Hillshade")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Hillshade, four lights")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Slope")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Local relief")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Sky-view factor")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Openness")}}};
+    {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "Lit stone")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Height in colour")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Hillshade")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Hillshade, four lights")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Slope")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Local relief")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Sky-view factor")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Openness")}}};
 constexpr std::array<Words, 6> kStereos{
-    {{QT_TRANSLATE_NOOP("FigureDialog", "None")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Anaglyph, grey")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Anaglyph, half colour")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Anaglyph, Dubois")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "Side by side")},
-     {QT_TRANSLATE_NOOP("FigureDialog", "One over the other")}}};
-constexpr std::array<Words, 8> kMarks{{{QT_TRANSLATE_NOOP("FigureDialog", "Scale &bar")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "&Height bar")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "&Up mark")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "Window's &outline")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "Hat&ch")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "Le&gend")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "Letters a, b")},
-                                       {QT_TRANSLATE_NOOP("FigureDialog", "&Measurements")}}};
+    {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "None")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Anaglyph, grey")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Anaglyph, half colour")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Anaglyph, Dubois")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Side by side")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "One over the other")}}};
+constexpr std::array<Words, 8> kMarks{
+    {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "Scale &bar")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "&Height bar")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "&Up mark")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Window's &outline")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Hat&ch")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Le&gend")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Letters a, b")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "&Measurements")}}};
 
 template <std::size_t N>
 void fill(QComboBox* box, const std::array<Words, N>& words) {
@@ -197,6 +199,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   columns->addWidget(left, 0);
   columns->addLayout(right, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Close);
+  nameButtons(*buttons);
   save_ = buttons->button(QDialogButtonBox::Save);
   save_->setObjectName(QStringLiteral("figure_save"));
   connect(save_, &QPushButton::clicked, this, &FigureDialog::write);
@@ -275,7 +278,7 @@ void FigureDialog::addRelief(QFormLayout* layout) {
   colours_ = field<QComboBox>(layout, tr("Colours (&k)"), "figure_colours",
                               tr("Even steps of lightness, also for colour-blind readers"));
   for (const std::string_view name : kColourMapNames) {
-    colours_->addItem(QString::fromLatin1(name.data(), static_cast<int>(name.size())));
+    colours_->addItem(coreText(name));
   }
   azimuth_ = field<QDoubleSpinBox>(layout, tr("Light from (&q)"), "figure_azimuth",
                                    tr("0 is above, clockwise; 315 is the upper left"));

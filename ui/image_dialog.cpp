@@ -12,6 +12,8 @@
 #include <QSpinBox>
 #include <QStandardPaths>
 
+#include "ui/core_words.h"
+
 namespace relievo {
 namespace {
 
@@ -74,6 +76,7 @@ ImageDialog::ImageDialog(const QString& model, const QSize& first_size, QWidget*
   place->addWidget(file_, 1);
   place->addWidget(browse);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+  nameButtons(*buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, [this] {
     const ImageChoice made = choice();
     QDir().mkpath(QFileInfo(made.file).absolutePath());

@@ -8,6 +8,8 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "ui/core_words.h"
+
 namespace relievo {
 namespace {
 
@@ -72,6 +74,7 @@ KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog
     table->setItem(i, 1, new QTableWidgetItem(rows[i].what));
   }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  nameButtons(*buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
   column->addWidget(table);

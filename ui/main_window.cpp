@@ -25,14 +25,21 @@
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
+#include "ui/path_preview.h"
+#include "ui/places_panel.h"
 #include "ui/reference_view.h"
+#include "ui/relief_picture.h"
+#include "ui/replay_panel.h"
 #include "ui/side_panels.h"
 #include "ui/start_page.h"
 #include "ui/status_fields.h"
+#include "ui/stereo_panel.h"
 #include "ui/surface_panel.h"
 #include "ui/text.h"
 #include "ui/time_plot.h"
+#include "ui/video_control.h"
 #include "ui/view_panel.h"
+#include "ui/work_keeper.h"
 
 namespace relievo {
 namespace {
@@ -40,6 +47,37 @@ namespace {
 constexpr int kPlotHeight = 140;
 constexpr QSize kFirstSize(1440, 900);
 constexpr QSize kLeastSize(760, 460);
+
+/// Title and note above a view; the note, which panels and status bar say too, makes room where
+/// both are longer than the view is wide.
+class HeaderRow : public QWidget {
+ public:
+  HeaderRow(QLabel* title, QLabel* note) : title_(title), note_(note) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(title);
+    row->addStretch(1);
+    row->addWidget(note);
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QWidget::resizeEvent(event);
+    fit();
+  }
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) fit();
+    return QWidget::event(event);
+  }
+
+ private:
+  void fit() {
+    note_->setVisible(title_->sizeHint().width() + note_->sizeHint().width() <= width());
+  }
+
+  QLabel *title_, *note_;
+};
 
 QLabel* headerLabel(const QString& name) {
   auto* label = new QLabel;
@@ -60,6 +98,11 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   // Room for the frame that the window manager adds: the status bar must not hang below the screen.
   resize(kFirstSize.boundedTo(screen()->availableSize() - QSize(16, 48)).expandedTo(kLeastSize));
   status_ = new StatusFields(*statusBar());
+  keeper_ = new WorkKeeper(
+      settings_.choice(QStringLiteral("keep_work"), true).toBool()
+          ? settings_.stateFolder(QStringLiteral("autosave"))
+          : QString(),
+      [this] { return project(); }, this);
   layOut();
   makeCommands();
   makeMenus();
@@ -69,10 +112,13 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   showWindow();
   showHistory();
   showRecent();
-  setTheme(static_cast<Theme>(settings_.choice(QStringLiteral("theme"), 0).toInt()));
+  for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind"}) {
+    applyPreference(QString::fromLatin1(key));
+  }
   restoreLayout();
   start_->setFocus();
   qApp->installEventFilter(this);
+  offerLeftWork();
 }
 
 MainWindow::~MainWindow() {
@@ -80,6 +126,9 @@ MainWindow::~MainWindow() {
   // Views that vanish under the pointer still speak; nobody must be half gone when they do.
   document_.disconnect();
   document_.history().disconnect();
+  replay_->disconnect();
+  video_->disconnect();
+  path_preview_->disconnect();
   detail_->disconnect();
   reference_->disconnect();
   delete takeCentralWidget();
@@ -90,12 +139,7 @@ QWidget* MainWindow::headed(QWidget* view, QLabel* title, QLabel* note) {
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
-  row->addWidget(title);
-  row->addStretch(1);
-  row->addWidget(note);
-  column->addLayout(row);
+  column->addWidget(new HeaderRow(title, note));
   column->addWidget(view, 1);
   return box;
 }
@@ -137,10 +181,16 @@ void MainWindow::layOut() {
   rows_ = new QSplitter(Qt::Vertical);
   rows_->addWidget(views_);
   rows_->addWidget(plot_);
+  replay_ = new ReplayControl(document_, this);
+  video_ = new VideoControl(this);
+  path_preview_ = new PathPreview(this);
+  replay_->panel()->setMinimumHeight(120);
+  rows_->addWidget(replay_->panel());
   rows_->setCollapsible(0, false);
   rows_->setStretchFactor(0, 1);
   rows_->setStretchFactor(1, 0);
-  rows_->setSizes({kFirstSize.height(), kPlotHeight});
+  rows_->setStretchFactor(2, 0);
+  rows_->setSizes({kFirstSize.height(), kPlotHeight, kPlotHeight});
   row->addWidget(rows_, 1);
 
   panels_ = new SidePanels(work);
@@ -154,6 +204,8 @@ void MainWindow::layOut() {
   panels_->add(tr("Stereo"), stereo_panel_);
   measure_panel_ = new MeasurePanel(document_);
   panels_->add(tr("Measure"), measure_panel_);
+  places_panel_ = new PlacesPanel;
+  panels_->add(tr("Places"), places_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
   setCentralWidget(centre);
@@ -179,6 +231,7 @@ void MainWindow::connectParts() {
           });
   connect(&document_, &Document::opened, this, [this](const QString& file) {
     settings_.addRecentFile(file);
+    ReliefPictures::keep(file, reliefPicture(*document_.surface(), kPicturePx));
     showRecent();
     const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
     announce(command("forces") == nullptr ? open_now
@@ -186,6 +239,7 @@ void MainWindow::connectParts() {
     askUnitIfAssumed();
     showRestored();
     detail_->setFocus();
+    replay_->showWaiting();
   });
   connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
   for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
@@ -205,7 +259,7 @@ void MainWindow::connectParts() {
   connect(stereo_panel_, &StereoPanel::changed, this, [this](const StereoOptions& stereo) {
     reference_->setStereo(stereo);
     detail_->setStereo(stereo);
-    command("stereo")->setChecked(stereo.mode == StereoMode::anaglyph);
+    command("stereo")->setChecked(stereo.mode != StereoMode::off);
   });
 
   connect(detail_, &DetailView::turned, this, [this](bool turned) {
@@ -224,11 +278,15 @@ void MainWindow::connectParts() {
   connect(detail_, &DetailView::pressDepthChanged, this, [this](double depth) {
     announce(tr("Press depth %1 mm of hand").arg(numberText(depth, 2)));
   });
+  connectPlaces();
+  connectReplay();
+  connectVideo();
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }
 
 void MainWindow::open(const QString& file) {
   restoring_.reset();
+  replay_->forgetWaiting();
   if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
   OpenRequest request;
   request.file = file;
@@ -240,6 +298,10 @@ void MainWindow::open(const OpenRequest& request) {
   OpenRequest asked = request;
   asked.file = QFileInfo(request.file).absoluteFilePath();
   asked.remembered_unit = settings_.unitOfFolder(asked.file);
+  if (!asked.remembered_unit) {
+    asked.remembered_unit = lengthUnit(
+        settings_.choice(QStringLiteral("unit_without"), QString()).toString().toStdString());
+  }
   document_.open(asked);
 }
 
@@ -276,6 +338,7 @@ void MainWindow::showWindow() {
     note.prepend(tr("heights \u00d7 %1   |   ").arg(numberText(window->gain, 2)));
   }
   detail_note_->setText(note);
+  detail_note_->parentWidget()->updateGeometry();
   detail_choice_->setCurrentIndex(-1);
   if (detail_choice_->count() != details) {
     detail_choice_->clear();
@@ -288,6 +351,7 @@ void MainWindow::showWindow() {
                tr("Level %1 of the pyramid").arg(window->region.level.value));
   status_->set(StatusField::hand, tr("hand 1 : %1").arg(scale_text),
                tr("1 mm of hand = %1 mm on the object").arg(scale_text));
+  showParallax();
   Q_EMIT windowShown(window);
 }
 
@@ -378,90 +442,6 @@ void MainWindow::useThisView() {
   document_.setView({"free", turned});
 }
 
-void MainWindow::setFullScreenDetail(bool on) {
-  if (on == isFullScreen()) return;
-  if (on) {
-    layout_before_full_screen_ = saveState();
-    showFullScreen();
-  } else {
-    showNormal();
-  }
-  menuBar()->setVisible(!on);
-  tools_->setVisible(!on && document_.isOpen());
-  reference_box_->setVisible(!on && command("show_reference")->isChecked());
-  panels_->setVisible(!on && command("show_panels")->isChecked());
-  plot_->setVisible(!on && command("show_plots")->isChecked());
-  inset_->setVisible(on);
-  if (!on) restoreState(layout_before_full_screen_);
-  command("full_screen")->setChecked(on);
-  detail_->setFocus();
-}
-
-void MainWindow::focusNextPart(int direction) {
-  // Order of the window: toolbar, reference, detail, panels, plot, status.
-  const std::array<QWidget*, 6> parts{tools_, reference_, detail_, panels_, plot_, statusBar()};
-  const QWidget* focused = QApplication::focusWidget();
-  int now = direction > 0 ? -1 : 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (focused != nullptr && (parts[i] == focused || parts[i]->isAncestorOf(focused))) {
-      now = static_cast<int>(i);
-    }
-  }
-  const int count = static_cast<int>(parts.size());
-  for (int step = 1; step <= count; ++step) {
-    QWidget* part = parts[static_cast<std::size_t>((now + direction * step + 2 * count) % count)];
-    if (!part->isVisible()) continue;
-    const auto inside = part->findChildren<QWidget*>();
-    QWidget* target = (part->focusPolicy() & Qt::TabFocus) != 0 ? part : nullptr;
-    for (QWidget* child : inside) {
-      if (target != nullptr) break;
-      const bool takes =
-          child->isVisible() && child->isEnabled() && (child->focusPolicy() & Qt::TabFocus) != 0;
-      if (takes) target = child;
-    }
-    if (target == nullptr) continue;
-    target->setFocus(direction > 0 ? Qt::TabFocusReason : Qt::BacktabFocusReason);
-    return;
-  }
-}
-
-void MainWindow::setTheme(Theme theme) {
-  applyTheme(*qApp, theme);
-  settings_.setChoice(QStringLiteral("theme"), static_cast<int>(theme));
-  const ThemeColours& c = currentColours();
-  reference_->setBackground(c.viewport);
-  detail_->setBackground(c.viewport);
-  plot_->takeColours();
-  for (QLabel* label : {reference_title_, reference_note_, detail_title_, detail_note_}) {
-    QPalette quiet = label->palette();
-    quiet.setColor(QPalette::WindowText, c.quiet_text);
-    label->setPalette(quiet);
-  }
-}
-
-void MainWindow::restoreLayout() {
-  restoreGeometry(settings_.layout(QStringLiteral("geometry")).toByteArray());
-  restoreState(settings_.layout(QStringLiteral("state")).toByteArray());
-  tools_->setVisible(document_.isOpen());  // The state may be of a window with a file.
-  views_->restoreState(settings_.layout(QStringLiteral("views")).toByteArray());
-  rows_->restoreState(settings_.layout(QStringLiteral("rows")).toByteArray());
-  for (const char* part : {"show_panels", "show_reference"}) {
-    const QVariant shown = settings_.layout(QString::fromLatin1(part));
-    if (shown.isValid()) command(part)->setChecked(shown.toBool());
-  }
-}
-
-void MainWindow::saveLayout() {
-  if (isFullScreen()) setFullScreenDetail(false);
-  settings_.setLayout(QStringLiteral("geometry"), saveGeometry());
-  settings_.setLayout(QStringLiteral("state"), saveState());
-  settings_.setLayout(QStringLiteral("views"), views_->saveState());
-  settings_.setLayout(QStringLiteral("rows"), rows_->saveState());
-  for (const char* part : {"show_panels", "show_reference"}) {
-    settings_.setLayout(QString::fromLatin1(part), command(part)->isChecked());
-  }
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
   saveLayout();
   document_.cancel();
@@ -501,8 +481,24 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
       document_.cancel();
       return true;
     }
+    if (video_->writing()) {
+      video_->cancel();
+      return true;
+    }
+    if (path_preview_->playing()) {
+      path_preview_->stop();
+      return true;
+    }
+    if (replay_->reading()) {
+      replay_->cancel();
+      return true;
+    }
     if (measure_panel_->measuring()) {
       measure_panel_->cancel();
+      return true;
+    }
+    if (replay_->showing()) {
+      replay_->close();
       return true;
     }
     if (isFullScreen()) {

@@ -8,9 +8,11 @@
 
 #include "core/project/project.h"
 #include "core/region/probe.h"
+#include "core/replay/video_request.h"
 #include "ui/document.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
+#include "ui/replay_control.h"
 #include "ui/settings.h"
 #include "ui/touch_readout.h"
 
@@ -26,6 +28,8 @@ class DetailView;
 class MeasurePanel;
 class MessageStrip;
 class OverviewInset;
+class PathPreview;
+class PlacesPanel;
 class ReferenceView;
 class RegionPanel;
 class SidePanels;
@@ -34,7 +38,9 @@ class StatusFields;
 class StereoPanel;
 class SurfacePanel;
 class TimePlot;
+class VideoControl;
 class ViewPanel;
+class WorkKeeper;
 
 enum class ImageSource { reference, detail, window };
 
@@ -78,6 +84,15 @@ class MainWindow : public QMainWindow {
   void announce(const QString& text);
   /// Runs a command by its object name. @return false: unknown or disabled
   bool runCommand(const QString& name);
+  /// Who reads recordings; without one there is no replay.
+  void setRecordingReader(RecordingReader reader);
+  /// Shows a recording on the open map, or offers to open the one it was made on.
+  void replay(const QString& file);
+  ReplayControl& replayControl() { return *replay_; }
+  /// A video of the replay, or of the camera path, in the background.
+  void writeVideo(VideoProfile profile, const QString& file);
+  VideoControl& videoControl() { return *video_; }
+  QImage videoPicture();  ///< What a video of the view shows now.
   /// Comment lines about input, unit, view and region for a recording's header.
   QString recordingHeader() const;
 
@@ -88,6 +103,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -116,9 +132,13 @@ class MainWindow : public QMainWindow {
   void askUnitIfAssumed();
   void chooseUnit(LengthUnit unit);
   void useThisView();
+
+  // main_window_layout.cpp
   void setFullScreenDetail(bool on);
   void focusNextPart(int direction);
   void setTheme(Theme theme);
+  void showPreferences();
+  void applyPreference(const QString& key);
   void restoreLayout();
   void saveLayout();
 
@@ -150,6 +170,16 @@ class MainWindow : public QMainWindow {
   bool restoreFromFile(const QString& file);
   void showLook(const ReliefLook& look);
   void showStereo(const StereoOptions& stereo);
+  void showParallax();
+
+  // main_window_places.cpp
+  void makePlaceCommands();
+  void connectPlaces();
+  void keepWork();
+  void namePlace();
+  void goToPlace(const NamedRegion& place);
+  void showView(const ViewState& view);
+  void offerLeftWork();
 
   // main_window_measure.cpp
   void makeMeasureCommands();
@@ -158,10 +188,34 @@ class MainWindow : public QMainWindow {
   void showMeasurements();
   void saveMeasurements();
 
+  // main_window_replay.cpp
+  void makeReplayCommands();
+  void connectReplay();
+  void chooseRecording();
+  void showReplaying(bool on);
+  void offerRecordedMap(const QString& sentence);
+  void openRecordedMap(const QString& file);
+
+  // main_window_video.cpp
+  void makeVideoCommands();
+  void connectVideo();
+  void enableVideo();
+  bool hasPath() const;
+  void chooseVideo();
+
+  void setLiveVideo(bool on);
+  void addKeyView();
+  void previewPath();
+  void showPathView(const ViewState& view);
+
   // main_window_touch.cpp
+  void drawProbe(const Probe& probe);
   void showPosition(const ViewMm& position, std::optional<Origin> known);
   StepAbout about() const;
+  /// What is shown, as one line of JSON without places of this computer.
+  std::string carriedState() const;
   bool stopForces();
+  QString introduction() const;
 
   Settings settings_;
   Document document_;
@@ -182,7 +236,12 @@ class MainWindow : public QMainWindow {
   ViewPanel* view_panel_ = nullptr;
   StereoPanel* stereo_panel_ = nullptr;
   MeasurePanel* measure_panel_ = nullptr;
+  PlacesPanel* places_panel_ = nullptr;
+  WorkKeeper* keeper_ = nullptr;
   TimePlot* plot_ = nullptr;
+  ReplayControl* replay_ = nullptr;
+  VideoControl* video_ = nullptr;
+  PathPreview* path_preview_ = nullptr;
   StatusFields* status_ = nullptr;
   QToolBar* tools_ = nullptr;
   QComboBox* detail_choice_ = nullptr;
@@ -191,6 +250,7 @@ class MainWindow : public QMainWindow {
   Project project_;                   ///< What of the state no other part holds.
   std::optional<Project> restoring_;  ///< Until its file is open.
   QString project_file_;
+  QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;
   TouchReadout touch_;
   bool touch_present_ = false;

@@ -9,6 +9,7 @@
 #include "ui/main_window.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
+#include "ui/stereo_panel.h"
 #include "ui/surface_panel.h"
 #include "ui/time_plot.h"
 #include "ui/view_panel.h"
@@ -104,6 +105,12 @@ void MainWindow::makeCommands() {
         tr("Every step so far; choose one to go back to it"),
         [this] { showSteps(); },
         {}});
+  make({"preferences",
+        tr("&Preferences\u2026"),
+        {QKeySequence("Ctrl+,")},
+        tr("Colours, text size, language, units, stereo, device"),
+        [this] { showPreferences(); },
+        {}});
   make({"search_commands",
         tr("&Search commands\u2026"),
         {QKeySequence("Ctrl+K")},
@@ -114,11 +121,20 @@ void MainWindow::makeCommands() {
           search->show();
         },
         {}});
+  make({"introduction",
+        tr("&Introduction"),
+        {},
+        tr("Say what is open and how it is touched"),
+        [this] { announce(introduction()); },
+        {}});
   make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
   makeSurfaceCommands();
   makeWindowCommands();
   makeReliefCommands();
   makeMeasureCommands();
+  makePlaceCommands();
+  makeReplayCommands();
+  makeVideoCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {
@@ -152,22 +168,30 @@ void MainWindow::makeSurfaceCommands() {
         Icon::whole});
   struct Move {
     const char* name;
-    QString text, keys;
+    QString text, keys, moved;
     double dx, dy;
   };
   const std::array<Move, 4> moves{{
-      {"move_left", tr("Move &left"), "Ctrl+Left", -kMoveStep, 0},
-      {"move_right", tr("Move &right"), "Ctrl+Right", kMoveStep, 0},
-      {"move_up", tr("Move &up"), "Ctrl+Up", 0, kMoveStep},
-      {"move_down", tr("Move &down"), "Ctrl+Down", 0, -kMoveStep},
+      {"move_left", tr("Move &left"), "Ctrl+Left", tr("Left"), -kMoveStep, 0},
+      {"move_right", tr("Move &right"), "Ctrl+Right", tr("Right"), kMoveStep, 0},
+      {"move_up", tr("Move &up"), "Ctrl+Up", tr("Up"), 0, kMoveStep},
+      {"move_down", tr("Move &down"), "Ctrl+Down", tr("Down"), 0, -kMoveStep},
   }};
   for (const Move& m : moves) {
     make({m.name,
           m.text,
           {QKeySequence(m.keys)},
           tr("Move the window by a quarter of its side"),
-          [this, dx = m.dx, dy = m.dy] {
-            if (!document_.move(dx, dy)) announce(tr("Edge"));
+          [this, dx = m.dx, dy = m.dy, moved = m.moved] {
+            if (!document_.move(dx, dy)) {
+              announce(tr("Edge"));
+              return;
+            }
+            const Region& region = document_.state().region;
+            announce(tr("%1. Window at %2, %3 mm")
+                         .arg(moved)
+                         .arg(region.x_mm, 0, 'f', 1)
+                         .arg(region.y_mm, 0, 'f', 1));
           },
           {}});
   }
@@ -302,7 +326,8 @@ void MainWindow::makeWindowCommands() {
                       {},
                       {},
                       true});
-  connect(plots, &QAction::toggled, plot_, &QWidget::setVisible);
+  connect(plots, &QAction::toggled, this,
+          [this](bool on) { plot_->setVisible(on && !replay_->showing()); });
   make({"full_screen",
         tr("Full s&creen detail"),
         {QKeySequence("F11")},

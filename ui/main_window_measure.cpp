@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Commands of measuring and of relief images.
+#include <algorithm>
 #include <array>
 #include <QAction>
 #include <QActionGroup>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSaveFile>
+#include <QScreen>
 
 #include "core/base/error.h"
 #include "ui/detail_view.h"
@@ -14,6 +16,7 @@
 #include "ui/message_strip.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
+#include "ui/stereo_panel.h"
 #include "ui/view_panel.h"
 
 namespace relievo {
@@ -136,6 +139,15 @@ void MainWindow::saveMeasurements() {
     }
   });
   dialog->open();
+}
+
+// As it is seen at the detail view's size on this screen.
+void MainWindow::showParallax() {
+  const auto window = document_.window();
+  if (!window) return;
+  constexpr double kMmPerInch = 25.4;
+  const double dpi = std::max(screen()->physicalDotsPerInch(), 1.0);
+  stereo_panel_->setScale(window->min_mm, window->max_mm, kMmPerInch / dpi / detail_->mmPerPixel());
 }
 
 void MainWindow::showStereo(const StereoOptions& stereo) {

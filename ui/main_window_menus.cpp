@@ -48,7 +48,7 @@ void MainWindow::makeMenus() {
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
   add(file, {"save_project", "save_project_as", "-", "figure", "image", "-", "quit"});
-  add(menu(tr("&Edit")), {"undo", "redo", "history"});
+  add(menu(tr("&Edit")), {"undo", "redo", "history", "-", "preferences"});
   QMenu* view = menu(tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
   QMenu* turn = view->addMenu(tr("Turn &detail view"));
@@ -73,17 +73,18 @@ void MainWindow::makeMenus() {
   command("show_plots")->setVisible(false);
   QMenu* surface = menu(tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
-                "type_window", "-", "depth_map", "units"});
+                "type_window", "-", "name_place", "next_place", "previous_place", "-", "depth_map",
+                "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(tr("&Measure")), {"measure_point", "measure_distance", "measure_depth", "measure_angle",
                              "measure_profile", "measure_area", "-", "measure_save_list"});
-  // Present from the start so that their order is fixed; shown once somebody adds an entry.
-  for (const QString& title : {tr("&Touch"), tr("Re&cord")}) {
-    menu(title)->menuAction()->setVisible(false);
-  }
-  add(menu(tr("&Help")), {"search_commands", "keys", "about"});
+  // Present from the start so that the order is fixed; shown once somebody adds an entry.
+  menu(tr("&Touch"))->menuAction()->setVisible(false);
+  add(menu(tr("Re&cord")), {"replay", "replay_play", "replay_close", "-", "video", "video_live",
+                            "-", "key_view", "path_play", "path_clear"});
+  add(menu(tr("&Help")), {"search_commands", "keys", "introduction", "about"});
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {
@@ -206,12 +207,14 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::enableCommands() {
+  enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
   for (const char* name :
-       {"image", "finer", "coarser", "whole", "move_left", "move_right", "move_up", "move_down",
-        "turn_left", "turn_right", "turn_up", "turn_down", "type_window", "fit", "stereo",
-        "full_screen", "depth_map", "units"}) {
+       {"image",       "finer",      "coarser",       "whole",       "move_left", "move_right",
+        "move_up",     "move_down",  "turn_left",     "turn_right",  "turn_up",   "turn_down",
+        "type_window", "fit",        "stereo",        "full_screen", "depth_map", "units",
+        "name_place",  "next_place", "previous_place"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",
@@ -220,6 +223,13 @@ void MainWindow::enableCommands() {
   }
   command("use_view")->setEnabled(is_open && !is_raster && detail_->isTurned());
   if (!is_open) return;
+  if (replay_->showing()) {  // The recording chooses the window.
+    for (const char* name : {"finer", "coarser", "whole", "move_left", "move_right", "move_up",
+                             "move_down", "type_window", "depth_map", "units"}) {
+      command(name)->setEnabled(false);
+    }
+    return;
+  }
   const Region& region = document_.state().region;
   const DetailLadder& ladder = document_.surface()->ladder;
   const StepAbout centre = document_.aboutCentre();

@@ -15,8 +15,10 @@
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
+#include "ui/places_panel.h"
 #include "ui/reference_view.h"
-#include "ui/vtk/picture_file.h"
+#include "ui/replay_control.h"
+#include "ui/work_keeper.h"
 
 namespace relievo {
 namespace {
@@ -47,15 +49,20 @@ Project MainWindow::project() {
   Project p = project_;
   p.file = document_.file().toStdString();
   p.sha256 = document_.fileSha256().toStdString();
+  p.bytes = static_cast<std::uint64_t>(QFileInfo(document_.file()).size());
+  p.picture.reset();
   p.options = document_.state().options;
   p.region = document_.state().region;
   p.gain = document_.state().gain;
   p.look = detail_->sceneState().look;
+  p.look.light = detail_->sceneState().light;
   p.stereo = detail_->sceneState().stereo;
+  p.azimuth_deg = detail_->sceneState().camera.azimuth_deg;
+  p.elevation_deg = detail_->sceneState().camera.elevation_deg;
   p.measurements = measure_panel_->measurements();
-  p.history.clear();
-  const QUndoStack& history = document_.history();
-  for (int i = 0; i < history.index(); ++i) p.history.push_back(history.text(i).toStdString());
+  p.places = places_panel_->places();
+  p.history = document_.stepNames();
+  p.undo = document_.undoSteps();
   return p;
 }
 
@@ -65,6 +72,9 @@ void MainWindow::restore(const Project& project, const QString& from) {
   request.options = project.options;
   request.exact_region = project.region;
   request.gain = project.gain;
+  request.history = project.history;
+  request.undo = project.undo;
+  request.accept_incomplete = project.accept_incomplete;
   if (!QFileInfo::exists(request.file)) {
     strip_->show(tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
                     "file. (E501)")
@@ -99,37 +109,45 @@ void MainWindow::showRestored() {
     project_ = Project{};
     project_file_.clear();
     measure_panel_->setMeasurements({});
+    places_panel_->setPlaces({});
+    keeper_->forget();
     return;
   }
   const Project stored = *std::exchange(restoring_, std::nullopt);
   project_ = stored;
   measure_panel_->setMeasurements(stored.measurements);
-  showStereo(stored.stereo);
-  showLook(stored.look);
+  places_panel_->setPlaces(stored.places);
+  showView(viewOf(stored));
+  keeper_->forget();
+  if (!recovered_copy_.isEmpty()) {
+    WorkKeeper::discard(std::exchange(recovered_copy_, QString()));
+    keeper_->changed();  // It is still in no file of the user's.
+  }
   if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {
-    strip_->show(tr("%1 has changed since this was saved (its checksum differs). It is shown as it "
-                    "is now; results may differ. (E501)")
-                     .arg(QFileInfo(document_.file()).fileName()));
+    strip_->show(
+        tr("%1 has changed since this was saved (its checksum differs). It is shown as it "
+           "is now; results may differ. (E501)")
+            .arg(QFileInfo(document_.file()).fileName()),
+        {{tr("&Find it\u2026"),
+          [this, stored, from = project_file_.isEmpty() ? document_.file() : project_file_] {
+            relink(stored, from);
+          }}});
   }
 }
 
 bool MainWindow::restoreFromFile(const QString& file) {
+  if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".csv"})) return false;
   try {
-    if (endsIn(file, {".json"})) {
-      restore(readProject(pathOf(file)), file);
-      return true;
+    const auto project = carriedProject(pathOf(file));
+    if (!project) return false;  // A height map or points, then.
+    if (endsIn(file, {".csv"}) && replay_->canRead()) {
+      replay(file);  // A log: it brings its state along.
+    } else {
+      restore(*project, file);
     }
-    if (!endsIn(file, {".png", ".tif", ".tiff"})) return false;
-    const auto state = pictureState(pathOf(file));
-    if (!state) return false;  // A height map, then.
-    Project project = projectFromState(*state, QFileInfo(file).fileName().toStdString());
-    const QString input =
-        QFileInfo(file).absoluteDir().filePath(QString::fromStdString(project.file));
-    project.file = QDir::cleanPath(input).toStdString();
-    restore(project, file);
     return true;
   } catch (const Error& error) {
-    if (!endsIn(file, {".json"})) return false;  // The raster reader says what is wrong.
+    if (!endsIn(file, {".json"})) return false;  // The readers say what is wrong.
     strip_->show(QString::fromUtf8(error.what()));
     return true;
   }
@@ -161,6 +179,7 @@ void MainWindow::saveProject(const QString& file) {
   try {
     writeProject(pathOf(file), project());
     project_file_ = file;
+    keeper_->forget();
     settings_.addRecentFile(file);
     showRecent();
     announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));

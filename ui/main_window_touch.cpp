@@ -3,6 +3,7 @@
 #include <cmath>
 #include <QAccessible>
 #include <QAction>
+#include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QMenu>
@@ -10,9 +11,12 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "core/provenance/embedded.h"
+#include "core/provenance/provenance.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/reference_view.h"
+#include "ui/replay_panel.h"
 #include "ui/side_panels.h"
 #include "ui/status_fields.h"
 #include "ui/text.h"
@@ -65,7 +69,8 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
     }
   }
   QMenu* to = menu(title);
-  to->addAction(action);
+  const bool first = action->objectName() == QLatin1String("record");
+  to->insertAction(first ? to->actions().value(0) : nullptr, action);
   to->menuAction()->setVisible(true);
   const bool forces = action->objectName() == QLatin1String("forces");
   if (!forces && action->objectName() != QLatin1String("record")) return;
@@ -104,11 +109,21 @@ StepAbout MainWindow::about() const {
 
 void MainWindow::showProbe(const Probe& probe) {
   const auto window = document_.window();
-  if (!window || probe.window_id != window->id) return;
+  if (!window || probe.window_id != window->id || replay_->showing()) return;
+  drawProbe(probe);
+}
+
+void MainWindow::drawProbe(const Probe& probe) {
   probe_ = probe;
   detail_->showProbe(probe);
   showPosition(probe.proxy, probe.origin);
   const double force = norm(probe.force);
+  if (replay_->showing()) {
+    status_->set(StatusField::force, tr("%1 N").arg(numberText(force, 2)),
+                 tr("Force when it was recorded"));
+    status_->set(StatusField::recording, tr("replay %1").arg(replay_->panel()->timeText()));
+    return;
+  }
   status_->set(
       StatusField::force,
       probe.forces_on ? tr("%1/%2 N").arg(numberText(force, 2), numberText(probe.force_limit_n, 1))
@@ -132,6 +147,11 @@ void MainWindow::showTouch(const TouchReadout& readout) {
     });
   }
   touch_ = readout;
+  if (replay_->showing()) {
+    if (!readout.forces_on) return;
+    replay_->close();  // Whoever feels something must see where the hand is.
+    announce(tr("Forces are on: the replay was closed."));
+  }
   QStringList more{tr("Device: %1").arg(readout.device),
                    tr("Worst period: %1 ms").arg(numberText(readout.worst_period_ms, 2))};
   more << (readout.realtime ? tr("Real-time priority")
@@ -164,12 +184,39 @@ bool MainWindow::runCommand(const QString& name) {
   return true;
 }
 
+QString MainWindow::introduction() const {
+  if (!document_.isOpen()) return tr("Nothing is open. Open a scan with Ctrl+O.");
+  const DetailLadder& ladder = document_.surface()->ladder;
+  return tr("%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. "
+            "Plus: finer; Minus: coarser; both for two seconds: help.")
+      .arg(QFileInfo(document_.file()).fileName())
+      .arg(ladder.width_mm, 0, 'f', 0)
+      .arg(ladder.height_mm, 0, 'f', 0)
+      .arg(document_.details());
+}
+
 bool MainWindow::stopForces() {
   if (!touch_.forces_on) return false;
   QAction* forces = command("forcesOff");
   if (forces == nullptr || !forces->isEnabled()) return false;
   forces->trigger();
   return true;
+}
+
+std::string MainWindow::carriedState() const {
+  const DocumentState& state = document_.state();
+  Provenance provenance = provenanceOf(*state.surface, state.options);
+  const QFileInfo input(document_.file());
+  provenance.input = {input.fileName().toStdString(), document_.fileSha256().toStdString(),
+                      static_cast<std::uint64_t>(input.size())};
+  const SceneState& scene = detail_->sceneState();
+  provenance.view = ViewState{state.region,
+                              state.gain,
+                              scene.look,
+                              scene.stereo,
+                              scene.camera.azimuth_deg,
+                              scene.camera.elevation_deg};
+  return toJson(provenance, -1);
 }
 
 QString MainWindow::recordingHeader() const {
@@ -195,7 +242,8 @@ QString MainWindow::recordingHeader() const {
       QStringLiteral("# region_mm: %1 %2 %3 %3")
           .arg(exact(r.x_mm), exact(r.y_mm), exact(r.side_mm)),
       QStringLiteral("# level: %1").arg(r.level.value),
-      QLatin1String("# gain: ") + exact(state.gain)}
+      QLatin1String("# gain: ") + exact(state.gain),
+      QLatin1String("# ") + QString::fromStdString(stateLine(carriedState()))}
       .join('\n');
 }
 
@@ -217,6 +265,8 @@ void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QStri
                 QLatin1String("relievo ") + QStringLiteral(RELIEVO_VERSION_STRING));
   image.setText(QStringLiteral("Title"), QFileInfo(document_.file()).fileName());
   image.setText(QStringLiteral("Description"), recordingHeader());
+  const Project state = relativeTo(project(), QFile::encodeName(file).toStdString());
+  image.setText(QString::fromUtf8(kStateKey.data()), QString::fromStdString(projectJson(state)));
   if (!image.save(file, "PNG")) {
     throw WriteError(tr("%1 could not be written. Nothing was saved. Choose another place.")
                          .arg(file)

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
+#include "ui/core_words.h"
 #include "ui/figure/profile_plot.h"
 #include "ui/text.h"
 
@@ -48,7 +49,7 @@ int decimalsFor(double uncertainty) {
 QString quantityText(const Quantity& q) {
   const int decimals = decimalsFor(q.uncertainty);
   return MeasurePanel::tr("%1 %2 \u00b1 %3 %4")
-      .arg(word(q.title), numberText(q.value, decimals), numberText(q.uncertainty, decimals),
+      .arg(coreText(q.title), numberText(q.value, decimals), numberText(q.uncertainty, decimals),
            word(q.unit));
 }
 

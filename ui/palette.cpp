@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/palette.h"
 
+#include <algorithm>
 #include <QApplication>
+#include <QFont>
 #include <QStyleFactory>
+#include <QWidget>
+#include <utility>
+#include <vector>
 
 namespace relievo {
 namespace {
@@ -28,6 +33,7 @@ const std::array<ThemeColours, 3>& table() {
 }
 
 Theme current_theme = Theme::light;
+double text_scale = 1;
 
 /// What the desktop showed before our own palette replaced it.
 bool systemIsDark() {
@@ -51,6 +57,30 @@ const ThemeColours& colours(Theme theme) {
 Theme resolved(Theme theme) {
   if (theme != Theme::system) return theme;
   return systemIsDark() ? Theme::dark : Theme::light;
+}
+
+void applyTextSize(int percent) {
+  static const QFont kSystem = QApplication::font();
+  const double before = text_scale;
+  text_scale = std::clamp(percent, kLeastTextPercent, kMostTextPercent) / 100.0;
+  // Below a style sheet, widgets that are shown keep the font they were polished with.
+  std::vector<std::pair<QWidget*, double>> shown;
+  for (QWidget* widget : QApplication::allWidgets()) {
+    shown.emplace_back(widget, widget->font().pointSizeF() * text_scale / before);
+  }
+  QFont font = kSystem;
+  font.setPointSizeF(kSystem.pointSizeF() * text_scale);
+  QApplication::setFont(font);
+  for (const auto& [widget, points] : shown) {
+    QFont own = widget->font();
+    if (!(points > 0) || own.pointSizeF() == points) continue;
+    own.setPointSizeF(points);
+    widget->setFont(own);
+  }
+}
+
+double textScale() {
+  return text_scale;
 }
 
 const ThemeColours& currentColours() {

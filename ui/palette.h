@@ -25,6 +25,14 @@ const ThemeColours& colours(Theme theme);  ///< theme other than system.
 Theme resolved(Theme theme);
 /// Fusion style with our palette.
 void applyTheme(QApplication& app, Theme theme);
+/// Percent of the system's text size.
+inline constexpr int kLeastTextPercent = 100;
+inline constexpr int kMostTextPercent = 300;
+/// Of all text from now on, and of what is as wide as its text. @param percent  is clamped
+void applyTextSize(int percent);
+/// 1 .. 3, as applied last.
+double textScale();
+
 /// Of the theme applied last.
 const ThemeColours& currentColours();
 

@@ -60,6 +60,11 @@ void Settings::rememberUnit(const QString& file, LengthUnit unit) {
   setChoice(folderKey(file), QString::fromUtf8(name(unit).data()));
 }
 
+QString Settings::stateFolder(const QString& name) const {
+  if (safe_) return {};
+  return place("XDG_STATE_HOME", QStringLiteral("/.local/state"), name);
+}
+
 QVariant Settings::choice(const QString& key, const QVariant& fallback) const {
   return safe_ ? fallback : config_.value(key, fallback);
 }

@@ -27,6 +27,9 @@ class Settings {
   std::optional<LengthUnit> unitOfFolder(const QString& file) const;
   void rememberUnit(const QString& file, LengthUnit unit);
 
+  /// A folder of ours for what is kept between runs; empty in safe mode.
+  QString stateFolder(const QString& name) const;
+
   QVariant choice(const QString& key, const QVariant& fallback) const;
   void setChoice(const QString& key, const QVariant& value);
   QVariant layout(const QString& key) const;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/side_panels.h"
 
+#include <algorithm>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include "ui/palette.h"
 
 namespace relievo {
 namespace {
@@ -13,7 +16,7 @@ SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
   setObjectName(QStringLiteral("side_panels"));
   setAccessibleName(tr("Panels"));
   setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
   setFrameShape(QFrame::NoFrame);
   setFixedWidth(kWidth);
   setFocusPolicy(Qt::NoFocus);
@@ -50,6 +53,11 @@ void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   column_->insertWidget(2 * index, header);  // Headers and panels alternate.
   column_->insertWidget(2 * index + 1, panel);
   headers_.insert(headers_.begin() + index, header);
+}
+
+void SidePanels::fitTo(int window_width) {
+  const int wanted = static_cast<int>(kWidth * textScale());
+  setFixedWidth(std::max(kWidth, std::min(wanted, window_width * 2 / 5)));
 }
 
 QStringList SidePanels::titles() const {

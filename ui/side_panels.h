@@ -17,6 +17,8 @@ class SidePanels : public QScrollArea {
   void add(const QString& title, QWidget* panel);  ///< Takes ownership; goes to the end.
   void insert(int index, const QString& title, QWidget* panel);
   QStringList titles() const;
+  /// As wide as its text asks for, and never more than two fifths of the window.
+  void fitTo(int window_width);
 
  private:
   QVBoxLayout* column_;

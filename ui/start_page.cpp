@@ -8,13 +8,19 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
+#include <QPixmap>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include "ui/icons.h"
+#include "ui/palette.h"
 
 namespace relievo {
 namespace {
+
+constexpr QSize kIconSize(80, 60);
+constexpr int kPicturesAfterMs = 1500;  // Who opens a file at once does not need them.
 
 QListWidget* fileList(const QString& title, QVBoxLayout* column) {
   auto* heading = new QLabel(title);
@@ -27,6 +33,7 @@ QListWidget* fileList(const QString& title, QVBoxLayout* column) {
   list->setTextElideMode(Qt::ElideMiddle);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setSpacing(2);
+  list->setIconSize(kIconSize);
   heading->setBuddy(list);
   column->addWidget(heading);
   column->addWidget(list, 1);
@@ -40,15 +47,28 @@ QString captionOf(const QFileInfo& file) {
   };
   constexpr std::array<Sample, 4> kSamples{{
       {"relief_f.ply",
-       QT_TRANSLATE_NOOP("StartPage", "Acceptance relief: dome, step, ridge, grating")},
-      {"coin.ply", QT_TRANSLATE_NOOP("StartPage", "Coin, 24 mm across")},
-      {"panel.ply", QT_TRANSLATE_NOOP("StartPage", "Carved panel with undercuts")},
-      {"ruin.ply", QT_TRANSLATE_NOOP("StartPage", "Ruin, 400 m across")},
+       QT_TRANSLATE_NOOP("relievo::StartPage", "Acceptance relief: dome, step, ridge, grating")},
+      {"coin.ply", QT_TRANSLATE_NOOP("relievo::StartPage", "Coin, 24 mm across")},
+      {"panel.ply", QT_TRANSLATE_NOOP("relievo::StartPage", "Carved panel with undercuts")},
+      {"ruin.ply", QT_TRANSLATE_NOOP("relievo::StartPage", "Ruin, 400 m across")},
   }};
   for (const Sample& sample : kSamples) {
     if (file.fileName() == QLatin1String(sample.file)) return StartPage::tr(sample.caption);
   }
   return file.fileName();
+}
+
+/// An empty place of the same size where there is no picture.
+void setPicture(QListWidgetItem* item, const QImage& picture) {
+  QPixmap shown(kIconSize);
+  shown.fill(Qt::transparent);
+  if (!picture.isNull()) {
+    QPainter painter(&shown);
+    const QImage small = picture.scaled(kIconSize, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    painter.drawImage((kIconSize.width() - small.width()) / 2,
+                      (kIconSize.height() - small.height()) / 2, small);
+  }
+  item->setIcon(shown);
 }
 
 void fill(QListWidget* list, const QStringList& files, bool captions) {
@@ -58,6 +78,7 @@ void fill(QListWidget* list, const QStringList& files, bool captions) {
         captions ? captionOf(QFileInfo(file)) : QFileInfo(file).fileName(), list);
     item->setData(Qt::UserRole, file);
     item->setToolTip(file);
+    setPicture(item, ReliefPictures::kept(file));
   }
 }
 
@@ -98,8 +119,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Start"));
   auto* outer = new QHBoxLayout(this);
   auto* content = new QWidget;
-  content->setMaximumWidth(760);
-  content->setMaximumHeight(560);
+  content->setMaximumWidth(static_cast<int>(760 * textScale()));
+  content->setMaximumHeight(static_cast<int>(640 * textScale()));
   outer->addStretch(1);
   outer->addWidget(content, 6);
   outer->addStretch(1);
@@ -133,8 +154,8 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   auto* samples_box = new QWidget;
   auto* samples_column = new QVBoxLayout(samples_box);
   samples_column->setContentsMargins(0, 0, 0, 0);
-  QListWidget* samples = fileList(tr("Samples"), samples_column);
-  samples->setObjectName(QStringLiteral("start_samples"));
+  samples_ = fileList(tr("Samples"), samples_column);
+  samples_->setObjectName(QStringLiteral("start_samples"));
   recent_box_ = new QWidget;
   auto* recent_column = new QVBoxLayout(recent_box_);
   recent_column->setContentsMargins(0, 0, 0, 0);
@@ -145,9 +166,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   column->addLayout(lists, 1);
 
   const QStringList files = sampleFiles();
-  fill(samples, files, true);
+  fill(samples_, files, true);
   samples_box->setVisible(!files.isEmpty());
-  for (QListWidget* list : {samples, recent_}) {
+  for (QListWidget* list : {samples_, recent_}) {
     connect(list, &QListWidget::itemActivated, this, [this](QListWidgetItem* item) {
       Q_EMIT fileChosen(item->data(Qt::UserRole).toString());
     });
@@ -156,6 +177,26 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
     });
   }
   setRecent({});
+  later_.setSingleShot(true);
+  later_.setInterval(kPicturesAfterMs);
+  connect(&later_, &QTimer::timeout, this, [this] {
+    if (isVisible()) pictures_.make(sampleFiles());
+  });
+  connect(&pictures_, &ReliefPictures::made, this, &StartPage::showPicture);
+}
+
+void StartPage::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  later_.start();
+}
+
+void StartPage::showPicture(const QString& file, const QImage& picture) {
+  for (QListWidget* list : {samples_, recent_}) {
+    for (int i = 0; i < list->count(); ++i) {
+      QListWidgetItem* item = list->item(i);
+      if (item->data(Qt::UserRole).toString() == file) setPicture(item, picture);
+    }
+  }
 }
 
 void StartPage::setRecent(const QStringList& files) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
+
+#include "ui/relief_picture.h"
 
 class QListWidget;
 
@@ -14,13 +17,20 @@ class StartPage : public QWidget {
   explicit StartPage(QWidget* parent = nullptr);
   void setRecent(const QStringList& files);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  Q_SIGNALS:
   void openAsked();
   void fileChosen(const QString& file);
 
  private:
-  QListWidget* recent_;
+  void showPicture(const QString& file, const QImage& picture);
+
+  QListWidget *samples_, *recent_;
   QWidget* recent_box_;
+  QTimer later_;
+  ReliefPictures pictures_;
 };
 
 /// Samples that came with the program: scans in $RELIEVO_DATA_PATH and beside the program.

@@ -10,6 +10,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "ui/core_words.h"
+
 namespace relievo {
 namespace {
 
@@ -21,14 +23,14 @@ struct FieldFact {
   const char* widest;  ///< Text the field is made wide enough for, so that nothing jumps.
 };
 constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
-    {QT_TRANSLATE_NOOP("StatusFields", "Message"), ""},
-    {QT_TRANSLATE_NOOP("StatusFields", "Position"), "x 1234.56  y 1234.56  z 123.45 mm"},
-    {QT_TRANSLATE_NOOP("StatusFields", "Kind of surface"), "interpolated"},
-    {QT_TRANSLATE_NOOP("StatusFields", "Detail"), "Detail 10/10"},
-    {QT_TRANSLATE_NOOP("StatusFields", "Hand scale"), "hand 1 : 123.45"},
-    {QT_TRANSLATE_NOOP("StatusFields", "Force"), ""},
-    {QT_TRANSLATE_NOOP("StatusFields", "Force rate"), ""},
-    {QT_TRANSLATE_NOOP("StatusFields", "Recording"), ""},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Message"), ""},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Position"), "x 1234.56  y 1234.56  z 123.45 mm"},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Kind of surface"), "interpolated"},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Detail"), "Detail 10/10"},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Hand scale"), "hand 1 : 123.45"},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force"), ""},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Force rate"), ""},
+    {QT_TRANSLATE_NOOP("relievo::StatusFields", "Recording"), ""},
 }};
 
 class Field : public QLabel {
@@ -115,7 +117,7 @@ void StatusFields::beginWork() {
 }
 
 void StatusFields::showWork(const QString& step, double fraction) {
-  work_step_->setText(step);
+  work_step_->setText(coreText(step));
   work_bar_->setValue(static_cast<int>(fraction * kBarSteps));
 }
 

@@ -6,6 +6,7 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
+#include <qwt_plot_marker.h>
 #include <qwt_scale_draw.h>
 #include <qwt_text.h>
 #include <QFont>
@@ -83,6 +84,24 @@ void StripPlot::setColours(const QColor& background, const QColor& grid, const Q
 
 void StripPlot::setCurve(int index, const QVector<QPointF>& points) {
   curves_[index]->setSamples(points);
+}
+
+void StripPlot::setTimes(double low_s, double high_s) {
+  plot_->setAxisScale(QwtPlot::xBottom, low_s, high_s);
+}
+
+void StripPlot::setCursor(double x_s) {
+  if (cursor_ == nullptr) setCursorColour(plot_->palette().color(QPalette::Text));
+  cursor_->setXValue(x_s);
+}
+
+void StripPlot::setCursorColour(const QColor& colour) {
+  if (cursor_ == nullptr) {
+    cursor_ = new QwtPlotMarker;
+    cursor_->setLineStyle(QwtPlotMarker::VLine);
+    cursor_->attach(plot_);
+  }
+  cursor_->setLinePen(QPen(colour, 1.5));
 }
 
 void StripPlot::setRange(double low, double high) {

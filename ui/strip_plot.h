@@ -10,6 +10,7 @@
 class QWidget;
 class QwtPlot;
 class QwtPlotCurve;
+class QwtPlotMarker;
 
 namespace relievo {
 
@@ -24,7 +25,12 @@ class StripPlot {
   QWidget* widget() const;
   void setColours(const QColor& background, const QColor& grid, const QColor& text,
                   const QVector<QPen>& pens);
-  /// x in seconds before now, [-seconds, 0].
+  /// Another part of time than the last seconds.
+  void setTimes(double low_s, double high_s);
+  /// A line across the plot at a time.
+  void setCursor(double x_s);
+  void setCursorColour(const QColor& colour);
+  /// x in seconds before now, [-seconds, 0], unless setTimes() says otherwise.
   void setCurve(int index, const QVector<QPointF>& points);
   void setRange(double low, double high);
   void setRangeFromCurves();
@@ -32,7 +38,8 @@ class StripPlot {
 
  private:
   QwtPlot* plot_;
-  QVector<QwtPlotCurve*> curves_;  ///< Owned by the plot.
+  QVector<QwtPlotCurve*> curves_;    ///< Owned by the plot.
+  QwtPlotMarker* cursor_ = nullptr;  ///< Likewise; null: never set.
 };
 
 }  // namespace relievo

@@ -4,16 +4,21 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkUnsignedCharArray.h>
 #include <algorithm>
+#include <cstdint>
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QBasicTimer>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QTimerEvent>
+#include <span>
 
 #include "core/relief/relief_image.h"
+#include "core/relief/stereo.h"
 #include "ui/colour_bar.h"
 #include "ui/vtk/offscreen.h"
 
@@ -59,6 +64,37 @@ void SceneState::applyTo(ReliefScene& scene) const {
   scene.setScaleBar(grid != nullptr);
 }
 
+/// Mixes two eyes' pictures as `renderOffscreen` does; VTK alone knows only channel masks.
+class MixingWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static MixingWindow* New();
+  void follow(const ReliefScene* scene) { scene_ = scene; }
+
+ protected:
+  void StereoRenderComplete() override {
+    const int* size = GetSize();
+    vtkNew<vtkUnsignedCharArray> right;
+    GetPixelData(0, 0, size[0] - 1, size[1] - 1, DoubleBuffer == 0 ? 1 : 0, right.GetPointer(), 0);
+    const auto bytes = static_cast<std::size_t>(right->GetNumberOfValues());
+    if (scene_ == nullptr || StereoType != VTK_STEREO_ANAGLYPH || !StereoBuffer ||
+        static_cast<std::size_t>(StereoBuffer->GetNumberOfValues()) != bytes) {
+      vtkGenericOpenGLRenderWindow::StereoRenderComplete();
+      return;
+    }
+    std::span<std::uint8_t> first(StereoBuffer->GetPointer(0), bytes);
+    std::span<std::uint8_t> second(right->GetPointer(0), bytes);
+    const StereoOptions& stereo = scene_->stereo();
+    if (stereo.swap_eyes) std::swap(first, second);
+    mixAnaglyph(printed(stereo.mode), first, second, 3);
+    ResultFrame = stereo.swap_eyes ? right.GetPointer() : StereoBuffer.GetPointer();
+    StereoBuffer = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  }
+
+ private:
+  const ReliefScene* scene_ = nullptr;
+};
+vtkStandardNewMacro(MixingWindow);
+
 /// The OpenGL part; sees no mouse and no keys.
 class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  public:
@@ -68,6 +104,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     setAcceptDrops(false);
     setEnableHiDPI(true);
     setDefaultCursor(Qt::ArrowCursor);
+    window_->follow(&scene);
     setRenderWindow(window_);
     if (interactor() != nullptr) interactor()->SetInteractorStyle(nullptr);
     scene_.attachTo(window_);
@@ -115,7 +152,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   ReliefScene& scene_;
   QBasicTimer later_;
   bool stale_ = false;
-  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  vtkNew<MixingWindow> window_;
 };
 
 SurfaceView::SurfaceView(QWidget* parent)

@@ -36,6 +36,8 @@ class SurfaceView : public QWidget {
   /// The view drawn anew at a chosen size, independent of the screen. @throw GraphicsError
   QImage image(const QSize& pixels) const;
 
+  double mmPerPixel() const;  ///< Of the widget, at the view's centre.
+
  protected:
   void setGrid(std::shared_ptr<const HeldGrid> grid);
   void setCamera(const ReliefCamera& camera);
@@ -45,7 +47,6 @@ class SurfaceView : public QWidget {
 
   /// View position under a point of this widget on the plane z.
   ViewMm at(const QPointF& point, double z_mm) const;
-  double mmPerPixel() const;  ///< Of the widget, at the view's centre.
 
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double kMetresFromMm = 10000;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("Text", text);
-}
+std::optional<LengthUnit> size_unit;
 
 int decimalsFor(double step) {
   if (!(step > 0)) return 2;
@@ -39,41 +37,53 @@ QString mmText(double mm, double step_mm) {
 QString sizeText(std::initializer_list<double> mm) {
   double largest = 0;
   for (const double value : mm) largest = std::max(largest, std::abs(value));
-  const bool metres = largest >= kMetresFromMm;
-  const double shown = metres ? largest / 1000 : largest;
+  const LengthUnit unit =
+      size_unit.value_or(largest >= kMetresFromMm ? LengthUnit::m : LengthUnit::mm);
+  const double shown = largest / mmPer(unit);
   const int decimals = shown >= 100 ? 1 : shown >= 1 ? 2 : 3;
   QStringList numbers;
-  for (const double value : mm) numbers << numberText(metres ? value / 1000 : value, decimals);
-  return (metres ? tr("%1 m") : tr("%1 mm")).arg(numbers.join(QStringLiteral(" \u00d7 ")));
+  for (const double value : mm) numbers << numberText(value / mmPer(unit), decimals);
+  return QStringLiteral("%1 %2").arg(numbers.join(QStringLiteral(" \u00d7 ")),
+                                     QString::fromUtf8(name(unit).data()));
 }
 
 QString lengthText(double mm) {
   return sizeText({mm});
 }
 
+void setSizeUnit(std::optional<LengthUnit> unit) {
+  size_unit = unit;
+}
+
 QString unitText(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::mm:
-      return tr("millimetres");
+      return QCoreApplication::translate("Text", "millimetres");
     case LengthUnit::cm:
-      return tr("centimetres");
+      return QCoreApplication::translate("Text", "centimetres");
     case LengthUnit::m:
-      return tr("metres");
+      return QCoreApplication::translate("Text", "metres");
     case LengthUnit::in:
-      return tr("inches");
+      return QCoreApplication::translate("Text", "inches");
     case LengthUnit::ft:
-      return tr("feet");
+      return QCoreApplication::translate("Text", "feet");
     case LengthUnit::us_ft:
-      return tr("US survey feet");
+      return QCoreApplication::translate("Text", "US survey feet");
   }
   return {};
 }
 
 QString viewText(const QString& name) {
-  if (name == QLatin1String("auto")) return tr("Automatic");
-  if (name == QLatin1String("free")) return tr("Free view");
-  if (name == QLatin1String("fit")) return tr("Best-fit plane");
-  if (name == QLatin1String("axes")) return tr("Principal axes");
+  if (name == QLatin1String("auto")) return QCoreApplication::translate("Text", "Automatic");
+  if (name == QLatin1String("free")) return QCoreApplication::translate("Text", "Free view");
+  if (name == QLatin1String("fit")) return QCoreApplication::translate("Text", "Best-fit plane");
+  if (name == QLatin1String("axes")) return QCoreApplication::translate("Text", "Principal axes");
+  if (name == QLatin1String("front")) return QCoreApplication::translate("Text", "Front");
+  if (name == QLatin1String("back")) return QCoreApplication::translate("Text", "Back");
+  if (name == QLatin1String("left")) return QCoreApplication::translate("Text", "Left");
+  if (name == QLatin1String("right")) return QCoreApplication::translate("Text", "Right");
+  if (name == QLatin1String("top")) return QCoreApplication::translate("Text", "Top");
+  if (name == QLatin1String("bottom")) return QCoreApplication::translate("Text", "Bottom");
   if (name.isEmpty()) return {};
   return name.left(1).toUpper() + name.mid(1);
 }

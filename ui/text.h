@@ -2,6 +2,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <QString>
 
 #include "core/base/unit.h"
@@ -16,6 +17,9 @@ QString sizeText(std::initializer_list<double> mm);
 QString numberText(double value, int decimals);
 /// The number alone, in millimetres, with decimals that follow `step_mm`.
 QString mmText(double mm, double step_mm);
+/// Which unit sizeText and lengthText use; nothing: millimetres, and metres above 10 m. [GUI
+/// thread]
+void setSizeUnit(std::optional<LengthUnit> unit);
 /// "millimetres", "US survey feet".
 QString unitText(LengthUnit unit);
 /// "top" -> "Top", "free" -> "Free view".

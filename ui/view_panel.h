@@ -5,8 +5,6 @@
 
 #include "ui/vtk/relief_scene.h"
 
-class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -22,6 +20,7 @@ class ViewPanel : public QWidget {
   /// "Use this view" and "Straighten" make sense only while the detail view is turned.
   void showTurned(bool turned);
   LightOptions light() const;
+  void showLight(const LightOptions& light);
 
  Q_SIGNALS:
   void viewChosen(const QString& name);  ///< top bottom front back left right auto
@@ -34,27 +33,6 @@ class ViewPanel : public QWidget {
   QPushButton *use_, *straighten_;
   QSlider *azimuth_, *elevation_;
   QLabel* light_text_;
-};
-
-/// Red and cyan for the two eyes. [GUI thread]
-class StereoPanel : public QWidget {
-  Q_OBJECT
- public:
-  explicit StereoPanel(QWidget* parent = nullptr);
-  StereoOptions options() const;
-  void setOn(bool on);
-  void show(const StereoOptions& options);
-  /// The range the zero plane is chosen from.
-  void setHeights(double low_mm, double high_mm);
-
- Q_SIGNALS:
-  void changed(const StereoOptions& options);
-
- private:
-  void tell();
-
-  QCheckBox *on_, *automatic_;
-  QDoubleSpinBox *angle_, *plane_;
 };
 
 }  // namespace relievo

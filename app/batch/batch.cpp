@@ -8,6 +8,7 @@
 #include <iostream>
 #include <thread>
 
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
@@ -22,11 +23,12 @@ namespace {
 std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
   return {infoVerb(),       depthmapVerb(),    fillVerb(),    pyramidVerb(), convertVerb(),
           renderVerb(),     figureVerb(),      measureVerb(), projectVerb(), devicesVerb(),
-          touchVerb(words), recordVerb(words), replayVerb()};
+          touchVerb(words), recordVerb(words), replayVerb(),  videoVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {
   if (dynamic_cast<const ArgumentError*>(&error) != nullptr) return 1;
+  if (dynamic_cast<const ChangedInputError*>(&error) != nullptr) return 5;
   if (dynamic_cast<const FileError*>(&error) != nullptr) return 2;
   if (dynamic_cast<const WriteError*>(&error) != nullptr) return 3;
   if (dynamic_cast<const DeviceError*>(&error) != nullptr) return 6;
@@ -139,6 +141,9 @@ int runBatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // CLI11 has its own numbers; ours are 0 for help and 1 for every misuse.
     return app.exit(error) == 0 ? 0 : 1;
+  } catch (const Error& error) {
+    batch::tell(error.what());
+    return batch::exitCodeOf(error);
   }
   try {
     const batch::InterruptWatch interrupt;

@@ -62,12 +62,19 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
                       listOf(kMeasureKindNames) + "; area: ...@PLANE_MM");
 }
 
-FigureRequest figureRequest(const FigureArguments& a) {
-  FigureRequest f;
-  f.layout = word("--layout", a.layout, figureLayout(a.layout), kFigureLayoutNames);
-  f.stereo = word("--stereo", a.stereo, stereoPrint(a.stereo), kStereoPrintNames);
-  f.look.kind = word("--relief", a.relief, reliefKind(a.relief), kReliefKindNames);
-  f.look.colours = word("--colours", a.colours, colourMap(a.colours), kColourMapNames);
+FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
+  if (!a.layout.empty()) {
+    f.layout = word("--layout", a.layout, figureLayout(a.layout), kFigureLayoutNames);
+  }
+  if (!a.stereo.empty()) {
+    f.stereo = word("--stereo", a.stereo, stereoPrint(a.stereo), kStereoPrintNames);
+  }
+  if (!a.relief.empty()) {
+    f.look.kind = word("--relief", a.relief, reliefKind(a.relief), kReliefKindNames);
+  }
+  if (!a.colours.empty()) {
+    f.look.colours = word("--colours", a.colours, colourMap(a.colours), kColourMapNames);
+  }
   if (!a.light.empty()) {
     const std::vector<double> light = numberList("--light", a.light, 2);
     f.look.light = {.azimuth_deg = light[0], .elevation_deg = light[1]};
@@ -80,13 +87,14 @@ FigureRequest figureRequest(const FigureArguments& a) {
   f.width_mm = a.width_mm.value_or(f.width_mm);
   f.dpi = a.dpi.value_or(f.dpi);
   f.text_pt = a.text_pt.value_or(f.text_pt);
-  f.scale_1_to = a.scale;
+  if (a.width_mm) f.scale_1_to.reset();  // One of the two decides.
+  if (a.scale) f.scale_1_to = a.scale;
   f.eye_angle_deg = a.eye_angle_deg.value_or(f.eye_angle_deg);
-  f.zero_plane_mm = a.zero_plane_mm;
-  f.swap_eyes = a.swap_eyes;
-  f.limit_parallax = !a.any_parallax;
-  f.transparent = a.transparent;
-  f.recording = a.recording;
+  if (a.zero_plane_mm) f.zero_plane_mm = a.zero_plane_mm;
+  if (a.swap_eyes) f.swap_eyes = true;
+  if (a.any_parallax) f.limit_parallax = false;
+  if (a.transparent) f.transparent = true;
+  if (!a.recording.empty()) f.recording = a.recording;
   const std::array<bool*, kMarks.size()> marks{&f.scale_bar,      &f.height_bar,  &f.up_mark,
                                                &f.window_outline, &f.hatch,       &f.legend,
                                                &f.letters,        &f.measurements};

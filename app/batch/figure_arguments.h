@@ -12,13 +12,12 @@ namespace relievo::batch {
 
 /// The options of a figure as they stand on the command line.
 struct FigureArguments {
-  std::string layout = "reference";
+  std::string layout;  ///< Empty, like all of these: as in the request they change.
   std::optional<double> width_mm, dpi, scale, text_pt, radius_mm, eye_angle_deg, zero_plane_mm;
-  std::string relief = "lit";
-  std::string colours = "viridis";
+  std::string relief, colours;
   std::string light;  ///< "AZIMUTH,ELEVATION"
   std::string range;  ///< "LOW,HIGH"
-  std::string stereo = "off";
+  std::string stereo;
   std::vector<std::string> without;  ///< Marks to leave out.
   bool transparent = false, swap_eyes = false, any_parallax = false;
   std::string recording;
@@ -26,8 +25,9 @@ struct FigureArguments {
 };
 void addFigureOptions(CLI::App& verb, FigureArguments& arguments);
 
+/// A request with what the arguments say in place of what it said.
 /// @throw ArgumentError  a value that is not of its option's form
-FigureRequest figureRequest(const FigureArguments& arguments);
+FigureRequest figureRequest(const FigureArguments& arguments, FigureRequest request = {});
 std::vector<Measurement> measurements(const FigureArguments& arguments);
 
 }  // namespace relievo::batch

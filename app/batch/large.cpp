@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/batch/json.h"
+#include "app/batch/state.h"
 #include "core/session/large_map.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/level_files.h"
@@ -120,10 +121,15 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
   LargeMapOptions large{.file = finest,
                         .memory_bytes = static_cast<std::uint64_t>(memory_mb * 1e6),
                         .threads = 0,
-                        .on_view = [&](const Surface& view) {
-                          line.clear();
-                          sayView(view);
-                        }};
+                        .on_view =
+                            [&](const Surface& view) {
+                              line.clear();
+                              sayView(view);
+                            },
+                        .state =
+                            [&](const LargeMap& map) {
+                              return toJson(provenanceOfVerb(arguments, map, finest, task), -1);
+                            }};
   const LargeMap map =
       makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
   line.clear();

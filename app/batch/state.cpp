@@ -1,94 +1,148 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/batch/state.h"
 
+#include <algorithm>
+#include <CLI/CLI.hpp>
+
 #include "app/batch/verb.h"
-#include "core/base/error.h"
 #include "core/io/file_check.h"
-#include "core/provenance/embedded.h"
+#include "core/project/carried_state.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
-#include "ui/vtk/picture_file.h"
+#include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {
 
-std::filesystem::path foundInput(const std::filesystem::path& carrier, const InputFile& input) {
-  namespace fs = std::filesystem;
+namespace fs = std::filesystem;
+
+/// Where the state says (absolute), beside the carrier, in the working folder, in a package.
+fs::path foundInput(const fs::path& carrier, const fs::path& stored) {
   std::error_code error;
   const fs::path folder = fs::absolute(carrier, error).parent_path();
-  const fs::path stored(input.file);
-  for (const fs::path& candidate :
-       {(folder / stored).lexically_normal(), folder / stored.filename(), stored.filename(),
-        (folder / "../input" / stored.filename()).lexically_normal()}) {  // An unpacked package.
+  for (const fs::path& candidate : {stored, folder / stored.filename(), stored.filename(),
+                                    (folder / "../input" / stored.filename()).lexically_normal()}) {
     if (fs::is_regular_file(candidate, error)) return candidate;
   }
-  throw FileError(carrier.filename().string() + " was made from '" + input.file +
+  throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
                       "', which is not there (E501). Nothing was made. Give its place as FILE.",
                   "E501");
+}
+
+/// Sets file and checksum to what is there now.
+void findInput(Project& project, const fs::path& carrier, const std::string& given,
+               bool accept_changed, const Task& task) {
+  const fs::path file = given.empty() ? foundInput(carrier, project.file) : fs::path(given);
+  project.file = file.string();
+  if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
+  const std::string sha256 = sha256OfFile(file, task);
+  if (sha256 == project.sha256) return;
+  const std::string changed = "'" + file.filename().string() + "' is not the file that " +
+                              carrier.filename().string() +
+                              " was made from (checksum differs, E501).";
+  if (!accept_changed) {
+    throw ChangedInputError(
+        changed +
+            " Nothing was made. Give the right one as FILE, or --changed-input to use this one.",
+        "E501");
+  }
+  tell(changed + " It was used all the same.");
+  project.sha256 = sha256;  // What is drawn now comes from these bytes.
+  project.bytes = fs::file_size(file);
+}
+
+/// As carriedProject, and of HDF5 logs.
+std::optional<Project> projectIn(const fs::path& carrier) {
+  if (readHead(carrier, 4) != "\x89HDF") return carriedProject(carrier);
+  const auto state = hdf5State(carrier);
+  return state ? carriedProject(carrier, *state) : std::nullopt;
+}
+
+Surface surfaceOf(const Project& project, const Task& task) {
+  if (TiledMap::isOne(project.file)) return openTiledSurface(project.file);
+  ImportOptions import;
+  import.accept_incomplete = project.accept_incomplete;
+  return loadForVerb(project.file, project.options, import, task);
+}
+
+Provenance withInput(Provenance provenance, const MapArguments& arguments, const fs::path& out,
+                     const Task& task) {
+  const fs::path folder = out.parent_path();
+  provenance.input = inputFile(arguments.file, folder.empty() ? fs::path(".") : folder, task);
+  provenance.accept_incomplete = arguments.accept_incomplete;
+  return provenance;
 }
 
 }  // namespace
 
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
-                            const std::filesystem::path& out, const Task& task) {
-  Provenance provenance = provenanceOf(surface, surfaceOptions(arguments));
-  const std::filesystem::path folder = out.parent_path();
-  provenance.input =
-      inputFile(arguments.file, folder.empty() ? std::filesystem::path(".") : folder, task);
-  provenance.accept_incomplete = arguments.accept_incomplete;
-  return provenance;
+                            const fs::path& out, const Task& task) {
+  return withInput(provenanceOf(surface, surfaceOptions(arguments)), arguments, out, task);
 }
 
-std::optional<std::string> carriedState(const std::filesystem::path& file) {
-  // A figure's TIFF keeps its state behind the caption, a map's in place of one.
-  const std::string head = readHead(file, 2);
-  if (head == "II" || head == "MM") {
-    if (auto state = pictureState(file)) return state;
+Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map, const fs::path& out,
+                            const Task& task) {
+  return withInput(provenanceOf(map, surfaceOptions(arguments)), arguments, out, task);
+}
+
+Project projectOfVerb(const MapArguments& arguments, const Surface& surface, const Region& region,
+                      double gain, const Task& task) {
+  Project p;
+  p.file = arguments.file;
+  p.sha256 = sha256OfFile(arguments.file, task);
+  p.bytes = fs::file_size(arguments.file);
+  p.accept_incomplete = arguments.accept_incomplete;
+  p.options = resolved(surfaceOptions(arguments), surface);
+  p.region = region;
+  p.gain = gain;
+  return p;
+}
+
+void addCarrierOptions(CLI::App& verb, CarrierArguments& a) {
+  verb.get_option("FILE")->required(false);
+  verb.add_option("--from-image", a.from_image,
+                  "Draw again what this picture of relievo shows; FILE is then found by itself, or "
+                  "given");
+  verb.add_option("--project", a.project, "Draw what this project shows");
+  verb.add_flag("--changed-input", a.changed_input,
+                "With these: take an input whose checksum differs (else exit 5)");
+}
+
+void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
+                  std::initializer_list<const char*> allowed) {
+  if (!a.from_image.empty() && !a.project.empty()) {
+    throw ArgumentError("Give one of --from-image and --project. Nothing was drawn.");
   }
-  auto state = embeddedState(file);
-  if (state && !state->starts_with('{')) return std::nullopt;  // Another program's description.
-  return state;
-}
-
-FoundInput findInput(const std::filesystem::path& carrier, const InputFile& input,
-                     const std::string& given, bool accept_changed, const Task& task) {
-  FoundInput found{.file = given};
-  if (given.empty()) found.file = foundInput(carrier, input);
-  // Without a checksum nobody can tell.
-  if (input.sha256.empty() || sha256OfFile(found.file, task) == input.sha256) return found;
-  const std::string changed = "'" + found.file.filename().string() + "' is not the file that " +
-                              carrier.filename().string() +
-                              " was made from (checksum differs, E501).";
-  if (!accept_changed) {
-    throw FileError(changed +
-                        " Nothing was made. Give the right one as FILE, or --changed-input to use "
-                        "this one.",
-                    "E501");
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->count() == 0) continue;
+    const std::string name = option->get_lnames().empty() ? "FILE" : option->get_lnames()[0];
+    const auto is = [&](const char* other) { return name == other; };
+    constexpr std::array<const char*, 7> kAlways{"FILE",       "output",  "caption",      "report",
+                                                 "from-image", "project", "changed-input"};
+    if (std::any_of(kAlways.begin(), kAlways.end(), is)) continue;
+    if (std::any_of(allowed.begin(), allowed.end(), is)) continue;
+    throw ArgumentError("--" + name + ": the " + (a.project.empty() ? "image" : "project") +
+                        " says this already. Leave it out, or leave out --" +
+                        (a.project.empty() ? "from-image" : "project") + ". Nothing was drawn.");
   }
-  tell(changed + " It was used all the same.");
-  found.changed = true;
-  return found;
 }
 
-StoredState storedState(const std::filesystem::path& file, const std::string& given,
-                        bool accept_changed, const Task& task) {
-  const std::optional<std::string> json = carriedState(file);
-  const std::string shown = file.filename().string();
-  if (!json) {
-    throw FileError(shown +
-                    " carries no state of relievo. Nothing was made. Choose a file as relievo "
-                    "wrote it; other programs may drop what is inside.");
+Stored loadStored(const CarrierArguments& a, const std::string& given, const Task& task) {
+  const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
+  auto project = projectIn(carrier);
+  if (!project) {
+    throw FileError(carrier.filename().string() +
+                    " shows no region that relievo could draw again. Nothing was made. Choose a "
+                    "picture or log as relievo wrote it; other programs may drop what is inside.");
   }
-  const Provenance provenance = provenanceFromJson(*json, shown);
-  const FoundInput input = findInput(file, provenance.input, given, accept_changed, task);
-  return {.provenance = provenance, .input = input.file};
-}
-
-Surface loadStored(const StoredState& state, const Task& task) {
-  if (TiledMap::isOne(state.input)) return openTiledSurface(state.input);
-  ImportOptions import;
-  import.accept_incomplete = state.provenance.accept_incomplete;
-  return loadForVerb(state.input.string(), state.provenance.options, import, task);
+  findInput(*project, carrier, given, a.changed_input, task);
+  Stored stored{.surface = surfaceOf(*project, task), .project = std::move(*project)};
+  // A region typed for one version of the file may not exist on another.
+  if (stored.project.region.level.value >= stored.surface.ladder.levels()) {
+    throw FileError("The map of '" + stored.project.file + "' has no level " +
+                    std::to_string(stored.project.region.level.value) + ". Nothing was drawn.");
+  }
+  return stored;
 }
 
 }  // namespace relievo::batch

@@ -2,44 +2,53 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <initializer_list>
 #include <string>
 
 #include "app/batch/arguments.h"
+#include "core/base/error.h"
+#include "core/project/project.h"
 #include "core/provenance/provenance.h"
 #include "core/session/surface.h"
 
 namespace relievo::batch {
 
+/// An input whose checksum is not the one that a state names (E501); exit status 5.
+struct ChangedInputError : FileError {
+  using FileError::FileError;
+};
+
 /// Where what a verb writes to `out` comes from.
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const std::filesystem::path& out, const Task& task);
+Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map,
+                            const std::filesystem::path& out, const Task& task);
 
-/// What a picture, map or log of ours carries, wherever its format keeps it; nothing if it carries
-/// none: a figure's project, or a provenance (see isProject). @throw FileError  missing or damaged
-std::optional<std::string> carriedState(const std::filesystem::path& file);
+/// The same as a project, for pictures; `file` is as given.
+Project projectOfVerb(const MapArguments& arguments, const Surface& surface, const Region& region,
+                      double gain, const Task& task);
 
-/// The file that a carrier was made from.
-struct FoundInput {
-  std::filesystem::path file;
-  bool changed = false;  ///< Its checksum is another one, and that was accepted.
+/// Which state comes back, and whether what it was made from may have changed.
+struct CarrierArguments {
+  std::string from_image, project;  ///< At most one.
+  bool changed_input = false;
+  bool given() const { return !from_image.empty() || !project.empty(); }
+};
+void addCarrierOptions(CLI::App& verb, CarrierArguments& arguments);
+
+/// What the state says must not be said again, differently.
+/// @throw ArgumentError  naming an option that is given beside it and not among `allowed`
+void refuseBeside(const CLI::App& verb, const CarrierArguments& arguments,
+                  std::initializer_list<const char*> allowed);
+
+/// A state that came back, and the surface it belongs to.
+struct Stored {
+  Surface surface;
+  Project project;
 };
 /// Finds and checks the input: `given` if it is not empty, else where the state says, beside the
-/// carrier, and in the working folder.
-/// @throw FileError  (E501) not there, or changed and not accepted
-FoundInput findInput(const std::filesystem::path& carrier, const InputFile& input,
-                     const std::string& given, bool accept_changed, const Task& task);
-
-/// A provenance that a file carries, and the input it was made from.
-struct StoredState {
-  Provenance provenance;
-  std::filesystem::path input;
-};
-/// @throw FileError  no state in the file; and as findInput
-StoredState storedState(const std::filesystem::path& file, const std::string& given,
-                        bool accept_changed, const Task& task);
-
-/// The surface of a stored state; tells its messages on stderr.
-Surface loadStored(const StoredState& state, const Task& task);
+/// carrier, and in the working folder; then makes the surface.
+/// @throw FileError  no state, or (E501) no input  @throw ChangedInputError  not accepted
+Stored loadStored(const CarrierArguments& arguments, const std::string& given, const Task& task);
 
 }  // namespace relievo::batch

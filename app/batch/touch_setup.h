@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "core/region/window.h"
 #include "core/session/surface.h"
 #include "haptics/loop/haptic_core.h"
+#include "haptics/loop/surface_preset.h"
 #include "haptics/record/stroke.h"
 
 namespace relievo::batch {
@@ -20,11 +22,16 @@ struct TouchArguments {
   RegionArguments region;
   std::string stroke, out, plot;
   std::string device;  ///< Empty: none is attached.
-  std::string surface = "auto", proxy = "converged", frame = "view";
-  std::string safety;  ///< Empty: on with a device, off without.
-  double stiffness_n_per_mm = 0.5;
-  std::vector<double> friction;  ///< One value or two: static, dynamic.
-  double damping = 0;
+  std::string preset;  ///< Empty: none; a spring alone.
+  // Each overrides the preset where it is given.
+  std::string surface, proxy;  ///< Empty: the preset's, else auto and converged.
+  std::optional<double> stiffness_n_per_mm, damping;
+  std::vector<double> detail_stiffness_n_per_mm;  ///< Of Detail 1, 2, 3, and all finer ones.
+  std::vector<double> friction;                   ///< One value or two: static, dynamic.
+  std::optional<double> softest_part, texture_mm, magnet_n, magnet_reach_mm, contact_n, crossing_n;
+  std::string firmness;  ///< A raster that says where the ground is firm; empty: the origins do.
+  std::string frame = "view";
+  std::string safety;              ///< Empty: on with a device, off without.
   double seconds = 10;             ///< `record` only.
   std::vector<std::string> words;  ///< The command line, for the log.
 };
@@ -32,6 +39,17 @@ struct TouchArguments {
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments);
 void declareTouch(CLI::App& verb, TouchArguments& arguments);   ///< Of `touch`.
 void declareRecord(CLI::App& verb, TouchArguments& arguments);  ///< Of `record`.
+
+/// The feel that the arguments ask for: the preset's, overridden by what was given. Without a
+/// preset F = -k d and nothing else, k = 0.5 N per mm of hand. @throw ArgumentError
+SurfaceFeel feelOf(const TouchArguments& arguments);
+void addFeelOptions(CLI::App& verb, TouchArguments& arguments);
+/// The same in words for headers and reports: JSON, every value written out.
+std::string feelJson(const TouchArguments& arguments);
+/// kWindowCount parts from 0 to 1 of the raster --firmness, laid over the whole map; empty if none
+/// was given. @throw FileError, ArgumentError  a value outside [0, 1]
+std::vector<float> firmnessOf(const TouchArguments& arguments, const Surface& surface,
+                              const RegionWindow& window, const Task& task);
 
 /// What is touched, and how.
 struct TouchSetup {
@@ -44,7 +62,7 @@ struct TouchSetup {
 /// @throw ArgumentError, FileError, DeviceError (no such device)
 TouchSetup prepareTouch(const TouchArguments& arguments, const Task& task);
 
-/// Comment lines of the log: enough to repeat it.
-std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup);
+/// Comment lines of the log: enough to repeat it, and where it comes from in one line.
+std::string touchHeader(const TouchArguments& arguments, const TouchSetup& setup, const Task& task);
 
 }  // namespace relievo::batch

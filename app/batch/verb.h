@@ -9,7 +9,6 @@
 
 #include "app/batch/arguments.h"
 #include "core/base/task.h"
-#include "core/project/project.h"
 
 namespace relievo::batch {
 
@@ -43,6 +42,7 @@ Verb projectVerb();
 Verb touchVerb(std::vector<std::string> words);
 Verb recordVerb(std::vector<std::string> words);
 Verb replayVerb();
+Verb videoVerb();
 
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);
@@ -54,17 +54,6 @@ inline int exitCodeAfter(const Surface& surface) {
 
 Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
                     const ImportOptions& import, const Task& task);
-
-/// A state that came back, and the surface it belongs to.
-struct Stored {
-  Surface surface;
-  Project project;
-  bool input_changed = false;  ///< The file's checksum differs (E501); exit status 5.
-};
-/// @throw FileError, and as loadSurface
-Stored loadStored(const Project& project, const Task& task);
-/// From a figure that writeFigure or `render` wrote. @throw FileError
-Stored loadFromImage(const std::string& picture, const Task& task);
 
 /// Says so on stderr where a level is much finer than the 200 samples across its region.
 void warnIfAliased(const Surface& surface, const Region& region);

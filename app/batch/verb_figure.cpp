@@ -4,10 +4,10 @@
 
 #include "app/batch/figure_arguments.h"
 #include "app/batch/json.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "ui/figure/figure.h"
-#include "ui/figure/file_hash.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo::batch {
@@ -17,20 +17,29 @@ struct Arguments {
   MapArguments map;
   RegionArguments region;
   FigureArguments figure;
-  std::string from_image, project, out, caption, heights;
+  CarrierArguments carrier;
+  std::string out, caption, heights;
   bool both_eyes = false;
 };
 
-Project projectOf(const Arguments& a, const Surface& surface, const Task& task) {
-  Project p;
-  p.file = a.map.file;
-  p.sha256 = sha256Of(a.map.file, task);
-  p.options = surfaceOptions(a.map);
-  p.region = chosenRegion(surface, a.region);
-  p.gain = a.region.gain;
-  p.figure = figureRequest(a.figure);
-  p.measurements = measurements(a.figure);
-  return p;
+Stored fromArguments(const Arguments& a, const Task& task) {
+  const FigureRequest request = figureRequest(a.figure);  // Refused before the work.
+  Stored state{.surface = loadForVerb(a.map, task), .project = {}};
+  state.project = projectOfVerb(a.map, state.surface, chosenRegion(state.surface, a.region),
+                                a.region.gain, task);
+  state.project.figure = request;
+  state.project.measurements = measurements(a.figure);
+  return state;
+}
+
+/// What is asked for beside a state takes the place of what the state says.
+Stored fromState(const Arguments& a, const Task& task) {
+  Stored state = loadStored(a.carrier, a.map.file, task);
+  Project& p = state.project;
+  p.picture.reset();
+  p.figure = figureRequest(a.figure, p.figure);
+  for (const Measurement& m : measurements(a.figure)) p.measurements.push_back(m);
+  return state;
 }
 
 Json measurementsJson(const Surface& surface, const Project& project) {
@@ -58,19 +67,10 @@ void writeText(const std::string& file, const std::string& text) {
 }
 
 Outcome runFigure(const Arguments& a, const Task& task) {
-  const bool stored = !a.from_image.empty() || !a.project.empty();
-  if (stored == !a.map.file.empty() || (!a.from_image.empty() && !a.project.empty())) {
-    throw ArgumentError("Give one of FILE, --project and --from-image. Nothing was drawn.");
+  if (!a.carrier.given() && a.map.file.empty()) {
+    throw ArgumentError("Give FILE, --project or --from-image. Nothing was drawn.");
   }
-  Stored state;
-  if (stored) {
-    state = a.from_image.empty() ? loadStored(readProject(a.project), task)
-                                 : loadFromImage(a.from_image, task);
-  } else {
-    figureRequest(a.figure);  // Refused before the work.
-    state.surface = loadForVerb(a.map, task);
-    state.project = projectOf(a, state.surface, task);
-  }
+  const Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
   const Surface& surface = state.surface;
   const Project& project = state.project;
   warnIfAliased(surface, project.region);
@@ -104,33 +104,40 @@ Outcome runFigure(const Arguments& a, const Task& task) {
                         std::to_string(facts.height_px) + " pixels, " + json["paper_mm"].dump() +
                         " mm on paper",
                     facts.caption},
-          .exit_code = state.input_changed ? 5 : 0};
+          .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace
 
 Verb figureVerb() {
   auto arguments = std::make_shared<Arguments>();
-  return {.name = "figure",
-          .help = "Figure for print: reference and detail with scale bar, legend and caption",
-          .declare =
-              [arguments](CLI::App& verb) {
-                addMapOptions(verb, arguments->map);
-                verb.get_option("FILE")->required(false);
-                addRegionOptions(verb, arguments->region);
-                addFigureOptions(verb, arguments->figure);
-                verb.add_option("--from-image", arguments->from_image,
-                                "Draw again what this PNG or TIFF shows");
-                verb.add_option("--project", arguments->project, "Draw a project's figure");
-                verb.add_option("--caption", arguments->caption, "Also write the caption as text");
-                verb.add_option("--heights", arguments->heights,
-                                "Also write the region's heights as a 16-bit TIFF");
-                verb.add_flag("--both-eyes", arguments->both_eyes,
-                              "Also write NAME.left.png and NAME.right.png");
-                verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg")
-                    ->required();
-              },
-          .run = [arguments](const Task& task) { return runFigure(*arguments, task); }};
+  return {
+      .name = "figure",
+      .help = "Figure for print: reference and detail with scale bar, legend and caption",
+      .declare =
+          [arguments](CLI::App& verb) {
+            addMapOptions(verb, arguments->map);
+            addCarrierOptions(verb, arguments->carrier);
+            addRegionOptions(verb, arguments->region);
+            addFigureOptions(verb, arguments->figure);
+            verb.add_option("--caption", arguments->caption, "Also write the caption as text");
+            verb.add_option("--heights", arguments->heights,
+                            "Also write the region's heights as a 16-bit TIFF");
+            verb.add_flag("--both-eyes", arguments->both_eyes,
+                          "Also write NAME.left.png and NAME.right.png");
+            verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg")
+                ->required();
+            verb.final_callback([arguments, &verb] {
+              if (!arguments->carrier.given()) return;
+              refuseBeside(
+                  verb, arguments->carrier,
+                  {"layout",     "width-mm",  "dpi",          "scale",   "text-pt",     "relief",
+                   "colours",    "light",     "radius",       "range",   "stereo",      "eye-angle",
+                   "zero-plane", "swap-eyes", "any-parallax", "without", "transparent", "recording",
+                   "measure",    "heights",   "both-eyes"});
+            });
+          },
+      .run = [arguments](const Task& task) { return runFigure(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

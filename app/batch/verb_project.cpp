@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
-#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
@@ -50,16 +49,15 @@ std::vector<std::string> namesOf(const auto& list) {
 /// A project from a picture, figure or log of ours: what it shows, and logs as recordings.
 Outcome makeNew(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw ArgumentError("project new needs -o PROJECT.json.");
-  const auto state = carriedState(a.file);
+  auto carried = carriedProject(a.file);
   const std::string shown = fs::path(a.file).filename().string();
-  if (!state) {
+  if (!carried) {
     throw FileError(shown +
-                    " carries no state of relievo, so that no project can be made from it. "
-                    "Choose a picture or log that relievo wrote.");
+                    " shows no region, so that no project can be made from it. Choose a picture or "
+                    "log that relievo wrote.");
   }
-  Project project = projectFromState(*state, shown);
-  const fs::path folder = fs::absolute(a.file).parent_path();
-  project.file = (folder / project.file).lexically_normal().generic_string();
+  Project project = std::move(*carried);
+  project.picture.reset();
   if (project.places.empty()) {
     project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   }

@@ -91,7 +91,8 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
   if (hand != nullptr && !stroke.points.empty()) {
     hand->placeAt(placeAt(stroke, 0, *setup.space, setup.options.frame));
   }
-  const std::unique_ptr<SampleLog> log = openLog(a.out, touchHeader(a, setup), setup.space.get());
+  const std::unique_ptr<SampleLog> log =
+      openLog(a.out, touchHeader(a, setup, task), setup.space.get(), LogKind::recording);
   Sink sink(*log, static_cast<std::uint64_t>(std::ceil(1000 * a.seconds)));
   auto loop = std::make_unique<HapticLoop>(std::move(device));
   // Before the start: the first tick already sees both, and a replay can begin with it.

@@ -13,53 +13,24 @@
 #include "app/batch/verb.h"
 #include "core/provenance/embedded.h"
 #include "core/region/hand.h"
+#include "core/session/finer_heights.h"
 #include "core/session/tiled_surface.h"
 #include "haptics/device_catalog.h"
 #include "haptics/proxy/surface.h"
+#include "haptics/proxy/texture.h"
 #include "haptics/record/events.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {
 
-ProxyKind proxyKind(const std::string& name) {
-  if (name == "converged") return ProxyKind::converged;
-  if (name == "equation") return ProxyKind::equation;
-  if (name == "successive") return ProxyKind::successive;
-  throw ArgumentError("--proxy: '" + name + "' is none of converged, equation and successive.");
-}
-
-/// The paper's two proxies walk the paper's surface unless another is asked for.
-SurfaceKind surfaceKind(const TouchArguments& a) {
-  if (a.surface == "exact") return SurfaceKind::bilinear;
-  if (a.surface == "spline") return SurfaceKind::spline;
-  if (a.surface != "auto") {
-    throw ArgumentError("--surface: '" + a.surface + "' is none of auto, exact and spline.");
-  }
-  return a.proxy == "converged" ? SurfaceKind::gated : SurfaceKind::bilinear;
-}
-
-const char* name(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::bilinear:
-      return "exact";
-    case SurfaceKind::spline:
-      return "spline";
-    case SurfaceKind::gated:
-      break;
-  }
-  return "gated";
-}
-
 /// One coefficient for both, or the static and the dynamic one.
-void setFriction(const std::vector<double>& friction, const std::string& proxy,
-                 ProxyOptions& options) {
+void setFriction(const std::vector<double>& friction, ProxyOptions& options) {
   if (friction.empty()) return;
   options.static_friction = friction.front();
   options.dynamic_friction = friction.back();
-  if (options.static_friction > 0 && proxy != "converged") {
-    throw ArgumentError("--friction: the paper's proxy '" + proxy +
-                        "' knows no friction; use --proxy converged.");
+  if (options.static_friction > 0 && options.kind != ProxyKind::converged) {
+    throw ArgumentError("--friction: the paper's proxies know no friction; use --proxy converged.");
   }
   const bool in_order =
       options.dynamic_friction >= 0 && options.static_friction >= options.dynamic_friction;
@@ -75,15 +46,23 @@ bool safetyOf(const TouchArguments& a) {
 }
 
 StrokeOptions strokeOptions(const TouchArguments& a) {
-  if (!(a.stiffness_n_per_mm > 0)) throw ArgumentError("--stiffness must be above 0 N/mm.");
+  const SurfaceFeel feel = feelOf(a);
   StrokeOptions options;
-  options.proxy.kind = proxyKind(a.proxy);
-  setFriction(a.friction, a.proxy, options.proxy);
-  options.stiffness_n_per_mm = a.stiffness_n_per_mm;
-  options.damping_n_s_per_mm = a.damping;
+  options.proxy = proxyOptions(feel);
+  setFriction(a.friction, options.proxy);
+  options.stiffness_n_per_mm = feel.stiffness_n_per_mm;
+  options.stiffness_by_detail = feel.stiffness_by_detail;
+  options.detail_stiffness = feel.detail_stiffness;
+  options.damping_n_s_per_mm = feel.damping_n_s_per_mm;
+  options.fields = feel.fields;
+  options.transient = feel.transient;
   options.safety = safetyOf(a);
   options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
   return options;
+}
+
+std::string proxyName(const TouchArguments& a) {
+  return Json::parse(feelJson(a))["proxy"].get<std::string>();
 }
 
 /// What a stroke showed, judged without the solver: by the heights of the window itself, or where
@@ -121,18 +100,15 @@ struct StrokeFindings {
 std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   Provenance provenance = provenanceOfVerb(a.map, setup.surface, a.out, task);
   provenance.view = ViewState{.region = setup.window.region, .gain = a.region.gain};
-  const InputFile stroke = inputFile(a.stroke, {}, task);
-  provenance.touch = Json{
-      {"stroke", {{"file", stroke.file}, {"sha256", stroke.sha256}}},
-      {"frame", a.frame},
-      {"surface", name(surfaceKind(a))},
-      {"proxy", a.proxy},
-      {"stiffness_n_per_mm", a.stiffness_n_per_mm},
-      {"friction", a.friction},
-      {"damping_n_s_per_mm", a.damping},
-      {"device", a.device},
-      {"safety",
-       safetyOf(a)}}.dump();
+  Json touch = Json::parse(feelJson(a));
+  if (!a.stroke.empty()) {
+    const InputFile stroke = inputFile(a.stroke, {}, task);
+    touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+  }
+  touch["frame"] = a.frame;
+  touch["device"] = a.device;
+  touch["safety"] = safetyOf(a);
+  provenance.touch = touch.dump();
   return stateLine(toJson(provenance, -1));
 }
 
@@ -153,8 +129,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     device->open();
   }
 
-  const std::unique_ptr<SampleLog> log = openLog(
-      a.out, touchHeader(a, setup) + "\n" + stateOfTouch(a, setup, task), setup.space.get());
+  const std::unique_ptr<SampleLog> log =
+      openLog(a.out, touchHeader(a, setup, task), setup.space.get());
   StrokeFindings findings{window, *setup.space};
   std::optional<HapticSample> before;
   std::vector<PlotRow> plot;
@@ -175,7 +151,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   log->close();
   if (!a.plot.empty()) {
     writeForcePlot(a.plot, plot,
-                   setup.surface.info.file.filename().string() + ", proxy " + a.proxy);
+                   setup.surface.info.file.filename().string() + ", proxy " + proxyName(a));
   }
 
   const HandMapping hand = handMapping(window);
@@ -184,12 +160,15 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["region_mm"] = jsonOf(region);
   json["scale_device_per_view"] = hand.device_per_view;
   json["device_from_view"] = jsonOf(hand.device_from_view);
-  json["stiffness_n_per_mm"] = a.stiffness_n_per_mm;
-  json["damping_n_s_per_mm"] = a.damping;
-  json["surface"] = name(surfaceKind(a));
-  json["friction"] =
-      a.friction.empty() ? Json({0, 0}) : Json({a.friction.front(), a.friction.back()});
-  json["proxy"] = a.proxy;
+  json["stiffness_n_per_mm"] =
+      setup.options.stiffness_by_detail
+          ? stiffnessForDetail(setup.space->detail, setup.options.detail_stiffness)
+          : setup.options.stiffness_n_per_mm;
+  const Json feel = Json::parse(feelJson(a));
+  for (const char* entry : {"preset", "damping_n_s_per_mm", "surface", "friction", "proxy",
+                            "softest_part", "texture_mm", "magnet_n", "contact_n", "crossing_n"}) {
+    json[entry] = feel[entry];
+  }
   json["ticks"] = ticks;
   json["view_from_file"] = jsonOf(setup.surface.view_from_file);
   json["gain"] = window.gain;
@@ -212,7 +191,6 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   setup.options = strokeOptions(a);
   setup.core = strokeHapticOptions(setup.options);
   if (!a.device.empty()) setup.core = withinDevice(setup.core, makeDevice(a.device)->info());
-  const SurfaceKind kind = surfaceKind(a);
   setup.surface = openForVerb(a.map, task);
   const Surface& surface = setup.surface;
   const Region region = chosenRegion(surface, a.region);
@@ -220,48 +198,41 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   setup.window = windowOf(surface, region, a.region.gain);
   setup.space = std::make_unique<HapticSpace>();
   fill(*setup.space, setup.window,
-       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()}, kind);
+       {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()},
+       feelOf(a).surface, {}, firmnessOf(a, surface, setup.window, task));
+  if (setup.options.fields.texture_mm > 0) {
+    fillTexture(*setup.space, finerHeights(surface, region, a.region.gain));
+  }
   return setup;
 }
 
-std::string touchHeader(const TouchArguments& a, const TouchSetup& setup) {
+std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   const Surface& surface = setup.surface;
   const std::string stroke = a.stroke.empty()
                                  ? "by hand"
                                  : "stroke " + std::filesystem::path(a.stroke).filename().string();
-  const Json parameters{{"command", a.words},
-                        {"stiffness_n_per_mm", a.stiffness_n_per_mm},
-                        {"damping_n_s_per_mm", a.damping},
-                        {"proxy", a.proxy},
-                        {"surface", name(surfaceKind(a))},
-                        {"friction", a.friction},
-                        {"safety", safetyOf(a)}};
+  Json parameters = Json::parse(feelJson(a));
+  parameters["command"] = a.words;
+  parameters["safety"] = safetyOf(a);
   return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
          surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
          " (" + std::string(name(surface.unit_source)) + ")\ndevice " +
          (a.device.empty() ? "none" : a.device) + " (" + stroke + ")\nregion_mm " +
          jsonOf(setup.window.region).dump() + " level " +
-         std::to_string(setup.window.region.level.value) + "\nproxy " + a.proxy + ", surface " +
-         name(surfaceKind(a)) + ", stiffness " + Json(a.stiffness_n_per_mm).dump() + " N/mm" +
-         (a.friction.empty() ? std::string() : ", friction " + Json(a.friction).dump()) +
-         (a.damping > 0 ? ", damping " + Json(a.damping).dump() + " N s/mm" : std::string()) +
-         ", safety " + (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump();
+         std::to_string(setup.window.region.level.value) + "\nproxy " + proxyName(a) +
+         ", surface " + parameters["surface"].get<std::string>() + ", stiffness " +
+         (parameters.contains("stiffness_n_per_mm") ? parameters["stiffness_n_per_mm"].dump()
+                                                    : std::string("by detail")) +
+         " N/mm, friction " + parameters["friction"].dump() + ", damping " +
+         parameters["damping_n_s_per_mm"].dump() + " N s/mm, safety " +
+         (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump() + "\n" +
+         stateOfTouch(a, setup, task);
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
   addMapOptions(verb, arguments.map);
   addRegionOptions(verb, arguments.region);
-  verb.add_option("--surface", arguments.surface,
-                  "auto: smooth, broken at walls and creases; exact: bilinear; spline");
-  verb.add_option("--proxy", arguments.proxy,
-                  "converged, equation (the paper's eq. 2) or successive");
-  verb.add_option("--stiffness", arguments.stiffness_n_per_mm, "N per mm of hand");
-  verb.add_option("--friction", arguments.friction,
-                  "Coulomb friction of the surface: MU, or STATIC,DYNAMIC; 0 is off")
-      ->delimiter(',')
-      ->expected(1, 2);
-  verb.add_option("--damping", arguments.damping,
-                  "N s per mm of hand, against pressing in; 0 is off");
+  addFeelOptions(verb, arguments);
   verb.add_option("--safety", arguments.safety,
                   "on: ramp, slew, limit and passivity as at a device; default with --device")
       ->check(CLI::IsMember({"on", "off"}));

@@ -13,13 +13,14 @@ namespace {
 constexpr std::size_t kHeaderBytes = 48;
 constexpr std::size_t kChecksumBytes = 4;
 constexpr std::uint64_t kMaxXmlBytes = 64U << 20U;
-constexpr std::uint64_t kPagesPerCheck = 4096;
+constexpr std::uint64_t kPagesPerLook = 4096;  ///< At the stop token.
 
 }  // namespace
 
 E57Pages::E57Pages(const ReadJob& job) : job_(job) {
   readHeader();
-  checkPages();
+  checked_.resize(static_cast<std::size_t>(logical_bytes_ / payload_bytes_));
+  checkPage(0);
 }
 
 void E57Pages::readHeader() {
@@ -57,20 +58,27 @@ void E57Pages::readHeader() {
   logical_bytes_ = promised / page_bytes_ * payload_bytes_;
 }
 
-void E57Pages::checkPages() const {
-  const std::uint64_t pages = logical_bytes_ / payload_bytes_;
-  for (std::uint64_t page = 0; page < pages; ++page) {
-    if (page % kPagesPerCheck == 0) {
+void E57Pages::checkPage(std::uint64_t page) {
+  if (checked_[page]) return;
+  const std::string_view bytes = job_.bytes.substr(page * page_bytes_, page_bytes_);
+  const auto stored = loadAs<std::uint32_t>(bytes.data() + payload_bytes_, ByteOrder::big);
+  if (crc32c(bytes.substr(0, payload_bytes_)) != stored) {
+    throw E57Fault("the checksum of its page " + std::to_string(page + 1) + " of " +
+                   std::to_string(checked_.size()) + " is wrong");
+  }
+  checked_[page] = true;
+}
+
+void E57Pages::check(std::uint64_t from, std::uint64_t to) {
+  const std::uint64_t first = from / payload_bytes_;
+  const std::uint64_t end = (to + payload_bytes_ - 1) / payload_bytes_;
+  for (std::uint64_t page = first; page < end; ++page) {
+    if ((page - first) % kPagesPerLook == 0) {
       job_.task.check();
-      job_.task.report("checking pages", static_cast<double>(page) / static_cast<double>(pages));
+      job_.task.report("checking pages",
+                       static_cast<double>(page) / static_cast<double>(checked_.size()));
     }
-    const std::string_view bytes = job_.bytes.substr(page * page_bytes_, page_bytes_);
-    const auto stored = loadAs<std::uint32_t>(bytes.data() + payload_bytes_, ByteOrder::big);
-    if (crc32c(bytes.substr(0, payload_bytes_)) != stored) {
-      refuseScan(job_.file, "the checksum of its page " + std::to_string(page + 1) + " of " +
-                                std::to_string(pages) +
-                                " is wrong: the file is damaged. Copy or export it again.");
-    }
+    checkPage(page);
   }
 }
 
@@ -78,27 +86,29 @@ std::uint64_t E57Pages::logicalFromPhysical(std::uint64_t physical) const {
   const std::uint64_t within = physical % page_bytes_;
   const std::uint64_t logical = physical / page_bytes_ * payload_bytes_ + within;
   if (within >= payload_bytes_ || logical >= logical_bytes_) {
-    refuseScan(job_.file, "it names a place outside itself. Export it again.");
+    throw E57Fault("it names a place outside itself");
   }
   return logical;
 }
 
-void E57Pages::read(std::uint64_t logical, std::uint64_t count, std::string& out) const {
+void E57Pages::read(std::uint64_t logical, std::uint64_t count, std::string& out) {
   if (logical > logical_bytes_ || count > logical_bytes_ - logical) {
-    refuseScan(job_.file, "a part of it reaches beyond its end. Export it again.");
+    throw E57Fault("a part of it reaches beyond its end");
   }
   while (count > 0) {
+    const std::uint64_t page = logical / payload_bytes_;
     const std::uint64_t within = logical % payload_bytes_;
     const std::uint64_t here = std::min(count, payload_bytes_ - within);
-    out += job_.bytes.substr(logical / payload_bytes_ * page_bytes_ + within, here);
+    checkPage(page);
+    out += job_.bytes.substr(page * page_bytes_ + within, here);
     logical += here;
     count -= here;
   }
 }
 
-std::string E57Pages::xml() const {
+std::string E57Pages::xml() {
   if (xml_bytes_ == 0 || xml_bytes_ > kMaxXmlBytes) {
-    refuseScan(job_.file, "its list of scans has an impossible length. Export it again.");
+    throw E57Fault("its list of scans has an impossible length");
   }
   std::string text;
   read(logicalFromPhysical(xml_at_), xml_bytes_, text);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/e57_pages.h"
 #include "core/io/lines.h"
 #include "core/io/xml_tree.h"
 
@@ -20,138 +21,128 @@ std::string_view withoutSpace(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }
 
-class ScanList {
- public:
-  explicit ScanList(const ReadJob& job) : job_(job) {}
+[[noreturn]] void refuse(const std::string& what) {
+  throw E57Fault("its entry in the list of scans " + what);
+}
 
-  std::vector<E57Scan> read(const std::string& xml) const {
-    const XmlElement root = parse(xml);
-    const XmlElement* const list = root.child("data3D");
-    std::vector<E57Scan> scans;
-    if (list != nullptr) {
-      for (const XmlElement& element : list->children) {
-        if (element.child("points") != nullptr) scans.push_back(scanOf(element));
-      }
+XmlElement parse(const std::string& xml) {
+  try {
+    return parseXml(xml);
+  } catch (const XmlError& error) {
+    throw E57Fault(std::string("its list of scans is no proper XML (") + error.what() + ")");
+  }
+}
+
+/// A number, `absent` if nothing is written.
+template <class Number>
+Number numberOf(std::string_view text, Number absent) {
+  text = withoutSpace(text);
+  if (text.empty()) return absent;
+  if constexpr (std::is_same_v<Number, double>) {
+    const auto number = parseNumber(text);
+    if (number && std::isfinite(*number)) return *number;
+  } else {
+    if (const auto number = parseWhole<Number>(text)) return *number;
+  }
+  refuse("holds \"" + std::string(text.substr(0, 40)) + "\" in place of a number");
+}
+
+double childNumber(const XmlElement& element, std::string_view name, double absent) {
+  const XmlElement* const child = element.child(name);
+  return child == nullptr ? absent : numberOf(child->text, 0.0);
+}
+
+/// No codec means bits packed one after the other, the only one there is.
+void checkCodecs(const XmlElement& points) {
+  const XmlElement* const codecs = points.child("codecs");
+  if (codecs == nullptr) return;
+  for (const XmlElement& codec : codecs->children) {
+    if (codec.child("bitPackCodec") == nullptr) refuse("names an unknown codec");
+  }
+}
+
+E57Field fieldOf(const XmlElement& element) {
+  E57Field field;
+  field.name = element.name;
+  const std::string_view type = element.attribute("type");
+  if (type == "Float") {
+    const bool single = element.attribute("precision") == "single";
+    field.kind = single ? E57Field::Kind::f32 : E57Field::Kind::f64;
+    field.bits = single ? 32 : 64;
+  } else if (type == "Integer" || type == "ScaledInteger") {
+    using Limits = std::numeric_limits<std::int64_t>;
+    field.kind = E57Field::Kind::whole;
+    field.minimum = numberOf<std::int64_t>(element.attribute("minimum"), Limits::min());
+    const auto maximum = numberOf<std::int64_t>(element.attribute("maximum"), Limits::max());
+    if (maximum < field.minimum) refuse("gives " + field.name + " a maximum below its minimum");
+    field.bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(maximum) -
+                                                      static_cast<std::uint64_t>(field.minimum)));
+    if (type == "ScaledInteger") {
+      field.scale = numberOf(element.attribute("scale"), 1.0);
+      field.offset = numberOf(element.attribute("offset"), 0.0);
     }
-    if (scans.empty()) refuseScan(job_.file, "it lists no scans. Choose another file.");
-    return scans;
   }
+  return field;
+}
 
- private:
-  [[noreturn]] void refuse(const std::string& what) const {
-    refuseScan(job_.file, "its list of scans " + what + ". Export it again.");
-  }
-
-  XmlElement parse(const std::string& xml) const {
-    try {
-      return parseXml(xml);
-    } catch (const XmlError& error) {
-      refuse(std::string("is no proper XML (") + error.what() + ")");
-    }
-  }
-
-  /// A number, `absent` if nothing is written.
-  template <class Number>
-  Number numberOf(std::string_view text, Number absent) const {
-    text = withoutSpace(text);
-    if (text.empty()) return absent;
-    if constexpr (std::is_same_v<Number, double>) {
-      const auto number = parseNumber(text);
-      if (number && std::isfinite(*number)) return *number;
+void addFields(const XmlElement& prototype, std::vector<E57Field>& fields) {
+  for (const XmlElement& element : prototype.children) {
+    if (element.attribute("type") == "Structure") {
+      addFields(element, fields);
     } else {
-      if (const auto number = parseWhole<Number>(text)) return *number;
-    }
-    refuse("holds \"" + std::string(text.substr(0, 40)) + "\" in place of a number");
-  }
-
-  double childNumber(const XmlElement& element, std::string_view name, double absent) const {
-    const XmlElement* const child = element.child(name);
-    return child == nullptr ? absent : numberOf(child->text, 0.0);
-  }
-
-  E57Scan scanOf(const XmlElement& element) const {
-    const XmlElement& points = *element.child("points");
-    if (points.attribute("type") != "CompressedVector") refuse("has points of an unknown kind");
-    E57Scan scan;
-    scan.records = numberOf<std::uint64_t>(points.attribute("recordCount"), 0);
-    scan.section_at = numberOf<std::uint64_t>(points.attribute("fileOffset"), 0);
-    checkCodecs(points);
-    const XmlElement* const prototype = points.child("prototype");
-    if (prototype == nullptr) refuse("does not say what a point consists of");
-    addFields(*prototype, scan.fields);
-    if (const XmlElement* const pose = element.child("pose")) scan.pose = poseOf(*pose);
-    return scan;
-  }
-
-  /// No codec means bits packed one after the other, the only one there is.
-  void checkCodecs(const XmlElement& points) const {
-    const XmlElement* const codecs = points.child("codecs");
-    if (codecs == nullptr) return;
-    for (const XmlElement& codec : codecs->children) {
-      if (codec.child("bitPackCodec") == nullptr) refuse("names an unknown codec");
+      fields.push_back(fieldOf(element));
     }
   }
+}
 
-  void addFields(const XmlElement& prototype, std::vector<E57Field>& fields) const {
-    for (const XmlElement& element : prototype.children) {
-      if (element.attribute("type") == "Structure") {
-        addFields(element, fields);
-      } else {
-        fields.push_back(fieldOf(element));
-      }
-    }
+/// Of a quaternion w, x, y, z, which need not have length 1 to the last digit.
+std::array<double, 9> rotationOf(const std::array<double, 4>& q) {
+  const auto [w, x, y, z] = q;
+  const double square = w * w + x * x + y * y + z * z;
+  if (std::abs(square - 1) > 0.01) refuse("holds a rotation that is no unit quaternion");
+  const double s = 2 / square;
+  return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
+          s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
+          s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
+}
+
+E57Pose poseOf(const XmlElement& element) {
+  E57Pose pose;
+  if (const XmlElement* const q = element.child("rotation")) {
+    pose.rotation = rotationOf({childNumber(*q, "w", 0), childNumber(*q, "x", 0),
+                                childNumber(*q, "y", 0), childNumber(*q, "z", 0)});
   }
-
-  E57Field fieldOf(const XmlElement& element) const {
-    E57Field field;
-    field.name = element.name;
-    const std::string_view type = element.attribute("type");
-    if (type == "Float") {
-      const bool single = element.attribute("precision") == "single";
-      field.kind = single ? E57Field::Kind::f32 : E57Field::Kind::f64;
-      field.bits = single ? 32 : 64;
-    } else if (type == "Integer" || type == "ScaledInteger") {
-      using Limits = std::numeric_limits<std::int64_t>;
-      field.kind = E57Field::Kind::whole;
-      field.minimum = numberOf<std::int64_t>(element.attribute("minimum"), Limits::min());
-      const auto maximum = numberOf<std::int64_t>(element.attribute("maximum"), Limits::max());
-      if (maximum < field.minimum) refuse("gives " + field.name + " a maximum below its minimum");
-      field.bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(maximum) -
-                                                        static_cast<std::uint64_t>(field.minimum)));
-      if (type == "ScaledInteger") {
-        field.scale = numberOf(element.attribute("scale"), 1.0);
-        field.offset = numberOf(element.attribute("offset"), 0.0);
-      }
-    }
-    return field;
+  if (const XmlElement* const t = element.child("translation")) {
+    pose.translation = {childNumber(*t, "x", 0), childNumber(*t, "y", 0), childNumber(*t, "z", 0)};
   }
+  return pose;
+}
 
-  E57Pose poseOf(const XmlElement& element) const {
-    E57Pose pose;
-    if (const XmlElement* const q = element.child("rotation")) {
-      pose.rotation = rotationOf({childNumber(*q, "w", 0), childNumber(*q, "x", 0),
-                                  childNumber(*q, "y", 0), childNumber(*q, "z", 0)});
-    }
-    if (const XmlElement* const t = element.child("translation")) {
-      pose.translation = {childNumber(*t, "x", 0), childNumber(*t, "y", 0),
-                          childNumber(*t, "z", 0)};
-    }
-    return pose;
+E57Scan scanOf(const XmlElement& element) {
+  const XmlElement& points = *element.child("points");
+  if (points.attribute("type") != "CompressedVector") refuse("has points of an unknown kind");
+  E57Scan scan;
+  scan.records = numberOf<std::uint64_t>(points.attribute("recordCount"), 0);
+  scan.section_at = numberOf<std::uint64_t>(points.attribute("fileOffset"), 0);
+  checkCodecs(points);
+  const XmlElement* const prototype = points.child("prototype");
+  if (prototype == nullptr) refuse("does not say what a point consists of");
+  addFields(*prototype, scan.fields);
+  if (const XmlElement* const pose = element.child("pose")) scan.pose = poseOf(*pose);
+  return scan;
+}
+
+/// What it says is wrong with one entry stays with that entry.
+E57Scan scanOrFault(const XmlElement& element) {
+  E57Scan scan;
+  try {
+    scan = scanOf(element);
+  } catch (const E57Fault& fault) {
+    scan.fault = fault.what();
   }
-
-  /// Of a quaternion w, x, y, z, which need not have length 1 to the last digit.
-  std::array<double, 9> rotationOf(const std::array<double, 4>& q) const {
-    const auto [w, x, y, z] = q;
-    const double square = w * w + x * x + y * y + z * z;
-    if (std::abs(square - 1) > 0.01) refuse("holds a rotation that is no unit quaternion");
-    const double s = 2 / square;
-    return {1 - s * (y * y + z * z), s * (x * y - w * z),     s * (x * z + w * y),
-            s * (x * y + w * z),     1 - s * (x * x + z * z), s * (y * z - w * x),
-            s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
-  }
-
-  const ReadJob& job_;
-};
+  if (const XmlElement* const name = element.child("name")) scan.name = withoutSpace(name->text);
+  return scan;
+}
 
 }  // namespace
 
@@ -162,8 +153,17 @@ std::optional<std::size_t> E57Scan::find(std::string_view field_name) const noex
   return std::nullopt;
 }
 
-std::vector<E57Scan> listE57Scans(const std::string& xml, const ReadJob& job) {
-  return ScanList(job).read(xml);
+std::vector<E57Scan> listE57Scans(const std::string& xml) {
+  const XmlElement root = parse(xml);
+  const XmlElement* const list = root.child("data3D");
+  std::vector<E57Scan> scans;
+  if (list != nullptr) {
+    for (const XmlElement& element : list->children) {
+      if (element.child("points") != nullptr) scans.push_back(scanOrFault(element));
+    }
+  }
+  if (scans.empty()) throw E57Fault("it lists no scans");
+  return scans;
 }
 
 }  // namespace relievo

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "core/io/read_scan.h"
 
 namespace relievo {
 
@@ -37,6 +36,8 @@ struct E57Pose {
 };
 
 struct E57Scan {
+  std::string name;   ///< As the file has it; may be empty.
+  std::string fault;  ///< What makes it unreadable; then the rest is not filled.
   std::uint64_t records = 0;
   std::uint64_t section_at = 0;  ///< Physical place of its binary section.
   std::vector<E57Field> fields;  ///< In the order of their byte streams.
@@ -45,7 +46,7 @@ struct E57Scan {
   std::optional<std::size_t> find(std::string_view field_name) const noexcept;
 };
 
-/// The scans that the file's XML lists. @throw FileError
-std::vector<E57Scan> listE57Scans(const std::string& xml, const ReadJob& job);
+/// The scans that the file's XML lists, in its order, at least one. @throw E57Fault
+std::vector<E57Scan> listE57Scans(const std::string& xml);
 
 }  // namespace relievo

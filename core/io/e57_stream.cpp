@@ -18,17 +18,50 @@ constexpr std::uint64_t kDataHead = 6;    ///< The same and the number of stream
 constexpr char kVectorSection = 1;
 constexpr char kIndexPacket = 0, kDataPacket = 1, kEmptyPacket = 2;
 
-[[noreturn]] void refusePacket(const ReadJob& job) {
-  refuseScan(job.file, "a packet of its points makes no sense. Export it again.");
+[[noreturn]] void refusePacket() {
+  throw E57Fault("a packet of its points makes no sense");
 }
 
 std::uint64_t u16At(const std::string& bytes, std::size_t at) {
   return loadAs<std::uint16_t>(bytes.data() + at, ByteOrder::little);
 }
 
+/// A packet with points: what comes before the streams' shares, and where these begin.
+struct DataPacket {
+  std::string head;
+  std::uint64_t shares_at = 0;  ///< Logical.
+
+  std::uint64_t share(std::size_t stream) const { return u16At(head, kDataHead + 2 * stream); }
+};
+
+/// Finds the next data packet from `at` on and moves `at` behind it.
+/// @return  false at the end of the section. @throw E57Fault
+bool nextPacket(const E57Section& section, E57Pages& pages, std::uint64_t& at, DataPacket& packet) {
+  while (at + kPacketHead <= section.end) {
+    packet.head.clear();
+    pages.read(at, kPacketHead, packet.head);
+    const char kind = packet.head[0];
+    const std::uint64_t length = u16At(packet.head, 2) + 1;
+    if (length % 4 != 0 || length > section.end - at) refusePacket();
+    const std::uint64_t start = at;
+    at += length;
+    if (kind == kIndexPacket || kind == kEmptyPacket) continue;
+    const std::uint64_t head = kDataHead + 2 * section.streams;
+    if (kind != kDataPacket || length < head) refusePacket();
+    pages.read(start + kPacketHead, head - kPacketHead, packet.head);
+    if (u16At(packet.head, kPacketHead) != section.streams) refusePacket();
+    std::uint64_t shares = 0;
+    for (std::size_t i = 0; i < section.streams; ++i) shares += packet.share(i);
+    if (shares > length - head) refusePacket();
+    packet.shares_at = start + head;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-E57Section openE57Section(const E57Scan& scan, const E57Pages& pages, const ReadJob& job) {
+E57Section openE57Section(const E57Scan& scan, E57Pages& pages) {
   const std::uint64_t start = pages.logicalFromPhysical(scan.section_at);
   std::string head;
   pages.read(start, kSectionHead, head);
@@ -40,7 +73,12 @@ E57Section openE57Section(const E57Scan& scan, const E57Pages& pages, const Read
   section.streams = scan.fields.size();
   if (head[0] != kVectorSection || section.end < start || section.end > pages.logicalBytes() ||
       section.first_packet < start + kSectionHead || section.first_packet > section.end) {
-    refuseScan(job.file, "a section of its points makes no sense. Export it again.");
+    throw E57Fault("a section of its points makes no sense");
+  }
+  pages.check(start, section.end);
+  std::uint64_t at = section.first_packet;
+  DataPacket packet;
+  while (nextPacket(section, pages, at, packet)) {
   }
   return section;
 }
@@ -49,27 +87,12 @@ E57Section openE57Section(const E57Scan& scan, const E57Pages& pages, const Read
 bool E57Stream::loadPacket() {
   bytes_.erase(0, bit_ / 8);
   bit_ %= 8;
-  while (packet_ + kPacketHead <= section_.end) {
-    head_.clear();
-    pages_.read(packet_, kPacketHead, head_);
-    const char kind = head_[0];
-    const std::uint64_t length = u16At(head_, 2) + 1;
-    if (length % 4 != 0 || length > section_.end - packet_) refusePacket(job_);
-    const std::uint64_t packet = packet_;
-    packet_ += length;
-    if (kind == kIndexPacket || kind == kEmptyPacket) continue;
-    const std::uint64_t lengths = kDataHead + 2 * section_.streams;
-    if (kind != kDataPacket || length < lengths) refusePacket(job_);
-    pages_.read(packet + kPacketHead, lengths - kPacketHead, head_);
-    if (u16At(head_, kPacketHead) != section_.streams) refusePacket(job_);
-    std::uint64_t at = lengths;
-    for (std::size_t i = 0; i < stream_; ++i) at += u16At(head_, kDataHead + 2 * i);
-    const std::uint64_t share = u16At(head_, kDataHead + 2 * stream_);
-    if (at + share > length) refusePacket(job_);
-    pages_.read(packet + at, share, bytes_);
-    return true;
-  }
-  return false;
+  DataPacket packet;
+  if (!nextPacket(section_, pages_, packet_, packet)) return false;
+  std::uint64_t at = packet.shares_at;
+  for (std::size_t i = 0; i < stream_; ++i) at += packet.share(i);
+  pages_.read(at, packet.share(stream_), bytes_);
+  return true;
 }
 
 /// The next number's bits, lowest first; they may start anywhere in a byte.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Only for the .cpp files of core/io that read and write rasters: what both need of GDAL.
+// Only for the .cpp files that read and write rasters, of core/io and core/tiles: what all need of
+// GDAL.
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal_priv.h>

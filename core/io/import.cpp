@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/import.h"
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,23 +14,37 @@
 #include "core/io/pcd_header.h"
 #include "core/io/ply_header.h"
 #include "core/io/raster.h"
+#include "core/io/raster_rows.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
+#include "core/io/system_unit.h"
 #include "core/io/unpack_las.h"
 #include "core/io/worker_process.h"
 
 namespace relievo {
 namespace {
 
-/// What can be seen in the first bytes is refused here, before a process is started.
-FileFormat precheck(const std::filesystem::path& file) {
+constexpr int kRowsAtOnce = 64;  ///< Between two looks at the stop token.
+
+/// What can be seen of a scan in its first bytes.
+struct Foresight {
+  FileFormat format = FileFormat::other;
+  ImportProgram program = ImportProgram::own;
+};
+
+/// What can be refused by the first bytes is refused here, before a process is started.
+Foresight precheck(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
   checkReadableAsScan(found, file);
   if (found.format == FileFormat::ply) parsePlyHeader(head, file);
-  if (found.format == FileFormat::pcd) parsePcdHeader(head, file);
-  return found.format;
+  Foresight foresight{.format = found.format};
+  if (found.format == FileFormat::pcd &&
+      parsePcdHeader(head, file).encoding == PcdEncoding::binary_compressed) {
+    foresight.program = ImportProgram::libraries;
+  }
+  return foresight;
 }
 
 [[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
@@ -55,23 +70,16 @@ FileFormat precheck(const std::filesystem::path& file) {
 
 /// What the worker answers to `wanted`; throws what it refuses with.
 template <class Wanted>
-Wanted importInWorker(const std::filesystem::path& file, ImportKind kind,
-                      const ImportOptions& options, const Task& task) {
-  if (std::getenv(kWorkerMark) != nullptr) {
-    throw ArgumentError(
-        "This program was started as an import worker, but its main() does not "
-        "call runImportWorkerIfAsked first.");
-  }
+Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
+                      const ImportOptions& options, const Task& task,
+                      const std::filesystem::path& answer_folder = {}) {
   task.report("opening", 0);
-  WorkerProcess worker(file, kind, options);
+  WorkerProcess worker(program, file, kind, options, answer_folder);
   const WorkerEnd end = worker.wait(task);
   task.check();
   WorkerAnswer answer;
   if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
-  if (auto* wanted = std::get_if<Wanted>(&answer)) {
-    wanted->info.file = file;
-    return std::move(*wanted);
-  }
+  if (auto* wanted = std::get_if<Wanted>(&answer)) return std::move(*wanted);
   if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
     throw FileError(refusal->message, refusal->code);
   }
@@ -82,21 +90,51 @@ Wanted importInWorker(const std::filesystem::path& file, ImportKind kind,
 
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  if (precheck(file) != FileFormat::laz) {
-    return importInWorker<Scan>(file, ImportKind::scan, options, task);
-  }
+  const Foresight foresight = precheck(file);
+  const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
+    Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
+    scan.info.file = file;
+    if (scan.info.format.starts_with("LAS")) addUnitOfSystem(what, scan.info);
+    return scan;
+  };
+  if (foresight.format != FileFormat::laz) return read(foresight.program, file);
   const UnpackedLas unpacked(file, task);
-  Scan scan = importInWorker<Scan>(unpacked.file(), ImportKind::scan, options, task);
-  scan.info.file = file;
+  Scan scan = read(ImportProgram::own, unpacked.file());
   scan.info.format.replace(0, 3, "LAZ");
   return scan;
+}
+
+RasterRows importRasterRows(const std::filesystem::path& file, const std::filesystem::path& folder,
+                            const ImportOptions& options, const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster_rows,
+                                         options, task, folder.empty() ? "." : folder);
+  rows.nameFile(file);
+  return rows;
 }
 
 RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& options,
                        const Task& task) {
   task.check();
   checkedFileSize(file);
-  return importInWorker<RasterMap>(file, ImportKind::raster, options, task);
+  auto rows =
+      importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster, options, task);
+  rows.nameFile(file);
+  RasterMap raster;
+  static_cast<RasterHead&>(raster) = rows.head();
+  const GridSize size = raster.size;
+  raster.values.resize(size.count());
+  if (rows.hasOrigins()) raster.origins.resize(size.count());
+  for (int row = 0; row < size.rows; row += kRowsAtOnce) {
+    task.check();
+    const std::size_t start = size.index({.col = 0, .row = row});
+    rows.read(row, std::min(kRowsAtOnce, size.rows - row), raster.values.data() + start,
+              rows.hasOrigins() ? raster.origins.data() + start : nullptr);
+  }
+  raster.valid.reserve(raster.values.size());
+  for (const float value : raster.values) raster.valid.push_back(!std::isnan(value));
+  return raster;
 }
 
 bool looksLikeRaster(const std::filesystem::path& file) {

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
@@ -19,8 +18,9 @@ struct ImportOptions {
 
 /// Reads PLY, PCD, OBJ, STL, 3DS, LAS, E57, PTX or text (XYZ ASC PTS CSV TXT), chosen by content
 /// first, name second; LAZ and COPC where a program is installed that unpacks them (unpack_las.h).
-/// Header and sizes are checked here; the library then reads in a child process with limits, in the
-/// C locale; the result is checked again. Acts on a stop request within 250 ms. [worker]
+/// Header and sizes are checked here; the file is then read in a child process (relievo-import,
+/// installed with the program) with limits, in the C locale; the result is checked again. Acts on a
+/// stop request within 250 ms. [worker]
 /// @throw FileError  missing, a directory, empty, malformed, incomplete (E101), unknown format, or
 ///                   no finite point; the message names file, finding and remedy
 /// @throw Cancelled
@@ -39,9 +39,5 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
 /// scan?
 /// @throw FileError  missing, a directory or empty
 bool looksLikeRaster(const std::filesystem::path& file);
-
-/// `relievo --import-worker`: the child's main. Every main() that may import calls this first.
-/// @return exit status if the arguments ask for a worker, nothing otherwise
-std::optional<int> runImportWorkerIfAsked(int argc, char** argv);
 
 }  // namespace relievo

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The child's side of importScan.
+#include "core/io/import_worker.h"
+
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -21,7 +23,6 @@
 #include "core/io/file_check.h"
 #include "core/io/import.h"
 #include "core/io/lines.h"
-#include "core/io/raster.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
 #include "core/io/worker_process.h"
@@ -43,8 +44,11 @@ void limit(__rlimit_resource resource, std::uint64_t amount) {
 }
 
 /// The file is mapped, so its size comes on top of what the reader may allocate.
-void setLimits(const ImportOptions& options, std::uint64_t file_size) {
+void setLimits(const ImportOptions& options, ImportKind kind, std::uint64_t file_size) {
   if (kAddressSpaceIsOurs) limit(RLIMIT_AS, options.max_memory_bytes + file_size);
+  // An answer in memory counts as well; writing beyond is an error, not a signal.
+  ::signal(SIGXFSZ, SIG_IGN);
+  if (kind != ImportKind::raster_rows) limit(RLIMIT_FSIZE, options.max_memory_bytes);
   limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(options.max_cpu_s)));
   limit(RLIMIT_CORE, 0);
 }
@@ -81,7 +85,7 @@ std::optional<WorkerArguments> parseArguments(char** argv) {
   const auto max_memory = parseWhole<std::uint64_t>(argv[6]);
   const auto max_cpu = parseNumber(argv[7]);
   if (!max_points || !max_memory || !max_cpu || !(*max_cpu > 0)) return std::nullopt;
-  arguments.kind = std::string_view(argv[3]) == "r" ? ImportKind::raster : ImportKind::scan;
+  arguments.kind = static_cast<ImportKind>(argv[3][0]);
   arguments.options.accept_incomplete = std::string_view(argv[4]) == "1";
   arguments.options.max_points = *max_points;
   arguments.options.max_memory_bytes = *max_memory;
@@ -102,16 +106,20 @@ WorkerRefusal tooLarge(const WorkerArguments& arguments) {
           ""};
 }
 
-void readAndAnswer(const WorkerArguments& arguments) {
+void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libraries) {
   try {
-    setLimits(arguments.options, checkedFileSize(arguments.file));
+    setLimits(arguments.options, arguments.kind, checkedFileSize(arguments.file));
     ProgressPipe pipe;
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
-    if (arguments.kind == ImportKind::raster) {
-      sendAnswer(kAnswerFd, readRaster(arguments.file));
+    if (arguments.kind == ImportKind::scan) {
+      sendAnswer(kAnswerFd,
+                 readScanHere(arguments.file, arguments.options, task, libraries.unpack_lzf));
+    } else if (libraries.read_raster != nullptr) {
+      RasterAnswer answer(kAnswerFd);
+      answer.finish(libraries.read_raster(arguments.file, answer.sink(), task));
     } else {
-      sendAnswer(kAnswerFd, readScanHere(arguments.file, arguments.options, task));
+      refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
     }
   } catch (const Error& error) {
     sendAnswer(kAnswerFd, WorkerRefusal{error.what(), error.code});
@@ -129,18 +137,19 @@ void readAndAnswer(const WorkerArguments& arguments) {
 
 }  // namespace
 
-std::optional<int> runImportWorkerIfAsked(int argc, char** argv) {
-  if (argc < 2 || std::string_view(argv[1]) != kWorkerArgument) return std::nullopt;
-  const auto arguments = argc == kWorkerArgumentCount ? parseArguments(argv) : std::nullopt;
+int runImportWorker(int argc, char** argv, const WorkerLibraries& libraries) {
+  const bool called = argc == kWorkerArgumentCount && std::string_view(argv[1]) == kWorkerArgument;
+  const auto arguments = called ? parseArguments(argv) : std::nullopt;
   if (!arguments || !isWorkersPlace()) {
-    std::fputs("The import worker is started by the program itself, not by hand.\n", stderr);
+    std::fputs("The import worker is started by relievo of the same version, not by hand.\n",
+               stderr);
     return 1;
   }
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() == 1) return 1;  // The parent was gone before the line above.
   std::setlocale(LC_ALL, "C");
   try {
-    readAndAnswer(*arguments);
+    readAndAnswer(*arguments, libraries);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

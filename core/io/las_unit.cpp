@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/io/lines.h"
+#include "core/io/number_text.h"
 #include "core/io/planted_fault.h"
 #include "core/io/scalar.h"
 #include "core/io/unit_text.h"
@@ -20,6 +21,8 @@ constexpr std::uint16_t kGeoKeys = 34735;
 constexpr std::uint16_t kWellKnownText = 2112;
 
 constexpr std::uint16_t kModelType = 1024;  ///< 2: coordinates are degrees.
+constexpr std::uint16_t kProjectedSystem = 3072;
+constexpr std::uint16_t kUserDefined = 32767;
 constexpr std::uint16_t kLinearUnits = 3076;
 constexpr std::uint16_t kVerticalUnits = 4099;
 
@@ -30,12 +33,18 @@ std::uint16_t u16At(std::string_view bytes, std::size_t at) {
 /// What the file says; a later record wins over an earlier one.
 struct StatedUnits {
   std::optional<LengthUnit> horizontal, vertical;
+  std::string unknown;  ///< A horizontal unit that is stated but not known here, in words.
+  std::optional<std::uint16_t> system;  ///< EPSG code of the projected system.
   bool degrees = false;
 };
 
 /// EPSG codes of units.
 std::optional<LengthUnit> unitOfCode(std::uint16_t code) {
   switch (code) {
+    case 1025:
+      return LengthUnit::mm;
+    case 1033:
+      return LengthUnit::cm;
     case 9001:
       return LengthUnit::m;
     case 9002:
@@ -58,6 +67,10 @@ void readGeoKeys(std::string_view record, StatedUnits& units) {
         break;
       case kLinearUnits:
         units.horizontal = unitOfCode(value);
+        units.unknown = units.horizontal ? "" : "of code " + std::to_string(value);
+        break;
+      case kProjectedSystem:
+        if (value != 0 && value != kUserDefined) units.system = value;
         break;
       case kVerticalUnits:
         units.vertical = unitOfCode(value);
@@ -68,8 +81,9 @@ void readGeoKeys(std::string_view record, StatedUnits& units) {
   }
 }
 
-/// The last length unit that the text names: UNIT["foot",0.3048] or LENGTHUNIT["metre",1].
-std::optional<LengthUnit> lastUnit(std::string_view text) {
+/// Metres in the last length unit that the text names: UNIT["foot",0.3048] or
+/// LENGTHUNIT["metre",1].
+std::optional<double> lastUnitMetres(std::string_view text) {
   const std::size_t at = text.rfind("UNIT[\"");
   if (at == std::string_view::npos) return std::nullopt;
   text.remove_prefix(at + 6);
@@ -82,9 +96,13 @@ std::optional<LengthUnit> lastUnit(std::string_view text) {
       unit_name.find("met") != std::string::npos || unit_name.find('f') != std::string::npos;
   std::string_view number = text.substr(quote + 1);
   number.remove_prefix(std::min(number.find_first_not_of(", "), number.size()));
-  const auto metres = parseNumber(number.substr(0, number.find_first_of(",] ")));
-  if (!is_length || !metres) return std::nullopt;
-  return unitOfMetres(*metres);
+  if (!is_length) return std::nullopt;
+  return parseNumber(number.substr(0, number.find_first_of(",] ")));
+}
+
+std::optional<LengthUnit> lastUnit(std::string_view text) {
+  const auto metres = lastUnitMetres(text);
+  return metres ? unitOfMetres(*metres) : std::nullopt;
 }
 
 /// Where the first of these words is; npos if none is there.
@@ -107,6 +125,9 @@ void readText(std::string_view text, StatedUnits& units) {
     return;
   }
   units.horizontal = lastUnit(horizontal);
+  const auto metres = lastUnitMetres(horizontal);
+  units.unknown = metres && !units.horizontal ? "of " + roundTripText(std::array{*metres}) + " m"
+                                              : std::string();
   if (vertical != std::string_view::npos) units.vertical = lastUnit(text.substr(vertical));
 }
 
@@ -142,11 +163,21 @@ void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info
     return;
   }
   info.unit = units.horizontal;
+  if (!units.unknown.empty()) {
+    info.warnings.push_back("It states a unit " + units.unknown +
+                            ", which is not known here; state it with --unit.");
+  }
   if (units.horizontal && units.vertical && units.horizontal != units.vertical) {
     info.warnings.push_back("Its heights are in " + std::string(name(*units.vertical)) +
                             ", its x and y in " + std::string(name(*units.horizontal)) +
                             "; heights were loaded as stored and will look too flat or too steep.");
   }
+}
+
+std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header) {
+  const StatedUnits units = readRecords(bytes, header);
+  if (units.degrees || units.horizontal || !units.unknown.empty()) return std::nullopt;
+  return units.system;
 }
 
 }  // namespace relievo

@@ -20,12 +20,12 @@
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
+#include "core/io/system_unit.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
-constexpr std::size_t kLasHeadBytes = 1 << 20;  ///< Header and the records that may name a unit.
 
 FileFormat formatOf(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
@@ -83,6 +83,7 @@ void PointStream::openLas(const ImportOptions& options) {
   }
   stated_bounds_ = header.stated_bounds;
   readLasUnit(head, header, info_);
+  addUnitOfSystem(head, header, info_);
   setFound(header.points, options);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/unit.h"
@@ -49,7 +50,7 @@ struct Placement {
   bool rows_from_top = true;
 };
 
-Placement placementOf(GDALDataset& dataset, RasterMap& raster) {
+Placement placementOf(GDALDataset& dataset, RasterHead& raster) {
   const std::filesystem::path& file = raster.info.file;
   std::array<double, 6> g{0, 1, 0, static_cast<double>(raster.size.rows), 0, -1};
   if (dataset.GetGeoTransform(g.data()) != CE_None) {
@@ -147,58 +148,8 @@ HeightRule heightRule(GDALRasterBand& band, double unit_factor) {
   return rule;
 }
 
-void readCells(GDALRasterBand& band, const Placement& placement, const HeightRule& rule,
-               const GdalErrors& errors, RasterMap& raster) {
-  const auto cols = static_cast<std::size_t>(raster.size.cols);
-  plantedFault(raster.size.rows == 7);
-  raster.values.assign(raster.size.count(), kNaN);
-  raster.valid.assign(raster.size.count(), false);
-  std::vector<double> line(cols);
-  std::vector<std::uint8_t> mask(cols);
-  GDALRasterBand& mask_band = *band.GetMaskBand();
-  for (int file_row = 0; file_row < raster.size.rows; ++file_row) {
-    if (band.RasterIO(GF_Read, 0, file_row, raster.size.cols, 1, line.data(), raster.size.cols, 1,
-                      GDT_Float64, 0, 0, nullptr) != CE_None ||
-        mask_band.RasterIO(GF_Read, 0, file_row, raster.size.cols, 1, mask.data(), raster.size.cols,
-                           1, GDT_Byte, 0, 0, nullptr) != CE_None) {
-      refuse(raster.info.file, "row " + std::to_string(file_row) + " is damaged or missing (" +
-                                   errors.first() + "). Copy or export it again.");
-    }
-    const int row = placement.rows_from_top ? raster.size.rows - 1 - file_row : file_row;
-    const std::size_t start = raster.size.index({0, row});
-    for (std::size_t col = 0; col < cols; ++col) {
-      const auto height = static_cast<float>(line[col] * rule.scale + rule.offset);
-      if (mask[col] == 0 || !std::isfinite(height)) continue;
-      raster.values[start + col] = height;
-      raster.valid[start + col] = true;
-    }
-  }
-}
-
-void summarize(RasterMap& raster) {
-  double lowest = std::numeric_limits<double>::infinity();
-  double highest = -lowest;
-  std::uint64_t valid = 0;
-  for (std::size_t i = 0; i < raster.values.size(); ++i) {
-    if (!raster.valid[i]) continue;
-    ++valid;
-    lowest = std::min(lowest, static_cast<double>(raster.values[i]));
-    highest = std::max(highest, static_cast<double>(raster.values[i]));
-  }
-  raster.info.points = raster.size.count();
-  raster.info.finite_points = valid;
-  if (valid == 0) {
-    refuse(raster.info.file, "none of its " + grouped(raster.info.points) +
-                                 " cells holds a height. Choose another raster.");
-  }
-  raster.info.bounds =
-      FileBounds{{raster.first.x, raster.first.y, lowest},
-                 {raster.first.x + (raster.size.cols - 1) * raster.pixel,
-                  raster.first.y + (raster.size.rows - 1) * raster.pixel, highest}};
-}
-
 /// The exact frame of an own map, unless another program moved or cut the raster since.
-void restoreFrame(GDALDataset& dataset, RasterMap& raster) {
+void restoreFrame(GDALDataset& dataset, RasterHead& raster) {
   const auto frame = parseNumbers<3>(dataset.GetMetadataItem("RELIEVO_FRAME"));
   if (!frame) return;
   const auto [x, y, spacing] = *frame;
@@ -211,44 +162,155 @@ void restoreFrame(GDALDataset& dataset, RasterMap& raster) {
   raster.pixel = spacing;
 }
 
-/// Origins beside an own map; empty with a warning if they do not belong to it.
-std::vector<Origin> readOrigins(const RasterMap& raster, std::vector<std::string>& warnings) {
-  const std::filesystem::path file = originFileOf(raster.info.file);
-  std::error_code missing;
-  if (!std::filesystem::exists(file, missing)) return {};
-  const GdalErrors errors;
-  const char* const drivers[] = {"GTiff", nullptr};
-  const Dataset dataset(
-      GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
-  const auto ignore = [&](const std::string& reason) {
-    warnings.push_back(shownName(file) + " " + reason + " and was left aside.");
-    return std::vector<Origin>{};
-  };
-  if (!dataset) return ignore("cannot be read");
-  if (dataset->GetRasterXSize() != raster.size.cols ||
-      dataset->GetRasterYSize() != raster.size.rows || dataset->GetRasterCount() < 1) {
-    return ignore("has another size than the map");
-  }
-  std::vector<std::uint8_t> codes(raster.size.count());
-  const auto stride = static_cast<GSpacing>(raster.size.cols);
-  if (dataset->GetRasterBand(1)->RasterIO(
-          GF_Read, 0, 0, raster.size.cols, raster.size.rows,
-          codes.data() + raster.size.index({0, raster.size.rows - 1}), raster.size.cols,
-          raster.size.rows, GDT_Byte, 1, -stride, nullptr) != CE_None) {
-    return ignore("cannot be read");
-  }
-  std::vector<Origin> origins(codes.size());
-  for (std::size_t i = 0; i < codes.size(); ++i) {
-    const bool outside = codes[i] == static_cast<std::uint8_t>(Origin::outside);
-    if (codes[i] >= kOriginCount || outside == raster.valid[i]) {
-      return ignore("does not fit the map");
+/// The origins beside an own map, row by row; none, with a warning, if they do not belong to it.
+class OriginRows {
+ public:
+  explicit OriginRows(RasterHead& raster) : raster_(raster), file_(originFileOf(raster.info.file)) {
+    std::error_code missing;
+    if (!raster.is_own_map || !std::filesystem::exists(file_, missing)) return;
+    const char* const drivers[] = {"GTiff", nullptr};
+    dataset_.reset(GDALDataset::Open(file_.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+    if (!dataset_) {
+      drop("cannot be read");
+    } else if (dataset_->GetRasterXSize() != raster.size.cols ||
+               dataset_->GetRasterYSize() != raster.size.rows || dataset_->GetRasterCount() < 1) {
+      drop("has another size than the map");
     }
-    origins[i] = static_cast<Origin>(codes[i]);
+    codes_.resize(static_cast<std::size_t>(raster.size.cols));
+    origins_.resize(codes_.size());
   }
-  return origins;
+
+  bool any() const noexcept { return dataset_ != nullptr; }
+
+  /// @return  null if there are none, or no longer
+  const Origin* row(int row, const std::vector<float>& heights) {
+    if (!dataset_) return nullptr;
+    const GridSize size = raster_.size;
+    if (dataset_->GetRasterBand(1)->RasterIO(GF_Read, 0, size.rows - 1 - row, size.cols, 1,
+                                             codes_.data(), size.cols, 1, GDT_Byte, 0, 0,
+                                             nullptr) != CE_None) {
+      drop("cannot be read");
+      return nullptr;
+    }
+    for (std::size_t col = 0; col < codes_.size(); ++col) {
+      const bool outside = codes_[col] == static_cast<std::uint8_t>(Origin::outside);
+      if (codes_[col] >= kOriginCount || outside != std::isnan(heights[col])) {
+        drop("does not fit the map");
+        return nullptr;
+      }
+      origins_[col] = static_cast<Origin>(codes_[col]);
+    }
+    return origins_.data();
+  }
+
+ private:
+  void drop(const std::string& reason) {
+    dataset_.reset();
+    raster_.info.warnings.push_back(shownName(file_) + " " + reason + " and was left aside.");
+  }
+
+  RasterHead& raster_;
+  std::filesystem::path file_;
+  Dataset dataset_;
+  std::vector<std::uint8_t> codes_;
+  std::vector<Origin> origins_;
+};
+
+/// One row of the file after the other as heights.
+class HeightRows {
+ public:
+  HeightRows(GDALRasterBand& band, const HeightRule& rule, int cols)
+      : band_(band),
+        mask_band_(*band.GetMaskBand()),
+        all_valid_(band.GetMaskFlags() == GMF_ALL_VALID),
+        rule_(rule),
+        line_(static_cast<std::size_t>(cols)),
+        mask_(line_.size(), 1),
+        heights_(line_.size()) {}
+
+  /// @return  false if the row cannot be read
+  bool read(int file_row) {
+    const int cols = static_cast<int>(line_.size());
+    if (band_.RasterIO(GF_Read, 0, file_row, cols, 1, line_.data(), cols, 1, GDT_Float64, 0, 0,
+                       nullptr) != CE_None) {
+      return false;
+    }
+    if (!all_valid_ && mask_band_.RasterIO(GF_Read, 0, file_row, cols, 1, mask_.data(), cols, 1,
+                                           GDT_Byte, 0, 0, nullptr) != CE_None) {
+      return false;
+    }
+    for (std::size_t col = 0; col < line_.size(); ++col) {
+      const auto height = static_cast<float>(line_[col] * rule_.scale + rule_.offset);
+      heights_[col] = mask_[col] == 0 || !std::isfinite(height) ? kNaN : height;
+    }
+    return true;
+  }
+  const std::vector<float>& heights() const noexcept { return heights_; }
+
+ private:
+  GDALRasterBand& band_;
+  GDALRasterBand& mask_band_;
+  bool all_valid_;
+  HeightRule rule_;
+  std::vector<double> line_;
+  std::vector<std::uint8_t> mask_;
+  std::vector<float> heights_;
+};
+
+/// What the heights tell of the raster.
+class HeightSummary {
+ public:
+  void add(const std::vector<float>& heights) {
+    for (const float height : heights) {
+      if (std::isnan(height)) continue;
+      ++valid_;
+      lowest_ = std::min(lowest_, height);
+      highest_ = std::max(highest_, height);
+    }
+  }
+  void into(RasterHead& raster) const {
+    raster.info.finite_points = valid_;
+    if (valid_ == 0) {
+      refuse(raster.info.file, "none of its " + grouped(raster.info.points) +
+                                   " cells holds a height. Choose another raster.");
+    }
+    raster.info.bounds =
+        FileBounds{{raster.first.x, raster.first.y, lowest_},
+                   {raster.first.x + (raster.size.cols - 1) * raster.pixel,
+                    raster.first.y + (raster.size.rows - 1) * raster.pixel, highest_}};
+  }
+
+ private:
+  std::uint64_t valid_ = 0;
+  float lowest_ = std::numeric_limits<float>::infinity();
+  float highest_ = -std::numeric_limits<float>::infinity();
+};
+
+RasterEnd passRows(HeightRows& rows, bool rows_from_top, const GdalErrors& errors,
+                   RasterHead& raster, const RasterSink& sink, const Task& task) {
+  const int count = raster.size.rows;
+  plantedFault(count == 7);
+  OriginRows origins(raster);
+  HeightSummary summary;
+  sink.begin(raster, origins.any());
+  for (int file_row = 0; file_row < count; ++file_row) {
+    if (file_row % 16 == 0) {
+      task.check();
+      task.report("reading heights", static_cast<double>(file_row) / count);
+    }
+    if (!rows.read(file_row)) {
+      refuse(raster.info.file, "row " + std::to_string(file_row) + " is damaged or missing (" +
+                                   errors.first() + "). Copy or export it again.");
+    }
+    const int row = rows_from_top ? count - 1 - file_row : file_row;
+    summary.add(rows.heights());
+    sink.row(row, rows.heights().data(), origins.row(row, rows.heights()));
+  }
+  summary.into(raster);
+  return {.head = raster, .has_origins = origins.any()};
 }
 
-void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
+void readOwnMap(GDALDataset& dataset, RasterHead& raster) {
   const char* content = dataset.GetMetadataItem("RELIEVO_CONTENT");
   if (content != nullptr && std::string_view(content) == kOriginContent) {
     refuse(raster.info.file,
@@ -271,13 +333,14 @@ void readOwnMap(GDALDataset& dataset, RasterMap& raster) {
 
 }  // namespace
 
-RasterMap readRaster(const std::filesystem::path& file) {
+RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& sink,
+                         const Task& task) {
   const std::uint64_t file_bytes = checkedFileSize(file);
   const RasterKind kind =
       rasterKindOf(findFormat(readHead(file, kSniffedBytes), file, file_bytes).format);
   const GdalErrors errors;
   const Dataset dataset = openRaster(file, kind, errors);
-  RasterMap raster;
+  RasterHead raster;
   raster.info.file = file;
   raster.size = {dataset->GetRasterXSize(), dataset->GetRasterYSize()};
   if (dataset->GetRasterCount() < 1 || raster.size.cols < 2 || raster.size.rows < 2) {
@@ -304,9 +367,32 @@ RasterMap readRaster(const std::filesystem::path& file) {
   raster.pixel = placement.pixel;
   raster.first = placement.first;
   readOwnMap(*dataset, raster);
-  readCells(band, placement, heightRule(band, unit_factor), errors, raster);
-  summarize(raster);
-  if (raster.is_own_map) raster.origins = readOrigins(raster, raster.info.warnings);
+  raster.info.points = raster.size.count();
+  HeightRows rows(band, heightRule(band, unit_factor), raster.size.cols);
+  return passRows(rows, placement.rows_from_top, errors, raster, sink, task);
+}
+
+RasterMap readRaster(const std::filesystem::path& file) {
+  RasterMap raster;
+  GridSize size;
+  const RasterSink sink{.begin =
+                            [&](const RasterHead& head, bool has_origins) {
+                              size = head.size;
+                              raster.values.resize(size.count());
+                              if (has_origins) raster.origins.resize(size.count());
+                            },
+                        .row =
+                            [&](int row, const float* heights, const Origin* origins) {
+                              const std::size_t start = size.index({.col = 0, .row = row});
+                              std::copy_n(heights, size.cols, raster.values.data() + start);
+                              if (origins != nullptr)
+                                std::copy_n(origins, size.cols, raster.origins.data() + start);
+                            }};
+  RasterEnd end = readRasterRows(file, sink, {});
+  static_cast<RasterHead&>(raster) = std::move(end.head);
+  raster.valid.reserve(raster.values.size());
+  for (const float value : raster.values) raster.valid.push_back(!std::isnan(value));
+  if (!end.has_origins) raster.origins.clear();
   return raster;
 }
 

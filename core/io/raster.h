@@ -2,33 +2,56 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/cloud/scan.h"
 #include "core/depth/depth_map.h"
 
 namespace relievo {
 
-/// A height raster as read: either a foreign raster (values in the file's unit) or a MAP written by
-/// this program (values in view mm, origins and view known).
-struct RasterMap {
-  ScanInfo info;  ///< points = cells; bounds from the georeference and the values.
+/// What is known of a height raster without its cells: either a foreign raster (heights in the
+/// file's unit) or a MAP written by this program (heights in view mm, origins and view known).
+struct RasterHead {
+  ScanInfo info;  ///< points = cells; bounds from the georeference and the heights.
   GridSize size;
-  std::vector<float> values;  ///< Row-major, row 0 at the lowest y (files have it at the top).
-  std::vector<bool> valid;    ///< Not nodata and finite.
-  double pixel = 1;           ///< Sample distance, file unit; x and y agree to 1e-6.
-  FilePoint first;            ///< File position of sample (0, 0), z = 0.
-  bool is_own_map = false;    ///< Written by writeMap.
+  double pixel = 1;         ///< Sample distance, file unit; x and y agree to 1e-6.
+  FilePoint first;          ///< File position of sample (0, 0), z = 0.
+  bool is_own_map = false;  ///< Written by writeMap.
   std::optional<ViewFromFile> view_from_file;  ///< Of an own map.
-  std::string projection;       ///< Well-known text of the coordinates; empty if none is stated.
+  std::string projection;  ///< Well-known text of the coordinates; empty if none is stated.
+};
+
+/// A height raster in memory.
+struct RasterMap : RasterHead {
+  std::vector<float> values;    ///< Row-major, row 0 at the lowest y (files have it at the top).
+  std::vector<bool> valid;      ///< Not nodata and finite.
   std::vector<Origin> origins;  ///< Of an own map with its origin file beside it; else empty.
 };
 
-/// Reads band 1 of a GeoTIFF, TIFF, PNG or ESRI ASCII grid through GDAL. [worker]
-/// @throw FileError  unreadable, rotated or non-square pixels, or no valid cell
+/// Takes a raster row by row, in the order of its file.
+struct RasterSink {
+  /// Once, before the rows: all but what the heights tell.
+  std::function<void(const RasterHead& head, bool has_origins)> begin;
+  /// Row 0 has the lowest y. NaN: no height. `origins` is null if there are none (any more).
+  std::function<void(int row, const float* heights, const Origin* origins)> row;
+};
+
+struct RasterEnd {
+  RasterHead head;
+  bool has_origins = false;  ///< False: also those that were given are to be left aside.
+};
+
+/// Reads band 1 of a GeoTIFF, TIFF, PNG or ESRI ASCII grid through GDAL, a row at a time. [worker]
+/// @throw FileError  unreadable, rotated or non-square pixels, or no valid cell; Cancelled
+RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& sink,
+                         const Task& task);
+
+/// The same into memory. [worker] @throw as readRasterRows
 RasterMap readRaster(const std::filesystem::path& file);
 
 inline constexpr const char* kPointsUnit = "points";  ///< MapFileOptions::unit of counts.

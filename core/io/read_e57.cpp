@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/io/e57_pages.h"
 #include "core/io/e57_scans.h"
@@ -18,19 +22,65 @@ namespace {
 constexpr std::uint64_t kReportEvery = 1 << 14;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::uint64_t sumOfRecords(const std::vector<E57Scan>& scans) {
-  std::uint64_t sum = 0;
-  for (const E57Scan& scan : scans) {
-    sum = scan.records > ~sum ? ~std::uint64_t{0} : sum + scan.records;
-  }
-  return sum;
-}
-
 /// Range, azimuth and elevation, in metres and radians.
 std::array<double, 3> cartesian(const std::array<double, 3>& s) {
   return {s[0] * std::cos(s[2]) * std::cos(s[1]), s[0] * std::cos(s[2]) * std::sin(s[1]),
           s[0] * std::sin(s[2])};
 }
+
+/// A scan whose packets were looked at, and which of its fields make a point.
+struct SoundScan {
+  E57Scan scan;
+  E57Section section;
+  bool is_cartesian = true;
+  std::array<std::size_t, 3> axes{};
+  std::optional<std::size_t> invalid;
+};
+
+/// @throw E57Fault, Cancelled
+SoundScan checkedScan(E57Scan scan, E57Pages& pages) {
+  if (!scan.fault.empty()) throw E57Fault(scan.fault);
+  SoundScan sound;
+  sound.is_cartesian = scan.find("cartesianX").has_value();
+  constexpr std::array<std::string_view, 3> kCartesian{"cartesianX", "cartesianY", "cartesianZ"};
+  constexpr std::array<std::string_view, 3> kSpherical{"sphericalRange", "sphericalAzimuth",
+                                                       "sphericalElevation"};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::string_view name = sound.is_cartesian ? kCartesian[axis] : kSpherical[axis];
+    const auto found = scan.find(name);
+    if (!found) throw E57Fault("it has no " + std::string(name));
+    sound.axes[axis] = *found;
+  }
+  sound.invalid = scan.find(sound.is_cartesian ? "cartesianInvalidState" : "sphericalInvalidState");
+  if (scan.records > 0) sound.section = openE57Section(scan, pages);
+  sound.scan = std::move(scan);
+  return sound;
+}
+
+/// "1 of 3 scans was left out: scan 2 "Tower" (a packet of its points makes no sense)."
+class LeftOut {
+ public:
+  void add(std::size_t number, const std::string& name, const std::string& fault) {
+    constexpr std::size_t kNamed = 3;
+    if (++count_ == 1) first_fault_ = fault;
+    if (count_ > kNamed) return;
+    if (count_ > 1) list_ += ", ";
+    list_ += "scan " + std::to_string(number);
+    if (!name.empty()) list_ += " \"" + printable(name.substr(0, 60)) + "\"";
+    list_ += " (" + printable(fault) + ")";
+  }
+  std::size_t count() const noexcept { return count_; }
+  const std::string& firstFault() const noexcept { return first_fault_; }
+  std::string sentence(std::size_t all) const {
+    return std::to_string(count_) + " of " + std::to_string(all) + " scans " +
+           (count_ == 1 ? "was" : "were") + " left out: " + list_ +
+           (count_ > 3 ? " and others." : ".");
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string list_, first_fault_;
+};
 
 class E57Reader {
  public:
@@ -40,8 +90,11 @@ class E57Reader {
   Scan read() {
     builder_.info().format = "E57";
     builder_.info().unit = LengthUnit::m;  // The standard allows no other.
-    const std::vector<E57Scan> scans = listE57Scans(pages_.xml(), job_);
-    promised_ = sumOfRecords(scans);
+    const std::vector<SoundScan> scans = soundScans();
+    for (const SoundScan& sound : scans) {
+      promised_ =
+          sound.scan.records > ~promised_ ? ~std::uint64_t{0} : promised_ + sound.scan.records;
+    }
     // Refused here, because points that are all the same need no bytes in the file.
     if (promised_ > job_.options.max_points) {
       refuseScan(job_.file, "it promises " + grouped(promised_) +
@@ -49,9 +102,7 @@ class E57Reader {
                                 grouped(job_.options.max_points) +
                                 ". Thin it out or cut it into parts first.");
     }
-    for (const E57Scan& scan : scans) {
-      if (scan.records > 0) readScan(scan);
-    }
+    for (const SoundScan& sound : scans) readScan(sound);
     const std::uint64_t found = builder_.pointCount();
     if (found < promised_) {
       handleShortfall({"points", promised_, found, found}, job_, builder_.info());
@@ -60,25 +111,35 @@ class E57Reader {
   }
 
  private:
-  /// A scan that ends early leaves the next ones as they are.
-  void readScan(const E57Scan& scan) {
-    const bool is_cartesian = scan.find("cartesianX").has_value();
-    const E57Section section = openE57Section(scan, pages_, job_);
-    const auto stream = [&](std::string_view name) {
-      const auto found = scan.find(name);
-      if (!found) {
-        refuseScan(job_.file, "a scan of it has no " + std::string(name) + ". Export it again.");
+  /// Those that can be read; a warning names the others.
+  std::vector<SoundScan> soundScans() {
+    std::vector<E57Scan> all = listE57Scans(pages_.xml());
+    std::vector<SoundScan> sound;
+    LeftOut left_out;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const std::string name = all[i].name;
+      try {
+        sound.push_back(checkedScan(std::move(all[i]), pages_));
+      } catch (const E57Fault& fault) {
+        left_out.add(i + 1, name, fault.what());
       }
-      return E57Stream(pages_, job_, section, scan.fields[*found], *found);
+    }
+    if (sound.empty()) throw E57Fault(left_out.firstFault());
+    if (left_out.count() > 0) {
+      builder_.info().warnings.push_back(left_out.sentence(all.size()));
+    }
+    return sound;
+  }
+
+  /// A scan that ends early leaves the next ones as they are.
+  void readScan(const SoundScan& sound) {
+    const auto stream = [&](std::size_t field) {
+      return E57Stream(pages_, sound.section, sound.scan.fields[field], field);
     };
-    std::array streams{stream(is_cartesian ? "cartesianX" : "sphericalRange"),
-                       stream(is_cartesian ? "cartesianY" : "sphericalAzimuth"),
-                       stream(is_cartesian ? "cartesianZ" : "sphericalElevation")};
-    const std::string_view invalid =
-        is_cartesian ? "cartesianInvalidState" : "sphericalInvalidState";
+    std::array streams{stream(sound.axes[0]), stream(sound.axes[1]), stream(sound.axes[2])};
     std::optional<E57Stream> state;
-    if (scan.find(invalid)) state.emplace(stream(invalid));
-    for (std::uint64_t i = 0; i < scan.records; ++i) {
+    if (sound.invalid) state.emplace(stream(*sound.invalid));
+    for (std::uint64_t i = 0; i < sound.scan.records; ++i) {
       if (i % kReportEvery == 0) report();
       std::array<double, 3> p{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -91,7 +152,7 @@ class E57Reader {
         if (!value) return;
         if (*value != 0) p = {kNaN, kNaN, kNaN};
       }
-      p = scan.pose(is_cartesian ? p : cartesian(p));
+      p = sound.scan.pose(sound.is_cartesian ? p : cartesian(p));
       builder_.addPoint(p[0], p[1], p[2]);
     }
   }
@@ -111,7 +172,11 @@ class E57Reader {
 }  // namespace
 
 Scan readE57(const ReadJob& job) {
-  return E57Reader(job).read();
+  try {
+    return E57Reader(job).read();
+  } catch (const E57Fault& fault) {
+    refuseScan(job.file, std::string(fault.what()) + ". The file is damaged; export it again.");
+  }
 }
 
 }  // namespace relievo

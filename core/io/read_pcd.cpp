@@ -108,9 +108,13 @@ class PcdReader {
     }
     if (packed > body_.size() - 8) refuseCut();
     if (header_.points == 0) return;
+    // The parent chose this program by the header that it saw.
+    if (job_.unpack_lzf == nullptr) {
+      refuseScan(job_.file, "it was changed while it was read. Try again.");
+    }
     job_.task.report("reading points", 0);
-    const std::vector<char> bytes = unpackLzf(body_.substr(8, static_cast<std::size_t>(packed)),
-                                              static_cast<std::size_t>(unpacked));
+    const std::vector<char> bytes = job_.unpack_lzf(
+        body_.substr(8, static_cast<std::size_t>(packed)), static_cast<std::size_t>(unpacked));
     if (bytes.empty()) {
       refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
     }

@@ -32,10 +32,10 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
   throw FileError(message + ", or choose another file.", "E101");
 }
 
-Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options,
-                  const Task& task) {
+Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
+                  UnpackLzf unpack_lzf) {
   const MappedFile mapped(file);
-  const ReadJob job{file, mapped.bytes(), options, task};
+  const ReadJob job{file, mapped.bytes(), options, task, unpack_lzf};
   const FoundFormat found = findFormat(job.bytes.substr(0, kSniffedBytes), file, job.bytes.size());
   checkReadableAsScan(found, file);
   switch (found.format) {

@@ -7,6 +7,7 @@
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
+#include "core/io/lzf.h"
 
 namespace relievo {
 
@@ -16,6 +17,7 @@ struct ReadJob {
   std::string_view bytes;
   const ImportOptions& options;
   const Task& task;
+  UnpackLzf unpack_lzf = nullptr;  ///< Null in the program without large libraries.
 };
 
 // One function per format, each in its own file; all throw FileError. They run in the worker.
@@ -31,8 +33,8 @@ Scan readPtx(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError
-Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options,
-                  const Task& task);
+Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
+                  UnpackLzf unpack_lzf);
 
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/scan_transport.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,12 +10,15 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/planted_fault.h"
 
 namespace relievo {
@@ -24,16 +28,21 @@ constexpr std::uint64_t kMagic = 0x31'6F'76'65'69'6C'65'72;  // "relievo1"
 constexpr std::uint64_t kMaxTextBytes = 1 << 24;
 constexpr std::size_t kCheckEvery = 1 << 22;
 constexpr std::size_t kChunk = 16 << 20;  ///< Between two looks at the stop token.
+constexpr std::uint64_t kMaxCols = 1 << 24;
 
 enum class AnswerKind : std::uint64_t { refusal, scan, raster };
 
-/// First bytes of an answer; then so many bytes of text and of each array.
-/// Scan: points, triangles. Raster: values, one byte for each valid cell, origins.
+/// First bytes of an answer; then so many bytes of each array, then of text.
+/// Scan: points, triangles. Raster: heights (NaN: none), origins.
 struct AnswerHeader {
   std::uint64_t magic = kMagic;
   AnswerKind kind = AnswerKind::refusal;
   std::uint64_t text_bytes = 0;
-  std::array<std::uint64_t, 3> array_bytes{};
+  std::array<std::uint64_t, 2> array_bytes{};
+
+  std::uint64_t textAt() const noexcept {
+    return sizeof(AnswerHeader) + array_bytes[0] + array_bytes[1];
+  }
 };
 static_assert(std::is_trivially_copyable_v<AnswerHeader>);
 
@@ -86,13 +95,15 @@ class Unpacker {
   bool good_ = true;
 };
 
-void writeAll(int fd, const void* start, std::size_t size) {
-  const auto* at = static_cast<const char*>(start);
+void writeAll(int fd, const void* start, std::size_t size, std::uint64_t at) {
+  const auto* from = static_cast<const char*>(start);
   while (size > 0) {
-    const ssize_t written = ::write(fd, at, std::min(size, kChunk));
+    const ssize_t written = ::pwrite(fd, from, std::min(size, kChunk), static_cast<off_t>(at));
     if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && errno == EFBIG) throw std::bad_alloc();  // The worker's limit.
     if (written <= 0) throw Error(std::string("cannot pass the scan on: ") + std::strerror(errno));
-    at += written;
+    from += written;
+    at += static_cast<std::uint64_t>(written);
     size -= static_cast<std::size_t>(written);
   }
 }
@@ -150,7 +161,7 @@ std::string textOf(const Scan& scan) {
   return packer.bytes();
 }
 
-std::string textOf(const RasterMap& raster) {
+std::string textOf(const RasterHead& raster) {
   Packer packer;
   packer.put(raster.size);
   packer.put(raster.pixel);
@@ -180,23 +191,13 @@ bool consistent(const Scan& scan, const Task& task) {
   return true;
 }
 
-bool consistent(const RasterMap& raster, const Task& task) {
-  const std::size_t count = raster.size.count();
-  if (raster.size.cols < 1 || raster.size.rows < 1 || raster.values.size() != count ||
-      raster.valid.size() != count || !(raster.pixel > 0) || !std::isfinite(raster.pixel) ||
-      !isFinite(raster.first) || !raster.info.bounds) {
-    return false;
-  }
-  if (!raster.origins.empty() && raster.origins.size() != count) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % kCheckEvery == 0) task.check();
-    if (raster.valid[i] && !std::isfinite(raster.values[i])) return false;
-    if (!raster.origins.empty() && static_cast<std::size_t>(raster.origins[i]) >= kOriginCount) {
-      return false;
-    }
-  }
+bool consistent(const RasterHead& raster) {
+  const auto& bounds = raster.info.bounds;
   const ViewFromFile view = raster.view_from_file.value_or(ViewFromFile{});
-  return std::all_of(view.m.begin(), view.m.end(), [](double v) { return std::isfinite(v); });
+  return raster.size.cols >= 1 && raster.size.rows >= 1 && raster.pixel > 0 &&
+         std::isfinite(raster.pixel) && isFinite(raster.first) && bounds && isFinite(bounds->min) &&
+         isFinite(bounds->max) && static_cast<std::uint64_t>(raster.size.cols) <= kMaxCols &&
+         std::all_of(view.m.begin(), view.m.end(), [](double v) { return std::isfinite(v); });
 }
 
 /// The header, if it and the size of the file agree.
@@ -210,59 +211,54 @@ std::optional<AnswerHeader> checkedHeader(int fd, const Task& task) {
   std::uint64_t rest = static_cast<std::uint64_t>(facts.st_size) - sizeof(header);
   if (header.magic != kMagic || header.text_bytes > kMaxTextBytes) return std::nullopt;
   for (const std::uint64_t part :
-       {header.text_bytes, header.array_bytes[0], header.array_bytes[1], header.array_bytes[2]}) {
+       {header.array_bytes[0], header.array_bytes[1], header.text_bytes}) {
     if (part > rest) return std::nullopt;
     rest -= part;
   }
   return rest == 0 ? std::optional(header) : std::nullopt;
 }
 
-void send(int fd, AnswerKind kind, const std::string& text,
-          std::array<std::span<const std::byte>, 3> arrays) {
-  const AnswerHeader header{
-      kMagic, kind, text.size(), {arrays[0].size(), arrays[1].size(), arrays[2].size()}};
-  writeAll(fd, &header, sizeof(header));
-  writeAll(fd, text.data(), text.size());
-  for (const auto& array : arrays) writeAll(fd, array.data(), array.size());
+void writeHeader(int fd, const AnswerHeader& header, const std::string& text) {
+  writeAll(fd, text.data(), text.size(), header.textAt());
+  writeAll(fd, &header, sizeof(header), 0);
+  if (::ftruncate(fd, static_cast<off_t>(header.textAt() + text.size())) != 0) {
+    throw Error(std::string("cannot pass the scan on: ") + std::strerror(errno));
+  }
 }
 
-/// Takes the parts of an answer off the memory file, one after the other.
-class AnswerReader {
- public:
-  AnswerReader(int fd, const Task& task) : fd_(fd), task_(task) {}
+void send(int fd, AnswerKind kind, const std::string& text,
+          std::array<std::span<const std::byte>, 2> arrays) {
+  const AnswerHeader header{kMagic, kind, text.size(), {arrays[0].size(), arrays[1].size()}};
+  writeAll(fd, arrays[0].data(), arrays[0].size(), sizeof(header));
+  writeAll(fd, arrays[1].data(), arrays[1].size(), sizeof(header) + arrays[0].size());
+  writeHeader(fd, header, text);
+}
 
-  /// @return  false if the bytes are no whole number of items, or are not there
-  template <class Array>
-  bool take(Array& array, std::uint64_t bytes) {
-    constexpr std::size_t kItem = sizeof(typename Array::value_type);
-    if (bytes % kItem != 0) return false;
-    array.resize(static_cast<std::size_t>(bytes / kItem));
-    if (!readAll(fd_, array.data(), static_cast<std::size_t>(bytes), at_, task_)) return false;
-    at_ += bytes;
-    return true;
-  }
+/// An array of an answer, from its place in the file.
+/// @return  false if the bytes are no whole number of items, or are not there
+template <class Array>
+bool take(int fd, std::uint64_t at, std::uint64_t bytes, Array& array, const Task& task) {
+  constexpr std::size_t kItem = sizeof(typename Array::value_type);
+  if (bytes % kItem != 0) return false;
+  array.resize(static_cast<std::size_t>(bytes / kItem));
+  return readAll(fd, array.data(), static_cast<std::size_t>(bytes), at, task);
+}
 
- private:
-  int fd_;
-  const Task& task_;
-  std::uint64_t at_ = sizeof(AnswerHeader);
-};
-
-WorkerAnswer takeScan(const AnswerHeader& header, Unpacker& unpacker, AnswerReader& reader,
-                      const Task& task) {
+WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, const Task& task) {
   Scan scan;
   scan.origin = unpacker.get<FilePoint>();
-  if (!unpack(unpacker, scan.info) || !isFinite(scan.origin) || header.array_bytes[2] != 0 ||
-      !reader.take(scan.points, header.array_bytes[0]) ||
-      !reader.take(scan.triangles, header.array_bytes[1]) || !consistent(scan, task)) {
+  const auto [points, triangles] = header.array_bytes;
+  if (!unpack(unpacker, scan.info) || !isFinite(scan.origin) ||
+      !take(fd, sizeof(header), points, scan.points, task) ||
+      !take(fd, sizeof(header) + points, triangles, scan.triangles, task) ||
+      !consistent(scan, task)) {
     return {};
   }
   return scan;
 }
 
-WorkerAnswer takeRaster(const AnswerHeader& header, Unpacker& unpacker, AnswerReader& reader,
-                        const Task& task) {
-  RasterMap raster;
+WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) {
+  RasterHead raster;
   raster.size = unpacker.get<GridSize>();
   raster.pixel = unpacker.get<double>();
   raster.first = unpacker.get<FilePoint>();
@@ -271,50 +267,83 @@ WorkerAnswer takeRaster(const AnswerHeader& header, Unpacker& unpacker, AnswerRe
   const auto view = unpacker.get<ViewFromFile>();
   if (has_view) raster.view_from_file = view;
   raster.projection = unpacker.text();
-  std::vector<std::uint8_t> valid;
-  if (!unpack(unpacker, raster.info) || !reader.take(raster.values, header.array_bytes[0]) ||
-      !reader.take(valid, header.array_bytes[1]) ||
-      !reader.take(raster.origins, header.array_bytes[2])) {
+  if (!unpack(unpacker, raster.info) || !consistent(raster)) return {};
+  const std::uint64_t cells = raster.size.count();
+  const auto [heights, origins] = header.array_bytes;
+  if (heights / sizeof(float) != cells || heights % sizeof(float) != 0 ||
+      (origins != 0 && origins != cells)) {
     return {};
   }
-  raster.valid.assign(valid.begin(), valid.end());
-  if (!consistent(raster, task)) return {};
-  return raster;
+  OwnedFd own(::fcntl(fd, F_DUPFD_CLOEXEC, 0));
+  if (own.get() < 0) return {};
+  return RasterRows(std::move(raster), std::move(own), sizeof(header),
+                    origins != 0 ? std::optional(sizeof(header) + heights) : std::nullopt);
 }
 
 }  // namespace
 
-void sendAnswer(int memory_fd, const Scan& scan) {
-  send(memory_fd, AnswerKind::scan, textOf(scan),
-       {std::as_bytes(std::span(scan.points)), std::as_bytes(std::span(scan.triangles)), {}});
+void sendAnswer(int fd, const Scan& scan) {
+  send(fd, AnswerKind::scan, textOf(scan),
+       {std::as_bytes(std::span(scan.points)), std::as_bytes(std::span(scan.triangles))});
 }
 
-void sendAnswer(int memory_fd, const RasterMap& raster) {
-  const std::vector<std::uint8_t> valid(raster.valid.begin(), raster.valid.end());
-  send(memory_fd, AnswerKind::raster, textOf(raster),
-       {std::as_bytes(std::span(raster.values)), std::as_bytes(std::span(valid)),
-        std::as_bytes(std::span(raster.origins))});
-}
-
-void sendAnswer(int memory_fd, const WorkerRefusal& refusal) {
+void sendAnswer(int fd, const WorkerRefusal& refusal) {
   Packer packer;
   packer.put(refusal.message);
   packer.put(refusal.code);
-  send(memory_fd, AnswerKind::refusal, packer.bytes(), {});
+  send(fd, AnswerKind::refusal, packer.bytes(), {});
 }
 
-WorkerAnswer receiveAnswer(int memory_fd, const Task& task) {
-  const auto header = checkedHeader(memory_fd, task);
+void RasterAnswer::begin(const RasterHead& head, bool has_origins) {
+  size_ = head.size;
+  const std::uint64_t bytes =
+      sizeof(AnswerHeader) + size_.count() * (sizeof(float) + (has_origins ? sizeof(Origin) : 0));
+  // Asked before the work; a file system that cannot say so fails while it is written.
+  const int error = ::posix_fallocate(fd_, 0, static_cast<off_t>(bytes));
+  if (error == EFBIG) throw std::bad_alloc();
+  if (error != ENOSPC) return;
+  throw FileError("Cannot read " + shownName(head.info.file) + ": its heights take " +
+                  grouped((bytes >> 20U) + 1) +
+                  " MB, and there is less room where they are kept meanwhile. Free some space, or "
+                  "write the result to another disk.");
+}
+
+RasterSink RasterAnswer::sink() {
+  return {.begin = [this](const RasterHead& head, bool origins) { begin(head, origins); },
+          .row =
+              [this](int row, const float* heights, const Origin* origins) {
+                const auto cols = static_cast<std::size_t>(size_.cols);
+                const std::uint64_t cell = size_.index({.col = 0, .row = row});
+                const std::uint64_t at = sizeof(AnswerHeader) + cell * sizeof(float);
+                writeAll(fd_, heights, cols * sizeof(float), at);
+                if (origins == nullptr) return;
+                const std::uint64_t after = sizeof(AnswerHeader) + size_.count() * sizeof(float);
+                writeAll(fd_, origins, cols * sizeof(Origin), after + cell);
+              }};
+}
+
+void RasterAnswer::finish(const RasterEnd& end) {
+  const std::string text = textOf(end.head);
+  const std::uint64_t cells = size_.count();
+  writeHeader(fd_,
+              {kMagic,
+               AnswerKind::raster,
+               text.size(),
+               {cells * sizeof(float), end.has_origins ? cells : 0}},
+              text);
+}
+
+WorkerAnswer receiveAnswer(int fd, const Task& task) {
+  const auto header = checkedHeader(fd, task);
   if (!header) return {};
-  AnswerReader reader(memory_fd, task);
   std::string text;
-  if (!reader.take(text, header->text_bytes)) return {};
+  if (!take(fd, header->textAt(), header->text_bytes, text, task)) return {};
   Unpacker unpacker(std::move(text));
   switch (header->kind) {
     case AnswerKind::scan:
-      return takeScan(*header, unpacker, reader, task);
+      return takeScan(fd, *header, unpacker, task);
     case AnswerKind::raster:
-      return takeRaster(*header, unpacker, reader, task);
+      return takeRaster(fd, *header, unpacker);
     case AnswerKind::refusal:
       break;
     default:

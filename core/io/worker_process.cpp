@@ -7,9 +7,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 
+#include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
+#include "core/io/unnamed_file.h"
 
 namespace relievo {
 namespace {
@@ -17,23 +22,56 @@ namespace {
 constexpr int kPollMs = 50;
 constexpr std::size_t kWordsKept = 4096;
 
+OwnedFd answerFile(const std::filesystem::path& folder) {
+  if (folder.empty()) return OwnedFd(raised(::memfd_create("relievo-import", MFD_CLOEXEC)));
+  const OwnedFd file = unnamedFile(folder);
+  if (file.get() < 0) {
+    throw FileError("The import cannot keep heights in " + printable(folder.string()) + ": " +
+                    std::strerror(errno) + ". Write the result to another folder.");
+  }
+  return OwnedFd(raised(::fcntl(file.get(), F_DUPFD_CLOEXEC, 0)));
+}
+
+std::filesystem::path ownFolder() {
+  std::error_code error;
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
+
 }  // namespace
 
-WorkerProcess::WorkerProcess(const std::filesystem::path& file, ImportKind kind,
-                             const ImportOptions& options) {
-  OwnedFd child_answer(raised(::memfd_create("relievo-import", MFD_CLOEXEC)));
+std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
+  const std::filesystem::path name =
+      program == ImportProgram::own ? "relievo-import" : "relievo-import-libraries";
+  // Installed; beside the program in the build folder; beside the build's tests.
+  for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
+    std::error_code missing;
+    std::filesystem::path found = (folder / place / name).lexically_normal();
+    if (std::filesystem::is_regular_file(found, missing)) return found;
+  }
+  throw FileError("Files cannot be read: the program " + name.string() +
+                  ", which reads them, is not where it was installed with relievo (" +
+                  printable((folder / RELIEVO_LIBEXECDIR "/relievo").lexically_normal().string()) +
+                  "). Install relievo again.");
+}
+
+WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path& file,
+                             ImportKind kind, const ImportOptions& options,
+                             const std::filesystem::path& answer_folder) {
+  const std::filesystem::path executable = importProgram(program, ownFolder());
+  OwnedFd child_answer = answerFile(answer_folder);
   answer_.reset(raised(::fcntl(child_answer.get(), F_DUPFD_CLOEXEC, 0)));
   OwnedFd child_progress;
   OwnedFd child_words;
   makePipe(progress_, child_progress);
   makePipe(words_, child_words);
   child_.start(
-      {.program = "/proc/self/exe",
-       .arguments = {"relievo", kWorkerArgument, std::filesystem::absolute(file).string(),
+      {.program = executable,
+       .arguments = {executable.filename().string(), kWorkerArgument,
+                     std::filesystem::absolute(file).string(),
                      std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
                      std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
                      roundTripText(std::array{options.max_cpu_s})},
-       .more_environment = {std::string(kWorkerMark) + "=1"},
+       .more_environment = {},
        .fds = {{child_words.get(), 1},
                {child_words.get(), 2},
                {child_progress.get(), kProgressFd},

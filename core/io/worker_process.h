@@ -13,14 +13,21 @@
 namespace relievo {
 
 // What parent and child agree on.
-inline constexpr const char* kWorkerArgument = "--import-worker";
-inline constexpr const char* kWorkerMark = "RELIEVO_IMPORT_WORKER";  ///< Set in its environment.
-inline constexpr int kProgressFd = 3;                                ///< Lines "fraction step".
-inline constexpr int kAnswerFd = 4;                                  ///< scan_transport.h
+inline constexpr const char* kWorkerArgument = "import-" RELIEVO_VERSION_STRING;
+inline constexpr int kProgressFd = 3;  ///< Lines "fraction step".
+inline constexpr int kAnswerFd = 4;    ///< scan_transport.h
 inline constexpr int kWorkerArgumentCount = 8;
 
 /// What the worker is to answer with: its third argument.
-enum class ImportKind : char { scan = 's', raster = 'r' };
+enum class ImportKind : char { scan = 's', raster = 'r', raster_rows = 'R' };
+
+/// Which program reads: `own` starts in a few milliseconds, because it loads none of the large
+/// libraries; `libraries` has them all and reads everything.
+enum class ImportProgram { own, libraries };
+
+/// Where that program is, seen from the folder of the running one.
+/// @throw FileError  nowhere it should be; there is no other way to read
+std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder);
 
 /// How the child came to its end.
 struct WorkerEnd {
@@ -29,12 +36,14 @@ struct WorkerEnd {
   std::string last_words;  ///< Last printable line it wrote.
 };
 
-/// This program once more, as an import worker: its standard output and error are caught, its
-/// memory file and progress pipe open. Killed and reaped by the destructor, if still running.
+/// An import worker: its standard output and error are caught, its memory file and progress pipe
+/// open. Killed and reaped by the destructor, if still running.
 class WorkerProcess {
  public:
-  /// @throw FileError  the system refuses a further process
-  WorkerProcess(const std::filesystem::path& file, ImportKind kind, const ImportOptions& options);
+  /// @throw FileError  the program is missing, or the system refuses a further process
+  /// @param answer_folder  where the answer is a file without a name; empty: it is in memory
+  WorkerProcess(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
+                const ImportOptions& options, const std::filesystem::path& answer_folder);
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 

@@ -1,121 +1,174 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/caption.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
+#include <charconv>
 #include <filesystem>
 
-#include "core/relief/relief_image.h"
+#include "core/provenance/program.h"
 
 namespace relievo {
 namespace {
 
-std::string percent(double share) {
-  return shortNumber(100 * share, 3) + " %";
+constexpr double kShortestMm2 = 0.01;
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-std::string sharesText(const Surface& surface) {
-  const auto shares = originShares(surface.map);
-  constexpr std::array<const char*, kOriginCount> kWords{
-      "measured", "interpolated", "holes on the base plane", "too steep", "outside"};
-  std::string text = percent(shares[0]) + " of the cells measured";
-  for (std::size_t i = 1; i < kOriginCount; ++i) {
-    if (shares[i] > 0) text += ", " + percent(shares[i]) + " " + kWords[i];
-  }
-  return text;
+std::string objectText(const Project& p, const Surface& surface) {
+  const DepthMap& map = surface.map;
+  const HeightRange z = heightRange(map);
+  return std::filesystem::path(p.file).filename().string() + ", " + shortNumber(map.widthMm()) +
+         " \u00d7 " + shortNumber(map.heightExtentMm()) + " \u00d7 " +
+         shortNumber(z.max_mm - z.min_mm) + " mm (unit " + std::string(name(surface.unit)) + ", " +
+         std::string(name(surface.unit_source)) + "), view " + surface.view_name + ".";
 }
 
 std::string holesText(const Project& p, const Surface& surface) {
   if (surface.holes.empty()) return "no enclosed holes";
-  const std::string count = std::to_string(surface.holes.size()) +
-                            (surface.holes.size() == 1 ? " enclosed hole" : " enclosed holes");
-  if (p.options.holes.rule == HoleRule::base) return count + " on the base plane";
-  if (p.options.holes.rule == HoleRule::none) return count + " left open";
-  return count +
-         (p.options.holes.rule == HoleRule::membrane ? ", by a membrane up to "
-                                                     : ", filled up to ") +
-         shortNumber(p.options.holes.max_area_mm2) + " mm\u00b2";
+  double area_mm2 = 0;
+  std::size_t filled = 0;
+  for (const Hole& hole : surface.holes) {
+    area_mm2 += hole.area_mm2;
+    if (hole.filled) ++filled;
+  }
+  std::string text = counted(surface.holes.size(), "enclosed hole");
+  if (area_mm2 >= kShortestMm2) text += " of " + shortNumber(area_mm2, 3) + " mm\u00b2 together";
+  if (p.options.holes.rule == HoleRule::none) return text + " left open";
+  if (filled == surface.holes.size()) return text + ", interpolated";
+  if (filled == 0) return text + ", on the base plane";
+  return text + ", " + std::to_string(filled) + " interpolated and the others on the base plane";
 }
 
-std::string lookText(const Project& p) {
-  const ReliefLook& look = p.figure.look;
+std::string mapText(const Project& p, const Surface& surface) {
+  const GridFrame& frame = surface.map.frame;
+  std::string text = "Depth map of " + std::to_string(frame.size.cols) + " \u00d7 " +
+                     std::to_string(frame.size.rows) + " cells, " + shortNumber(frame.spacing_mm) +
+                     " mm apart";
+  if (surface.engine == "as stored") return text + ", as stored.";
+  return text + ", engine " + surface.engine + ", heights by " + surface.rule + "; " +
+         holesText(p, surface) + ".";
+}
+
+std::string regionText(const Project& p, const Surface& surface) {
+  const Region& r = p.region;
+  return "Detail " + std::to_string(surface.ladder.detailOf(r.level)) + " of " +
+         std::to_string(surface.ladder.levels()) + " (level " + std::to_string(r.level.value) +
+         ", M = " + shortNumber(surface.ladder.factor, 9) + "): " + shortNumber(r.side_mm) +
+         " \u00d7 " + shortNumber(r.side_mm) + " mm from x " + shortNumber(r.x_mm) + ", y " +
+         shortNumber(r.y_mm) + " mm; heights \u00d7 " + shortNumber(p.gain) +
+         (p.gain == 1 ? " (true to scale)." : ".");
+}
+
+std::string lookText(const ReliefLook& look) {
   const std::string light = "light from " + shortNumber(look.light.azimuth_deg) + "\u00b0, " +
-                            shortNumber(look.light.elevation_deg) + "\u00b0 high";
-  const std::string colours = std::string(name(look.colours));
-  const std::string radius =
-      look.radius_mm > 0 ? "radius " + shortNumber(look.radius_mm) + " mm" : "radius 10 samples";
+                            shortNumber(look.light.elevation_deg) + "\u00b0 above the plane";
+  const std::string colours = " in " + std::string(name(look.colours));
+  const std::string around = look.radius_mm > 0 ? ", radius " + shortNumber(look.radius_mm) + " mm"
+                                                : ", radius 10 samples";
   switch (look.kind) {
     case ReliefKind::lit:
       return "Lit relief, " + light;
     case ReliefKind::height:
-      return "Height in " + colours + ", " + light;
+      return "Heights" + colours + ", " + light;
     case ReliefKind::hillshade:
       return "Hillshade, " + light;
     case ReliefKind::multi_hillshade:
-      return "Hillshade from four lights " + shortNumber(look.light.elevation_deg) + "\u00b0 high";
+      return "Hillshade of four lights " + shortNumber(look.light.elevation_deg) +
+             "\u00b0 above the plane";
     case ReliefKind::slope:
-      return "Slope in " + colours;
+      return "Slope" + colours;
     case ReliefKind::local_relief:
-      return "Local relief, " + radius + ", in " + colours;
+      return "Local relief" + around + "," + colours;
     case ReliefKind::sky_view:
-      return "Sky-view factor, 16 directions, " + radius + ", in " + colours;
+      return "Sky-view factor" + around + "," + colours;
     case ReliefKind::openness:
-      return "Positive openness, 16 directions, " + radius + ", in " + colours;
+      return "Positive openness" + around + "," + colours;
   }
   return {};
 }
 
-std::string stereoText(const Project& p, double eye_angle_deg) {
-  if (p.figure.stereo == StereoPrint::off) return {};
+std::string stereoText(const CaptionFacts& facts) {
+  if (facts.stereo == StereoPrint::off) return {};
   constexpr std::array<const char*, 6> kWords{"",
-                                              "grey anaglyph",
-                                              "half-colour anaglyph",
-                                              "Dubois anaglyph",
-                                              "side by side",
-                                              "one over the other"};
-  return " Stereo: " + std::string(kWords[static_cast<std::size_t>(p.figure.stereo)]) + ", " +
-         shortNumber(eye_angle_deg, 3) + "\u00b0 between the eyes" +
-         (p.figure.swap_eyes ? ", eyes swapped." : ".");
+                                              "grey red-cyan anaglyph",
+                                              "half-colour red-cyan anaglyph",
+                                              "Dubois red-cyan anaglyph",
+                                              "two pictures side by side",
+                                              "two pictures, one over the other"};
+  return "; " + std::string(kWords.at(static_cast<std::size_t>(facts.stereo))) + ", " +
+         shortNumber(facts.eye_angle_deg, 3) + "\u00b0 between the eyes" +
+         (facts.swap_eyes ? ", eyes swapped" : "");
+}
+
+std::string seenText(const Project& p, const CaptionFacts& facts) {
+  std::string text = lookText(facts.look);
+  if (p.azimuth_deg != 0 || p.elevation_deg != 0) {
+    text += "; turned by " + shortNumber(p.azimuth_deg) + "\u00b0 and " +
+            shortNumber(p.elevation_deg) + "\u00b0";
+  }
+  return text + stereoText(facts) + ".";
+}
+
+std::string scaleText(const CaptionFacts& facts) {
+  std::string text;
+  if (facts.paper_mm_per_mm) {
+    const double one_to = 1 / *facts.paper_mm_per_mm;
+    text = one_to >= 1 ? " Scale 1:" + shortNumber(one_to, 3)
+                       : " Scale " + shortNumber(1 / one_to, 3) + ":1";
+    text += ".";
+  }
+  if (facts.mm_per_pixel) text += " 1 pixel is " + shortNumber(*facts.mm_per_pixel) + " mm.";
+  return text;
+}
+
+/// Of the picture, not of the whole map: what the reader sees.
+std::string sharesText(const RegionWindow& window) {
+  constexpr std::array<const char*, kOriginCount> kWords{
+      "measured", "interpolated", "holes on the base plane", "too steep to trust",
+      "outside the object"};
+  std::array<std::size_t, kOriginCount> counts{};
+  for (const Origin origin : window.origins) ++counts.at(static_cast<std::size_t>(origin));
+  std::string text;
+  for (std::size_t i = 0; i < kOriginCount; ++i) {
+    if (counts[i] == 0 && i > 0) continue;
+    const double percent = 100.0 * static_cast<double>(counts[i]) /
+                           static_cast<double>(std::max<std::size_t>(window.origins.size(), 1));
+    text += (text.empty() ? "" : ", ") + shortNumber(percent, 3) + " % " + kWords.at(i);
+  }
+  return "Of the cells of this region " + text + ".";
+}
+
+std::string sourceText(const Project& p) {
+  std::string text = "relievo " + std::string(programVersion());
+  if (programCommit() != "unknown") text += " (" + std::string(programCommit().substr(0, 12)) + ")";
+  if (!p.sha256.empty()) text += ", input SHA-256 " + p.sha256;
+  return text + ".";
 }
 
 }  // namespace
 
 std::string shortNumber(double value, int digits) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%.*g", digits, value == 0 ? 0.0 : value);
-  return text.data();
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0 : value,
+                                 std::chars_format::general, digits);
+  return {text.data(), end.ptr};
 }
 
-std::string captionOf(const Project& p, const Surface& surface, double paper_per_mm,
-                      double eye_angle_deg) {
-  const DepthMap& map = surface.map;
-  const HeightRange z = heightRange(map);
-  const Region& r = p.region;
-  const int levels = surface.ladder.levels();
-  const double scale = 1 / paper_per_mm;
-  std::string text = std::filesystem::path(p.file).filename().string() + " (unit " +
-                     std::string(name(surface.unit)) + ", " +
-                     std::string(name(surface.unit_source)) + "), seen from: " + surface.view_name +
-                     ". ";
-  text += "Depth map of " + std::to_string(map.frame.size.cols) + " \u00d7 " +
-          std::to_string(map.frame.size.rows) + " cells of " + shortNumber(map.frame.spacing_mm) +
-          " mm (engine " + surface.engine + "; " + surface.rule + "); " + sharesText(surface) +
-          "; " + holesText(p, surface) + ". ";
-  text += "Object " + shortNumber(map.widthMm()) + " \u00d7 " + shortNumber(map.heightExtentMm()) +
-          " mm, relief " + shortNumber(z.max_mm - z.min_mm) + " mm. ";
-  text += "Detail " + std::to_string(surface.ladder.detailOf(r.level)) + " of " +
-          std::to_string(levels) + " (level " + std::to_string(r.level.value) +
-          ", M = " + shortNumber(surface.pyramid.factor) + "): " + shortNumber(r.side_mm) +
-          " \u00d7 " + shortNumber(r.side_mm) + " mm from x " + shortNumber(r.x_mm) + ", y " +
-          shortNumber(r.y_mm) + " mm";
-  text += p.gain == 1 ? ". " : "; heights \u00d7 " + shortNumber(p.gain) + ". ";
-  text += lookText(p) + "." + stereoText(p, eye_angle_deg);
-  text += scale >= 1 ? " Scale 1:" + shortNumber(scale, 3)
-                     : " Scale " + shortNumber(1 / scale, 3) + ":1";
-  text += ". relievo " + std::string(RELIEVO_VERSION_STRING);
-  if (!p.sha256.empty()) text += ", input SHA-256 " + p.sha256.substr(0, 16) + "\u2026";
-  return text + ".";
+CaptionFacts pictureFacts(const Project& p, double mm_per_pixel) {
+  return {.look = p.look,
+          .stereo = printed(p.stereo.mode),
+          .swap_eyes = p.stereo.swap_eyes,
+          .eye_angle_deg = p.stereo.eye_angle_deg,
+          .mm_per_pixel = mm_per_pixel};
+}
+
+std::string captionOf(const Project& p, const Surface& surface, const RegionWindow& window,
+                      const CaptionFacts& facts) {
+  return objectText(p, surface) + " " + mapText(p, surface) + " " + regionText(p, surface) + " " +
+         seenText(p, facts) + scaleText(facts) + " " + sharesText(window) + " " + sourceText(p);
 }
 
 }  // namespace relievo

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/project/project.h"
+#include "core/region/window.h"
+#include "core/relief/stereo.h"
 
 namespace relievo {
 
-/// The text that belongs under a figure: object, unit, view, engine, rule, grid, holes, shares of
-/// measured cells, detail, level, M, gain, light or relief image, stereo, scale, checksum, program.
-/// Dot decimals, as in files.
-/// @param paper_per_mm  of the region's panel: millimetres of paper per millimetre of object
-/// @param eye_angle_deg  as drawn, if in stereo
-std::string captionOf(const Project& project, const Surface& surface, double paper_per_mm,
-                      double eye_angle_deg);
+/// How a state became a picture.
+struct CaptionFacts {
+  ReliefLook look = {};
+  StereoPrint stereo = StereoPrint::off;
+  bool swap_eyes = false;
+  double eye_angle_deg = 0;                              ///< As drawn.
+  std::optional<double> mm_per_pixel = std::nullopt;     ///< On the object; nothing: not of pixels.
+  std::optional<double> paper_mm_per_mm = std::nullopt;  ///< On paper; nothing: not printed.
+};
+/// Of a picture of exactly the region, as `render` and the views draw it.
+CaptionFacts pictureFacts(const Project& project, double mm_per_pixel);
+
+/// The text that belongs under a picture, one paragraph of UTF-8, decimal points whatever the
+/// locale: object, unit, view, engine, rule, holes, detail, level, M, gain, light or relief image,
+/// stereo, scale, shares of measured cells in the region, program and checksum.
+/// @param window  the region's samples
+std::string captionOf(const Project& project, const Surface& surface, const RegionWindow& window,
+                      const CaptionFacts& facts);
 
 /// A number with at most `digits` significant digits and no trailing zeros.
 std::string shortNumber(double value, int digits = 4);

@@ -1,34 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/carried_state.h"
 
-#include <filesystem>
-
-#include "core/base/error.h"
+#include "core/io/file_check.h"
+#include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 
 namespace relievo {
+namespace {
 
+/// Told by the first key, which in what we write names the kind.
 bool isProject(std::string_view state) {
   const std::size_t first = state.find_first_not_of(" \t\r\n{");
   return first != std::string_view::npos && state.substr(first).starts_with("\"relievo_project\"");
 }
 
-Project projectFromState(std::string_view state, const std::string& source) {
+}  // namespace
+
+std::optional<Project> projectFromState(std::string_view state, const std::string& source) {
   if (isProject(state)) return projectFromJson(state, source);
   const Provenance made = provenanceFromJson(state, source);
-  if (!made.view) {
-    throw FileError(source +
-                    " shows no region, so that there is no view to restore. Nothing was changed. "
-                    "Choose a picture or a log.");
-  }
+  if (!made.view) return std::nullopt;
   Project project;
+  project.version = made.version;
   project.file = made.input.file;
   project.sha256 = made.input.sha256;
+  project.bytes = made.input.bytes;
+  project.accept_incomplete = made.accept_incomplete;
   project.options = made.options;
-  project.region = made.view->region;
-  project.gain = made.view->gain;
-  project.look = project.figure.look = made.view->look;
-  project.stereo = made.view->stereo;
+  setView(project, *made.view);
+  project.picture = made.picture;
+  project.figure.look = made.view->look;
+  return project;
+}
+
+std::optional<Project> carriedProject(const std::filesystem::path& carrier) {
+  if (readHead(carrier, 1) == "{") return readProject(carrier);
+  const auto state = embeddedState(carrier);
+  return state ? carriedProject(carrier, *state) : std::nullopt;
+}
+
+std::optional<Project> carriedProject(const std::filesystem::path& carrier,
+                                      std::string_view state) {
+  auto project = projectFromState(state, carrier.filename().string());
+  if (!project) return std::nullopt;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(carrier, error).parent_path();
+  project->file = (folder / project->file).lexically_normal().generic_string();
   return project;
 }
 

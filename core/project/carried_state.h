@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,13 +10,17 @@
 
 namespace relievo {
 
-/// Is the state that a picture carries a figure's project, and not a provenance? Told by the first
-/// key, which in what we write names the kind.
-bool isProject(std::string_view state);
+/// The work that a picture, a log or a project file shows, wherever its format keeps it; `file` is
+/// where the state says, absolute. Nothing: it carries no state of ours, or one that shows no
+/// region (a map). [worker]
+/// @throw FileError  missing, damaged, or a state that this version cannot read
+std::optional<Project> carriedProject(const std::filesystem::path& carrier);
 
-/// The work that a picture or log shows: a figure's project as it is, or a project made from the
-/// view of a provenance. `file` is as in the state. @param source  names it in errors
-/// @throw FileError  neither of both, damaged, or a provenance without a view
-Project projectFromState(std::string_view state, const std::string& source);
+/// The same of a state that was read already. @throw FileError  this version cannot read it
+std::optional<Project> carriedProject(const std::filesystem::path& carrier, std::string_view state);
+
+/// A state as text. What older versions wrote into pictures, a provenance, becomes a project;
+/// nothing if it has no view. @param source  names it in errors  @throw FileError
+std::optional<Project> projectFromState(std::string_view state, const std::string& source);
 
 }  // namespace relievo

@@ -3,25 +3,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
-#include "core/depth/point_rule.h"
 #include "core/io/text_file.h"
+#include "core/provenance/parameters_json.h"
+#include "core/provenance/program.h"
 
 namespace relievo {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr std::array<const char*, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
-constexpr std::array<const char*, 7> kRuleNames{"front", "second", "topmean",  "median",
-                                                "mean",  "splat",  "quadratic"};
-
 constexpr std::size_t kMostProjectBytes = 64U << 20U;
-constexpr int kDeepest = 64;  // Writing recurses.
 
 template <class Change>
 void forEachFile(Project& project, const Change& change) {
@@ -40,76 +31,6 @@ std::optional<T> optionalFrom(const Json& json, const char* key) {
   return json.at(key).get<T>();
 }
 
-/// A word of a list, by its place; what a newer version may write is refused by name.
-template <class Enum, class Names>
-Enum wordFrom(const Json& json, const char* key, const Names& names, Enum fallback) {
-  if (!json.contains(key)) return fallback;
-  const auto word = json.at(key).get<std::string>();
-  const auto found = std::find(names.begin(), names.end(), word);
-  if (found == names.end()) {
-    throw FileError("'" + word + "' is not a known value of '" + std::string(key) + "'.");
-  }
-  return static_cast<Enum>(found - names.begin());
-}
-
-Json optionsJson(const SurfaceOptions& o) {
-  Json json;
-  json["unit"] = o.unit ? Json(name(*o.unit)) : Json(nullptr);
-  json["unit_source"] = name(o.unit_source);
-  if (o.view) {
-    json["view"] = {{"name", o.view->name},
-                    {"rotation", optionalJson(o.view->rotation)},
-                    {"turn_deg", o.view->turn_deg}};
-  } else {
-    json["view"] = nullptr;
-  }
-  json["cells"] = optionalJson(o.cells);
-  json["spacing_mm"] = optionalJson(o.spacing_mm);
-  json["engine"] = o.engine;
-  json["rule"] = nullptr;
-  for (const char* rule : kRuleNames) {
-    if (o.rule && pointRule(rule) == o.rule) json["rule"] = rule;
-  }
-  json["holes"] = {{"rule", kHoleRuleNames[static_cast<std::size_t>(o.holes.rule)]}};
-  // JSON has no infinity; no limit is written as none.
-  if (std::isfinite(o.holes.max_area_mm2)) json["holes"]["max_area_mm2"] = o.holes.max_area_mm2;
-  json["factor"] = o.pyramid.factor;
-  return json;
-}
-
-SurfaceOptions optionsFrom(const Json& json) {
-  SurfaceOptions o;
-  if (const auto unit = optionalFrom<std::string>(json, "unit")) {
-    o.unit = lengthUnit(*unit);
-    if (!o.unit) throw FileError("'" + *unit + "' is not a known unit.");
-  }
-  constexpr std::array<const char*, 4> kSources{"given", "file", "remembered", "assumed"};
-  o.unit_source = wordFrom(json, "unit_source", kSources, UnitSource::given);
-  if (json.contains("view") && !json.at("view").is_null()) {
-    const Json& view = json.at("view");
-    o.view =
-        ViewChoice{view.at("name").get<std::string>(), optionalFrom<Rotation>(view, "rotation"),
-                   view.value("turn_deg", std::array<double, 3>{})};
-  }
-  o.cells = optionalFrom<int>(json, "cells");
-  o.spacing_mm = optionalFrom<double>(json, "spacing_mm");
-  o.engine = json.value("engine", o.engine);
-  if (o.engine != "cpu" && o.engine != "depthbuffer") {
-    throw FileError("'" + o.engine + "' is not a known engine.");
-  }
-  if (const auto rule = optionalFrom<std::string>(json, "rule")) {
-    o.rule = pointRule(*rule);
-    if (!o.rule) throw FileError("'" + *rule + "' is not a known rule.");
-  }
-  if (json.contains("holes")) {
-    const Json& holes = json.at("holes");
-    o.holes.rule = wordFrom(holes, "rule", kHoleRuleNames, HoleRule::base);
-    o.holes.max_area_mm2 = holes.value("max_area_mm2", std::numeric_limits<double>::infinity());
-  }
-  o.pyramid.factor = json.value("factor", o.pyramid.factor);
-  return o;
-}
-
 Json regionJson(const Region& r, double gain) {
   return {{"x_mm", r.x_mm},
           {"y_mm", r.y_mm},
@@ -121,26 +42,6 @@ Json regionJson(const Region& r, double gain) {
 Region regionFrom(const Json& json) {
   return {json.at("x_mm").get<double>(), json.at("y_mm").get<double>(),
           json.at("side_mm").get<double>(), Level{json.at("level").get<int>()}};
-}
-
-Json lookJson(const ReliefLook& look) {
-  return {{"kind", name(look.kind)},
-          {"colours", name(look.colours)},
-          {"light_azimuth_deg", look.light.azimuth_deg},
-          {"light_elevation_deg", look.light.elevation_deg},
-          {"radius_mm", look.radius_mm},
-          {"range", optionalJson(look.range)}};
-}
-
-ReliefLook lookFrom(const Json& json) {
-  ReliefLook look;
-  look.kind = wordFrom(json, "kind", kReliefKindNames, look.kind);
-  look.colours = wordFrom(json, "colours", kColourMapNames, look.colours);
-  look.light.azimuth_deg = json.value("light_azimuth_deg", look.light.azimuth_deg);
-  look.light.elevation_deg = json.value("light_elevation_deg", look.light.elevation_deg);
-  look.radius_mm = json.value("radius_mm", look.radius_mm);
-  look.range = optionalFrom<std::array<double, 2>>(json, "range");
-  return look;
 }
 
 /// Calls visit(key, field) for every plain field of a figure: written and read by one list.
@@ -171,14 +72,14 @@ Json figureJson(const FigureRequest& f) {
   json["scale_1_to"] = optionalJson(f.scale_1_to);
   json["zero_plane_mm"] = optionalJson(f.zero_plane_mm);
   forEachField(f, [&](const char* key, const auto& field) { json[key] = field; });
-  json["look"] = lookJson(f.look);
+  json["look"] = jsonOf(f.look);
   return json;
 }
 
 FigureRequest figureFrom(const Json& json) {
   FigureRequest f;
-  f.layout = wordFrom(json, "layout", kFigureLayoutNames, f.layout);
-  f.stereo = wordFrom(json, "stereo", kStereoPrintNames, f.stereo);
+  f.layout = word<FigureLayout>(json, "layout", kFigureLayoutNames);
+  f.stereo = word<StereoPrint>(json, "stereo", kStereoPrintNames);
   f.scale_1_to = optionalFrom<double>(json, "scale_1_to");
   f.zero_plane_mm = optionalFrom<double>(json, "zero_plane_mm");
   forEachField(f, [&](const char* key, auto& field) { field = json.value(key, field); });
@@ -196,7 +97,7 @@ Json measurementJson(const Measurement& m) {
 Measurement measurementFrom(const Json& json) {
   Measurement m;
   m.name = json.at("name").get<std::string>();
-  m.kind = wordFrom(json, "kind", kMeasureKindNames, m.kind);
+  m.kind = word<MeasureKind>(json, "kind", kMeasureKindNames);
   for (const Json& place : json.at("places_mm")) {
     m.places.push_back({.x = place.at(0).get<double>(), .y = place.at(1).get<double>()});
   }
@@ -204,7 +105,76 @@ Measurement measurementFrom(const Json& json) {
   return m;
 }
 
-Project projectFrom(const Json& json) {
+/// Schema 1 wrote region, look and stereo side by side, and the input without its size.
+Json fromSchema1(Json json) {
+  const Json region = json.at("region");
+  const double side = region.at("side_mm").get<double>();
+  const Json stereo = json.value("stereo", Json::object());
+  json["program"] = {{"version", json.value("version", std::string())}};
+  json["input"]["bytes"] = 0;
+  json["input"]["sha256"] = json.at("input").value("sha256", std::string());
+  json["view"] = {{"region_mm", {region.at("x_mm"), region.at("y_mm"), side, side}},
+                  {"level", region.at("level")},
+                  {"gain", region.value("gain", 1.0)},
+                  {"turn_deg", {0, 0}},
+                  {"look", json.value("look", jsonOf(ReliefLook{}))},
+                  {"stereo",
+                   {{"mode", stereo.value("on", false) ? "anaglyph" : "off"},
+                    {"eye_angle_deg", stereo.value("eye_angle_deg", StereoOptions{}.eye_angle_deg)},
+                    {"zero_plane_mm", stereo.value("zero_plane_mm", Json(nullptr))}}}};
+  for (const char* key : {"version", "region", "look", "stereo"}) json.erase(key);
+  return json;
+}
+
+Json placeJson(const NamedRegion& place) {
+  Json json = regionJson(place.region, place.gain);
+  json["name"] = place.name;
+  if (place.view) json["view"] = jsonOf(*place.view);
+  return json;
+}
+
+NamedRegion placeFrom(const Json& json) {
+  NamedRegion place{.name = json.at("name").get<std::string>(),
+                    .region = regionFrom(json),
+                    .gain = json.value("gain", 1.0)};
+  if (json.contains("view")) place.view = viewFrom(json.at("view"));
+  return place;
+}
+
+/// Keys that a later version wrote.
+std::string unknownKeys(const Json& json) {
+  constexpr std::array<const char*, 13> kKnown{
+      "relievo_project", "program", "input",      "depth_map", "view", "picture",     "figure",
+      "measurements",    "places",  "recordings", "history",   "undo", "camera_paths"};
+  Json others = Json::object();
+  for (const auto& [key, value] : json.items()) {
+    if (key == "made") continue;  // Belongs to what was written, not to what will be.
+    if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) others[key] = value;
+  }
+  return others.empty() ? std::string() : others.dump();
+}
+
+Json pathJson(const CameraPath& path) {
+  Json keys = Json::array();
+  for (const KeyView& key : path.keys) {
+    keys.push_back({{"t_s", key.t_s}, {"view", Json::parse(toText(key.view))}});
+  }
+  return {{"name", path.name}, {"keys", keys}};
+}
+
+CameraPath pathFrom(const Json& json) {
+  CameraPath path{json.at("name").get<std::string>(), {}};
+  for (const Json& key : json.at("keys")) {
+    try {
+      path.keys.push_back({key.at("t_s").get<double>(), viewFromText(key.at("view").dump())});
+    } catch (const ArgumentError& error) {
+      throw FileError(error.what());
+    }
+  }
+  return path;
+}
+
+Project projectFrom(Json json) {
   if (!json.is_object() || !json.contains("relievo_project")) {
     throw FileError("There is no 'relievo_project' in it.");
   }
@@ -213,73 +183,79 @@ Project projectFrom(const Json& json) {
     throw FileError("It is of schema " + std::to_string(schema) + "; this version reads up to " +
                     std::to_string(kProjectSchema) + ".");
   }
+  if (schema == 1) json = fromSchema1(std::move(json));
   Project p;
-  p.version = json.value("version", std::string());
-  p.file = json.at("input").at("file").get<std::string>();
-  p.sha256 = json.at("input").value("sha256", std::string());
+  p.version = json.at("program").at("version").get<std::string>();
+  const InputFile input = inputFrom(json.at("input"));
+  p.file = input.file;
+  p.sha256 = input.sha256;
+  p.bytes = input.bytes;
+  p.accept_incomplete = json.at("input").value("incomplete", false);
   p.options = optionsFrom(json.at("depth_map"));
-  p.region = regionFrom(json.at("region"));
-  p.gain = json.at("region").value("gain", 1.0);
-  if (json.contains("look")) p.look = lookFrom(json.at("look"));
-  if (json.contains("stereo")) {
-    const Json& stereo = json.at("stereo");
-    p.stereo.mode = stereo.value("on", false) ? StereoMode::anaglyph : StereoMode::off;
-    p.stereo.eye_angle_deg = stereo.value("eye_angle_deg", p.stereo.eye_angle_deg);
-    p.stereo.zero_plane_mm = optionalFrom<double>(stereo, "zero_plane_mm");
-  }
+  setView(p, viewFrom(json.at("view")));
+  if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
   if (json.contains("figure")) p.figure = figureFrom(json.at("figure"));
   for (const Json& place : json.value("places", Json::array())) {
-    p.places.push_back(
-        {place.at("name").get<std::string>(), regionFrom(place), place.value("gain", 1.0)});
+    p.places.push_back(placeFrom(place));
   }
   for (const Json& m : json.value("measurements", Json::array())) {
     p.measurements.push_back(measurementFrom(m));
   }
   for (const Json& file : json.value("recordings", Json::array())) {
-    p.recordings.push_back({.file = file.at("file").get<std::string>(),
-                            .sha256 = file.at("sha256").get<std::string>(),
-                            .bytes = file.at("bytes").get<std::uint64_t>()});
+    p.recordings.push_back(inputFrom(file));
+  }
+  for (const Json& path : json.value("camera_paths", Json::array())) {
+    p.paths.push_back(pathFrom(path));
   }
   p.history = json.value("history", std::vector<std::string>());
-  Json others = Json::object();
-  constexpr std::array<const char*, 12> kKnown{
-      "relievo_project", "version", "input",        "depth_map", "region",     "look",
-      "stereo",          "figure",  "measurements", "places",    "recordings", "history"};
-  for (const auto& [key, value] : json.items()) {
-    if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) others[key] = value;
-  }
-  if (!others.empty()) p.others = others.dump();
+  for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(placeFrom(step));
+  p.others = unknownKeys(json);
   return p;
 }
 
 }  // namespace
 
+ViewState viewOf(const Project& p) {
+  return {.region = p.region,
+          .gain = p.gain,
+          .look = p.look,
+          .stereo = p.stereo,
+          .azimuth_deg = p.azimuth_deg,
+          .elevation_deg = p.elevation_deg};
+}
+
+void setView(Project& p, const ViewState& view) {
+  p.region = view.region;
+  p.gain = view.gain;
+  p.look = view.look;
+  p.stereo = view.stereo;
+  p.azimuth_deg = view.azimuth_deg;
+  p.elevation_deg = view.elevation_deg;
+}
+
 std::string projectJson(const Project& p) {
   Json json;
   json["relievo_project"] = kProjectSchema;
-  json["version"] = RELIEVO_VERSION_STRING;
-  json["input"] = {{"file", p.file}, {"sha256", p.sha256}};
-  json["depth_map"] = optionsJson(p.options);
-  json["region"] = regionJson(p.region, p.gain);
-  json["look"] = lookJson(p.look);
-  json["stereo"] = {{"on", p.stereo.mode == StereoMode::anaglyph},
-                    {"eye_angle_deg", p.stereo.eye_angle_deg},
-                    {"zero_plane_mm", optionalJson(p.stereo.zero_plane_mm)}};
+  json["program"] = {
+      {"name", "relievo"}, {"version", programVersion()}, {"commit", programCommit()}};
+  json["input"] = jsonOf(InputFile{.file = p.file, .sha256 = p.sha256, .bytes = p.bytes});
+  json["input"]["incomplete"] = p.accept_incomplete;
+  json["depth_map"] = jsonOf(p.options);
+  json["view"] = jsonOf(viewOf(p));
+  if (p.picture) json["picture"] = jsonOf(*p.picture);
   json["figure"] = figureJson(p.figure);
   json["places"] = Json::array();
-  for (const NamedRegion& place : p.places) {
-    Json entry = regionJson(place.region, place.gain);
-    entry["name"] = place.name;
-    json["places"].push_back(entry);
-  }
+  for (const NamedRegion& place : p.places) json["places"].push_back(placeJson(place));
   json["measurements"] = Json::array();
   for (const Measurement& m : p.measurements) json["measurements"].push_back(measurementJson(m));
   json["recordings"] = Json::array();
-  for (const InputFile& file : p.recordings) {
-    json["recordings"].push_back(
-        {{"file", file.file}, {"bytes", file.bytes}, {"sha256", file.sha256}});
-  }
+  for (const InputFile& file : p.recordings) json["recordings"].push_back(jsonOf(file));
+  if (!p.paths.empty()) json["camera_paths"] = Json::array();
+  for (const CameraPath& path : p.paths) json["camera_paths"].push_back(pathJson(path));
   json["history"] = p.history;
+  json["undo"] = Json::array();
+  for (const NamedRegion& step : p.undo) json["undo"].push_back(placeJson(step));
+  if (!p.made.empty()) json["made"] = Json::parse(p.made);
   if (!p.others.empty()) json.update(Json::parse(p.others));
   // A file name need not be UTF-8; JSON must be.
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -287,10 +263,7 @@ std::string projectJson(const Project& p) {
 
 Project projectFromJson(std::string_view json, const std::string& source) {
   try {
-    return projectFrom(Json::parse(json, [](int depth, Json::parse_event_t, Json&) {
-      if (depth > kDeepest) throw FileError("It is nested too deep.");
-      return true;
-    }));
+    return projectFrom(parsedJson(json));
   } catch (const nlohmann::json::exception& error) {
     throw FileError("'" + source + "' is not a project that this version can read (" +
                     error.what() + "). Nothing was changed.");
@@ -300,11 +273,15 @@ Project projectFromJson(std::string_view json, const std::string& source) {
   }
 }
 
-void writeProject(const std::filesystem::path& target, Project project) {
-  const std::filesystem::path parent = target.parent_path();
+Project relativeTo(Project project, const std::filesystem::path& written) {
+  const std::filesystem::path parent = written.parent_path();
   const std::filesystem::path folder = parent.empty() ? std::filesystem::path(".") : parent;
   forEachFile(project, [&](std::string& file) { file = relativePath(file, folder); });
-  writeTextFile(target, projectJson(project) + "\n");
+  return project;
+}
+
+void writeProject(const std::filesystem::path& target, Project project) {
+  writeTextFile(target, projectJson(relativeTo(std::move(project), target)) + "\n");
 }
 
 Project readProject(const std::filesystem::path& source) {

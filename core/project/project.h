@@ -2,52 +2,74 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/measure/measure.h"
 #include "core/project/figure_request.h"
-#include "core/provenance/sha256.h"
+#include "core/provenance/provenance.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
+#include "core/replay/camera_path.h"
 #include "core/session/surface.h"
 
 namespace relievo {
 
-inline constexpr int kProjectSchema = 1;
+/// 2: the records are those of a provenance. What schema 1 wrote is still read.
+inline constexpr int kProjectSchema = 2;
 
+/// A place on the object that somebody gave a name to.
 struct NamedRegion {
   std::string name;
   Region region;
   double gain = 1;
+  /// Also how it is looked at: light, relief image, stereo, turn; nothing: the place alone.
+  std::optional<ViewState> view = std::nullopt;
   friend bool operator==(const NamedRegion&, const NamedRegion&) = default;
 };
 
 /// Everything that brings a state back: which file, how its surface is made, what is shown and
-/// measured. Written into project files and into every figure.
+/// measured. Written into project files and into every picture.
 struct Project {
-  std::string file;    ///< As it is found from the project's or picture's folder.
-  std::string sha256;  ///< Of the file, hexadecimal; empty: not known.
+  std::string file;                ///< As it is found from the project's or picture's folder.
+  std::string sha256;              ///< Of the file, hexadecimal; empty: not known.
+  std::uint64_t bytes = 0;         ///< Of the file; 0: not known.
+  bool accept_incomplete = false;  ///< The complete records of a cut file were taken.
   SurfaceOptions options;
   Region region;
   double gain = 1;
   ReliefLook look;
   StereoOptions stereo;
+  double azimuth_deg = 0, elevation_deg = 0;  ///< Turn of the camera; 0, 0 looks along -z.
+  /// What carries this is a picture of exactly the region; nothing: a figure, or no picture.
+  std::optional<PictureChoice> picture;
   FigureRequest figure;
   std::vector<NamedRegion> places;
   std::vector<Measurement> measurements;
   /// Logs of touches; found like `file`, each with its checksum.
   std::vector<InputFile> recordings;
+  std::vector<CameraPath> paths;     ///< The first is the window's.
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
-  std::string version;               ///< Of the program that wrote it.
-  std::string others;                ///< JSON object of keys this version does not know.
+  /// The last of these that can be undone without making the surface anew: where each began.
+  std::vector<NamedRegion> undo;
+  std::string version;  ///< Of the program that wrote it.
+  std::string made;     ///< See madeText; empty: not said.
+  std::string others;   ///< JSON object of keys this version does not know.
 };
+
+/// The part of the state that decides a picture of the region, and back.
+ViewState viewOf(const Project& project);
+void setView(Project& project, const ViewState& view);
 
 /// Readable JSON; the same project gives the same bytes. Keys this version does not know are kept.
 std::string projectJson(const Project& project);
 /// @throw FileError  not JSON, not a project, or of a newer schema; names `source`
 Project projectFromJson(std::string_view json, const std::string& source);
+
+/// The project with its files as they are found from the folder of `written`.
+Project relativeTo(Project project, const std::filesystem::path& written);
 
 /// Writes beside the target and renames. `project.file` and the recordings are stored relative to
 /// the target's folder.

@@ -60,6 +60,16 @@ std::optional<std::string> pngState(const std::filesystem::path& file) {
   return state;
 }
 
+/// A map's description is its state; a picture's has it after the caption.
+std::optional<std::string> tiffState(const std::filesystem::path& file) {
+  const auto words = rasterState(file);
+  if (!words || words->starts_with('{')) return words;
+  const std::string line = "\n" + std::string(kStateKey) + "\n";
+  const std::size_t at = words->find(line);
+  if (at == std::string::npos) return std::nullopt;  // Another program's description.
+  return words->substr(at + line.size());
+}
+
 std::optional<std::string> commentState(const std::filesystem::path& file) {
   const std::string start = "# " + std::string(kStateKey) + " ";
   std::ifstream in(file, std::ios::binary);
@@ -85,7 +95,7 @@ std::optional<std::string> embeddedState(const std::filesystem::path& file) {
   if (head == "\x89PNG\r\n\x1a\n") return pngState(file);
   if (head.starts_with(std::string_view("II*\0", 4)) || head.starts_with("II+") ||
       head.starts_with(std::string_view("MM\0", 3))) {
-    return rasterState(file);
+    return tiffState(file);
   }
   if (head.starts_with('#')) return commentState(file);
   return std::nullopt;

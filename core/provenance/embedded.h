@@ -8,14 +8,16 @@
 
 namespace relievo {
 
-/// Name of the entry that carries a provenance: PNG text chunk, and comment line of a CSV file.
+/// Name of the entry that carries a state: PNG text chunk, comment line of a CSV file, and line of
+/// a TIFF's description after the caption.
 inline constexpr std::string_view kStateKey = "relievo:state";
 
 /// A provenance as a comment line of a CSV file, without the leading "#" and the line end.
 std::string stateLine(std::string_view json);
 
-/// The provenance JSON that a PNG, a TIFF, or a CSV file of ours carries; nothing if it has none.
-/// The file is told by its content, not by its name. [worker]
+/// The state that a PNG, a TIFF, or a CSV file of ours carries, as JSON: a provenance, or in
+/// pictures a project; nothing if it has none. The file is told by its content, not by its name.
+/// [worker]
 /// @throw FileError  missing, or damaged before the entry
 std::optional<std::string> embeddedState(const std::filesystem::path& file);
 

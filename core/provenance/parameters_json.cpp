@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/provenance/parameters_json.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +13,6 @@ namespace {
 constexpr std::array<std::string_view, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
 constexpr std::array<std::string_view, 4> kUnitSourceNames{"given", "file", "remembered",
                                                            "assumed"};
-constexpr std::array<std::string_view, 2> kStereoModeNames{"off", "anaglyph"};
 constexpr std::array<std::string_view, 7> kRuleNames{"front", "second", "topmean",  "median",
                                                      "mean",  "splat",  "quadratic"};
 constexpr double kAny = std::numeric_limits<double>::max();
@@ -35,17 +32,6 @@ int wholeNumber(const Json& json, const char* key, int low, int high) {
     throw FileError("'" + std::string(key) + "' is not a whole number.");
   }
   return static_cast<int>(number(json, key, low, high));
-}
-
-/// One of the words of a list, by its place.
-template <class Enum, std::size_t N>
-Enum word(const Json& json, const char* key, const std::array<std::string_view, N>& names) {
-  const auto said = json.at(key).get<std::string>();
-  const auto* const found = std::find(names.begin(), names.end(), said);
-  if (found == names.end()) {
-    throw FileError("'" + said + "' is not a known '" + std::string(key) + "'.");
-  }
-  return static_cast<Enum>(found - names.begin());
 }
 
 bool has(const Json& json, const char* key) {
@@ -76,33 +62,11 @@ std::optional<ViewChoice> viewChoiceFrom(const Json& json) {
   return view;
 }
 
-Json jsonOf(const ReliefLook& look) {
-  return {{"kind", name(look.kind)},
-          {"colours", name(look.colours)},
-          {"light_azimuth_deg", look.light.azimuth_deg},
-          {"light_elevation_deg", look.light.elevation_deg},
-          {"radius_mm", look.radius_mm},
-          {"range", look.range ? Json(*look.range) : Json(nullptr)}};
-}
-
-ReliefLook lookFrom(const Json& json) {
-  ReliefLook look;
-  look.kind = word<ReliefKind>(json, "kind", kReliefKindNames);
-  look.colours = word<ColourMap>(json, "colours", kColourMapNames);
-  look.light.azimuth_deg = number(json, "light_azimuth_deg", -kAny, kAny);
-  look.light.elevation_deg = number(json, "light_elevation_deg", -90, 90);
-  look.radius_mm = number(json, "radius_mm", 0, kAny);
-  if (has(json, "range")) {
-    if (json.at("range").size() != 2) throw FileError("'range' has not 2 numbers.");
-    look.range = json.at("range").get<std::array<double, 2>>();
-  }
-  return look;
-}
-
 Json jsonOf(const StereoOptions& stereo) {
-  return {{"mode", kStereoModeNames.at(static_cast<std::size_t>(stereo.mode))},
+  return {{"mode", name(stereo.mode)},
           {"eye_angle_deg", stereo.eye_angle_deg},
-          {"zero_plane_mm", stereo.zero_plane_mm ? Json(*stereo.zero_plane_mm) : Json(nullptr)}};
+          {"zero_plane_mm", stereo.zero_plane_mm ? Json(*stereo.zero_plane_mm) : Json(nullptr)},
+          {"swap_eyes", stereo.swap_eyes}};
 }
 
 StereoOptions stereoFrom(const Json& json) {
@@ -110,6 +74,7 @@ StereoOptions stereoFrom(const Json& json) {
   stereo.mode = word<StereoMode>(json, "mode", kStereoModeNames);
   stereo.eye_angle_deg = number(json, "eye_angle_deg", 0, 90);
   if (has(json, "zero_plane_mm")) stereo.zero_plane_mm = number(json, "zero_plane_mm", -kAny, kAny);
+  stereo.swap_eyes = json.value("swap_eyes", false);
   return stereo;
 }
 
@@ -189,8 +154,33 @@ SurfaceOptions optionsFrom(const Json& json) {
   o.holes.max_area_mm2 = has(holes, "max_area_mm2") ? number(holes, "max_area_mm2", 0, kAny)
                                                     : std::numeric_limits<double>::infinity();
   o.pyramid.factor = number(json, "factor", 1, kMostFactor);
-  o.pyramid.coarsest_samples = wholeNumber(json, "coarsest_samples", 1, 1 << 30);
+  if (has(json, "coarsest_samples")) {
+    o.pyramid.coarsest_samples = wholeNumber(json, "coarsest_samples", 1, 1 << 30);
+  }
   return o;
+}
+
+Json jsonOf(const ReliefLook& look) {
+  return {{"kind", name(look.kind)},
+          {"colours", name(look.colours)},
+          {"light_azimuth_deg", look.light.azimuth_deg},
+          {"light_elevation_deg", look.light.elevation_deg},
+          {"radius_mm", look.radius_mm},
+          {"range", look.range ? Json(*look.range) : Json(nullptr)}};
+}
+
+ReliefLook lookFrom(const Json& json) {
+  ReliefLook look;
+  look.kind = word<ReliefKind>(json, "kind", kReliefKindNames);
+  look.colours = word<ColourMap>(json, "colours", kColourMapNames);
+  look.light.azimuth_deg = number(json, "light_azimuth_deg", -kAny, kAny);
+  look.light.elevation_deg = number(json, "light_elevation_deg", -90, 90);
+  look.radius_mm = number(json, "radius_mm", 0, kAny);
+  if (has(json, "range")) {
+    if (json.at("range").size() != 2) throw FileError("'range' has not 2 numbers.");
+    look.range = json.at("range").get<std::array<double, 2>>();
+  }
+  return look;
 }
 
 Json jsonOf(const ViewState& view) {

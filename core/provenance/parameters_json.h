@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Only for .cpp files of core/provenance: the records of the pipeline as JSON and back.
+// Only for .cpp files of core/provenance and core/project: the records of the pipeline as JSON and
+// back.
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
+#include "core/base/error.h"
 #include "core/provenance/provenance.h"
 
 namespace relievo {
@@ -14,14 +20,27 @@ using Json = nlohmann::ordered_json;
 /// @throw FileError, nlohmann::json::exception
 Json parsedJson(std::string_view text);
 
+/// One of the words of a list, by its place. @throw FileError naming the key
+template <class Enum, std::size_t N>
+Enum word(const Json& json, const char* key, const std::array<std::string_view, N>& names) {
+  const auto said = json.at(key).get<std::string>();
+  const auto* const found = std::find(names.begin(), names.end(), said);
+  if (found == names.end()) {
+    throw FileError("'" + said + "' is not a known '" + std::string(key) + "'.");
+  }
+  return static_cast<Enum>(found - names.begin());
+}
+
 Json jsonOf(const InputFile& input);
 Json jsonOf(const SurfaceOptions& options);
+Json jsonOf(const ReliefLook& look);
 Json jsonOf(const ViewState& view);
 Json jsonOf(const PictureChoice& picture);
 
 // Each reads what jsonOf wrote. @throw FileError or nlohmann::json::exception saying which value
 InputFile inputFrom(const Json& json);
 SurfaceOptions optionsFrom(const Json& json);
+ReliefLook lookFrom(const Json& json);
 ViewState viewFrom(const Json& json);
 PictureChoice pictureFrom(const Json& json);
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/provenance/provenance.h"
 
+#include <array>
+#include <cstddef>
+
 #include "core/base/error.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
+#include "core/session/large_map.h"
 
 namespace relievo {
 namespace {
@@ -12,24 +16,39 @@ constexpr int kSchema = 1;
 constexpr int kViewSchema = 1;
 
 /// What came out, for a reader of the file; made anew, never read back into choices.
-Json madeJson(const Surface& surface) {
-  const GridFrame& frame = surface.map.frame;
-  const HeightRange heights = heightRange(surface.map);
-  const auto shares = originShares(surface.map);
+/// @param made  a Surface or a LargeMap
+template <class Made>
+Json madeJson(const Made& made, const GridFrame& frame, const HeightRange& heights,
+              const std::array<double, kOriginCount>& shares, std::size_t levels) {
   Json json;
   json["cells"] = {frame.size.cols, frame.size.rows};
   json["spacing_mm"] = frame.spacing_mm;
   json["height_mm"] = {{"min", heights.min_mm}, {"max", heights.max_mm}};
-  json["levels"] = surface.ladder.levels();
-  json["view"] = surface.view_name;
-  json["view_from_file"] = surface.view_from_file.m;
-  json["engine"] = surface.engine;
-  json["rule"] = surface.rule;
-  json["holes"] = surface.holes.size();
+  json["levels"] = levels;
+  json["view"] = made.view_name;
+  json["view_from_file"] = made.view_from_file.m;
+  json["engine"] = made.engine;
+  json["rule"] = made.rule;
+  json["holes"] = made.holes.size();
   for (std::size_t i = 0; i < kOriginCount; ++i) {
     json["shares"][std::string(kOriginNames[i])] = shares[i];
   }
   return json;
+}
+
+/// @param made  a Surface or a LargeMap that is no map of ours, taken as it is
+template <class Made>
+SurfaceOptions writtenOut(SurfaceOptions out, const Made& made, bool is_raster, double spacing_mm) {
+  out.unit = made.unit;
+  out.unit_source = made.unit_source;
+  if (is_raster) return out;
+  const bool automatic = !out.view || out.view->name == "auto";
+  if (automatic && standardRotation(made.view_name)) {
+    out.view = ViewChoice{.name = made.view_name, .rotation = std::nullopt, .turn_deg = {}};
+  }
+  out.cells.reset();
+  out.spacing_mm = spacing_mm;
+  return out;
 }
 
 std::string objectText(const Json& json, const char* key) {
@@ -63,12 +82,32 @@ Provenance provenanceFrom(const Json& json) {
 
 }  // namespace
 
+std::string madeText(const Surface& surface) {
+  return madeJson(surface, surface.map.frame, heightRange(surface.map), originShares(surface.map),
+                  static_cast<std::size_t>(surface.ladder.levels()))
+      .dump();
+}
+
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options) {
   Provenance p;
   p.version = programVersion();
   p.commit = programCommit();
   p.options = resolved(options, surface);
-  p.made = madeJson(surface).dump();
+  p.made = madeText(surface);
+  return p;
+}
+
+Provenance provenanceOf(const LargeMap& map, const SurfaceOptions& options) {
+  Provenance p;
+  p.version = programVersion();
+  p.commit = programCommit();
+  p.options = options;
+  p.options.pyramid.threads = 0;
+  const GridFrame& frame = map.frames.front();
+  if (map.engine != "as stored") {
+    p.options = writtenOut(p.options, map, map.engine == "raster", frame.spacing_mm);
+  }
+  p.made = madeJson(map, frame, map.heights, map.shares, map.frames.size()).dump();
   return p;
 }
 
@@ -77,16 +116,7 @@ SurfaceOptions resolved(const SurfaceOptions& options, const Surface& surface) {
   out.pyramid.threads = 0;  // The bytes are the same for every number.
   // A map of ours is taken as it is.
   if (surface.engine == "as stored" || surface.tiles) return out;
-  out.unit = surface.unit;
-  out.unit_source = surface.unit_source;
-  if (surface.is_raster) return out;
-  const bool automatic = !options.view || options.view->name == "auto";
-  if (automatic && standardRotation(surface.view_name)) {
-    out.view = ViewChoice{.name = surface.view_name, .rotation = std::nullopt, .turn_deg = {}};
-  }
-  out.cells.reset();
-  out.spacing_mm = surface.map.frame.spacing_mm;
-  return out;
+  return writtenOut(out, surface, surface.is_raster, surface.map.frame.spacing_mm);
 }
 
 std::string toJson(const Provenance& p, int indent) {

@@ -45,8 +45,15 @@ struct Provenance {
   std::string touch, made, figure;
 };
 
+/// What a surface came out as, for a reader of the file: one JSON object.
+std::string madeText(const Surface& surface);
+
 /// `version`, `commit`, `options` and `made` of a surface that is in memory.
 Provenance provenanceOf(const Surface& surface, const SurfaceOptions& options);
+
+/// The same of a map made by tiles.
+struct LargeMap;  // core/session/large_map.h
+Provenance provenanceOf(const LargeMap& map, const SurfaceOptions& options);
 
 /// The options with what was chosen automatically written out: unit, view, sample distance.
 SurfaceOptions resolved(const SurfaceOptions& options, const Surface& surface);

@@ -50,12 +50,22 @@ struct ReliefLook {
   friend bool operator==(const ReliefLook&, const ReliefLook&) = default;
 };
 
-enum class StereoMode { off, anaglyph };
+/// How two eyes' pictures become one on screen: for red (left) and cyan glasses, in grey, half
+/// colour, or by Dubois's least squares (see StereoPrint).
+enum class StereoMode { off, anaglyph, half_colour, dubois };
+inline constexpr std::array<std::string_view, 4> kStereoModeNames{"off", "anaglyph", "half",
+                                                                  "dubois"};
+inline constexpr std::string_view name(StereoMode mode) noexcept {
+  return kStereoModeNames[static_cast<std::size_t>(mode)];
+}
+std::optional<StereoMode> stereoMode(std::string_view name);
+
 struct StereoOptions {
   StereoMode mode = StereoMode::off;
   double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, 0.5 .. 10.
   std::optional<double> zero_plane_mm =
       std::nullopt;  ///< View z of zero parallax; nothing: mid height.
+  bool swap_eyes = false;
   friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
 };
 

@@ -71,6 +71,12 @@ Pixel mixed(StereoPrint print, const Pixel& left, const Pixel& right) {
 
 }  // namespace
 
+std::optional<StereoMode> stereoMode(std::string_view name) {
+  const auto* const found = std::find(kStereoModeNames.begin(), kStereoModeNames.end(), name);
+  if (found == kStereoModeNames.end()) return std::nullopt;
+  return static_cast<StereoMode>(found - kStereoModeNames.begin());
+}
+
 std::optional<StereoPrint> stereoPrint(std::string_view name) {
   const auto* const found = std::find(kStereoPrintNames.begin(), kStereoPrintNames.end(), name);
   if (found == kStereoPrintNames.end()) return std::nullopt;
@@ -78,18 +84,19 @@ std::optional<StereoPrint> stereoPrint(std::string_view name) {
 }
 
 void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
-                 std::span<const std::uint8_t> right) {
-  if (left.size() != right.size() || left.size() % 4 != 0) {
+                 std::span<const std::uint8_t> right, std::size_t channels) {
+  if (left.size() != right.size() || left.size() % channels != 0) {
     throw ArgumentError("Two pictures of one size are needed for an anaglyph.");
   }
   const auto& linear = linearTable();
-  for (std::size_t i = 0; i < left.size(); i += 4) {
+  for (std::size_t i = 0; i < left.size(); i += channels) {
     const Pixel l{linear[left[i]], linear[left[i + 1]], linear[left[i + 2]]};
     const Pixel r{linear[right[i]], linear[right[i + 1]], linear[right[i + 2]]};
     const Pixel out = mixed(print, l, r);
     // Where either eye sees the relief the page must not shine through.
-    left[i + 3] = std::max(left[i + 3], right[i + 3]);
-    for (std::size_t k = 0; k < 3; ++k) left[i + k] = std::min(codedOf(out[k]), left[i + 3]);
+    if (channels == 4) left[i + 3] = std::max(left[i + 3], right[i + 3]);
+    const std::uint8_t most = channels == 4 ? left[i + 3] : 255;
+    for (std::size_t k = 0; k < 3; ++k) left[i + k] = std::min(codedOf(out[k]), most);
   }
 }
 

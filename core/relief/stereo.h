@@ -23,12 +23,18 @@ constexpr bool isAnaglyph(StereoPrint print) noexcept {
          print == StereoPrint::dubois;
 }
 
+/// The same way of mixing on screen and on paper.
+constexpr StereoPrint printed(StereoMode mode) noexcept {
+  return static_cast<StereoPrint>(static_cast<int>(mode));
+}
+
 /// Mixes two pictures for red (left eye) and cyan glasses into `left`. Grey: both eyes' lightness.
 /// Half colour: the left eye's lightness, the right eye's colours. Dubois: least squares through
 /// the filters of common glasses, in linear light (Sanders and McAllister 2003).
-/// @param left, right  RGBA, 8 bits, colours multiplied by alpha; as many bytes
+/// @param left, right  8 bits, colours multiplied by alpha; as many bytes
+/// @param channels     4: RGBA; 3: RGB, all opaque
 void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
-                 std::span<const std::uint8_t> right);
+                 std::span<const std::uint8_t> right, std::size_t channels = 4);
 
 /// What lies farthest from the plane of zero parallax, seen by two eyes.
 struct Parallax {

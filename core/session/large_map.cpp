@@ -15,7 +15,7 @@
 #include "core/io/file_check.h"
 #include "core/io/ply_header.h"
 #include "core/io/point_stream.h"
-#include "core/io/raster.h"
+#include "core/io/raster_rows.h"
 #include "core/io/scan_builder.h"
 #include "core/session/choices.h"
 #include "core/session/large_memory.h"
@@ -176,9 +176,9 @@ void fillAndWrite(LargeMap& map, const BandDepths& depths, const GridFrame& fram
         files.add(heights, origins);
       },
       task);
-  files.finish(map.view_from_file);
   finest.into(map);
   map.frames = files.frames();
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
   map.seconds.pyramid = secondsSince(write_start);
 }
 
@@ -318,28 +318,21 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
 }
 
 /// Heights of a foreign raster in mm above its lowest sample.
-RowsOf depthsOf(const RasterMap& raster, double lowest, double mm) {
+RowsOf depthsOf(const RasterRows& raster, double mm) {
+  const double lowest = raster.head().info.bounds->min.z;
   return [&raster, lowest, mm](int first, int rows, float* out) {
-    std::size_t i = raster.size.index({.col = 0, .row = first});
-    const std::size_t end = raster.size.index({.col = 0, .row = first + rows});
-    for (; i < end; ++i) {
-      const double height = (static_cast<double>(raster.values[i]) - lowest) * mm;
-      *out++ =
-          raster.valid[i] ? static_cast<float>(height) : std::numeric_limits<float>::quiet_NaN();
+    raster.read(first, rows, out, nullptr);
+    const float* const end =
+        out + static_cast<std::size_t>(rows) * static_cast<std::size_t>(raster.head().size.cols);
+    // What is no height stays none.
+    for (; out != end; ++out) {
+      *out = static_cast<float>((static_cast<double>(*out) - lowest) * mm);
     }
   };
 }
 
-double lowestOf(const RasterMap& raster) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < raster.values.size(); ++i) {
-    if (raster.valid[i]) lowest = std::min(lowest, static_cast<double>(raster.values[i]));
-  }
-  return lowest;
-}
-
 /// An own map's rows become levels as they are.
-void writeOwnMap(LargeMap& map, const RasterMap& raster, const GridFrame& frame,
+void writeOwnMap(LargeMap& map, const RasterRows& raster, const GridFrame& frame,
                  const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
   const auto start = Clock::now();
   LevelFiles files(large.file, frame, options.pyramid);
@@ -348,27 +341,27 @@ void writeOwnMap(LargeMap& map, const RasterMap& raster, const GridFrame& frame,
   std::vector<Origin> origins(heights.size());
   for (int row = 0; row < frame.size.rows; ++row) {
     if (row % 16 == 0) task.check();
-    for (int col = 0; col < frame.size.cols; ++col) {
-      const std::size_t i = frame.size.index({.col = col, .row = row});
-      const auto c = static_cast<std::size_t>(col);
-      origins[c] = raster.origins.empty() ? Origin::measured : raster.origins[i];
-      if (!raster.valid[i]) origins[c] = Origin::outside;
-      heights[c] = origins[c] == Origin::outside ? 0.0F : raster.values[i];
+    std::fill(origins.begin(), origins.end(), Origin::measured);
+    raster.read(row, 1, heights.data(), origins.data());
+    for (std::size_t col = 0; col < heights.size(); ++col) {
+      if (std::isnan(heights[col])) origins[col] = Origin::outside;
+      if (origins[col] == Origin::outside) heights[col] = 0;
     }
     finest.add(heights.data(), origins.data(), frame.size.cols);
     files.add(heights.data(), origins.data());
   }
-  map.view_from_file = raster.view_from_file.value_or(ViewFromFile{});
-  files.finish(map.view_from_file);
+  map.view_from_file = raster.head().view_from_file.value_or(ViewFromFile{});
   finest.into(map);
   map.frames = files.frames();
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
   map.seconds.pyramid = secondsSince(start);
 }
 
 LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& options,
-                    const LargeMapOptions& large, const Task& task) {
+                    const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
-  const RasterMap raster = readRaster(file);
+  const RasterRows rows = importRasterRows(file, spillFolder(large), import, task);
+  const RasterHead& raster = rows.head();
   LargeMap map;
   Surface facts;
   facts.info = raster.info;
@@ -376,7 +369,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   facts.view_name = raster.is_own_map ? "as stored" : "top";
   if (raster.is_own_map) {
     facts.unit_source = UnitSource::file;
-    if (raster.origins.empty()) {
+    if (!rows.hasOrigins()) {
       facts.messages.emplace_back(
           "The map's origin file is missing; every height was taken as measured.");
     }
@@ -396,20 +389,18 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
     frame.first_x_mm = raster.first.x;
     frame.first_y_mm = raster.first.y;
   }
-  const std::uint64_t raster_bytes =
-      raster.values.size() * sizeof(float) + raster.origins.size() + raster.valid.size() / 8;
-  const MemoryPlan plan = planMemory(frame, large, raster_bytes);
+  const MemoryPlan plan = planMemory(frame, large);
   map.seconds.read = secondsSince(start);
   if (raster.is_own_map) {
-    writeOwnMap(map, raster, frame, options, large, task);
+    writeOwnMap(map, rows, frame, options, large, task);
     return map;
   }
   if (options.view && options.view->name != "top" && options.view->name != "auto") {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
-  const double lowest = lowestOf(raster);
+  const double lowest = raster.info.bounds->min.z;
   fillAndWrite(
-      map, {.front = depthsOf(raster, lowest, mm), .between = {}}, frame,
+      map, {.front = depthsOf(rows, mm), .between = {}}, frame,
       {.has_sampling_gaps = false, .base_quantile = 0}, options, large, plan.depths_bytes,
       [&](double base_z_mm) {
         return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
@@ -423,7 +414,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
 
 LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
                       const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
-  LargeMap map = looksLikeRaster(file) ? fromRaster(file, options, large, task)
+  LargeMap map = looksLikeRaster(file) ? fromRaster(file, options, large, import, task)
                                        : fromPoints(file, options, large, import, task);
   map.file = large.file;
   return map;

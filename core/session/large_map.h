@@ -15,6 +15,8 @@
 
 namespace relievo {
 
+struct LargeMap;
+
 struct LargeMapOptions {
   std::filesystem::path file;                  ///< Of the finest level; the others lie beside it.
   std::uint64_t memory_bytes = 2'000'000'000;  ///< For all but the program itself.
@@ -23,6 +25,9 @@ struct LargeMapOptions {
   /// some 250 000, then from some 2 000 000 found while the whole is measured. Each covers the
   /// object as `LargeMap` will, but for points not seen yet. For rasters never. [worker]
   std::function<void(const Surface& view)> on_view;
+  /// What every level's file says inside of where it comes from (ASCII); asked once, when all but
+  /// the files is there. Null: nothing. [worker]
+  std::function<std::string(const LargeMap& map)> state = {};
 };
 
 /// A map made by tiles and what is known of it; its heights are in files only (TiledMap).

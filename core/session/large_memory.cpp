@@ -36,15 +36,13 @@ std::string megabytes(std::uint64_t bytes) {
 
 }  // namespace
 
-MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
-                      std::uint64_t held_bytes) {
+MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large) {
   const int threads = threadCount(large.threads);
-  const std::uint64_t always = kProgram + held_bytes;
   const std::uint64_t filling = bandBytes(frame.size, threads) + writingBytes(frame.size);
   // While points are sorted into tiles: the store and a block of points being sorted; while cells
   // get their heights: the store and three rows of tiles, which hold what the store let go of.
   const std::uint64_t gridding = 2 * TileStore::leastMemoryBytes(frame.size) + 64 * kMegabyte;
-  const std::uint64_t needed = always + std::max(filling, gridding);
+  const std::uint64_t needed = kProgram + std::max(filling, gridding);
   if (needed > large.memory_bytes) {
     throw ArgumentError("A map of " + std::to_string(frame.size.cols) + " x " +
                             std::to_string(frame.size.rows) + " cells needs at least " +
@@ -54,7 +52,7 @@ MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
                             "larger cells.",
                         "E102");
   }
-  const std::uint64_t free_bytes = large.memory_bytes - always;
+  const std::uint64_t free_bytes = large.memory_bytes - kProgram;
   return {.points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
           .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10)};
 }

@@ -16,9 +16,7 @@ struct MemoryPlan {
   std::size_t depths_bytes = 0;  ///< For depths between the stages.
 };
 
-/// To be asked before the work. @param held_bytes  what the input takes all the time
-/// @throw ArgumentError  E102, with what would do
-MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
-                      std::uint64_t held_bytes = 0);
+/// To be asked before the work. @throw ArgumentError  E102, with what would do
+MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large);
 
 }  // namespace relievo

@@ -83,7 +83,7 @@ void LevelFiles::take(const LevelRow& row) {
   level.origins.add(origins);
 }
 
-void LevelFiles::finish(const ViewFromFile& view_from_file) {
+void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& state) {
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const GridFrame& frame = frames_[l];
     RasterFacts facts{{"RELIEVO_UNIT", "mm"},
@@ -95,6 +95,7 @@ void LevelFiles::finish(const ViewFromFile& view_from_file) {
                       {"RELIEVO_LEVELS", std::to_string(levels_.size())},
                       {"RELIEVO_FACTOR", roundTripText(std::array{options_.factor})},
                       {"RELIEVO_MAP_CONTENT", std::to_string(content_)}};
+    if (!state.empty()) facts[kStateFact] = state;
     Level& level = *levels_[l];
     level.heights.close(facts, level.mask ? &*level.mask : nullptr);
     facts["RELIEVO_CONTENT"] = "origins";

@@ -38,8 +38,9 @@ class LevelFiles {
 
   /// After the last row: all files get their names; before, nothing is changed on disk but files
   /// with temporary names. Levels of an older map that go further are removed.
+  /// @param state  becomes every file's image description, as MapFileOptions::state; empty: none
   /// @throw WriteError
-  void finish(const ViewFromFile& view_from_file);
+  void finish(const ViewFromFile& view_from_file, const std::string& state = {});
 
   const std::vector<GridFrame>& frames() const noexcept { return frames_; }
 

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/tiles/spill_file.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/io/unnamed_file.h"
 
 namespace relievo {
-
-SpillFile::~SpillFile() {
-  if (fd_ >= 0) ::close(fd_);
-}
 
 void SpillFile::fail(int error) const {
   throw WriteError("Points and heights that do not fit into memory cannot be kept in " +
@@ -26,15 +21,9 @@ void SpillFile::fail(int error) const {
 }
 
 void SpillFile::open() {
-  if (fd_ >= 0) return;
-  const std::string folder = folder_.empty() ? "." : folder_.string();
-  fd_ = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (fd_ >= 0) return;
-  // Not every file system knows files without a name.
-  std::string name = folder + "/.relievo-spill-XXXXXX";
-  fd_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (fd_ < 0) fail(errno);
-  ::unlink(name.c_str());
+  if (file_.get() >= 0) return;
+  file_ = unnamedFile(folder_);
+  if (file_.get() < 0) fail(errno);
 }
 
 std::uint64_t SpillFile::append(std::span<const std::byte> bytes) {
@@ -47,7 +36,7 @@ void SpillFile::write(std::uint64_t at, std::span<const std::byte> bytes) {
   open();
   size_ = std::max(size_, at + bytes.size());
   while (!bytes.empty()) {
-    const ssize_t done = ::pwrite(fd_, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    const ssize_t done = ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) fail(done < 0 ? errno : ENOSPC);
     at += static_cast<std::uint64_t>(done);
@@ -57,7 +46,7 @@ void SpillFile::write(std::uint64_t at, std::span<const std::byte> bytes) {
 
 void SpillFile::read(std::uint64_t at, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
-    const ssize_t done = ::pread(fd_, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    const ssize_t done = ::pread(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
     if (done < 0 && errno == EINTR) continue;
     if (done <= 0) fail(done < 0 ? errno : EIO);
     at += static_cast<std::uint64_t>(done);

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <utility>
+
+#include "core/io/owned_fd.h"
 
 namespace relievo {
 
@@ -14,7 +17,6 @@ class SpillFile {
  public:
   /// @param folder  on the disk to use; must exist
   explicit SpillFile(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  ~SpillFile();
   SpillFile(const SpillFile&) = delete;
   SpillFile& operator=(const SpillFile&) = delete;
 
@@ -32,7 +34,7 @@ class SpillFile {
   [[noreturn]] void fail(int error) const;
 
   std::filesystem::path folder_;
-  int fd_ = -1;
+  OwnedFd file_;
   std::uint64_t size_ = 0;
 };
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/tiles/tile_raster.h"
 
-#include <cpl_error.h>
 #include <fcntl.h>
-#include <gdal_priv.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,33 +15,11 @@
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
+#include "core/io/gdal_session.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {
 namespace {
-
-struct CloseDataset {
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-/// Collects what GDAL complains about on this thread while it lives, instead of printing it.
-class GdalErrors {
- public:
-  GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::collect, this); }
-  ~GdalErrors() { CPLPopErrorHandler(); }
-  GdalErrors(const GdalErrors&) = delete;
-  GdalErrors& operator=(const GdalErrors&) = delete;
-  bool any() const noexcept { return !first_.empty(); }
-  const std::string& first() const noexcept { return first_; }
-
- private:
-  static void collect(CPLErr severity, CPLErrorNum /*number*/, const char* message) {
-    auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
-    if (severity >= CE_Failure && self->first_.empty()) self->first_ = message;
-  }
-  std::string first_;
-};
 
 GDALDriver& geoTiffDriver() {
   static std::once_flag registered;

@@ -17,6 +17,9 @@ namespace relievo {
 
 using RasterFacts = std::map<std::string, std::string>;  ///< Names and texts kept with a raster.
 
+/// The fact that is the TIFF's image description.
+inline constexpr const char* kStateFact = "TIFFTAG_IMAGEDESCRIPTION";
+
 /// Writes a GeoTIFF of 256 x 256 tiles, not compressed, from rows that come lowest first, with no
 /// more than one row of tiles in memory. The file has a temporary name until `keep`.
 class TileRasterWriter {

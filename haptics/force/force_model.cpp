@@ -6,9 +6,9 @@
 
 namespace relievo {
 
-double stiffnessForDetail(int detail) RELIEVO_REALTIME {
-  if (detail <= 2) return 0.8;
-  return detail == 3 ? 0.6 : 0.5;
+double stiffnessForDetail(int detail, const DetailStiffness& of) RELIEVO_REALTIME {
+  constexpr int kLast = static_cast<int>(std::tuple_size_v<DetailStiffness>);
+  return of[static_cast<std::size_t>(std::clamp(detail, 1, kLast) - 1)];
 }
 
 DeviceN springForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME {
@@ -106,7 +106,8 @@ DeviceN passiveSum(const ForceOptions& options, const ForceInput& input, DeviceN
   const double gain = options.strength * state.rise;
   const double length_mm = input.contact ? norm(input.proxy - input.hip) : 0;
   const double stored_mj =
-      springEnergyMj(gain * options.stiffness_n_per_mm, length_mm, options.limit_n);
+      springEnergyMj(gain * options.stiffness_n_per_mm, length_mm, options.limit_n) +
+      gain * input.fields_mj;
   state.passivity = observe(options.passivity, input.moved, stored_mj, state.passivity);
   const DeviceN damping = passivityForce(options.passivity, state.passivity, input.velocity,
                                          input.speed_window_s, input.dt_s);
@@ -115,16 +116,38 @@ DeviceN passiveSum(const ForceOptions& options, const ForceInput& input, DeviceN
 }
 }  // namespace
 
+namespace {
+/// A knock on top of the other forces, where the options ask for any.
+DeviceN knockOn(const ForceOptions& options, const ForceInput& input, DeviceN sum,
+                ForceState& state) RELIEVO_REALTIME {
+  const TransientOptions& o = options.transient;
+  if (!(o.contact_n > 0) && !(o.crossing_n > 0)) {
+    state.transient = {};
+    return {};
+  }
+  const DeviceMm n = input.normal;
+  const double pushed_n = sum.x * n.x + sum.y * n.y + sum.z * n.z;
+  const Knock now =
+      knock(o, {n, input.velocity, input.moved, pushed_n, input.contact, input.measured},
+            state.transient);
+  state.transient = now.state;
+  return now.force;
+}
+}  // namespace
+
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME {
-  DeviceN sum = springForce(options, input);
-  if (options.damping_n_s_per_mm > 0) sum = sum + dampingForce(options, input);
+  DeviceN pressed = springForce(options, input);
+  if (options.damping_n_s_per_mm > 0) pressed = pressed + dampingForce(options, input);
+  DeviceN sum = pressed + input.fields;
+  const DeviceN knocked = knockOn(options, input, sum, state);
+  sum = sum + knocked;
   ForceResult result;
   if (!options.safety) {
     state.last = sum;
     return {sum, norm(sum), false, options.limit_n, {}, state};
   }
-  state = engage(options, input, sum, state);
+  state = engage(options, input, pressed, state);
   result.limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
   sum = passiveSum(options, input, sum, state, result);
   const DeviceN wanted = (options.strength * state.rise) * sum;
@@ -139,8 +162,11 @@ ForceResult force(const ForceOptions& options, const ForceInput& input,
   state.last = sent;
   state.passivity = sentOut(state.passivity, sent);
   const bool deep = state.passivity.margin_mj <= -options.passivity.most_debt_mj;
+  // A knock swings as it should; what is watched is the rest.
+  const DeviceN watched =
+      sent == DeviceN{} ? sent : sent - (options.strength * state.rise) * knocked;
   state.oscillation =
-      watchOscillation(options.oscillation, {sent, input.hip, deep}, state.oscillation);
+      watchOscillation(options.oscillation, {watched, input.hip, deep}, state.oscillation);
   result.force = sent;
   result.command_n = norm(command);
   result.limited = !(sent == wanted);

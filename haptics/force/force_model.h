@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "core/base/vec3.h"
 #include "haptics/force/oscillation.h"
 #include "haptics/force/passivity.h"
+#include "haptics/force/transient.h"
 #include "haptics/rt/realtime.h"
 
 namespace relievo {
@@ -22,6 +24,7 @@ struct ForceOptions {
   double stale_zero_s = 0.020;        ///< ... to zero at this age.
   double quiet_n = 0.3;               ///< Forces come on only after the spring's force was below
   int quiet_ticks = 5;                ///< this for so many ticks in a row.
+  TransientOptions transient;
   PassivityOptions passivity;
   OscillationOptions oscillation;
   bool forces_on = false;  ///< Asked for; what happens then is EngagePhase.
@@ -29,9 +32,14 @@ struct ForceOptions {
       true;  ///< false: F is exactly the spring's force. Only where no device is attached.
 };
 
+/// k of Detail 1, 2, 3 and of all finer ones, N per mm of hand.
+using DetailStiffness = std::array<double, 4>;
+
 /// k by detail, from the stability map (docs/dev/stability.md): at most 75 % of what is stable with
 /// the passivity stage, and no more than is stable without it where a level carries texture.
-double stiffnessForDetail(int detail) RELIEVO_REALTIME;
+inline constexpr DetailStiffness kDetailStiffness{0.8, 0.8, 0.6, 0.5};
+double stiffnessForDetail(int detail,
+                          const DetailStiffness& of = kDetailStiffness) RELIEVO_REALTIME;
 
 enum class EngagePhase : std::uint8_t { off, waiting, rising, on };
 
@@ -40,6 +48,7 @@ struct ForceState {
   EngagePhase phase = EngagePhase::off;
   double rise = 0;  ///< 0 .. 1 while rising.
   int quiet = 0;    ///< Quiet ticks in a row while waiting.
+  TransientState transient;
   PassivityState passivity;
   OscillationState oscillation;
 };
@@ -50,7 +59,10 @@ struct ForceInput {
   DeviceMm velocity;              ///< Of the hand, mm/s, filtered.
   DeviceMm moved;                 ///< The hand's last step, mm.
   double speed_window_s = 0.008;  ///< Over which `velocity` was measured.
+  DeviceN fields;                 ///< Of texture, softness and magnet; N at full strength.
+  double fields_mj = 0;           ///< Energy that stands in them.
   bool contact = false;
+  bool measured = true;  ///< Ground under the proxy.
   bool fault = false;    ///< Zero force at once.
   bool resumed = false;  ///< First tick after a pause: zero, then the force rises.
   double age_s = 0;      ///< Of the position.
@@ -88,8 +100,8 @@ DeviceN finiteOrZero(DeviceN force) RELIEVO_REALTIME;
 bool zeroDemanded(const ForceOptions& options, const ForceInput& input,
                   const ForceState& state) RELIEVO_REALTIME;
 
-/// All stages of one tick: sum, passivity, ramp and strength, slew, cap, finite check. Where zero
-/// is demanded the force is zero in this very tick.
+/// All stages of one tick: sum with fields and knocks, passivity, ramp and strength, slew, cap,
+/// finite check. Where zero is demanded the force is zero in this very tick.
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME;
 

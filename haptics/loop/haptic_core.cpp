@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/proxy/blend.h"
+
 namespace relievo {
 
 namespace {
@@ -67,7 +69,20 @@ void HapticCore::measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_RE
 double HapticCore::stiffness(const HapticSpace& space,
                              const HapticOptions& options) const RELIEVO_REALTIME {
   if (!options.stiffness_by_detail) return options.force.stiffness_n_per_mm;
-  return change_.running() ? change_.stiffness() : stiffnessForDetail(space.detail);
+  return change_.running() ? change_.stiffness()
+                           : stiffnessForDetail(space.detail, options.detail_stiffness);
+}
+
+Fields HapticCore::fields(const HapticSpace& space, const HapticSpace* previous, GridPoint held,
+                          double k, const HapticOptions& options) const RELIEVO_REALTIME {
+  const Fields now = fieldsAt(space, proxy_, held, k, options.proxy, options.fields);
+  if (!change_.running() || previous == nullptr) return now;
+  const GridFromGrid was_from_now = gridFromGrid(*previous, space);
+  ProxyState was = proxy_;
+  was.position = was_from_now(proxy_.position);
+  was.hip = was_from_now(proxy_.hip);
+  return blended(fieldsAt(*previous, was, was_from_now(held), k, options.proxy, options.fields),
+                 now, change_.weight());
 }
 
 void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
@@ -79,11 +94,13 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
                              previous->window_id == window_id_ && previous->surface == surface_;
   if (from_previous) {
     const double fixed = options.force.stiffness_n_per_mm;
-    proxy_ = change_.begin(
-        *previous, space, proxy_,
-        options.stiffness_by_detail
-            ? SpringChange{stiffnessForDetail(previous->detail), stiffnessForDetail(space.detail)}
-            : SpringChange{fixed, fixed});
+    SpringChange spring{fixed, fixed};
+    if (options.stiffness_by_detail) {
+      spring = {stiffnessForDetail(previous->detail, options.detail_stiffness),
+                stiffnessForDetail(space.detail, options.detail_stiffness)};
+    }
+    spring.softest_part = options.fields.softest_part;
+    proxy_ = change_.begin(*previous, space, proxy_, spring);
   } else if (is_new) {
     proxy_ = proxyPlace(space, hip);
     force_ = refade(force_);
@@ -103,6 +120,7 @@ HapticSample HapticCore::describeTick(const HapticSpace& space,
                                       const HapticSpace* previous) const RELIEVO_REALTIME {
   HapticSample sample;
   sample.window_id = space.window_id;
+  sample.scene_id = space.scene_id;
   sample.detail = space.detail;
   sample.hip = hip_;
   sample.hip_view = space.viewFromDevice(hip_);
@@ -119,6 +137,25 @@ HapticSample HapticCore::describeTick(const HapticSpace& space,
                       : proxyNormal(space, proxy_);
   sample.origin = space.originAt(proxy_.position);
   return sample;
+}
+
+ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input,
+                                   ForceOptions& options) const RELIEVO_REALTIME {
+  // A gate is softer than any surface and its own potential: no spring's energy to watch.
+  options.passivity.on = false;
+  options.damping_n_s_per_mm = 0;
+  const DeviceN pull = gateForce(gate, hip_);
+  ForceInput gated;
+  gated.hip = hip_;
+  // The spring's force from there is the gate's.
+  gated.proxy = hip_ + (1 / options.stiffness_n_per_mm) * DeviceMm{pull.x, pull.y, pull.z};
+  gated.contact = true;
+  gated.velocity = input.velocity;
+  gated.moved = input.moved;
+  gated.fault = input.fault;
+  gated.resumed = input.resumed;
+  gated.age_s = input.age_s;
+  return gated;
 }
 
 void HapticCore::check(const ForceOptions& options, const ForceInput& input, bool paused,
@@ -152,6 +189,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   if (paused) force_ = resumed(force_);
   resume_ = false;
   last_ns_ = now_ns;
+  if (options.gate.on != gated_) force_ = refade(force_);  // What was felt goes, what comes rises.
+  gated_ = options.gate.on;
   follow(space, previous, options);
 
   HapticSample sample = describeTick(space, previous);
@@ -160,25 +199,32 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.buttons = reading.buttons;
   sample.fault = fault;
 
-  ForceOptions force_options = options.force;
-  force_options.stiffness_n_per_mm = stiffness(space, options);
-  force_options.stiffness_n_per_mm *= force_.oscillation.factor;
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
+  GridPoint held = proxy_.hip;
   if (options.frame) {
     const GridPoint hand = space.gridFromDevice(hip_);
     sample.frame = frame_.push(space, hand, sample.contact);
     if (!(SceneFrame::confined(hand) == hand)) {
-      input.hip = space.deviceFromGrid(SceneFrame::felt(space, hand, proxy_.position));
+      held = SceneFrame::felt(space, hand, proxy_.position);
+      input.hip = space.deviceFromGrid(held);
     }
   }
+  ForceOptions force_options = options.force;
+  const double firm = stiffness(space, options) * force_.oscillation.factor;
+  const Fields felt = fields(space, previous, held, firm, options);
+  force_options.stiffness_n_per_mm = felt.part * firm;
+  input.fields = felt.force;
+  input.fields_mj = felt.energy_mj;
+  input.measured = sample.origin == Origin::measured || sample.origin == Origin::steep;
   input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
   measureSpeed(now_ns, input);
   input.contact = sample.contact;
   input.fault = fault != DeviceFault::none;
   input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
+  if (options.gate.on) input = throughGate(options.gate, input, force_options);
   const DeviceN before = force_.last;
   const ForceResult result = force(force_options, input, force_);
   force_ = result.state;
@@ -193,6 +239,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.age_s = input.age_s;
   sample.softened = force_.oscillation.softened;
   sample.stiffness_n_per_mm = force_options.stiffness_n_per_mm;
+  sample.firm_stiffness_n_per_mm = firm;
+  sample.options_id = options.id;
   sample.engaged = force_.phase;
   return sample;
 }

@@ -8,8 +8,10 @@
 #include "haptics/device/device.h"
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
+#include "haptics/force/move_gate.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
+#include "haptics/loop/surface_fields.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
 #include "haptics/space/haptic_space.h"
@@ -19,11 +21,15 @@ namespace relievo {
 struct HapticOptions {
   ProxyOptions proxy;
   ForceOptions force;
+  FieldOptions fields;
   bool stiffness_by_detail =
       true;  ///< k from the window's detail; false: force.stiffness_n_per_mm.
+  DetailStiffness detail_stiffness = kDetailStiffness;
   /// Keeps the proxy over the window and asks the hand back gently; false: beyond its outermost
   /// samples the surface goes on as a constant.
   bool frame = false;
+  std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
+  MoveGate gate;  ///< While on, felt in place of the surface.
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 
@@ -32,7 +38,8 @@ struct HapticSample {
   std::uint64_t tick = 0;    ///< From 0, without gaps at the source: a missing number was dropped.
   std::int64_t time_ns = 0;  ///< Monotonic, of the tick.
   std::uint64_t window_id = 0;
-  DeviceMm hip, proxy;  ///< Hand mm.
+  std::uint64_t scene_id = 0, options_id = 0;  ///< As HapticSpace and HapticOptions name them.
+  DeviceMm hip, proxy;                         ///< Hand mm.
   ViewMm hip_view, proxy_view;
   GridPoint normal{0, 0, 1};  ///< Unit normal of the surface at the proxy.
   DeviceN force;              ///< On the hand, after all stages.
@@ -40,7 +47,8 @@ struct HapticSample {
   double limit_n = 0;         ///< The cap that held.
   double damped_n = 0;        ///< Of f_cmd_n: the passivity controller's share, before strength.
   double margin_mj = 0;       ///< What the surface may still give; < 0: it owes.
-  double stiffness_n_per_mm = 0;
+  double stiffness_n_per_mm = 0;       ///< At the proxy.
+  double firm_stiffness_n_per_mm = 0;  ///< Where the ground is firm.
   double rate_hz = 0;  ///< Measured rate of the loop; 1000 on the deterministic clock.
   double age_s = 0;    ///< Of the position.
   std::uint32_t buttons = 0;
@@ -81,6 +89,8 @@ class HapticCore {
   /// The next tick counts as the first after a pause, as when a watchdog cut the force.
   void resume() RELIEVO_REALTIME { resume_ = true; }
 
+  /// Ticks so far; the next one has this number.
+  std::uint64_t ticks() const RELIEVO_REALTIME { return tick_; }
   /// What was sent against what may be sent, since the core was made.
   const ForceAudit& audit() const RELIEVO_REALTIME { return audit_; }
 
@@ -97,9 +107,13 @@ class HapticCore {
   void follow(const HapticSpace& space, const HapticSpace* previous,
               const HapticOptions& options) RELIEVO_REALTIME;
   double stiffness(const HapticSpace& space, const HapticOptions& options) const RELIEVO_REALTIME;
+  Fields fields(const HapticSpace& space, const HapticSpace* previous, GridPoint held, double k,
+                const HapticOptions& options) const RELIEVO_REALTIME;
   HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
                       const HapticOptions& options, const DeviceReading& reading,
                       std::int64_t now_ns) RELIEVO_REALTIME;
+  ForceInput throughGate(const MoveGate& gate, const ForceInput& input,
+                         ForceOptions& options) const RELIEVO_REALTIME;
   HapticSample describeTick(const HapticSpace& space,
                             const HapticSpace* previous) const RELIEVO_REALTIME;
 
@@ -122,9 +136,12 @@ class HapticCore {
   std::uint64_t window_id_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;
   std::int64_t last_ns_ = 0;  // Of the last tick.
+  bool gated_ = false;        // In the last tick.
   bool placed_ = false;
   bool resume_ = false;
 };
+
+static_assert(std::is_trivially_copyable_v<HapticCore>);
 
 /// What is asked for, within what the device can do: its largest force caps, its encoders and its
 /// delay are made known to the passivity stage.

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "haptics/rt/realtime_thread.h"
-
 namespace relievo {
 
 namespace {
@@ -27,14 +25,11 @@ bool LoopMeter::wake(std::int64_t deadline_ns, std::int64_t now_ns,
   if (stats_.ticks > 1) {
     stats_.worst_period_ms =
         std::max(stats_.worst_period_ms, 1e-6 * static_cast<double>(now_ns - last_ns_));
-  } else {
-    faults_before_ = threadPageFaults();
   }
   last_ns_ = now_ns;
   constexpr std::uint64_t kTicksPerRate = 256;
   if (stats_.ticks % kTicksPerRate == 0 && now_ns > mark_ns_) {
     stats_.rate_hz = 1e9 * kTicksPerRate / static_cast<double>(now_ns - mark_ns_);
-    stats_.page_faults = threadPageFaults() - faults_before_;
     mark_ns_ = now_ns;
   }
   return late;
@@ -45,6 +40,15 @@ void LoopMeter::computed(std::int64_t tick_ns) RELIEVO_REALTIME {
   stats_.mean_tick_us += (us - stats_.mean_tick_us) / static_cast<double>(stats_.ticks);
   stats_.worst_tick_us = std::max(stats_.worst_tick_us, us);
   count(stats_.work, LoopStats::kWorkEdgesNs, tick_ns);
+}
+
+void LoopMeter::faulted(std::uint64_t so_far) RELIEVO_REALTIME {
+  // What came before the first tick's end is the thread's start.
+  if (stats_.ticks > 1 && so_far != faults_before_) {
+    stats_.page_faults += so_far - faults_before_;
+    ++stats_.faulty_ticks;
+  }
+  faults_before_ = so_far;
 }
 
 void LoopMeter::note(const ForceAudit& audit, std::uint64_t watchdog_cuts) RELIEVO_REALTIME {

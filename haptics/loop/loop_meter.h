@@ -23,7 +23,8 @@ struct LoopStats {
   std::uint64_t late_ticks = 0;                ///< Woke more than half a period late.
   std::uint64_t pauses = 0;                    ///< Times that the force had to start from zero.
   std::uint64_t watchdog_cuts = 0;             ///< Times that the watchdog sent zero.
-  std::uint64_t page_faults = 0;               ///< Of the loop's thread, since its first tick.
+  std::uint64_t page_faults = 0;               ///< Of the loop's thread, since its first tick ...
+  std::uint64_t faulty_ticks = 0;              ///< ... and in how many ticks they were.
   double rate_hz = 0;                          ///< Over the last quarter second or so.
   double mean_tick_us = 0, worst_tick_us = 0;  ///< Time spent computing, without the device.
   double worst_period_ms = 0;                  ///< Longest time from tick to tick.
@@ -41,13 +42,15 @@ class LoopMeter {
   bool wake(std::int64_t deadline_ns, std::int64_t now_ns, std::int64_t period_ns) RELIEVO_REALTIME;
   void computed(std::int64_t tick_ns) RELIEVO_REALTIME;
   void paused() RELIEVO_REALTIME { ++stats_.pauses; }
+  /// @param so_far  threadPageFaults() at the end of a tick
+  void faulted(std::uint64_t so_far) RELIEVO_REALTIME;
   void note(const ForceAudit& audit, std::uint64_t watchdog_cuts) RELIEVO_REALTIME;
   const LoopStats& stats() const RELIEVO_REALTIME { return stats_; }
 
  private:
   LoopStats stats_;
   std::int64_t last_ns_ = 0, mark_ns_ = 0;
-  std::uint64_t faults_before_ = 0;
+  std::uint64_t faults_before_ = 0;  // Of the thread, up to the end of the last tick.
 };
 
 }  // namespace relievo

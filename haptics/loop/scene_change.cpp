@@ -6,6 +6,7 @@
 
 #include "haptics/proxy/blend.h"
 #include "haptics/proxy/follow.h"
+#include "haptics/proxy/texture.h"
 
 namespace relievo {
 
@@ -35,7 +36,13 @@ double SceneChange::wholeDifference(const HapticSpace& was, const HapticSpace& n
   const Jet b = BlendedSurface(was, now, 1).patch(p.x, p.y, 0, 0).jet(p.x, p.y);
   const double depth = proxy.contact ? norm(p - proxy.hip) : 0;
   const double moved = std::abs(a.f - b.f) + norm(normalOf(a) - normalOf(b)) * depth;
-  const double scaled = std::abs(spring_.now_n_per_mm - spring_.was_n_per_mm) * depth;
+  // Ground that was soft may be firm now.
+  const GridPoint q = gridFromGrid(was, now)(p);
+  const auto part = [&](const HapticSpace& space, GridPoint at) RELIEVO_REALTIME {
+    return 1 - (1 - spring_.softest_part) * (1 - firmnessAt(space, at.x, at.y).value);
+  };
+  const double scaled =
+      std::abs(spring_.now_n_per_mm * part(now, p) - spring_.was_n_per_mm * part(was, q)) * depth;
   return now.deviceMmPerCell() *
          (std::max(spring_.was_n_per_mm, spring_.now_n_per_mm) * moved + scaled);
 }

@@ -9,7 +9,8 @@ namespace relievo {
 
 /// The spring before and after a change, N per mm of hand.
 struct SpringChange {
-  double was_n_per_mm = 0.5, now_n_per_mm = 0.5;
+  double was_n_per_mm = 0.5, now_n_per_mm = 0.5;  ///< On firm ground.
+  double softest_part = 1;                        ///< FieldOptions::softest_part.
 };
 
 /// One surface turning into the next under the hand: level, window, gain, fill or view changed. The
@@ -28,6 +29,8 @@ class SceneChange {
   void stop() RELIEVO_REALTIME { running_ = false; }
   /// The spring of this tick.
   double stiffness() const RELIEVO_REALTIME { return stiffnessAt(weight_); }
+  /// How much of the new surface is felt, 0 .. 1.
+  double weight() const RELIEVO_REALTIME { return weight_; }
 
   /// One tick: the surface moves on and takes the proxy with it, then the hand moves to `hip`.
   /// Works with the converged proxy, whatever options.kind says.
@@ -46,7 +49,7 @@ class SceneChange {
 
   bool running_ = false;
   double ticks_ = 0, length_ = kLeastTicks;
-  double weight_ = 1;  // How much of the new surface is felt, 0 .. 1.
+  double weight_ = 1;
   SpringChange spring_;
 };
 

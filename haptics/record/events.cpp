@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/events.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -46,7 +47,7 @@ std::string windowText(const HapticSample& sample) {
 }
 
 std::string stiffnessText(const HapticSample& sample) {
-  return "stiffness " + numberText(1000 * sample.stiffness_n_per_mm, 0) + " N/m";
+  return "stiffness " + numberText(1000 * sample.firm_stiffness_n_per_mm, 0) + " N/m";
 }
 
 void addButtons(Events& events, std::uint32_t before, std::uint32_t now) {
@@ -82,7 +83,9 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
   if (now.fault != before.fault) events.add(std::string(describe(now.fault)));
   if (now.engaged != before.engaged) events.add(std::string(phaseText(now.engaged)));
   if (now.softened > before.softened) events.add("softened against swinging");
-  if (now.stiffness_n_per_mm != before.stiffness_n_per_mm) events.add(stiffnessText(now));
+  if (now.firm_stiffness_n_per_mm != before.firm_stiffness_n_per_mm) {
+    events.add(stiffnessText(now));
+  }
   addButtons(events, before.buttons, now.buttons);
   return events.take();
 }
@@ -99,13 +102,41 @@ std::string loopLines(const LoopStats& stats) {
       ", pauses " + std::to_string(stats.pauses) + ", watchdog cuts " +
       std::to_string(stats.watchdog_cuts) + ", rate " + numberText(stats.rate_hz, 1) +
       " Hz, longest period " + numberText(stats.worst_period_ms, 2) + " ms, page faults " +
-      std::to_string(stats.page_faults) + "\n";
+      std::to_string(stats.page_faults) + " in " + std::to_string(stats.faulty_ticks) + " ticks\n";
   lines += "audit zero demanded " + std::to_string(audit.zero_demanded) + ", zero violations " +
            std::to_string(audit.zero_violations) + ", limit violations " +
            std::to_string(audit.limit_violations) + ", step violations " +
            std::to_string(audit.step_violations) + "\n";
   addBins(lines, "wake-up us", LoopStats::kDelayEdgesNs, stats.delays);
   addBins(lines, "work us", LoopStats::kWorkEdgesNs, stats.work);
+  return lines;
+}
+
+std::string sampleLines(std::span<const HapticSample> samples) {
+  std::array<std::uint64_t, LoopStats::kDelayEdgesNs.size() + 1> gaps{};
+  std::array<std::uint64_t, LoopStats::kWorkEdgesNs.size() + 1> work{};
+  const auto count = [](auto& bins, const auto& edges, std::int64_t ns) {
+    ++bins[static_cast<std::size_t>(std::lower_bound(edges.begin(), edges.end(), ns) -
+                                    edges.begin())];
+  };
+  std::uint64_t late = 0, pauses = 0;
+  constexpr std::int64_t kPeriodNs = 1'000'000;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    late += samples[i].late ? 1 : 0;
+    pauses += samples[i].resumed ? 1 : 0;
+    count(work, LoopStats::kWorkEdgesNs, samples[i].tick_ns);
+    if (i > 0) {
+      const std::int64_t period = samples[i].time_ns - samples[i - 1].time_ns;
+      count(gaps, LoopStats::kDelayEdgesNs, std::max<std::int64_t>(0, period - kPeriodNs));
+    }
+  }
+  const double seconds = 1e-9 * static_cast<double>(samples.back().time_ns - samples[0].time_ns);
+  const double rate = seconds > 0 ? static_cast<double>(samples.size() - 1) / seconds : 0;
+  std::string lines = "loop ticks " + std::to_string(samples.size()) + ", late " +
+                      std::to_string(late) + ", pauses " + std::to_string(pauses) + ", rate " +
+                      numberText(rate, 1) + " Hz\n";
+  addBins(lines, "beyond the period us", LoopStats::kDelayEdgesNs, gaps);
+  addBins(lines, "work us", LoopStats::kWorkEdgesNs, work);
   return lines;
 }
 

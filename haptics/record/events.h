@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "haptics/loop/haptic_core.h"
@@ -19,5 +20,9 @@ std::string eventAtStart(const HapticSample& first);
 /// How the loop ran, as lines for a log: rate, late ticks, wake-up and work times, what was
 /// audited.
 std::string loopLines(const LoopStats& stats);
+
+/// The same as far as samples tell it: rate, late ticks, times from tick to tick and of work.
+/// @param samples  in order; at least one
+std::string sampleLines(std::span<const HapticSample> samples);
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/flight_record.h"
 
+#include <algorithm>
 #include <memory>
 #include <system_error>
 #include <utility>
@@ -52,11 +53,13 @@ void FlightRecord::save() {
     do {
       end->file = folder_ / ("flight-" + std::to_string(number++) + ".csv");
     } while (std::filesystem::exists(end->file));
-    LogWriter log(end->file, header_);
+    // In order; the ring goes on from its beginning.
+    std::rotate(kept_.begin(), kept_.begin() + static_cast<std::ptrdiff_t>(next_), kept_.end());
+    next_ = 0;
+    LogWriter log(end->file, header_ + "\n" + sampleLines(kept_));
     const HapticSample* before = nullptr;
-    const std::int64_t start_ns = kept_[kept_.size() < kTicks ? 0 : next_].time_ns;
-    for (std::size_t i = 0; i < kept_.size(); ++i) {
-      const HapticSample& sample = kept_[(next_ + i) % kept_.size()];
+    const std::int64_t start_ns = kept_.front().time_ns;
+    for (const HapticSample& sample : kept_) {
       const std::string event =
           before == nullptr ? eventAtStart(sample) : eventBetween(*before, sample);
       log.write(sample, 1e-9 * static_cast<double>(sample.time_ns - start_ns), event);

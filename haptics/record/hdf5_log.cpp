@@ -108,17 +108,18 @@ void writeSurface(hid_t file, const HapticSpace& surface) {
                  "0 measured, 1 interpolated, 2 base plane, 3 steep, 4 outside");
 }
 
-/// The line "parameters {...}" of a header, without its first word.
-std::string_view parametersOf(std::string_view header) {
-  constexpr std::string_view kWord = "parameters ";
+/// What follows a word at the beginning of a header's line; empty: no such line.
+std::string_view lineOf(std::string_view header, std::string_view word) {
   while (!header.empty()) {
     const std::size_t end = std::min(header.find('\n'), header.size());
     const std::string_view line = header.substr(0, end);
-    if (line.starts_with(kWord)) return line.substr(kWord.size());
+    if (line.starts_with(word)) return line.substr(word.size());
     header.remove_prefix(std::min(end + 1, header.size()));
   }
-  return "{}";
+  return {};
 }
+
+constexpr const char* kStateSet = "relievo:state";  // As in the CSV's comment.
 
 /// One happening; the text is cut to what fits.
 struct EventRow {
@@ -155,14 +156,16 @@ std::vector<double> readColumn(hid_t file, std::string_view name) {
 }
 }  // namespace
 
-LogTable readHdf5Log(const std::filesystem::path& file) {
+LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
   LogTable table;
   try {
     const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     table.header = readText(held, "provenance");
+    if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
     for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
+      task.check();
       const std::vector<double> values = readColumn(held, kLogColumns[i].name);
       if (i == 0) table.rows.resize(values.size());
       if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
@@ -173,6 +176,17 @@ LogTable readHdf5Log(const std::filesystem::path& file) {
   }
   if (table.rows.empty()) throw FileError(name + "has no rows.");
   return table;
+}
+
+std::optional<std::string> hdf5State(const std::filesystem::path& file) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  try {
+    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (H5Lexists(held, kStateSet, H5P_DEFAULT) <= 0) return std::nullopt;
+    return readText(held, kStateSet);
+  } catch (const WriteError&) {
+    throw FileError("\"" + file.string() + "\" cannot be read as HDF5.");
+  }
 }
 
 struct Hdf5Log::Impl {
@@ -207,7 +221,10 @@ void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) 
                      "\" cannot be written. Choose another place.");
   }
   writeText(file, "provenance", header);
-  writeText(file, "parameters", parametersOf(header));
+  const std::string_view parameters = lineOf(header, "parameters ");
+  writeText(file, "parameters", parameters.empty() ? "{}" : parameters);
+  const std::string_view state = lineOf(header, std::string(kStateSet) + " ");
+  if (!state.empty()) writeText(file, kStateSet, state);
   if (surface != nullptr) writeSurface(file, *surface);
   const Id group(H5Gcreate2(file, "log", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   for (const LogColumn& column : kLogColumns) {

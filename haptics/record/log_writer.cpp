@@ -17,6 +17,7 @@ namespace relievo {
 
 namespace {
 constexpr std::size_t kFlushBytes = 1U << 16U;
+constexpr std::size_t kRoomBytes = 2048;  // For the footer, which is known at the end.
 
 template <class Number>
 void appendNumber(std::string& to, Number value) {
@@ -40,6 +41,22 @@ void appendQuoted(std::string& to, std::string_view text) {
     to += (c == '\n' || c == '\r') ? ' ' : c;  // A row stays one line.
   }
   to += '"';
+}
+
+/// How the loop ran; and lines of which there may be any number.
+struct Footer {
+  std::string loop, windows;
+};
+Footer splitFooter(std::string_view text) {
+  Footer parts;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    const bool many = line.starts_with("window ") || line.starts_with("replay ");
+    (many ? parts.windows : parts.loop).append(line).append("\n");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return parts;
 }
 
 std::string commented(std::string_view header) {
@@ -84,7 +101,7 @@ void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::
   to.back() = '\n';
 }
 
-LogWriter::LogWriter(std::filesystem::path file, std::string_view header)
+LogWriter::LogWriter(std::filesystem::path file, std::string_view header, LogKind kind)
     : file_(std::move(file)),
       descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) {
@@ -92,6 +109,10 @@ LogWriter::LogWriter(std::filesystem::path file, std::string_view header)
                      "\" cannot be written: " + std::strerror(errno) + ". Choose another place.");
   }
   buffer_ = commented(header);
+  if (kind == LogKind::recording) {
+    room_at_ = static_cast<std::int64_t>(buffer_.size());
+    buffer_.append("# not ended").append(kRoomBytes - 12, ' ').append("\n");
+  }
   buffer_.append(logColumns()).append("\n");
 }
 
@@ -156,13 +177,26 @@ void LogWriter::giveUp(int error_number) {
                    "E401");
 }
 
+/// Exactly as long as the room, by blanks before the last line end.
+bool LogWriter::writeIntoRoom(std::string text) {
+  if (room_at_ == 0 || text.empty() || text.size() > kRoomBytes) return false;
+  text.insert(text.size() - 1, kRoomBytes - text.size(), ' ');
+  const ssize_t count = ::pwrite(descriptor_, text.data(), text.size(), room_at_);
+  return count == static_cast<ssize_t>(text.size());
+}
+
 void LogWriter::close(std::string_view footer) {
   if (descriptor_ < 0) return;
   flush();
-  if (!footer.empty()) {
+  const Footer parts = splitFooter(footer);
+  std::string after = commented(parts.windows);
+  if (!parts.loop.empty() && !writeIntoRoom(commented(parts.loop))) {
+    after = commented(parts.loop) + after;
+  }
+  if (!after.empty()) {
     // The rows are safe: a footer that does not fit is left out.
     const std::int64_t before = bytes_on_disk_;
-    if (!writeOut(commented(footer)) && ::ftruncate(descriptor_, before) != 0) giveUp(errno);
+    if (!writeOut(after) && ::ftruncate(descriptor_, before) != 0) giveUp(errno);
   }
   const int descriptor = std::exchange(descriptor_, -1);
   // Some file systems report a full disk only here.

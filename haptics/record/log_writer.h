@@ -24,13 +24,15 @@ class LogWriter : public SampleLog {
  public:
   /// @param header  comment lines, each without "#"; "" for none. Separated by line ends.
   /// @throw WriteError  the file cannot be made
-  explicit LogWriter(std::filesystem::path file, std::string_view header = {});
+  explicit LogWriter(std::filesystem::path file, std::string_view header = {},
+                     LogKind kind = LogKind::stroke);
   ~LogWriter() override;
 
   void write(const HapticSample& sample, double t_s, std::string_view event = {}) override;
   /// Writes out what is buffered. @throw WriteError (E401)  as above
   void flush();
-  /// Footer lines follow the rows, each with "# " before it.
+  /// Footer lines, each with "# " before it. In a recording's header, but for lines "window ..."
+  /// and "replay ...": those, and a stroke's, follow the rows.
   void close(std::string_view footer = {}) override;
 
   std::uint64_t rows() const noexcept override { return rows_; }
@@ -38,6 +40,7 @@ class LogWriter : public SampleLog {
 
  private:
   bool writeOut(std::string_view text);
+  bool writeIntoRoom(std::string text);
   [[noreturn]] void giveUp(int error_number);
 
   std::filesystem::path file_;
@@ -46,6 +49,7 @@ class LogWriter : public SampleLog {
   std::uint64_t rows_ = 0;
   std::uint64_t rows_on_disk_ = 0;
   std::int64_t bytes_on_disk_ = 0;
+  std::int64_t room_at_ = 0;  // Where the footer's room begins; 0: there is none.
 };
 
 }  // namespace relievo

@@ -14,7 +14,14 @@
 namespace relievo {
 
 namespace {
-enum Column : std::size_t { kTime = 0, kButtons = 21, kRate = 22, kHandX = 23, kAge = 29 };
+enum Column : std::size_t {
+  kTime = 0,
+  kTick = 1,
+  kButtons = 21,
+  kRate = 22,
+  kHandX = 23,
+  kAge = 29
+};
 static_assert(kLogColumns[kButtons].name == "buttons" && kLogColumns[kRate].name == "rate_Hz");
 static_assert(kLogColumns[kHandX].name == "dev_hip_x_mm" && kLogColumns[kAge].name == "age_s");
 
@@ -36,7 +43,7 @@ bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& val
   return true;
 }
 
-LogTable readCsvLog(const std::filesystem::path& file) {
+LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) throw FileError(name + "cannot be read.");
@@ -44,7 +51,8 @@ LogTable readCsvLog(const std::filesystem::path& file) {
   bool have_columns = false;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with('#')) {
-      if (!have_columns) table.header += line.substr(std::min<std::size_t>(2, line.size())) + '\n';
+      std::string& lines = have_columns ? table.footer : table.header;
+      lines += line.substr(std::min<std::size_t>(2, line.size())) + '\n';
       continue;
     }
     if (!have_columns) {
@@ -52,6 +60,8 @@ LogTable readCsvLog(const std::filesystem::path& file) {
       have_columns = true;
       continue;
     }
+    constexpr std::size_t kRowsPerCheck = 4096;
+    if (table.rows.size() % kRowsPerCheck == 0) task.check();
     table.rows.emplace_back();
     if (!parseRow(line, table.rows.back())) {
       throw FileError(name + "has a row that cannot be read: number " +
@@ -71,9 +81,41 @@ bool sameBits(double a, double b) {
 }
 }  // namespace
 
-LogTable readLog(const std::filesystem::path& file) {
+LogTable readLog(const std::filesystem::path& file, const Task& task) {
   const std::string ending = file.extension().string();
-  return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file) : readCsvLog(file);
+  return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file, task) : readCsvLog(file, task);
+}
+
+std::uint64_t tickOf(const LogRow& row) {
+  return static_cast<std::uint64_t>(row[kTick]);
+}
+
+std::int64_t nanosecondsOf(const LogRow& row) {
+  return nanoseconds(row[kTime]);
+}
+
+DeviceReading readingOf(const LogRow& row, std::int64_t first_ns) {
+  DeviceReading reading;
+  reading.position = {row[kHandX], row[kHandX + 1], row[kHandX + 2]};
+  reading.buttons = static_cast<std::uint32_t>(row[kButtons]);
+  reading.time_ns = first_ns + nanosecondsOf(row) - nanoseconds(row[kAge]);
+  return reading;
+}
+
+void compare(HapticSample& sample, const LogRow& row, ReplayResult& result,
+             const std::function<void(const HapticSample&, double t_s)>& each) {
+  sample.rate_hz = row[kRate];  // Measured, not computed.
+  each(sample, row[kTime]);
+  const auto values = logValues(sample, row[kTime]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (sameBits(values[i], row[i])) continue;
+    ++result.different;
+    if (!result.first) {
+      result.first =
+          ReplayDifference{sample.tick, std::string(kLogColumns[i].name), row[i], values[i]};
+    }
+    return;
+  }
 }
 
 ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
@@ -82,27 +124,11 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
                     const Task& task) {
   ReplayResult result;
   HapticCore core;
-  for (const auto& row : log.rows) {
+  for (const LogRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
-    const std::int64_t now_ns = nanoseconds(row[kTime]);
-    DeviceReading reading;
-    reading.position = {row[kHandX], row[kHandX + 1], row[kHandX + 2]};
-    reading.buttons = static_cast<std::uint32_t>(row[kButtons]);
-    reading.time_ns = now_ns - nanoseconds(row[kAge]);
-    HapticSample sample = core.tick(space, core_options, reading, now_ns);
-    sample.rate_hz = row[kRate];  // Measured, not computed.
-    each(sample, row[kTime]);
-    const auto values = logValues(sample, row[kTime]);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (sameBits(values[i], row[i])) continue;
-      ++result.different;
-      if (!result.first) {
-        result.first =
-            ReplayDifference{sample.tick, std::string(kLogColumns[i].name), row[i], values[i]};
-      }
-      break;
-    }
+    HapticSample sample = core.tick(space, core_options, readingOf(row, 0), nanosecondsOf(row));
+    compare(sample, row, result, each);
   }
   return result;
 }

@@ -14,15 +14,20 @@
 
 namespace relievo {
 
+/// One row's numbers, as logValues() gives them.
+using LogRow = std::array<double, kLogColumns.size()>;
+
 /// A log that was read back.
 struct LogTable {
   std::string header;  ///< Comment lines before the rows, without "# ".
-  std::vector<std::array<double, kLogColumns.size()>> rows;
+  std::string footer;  ///< Those after the first row: how the loop ran, where windows lay.
+  std::vector<LogRow> rows;
 };
 
 /// Reads a log of `openLog`, CSV or HDF5.
 /// @throw FileError  unreadable, no log, other columns; a value that is no number names its row
-LogTable readLog(const std::filesystem::path& file);
+/// @throw Cancelled
+LogTable readLog(const std::filesystem::path& file, const Task& task = {});
 
 /// Where a replay first gave something else than the log says.
 struct ReplayDifference {
@@ -43,5 +48,14 @@ struct ReplayResult {
 ReplayResult replay(const HapticSpace& space, const HapticOptions& core, const LogTable& log,
                     const std::function<void(const HapticSample&, double t_s)>& each,
                     const Task& task = {});
+
+// For replays: what a row says, and what is made of it.
+std::uint64_t tickOf(const LogRow& row);
+std::int64_t nanosecondsOf(const LogRow& row);  ///< Since the first row.
+/// @param first_ns  time of the first row
+DeviceReading readingOf(const LogRow& row, std::int64_t first_ns);
+/// Counts the row if the sample has another bit, and hands the sample on.
+void compare(HapticSample& sample, const LogRow& row, ReplayResult& result,
+             const std::function<void(const HapticSample&, double t_s)>& each);
 
 }  // namespace relievo

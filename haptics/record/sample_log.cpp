@@ -40,12 +40,12 @@ std::array<double, kLogColumns.size()> logValues(const HapticSample& s, double t
 }
 
 std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,
-                                   const HapticSpace* surface) {
+                                   const HapticSpace* surface, LogKind kind) {
   const std::string ending = file.extension().string();
   if (ending == ".h5" || ending == ".hdf5") {
     return std::make_unique<Hdf5Log>(file, header, surface);
   }
-  return std::make_unique<LogWriter>(file, header);
+  return std::make_unique<LogWriter>(file, header, kind);
 }
 
 }  // namespace relievo

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "haptics/loop/haptic_core.h"
@@ -71,11 +73,19 @@ class SampleLog {
   virtual const std::filesystem::path& file() const noexcept = 0;
 };
 
-/// HDF5 where the name ends in .h5 or .hdf5, else CSV. `header` as for LogWriter; a line
-/// "parameters {...}" becomes /parameters of an HDF5 file. `surface`: what is touched, for
-/// /surface; may be null.
+/// A stroke runs on a clock of its own; a recording has a loop whose times end it.
+enum class LogKind : std::uint8_t { stroke, recording };
+
+/// HDF5 where the name ends in .h5 or .hdf5, else CSV. `header` as for LogWriter; its line
+/// "parameters {...}" becomes /parameters of an HDF5 file, "relievo:state {...}" its
+/// /relievo:state. In a CSV file of a recording the footer stands before the rows, in room that is
+/// kept for it. `surface`: what is touched, for /surface; may be null.
 /// @throw WriteError  the file cannot be made
 std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,
-                                   const HapticSpace* surface = nullptr);
+                                   const HapticSpace* surface = nullptr,
+                                   LogKind kind = LogKind::stroke);
+
+/// The provenance inside an HDF5 log; nothing if it has none. @throw FileError  no HDF5 file
+std::optional<std::string> hdf5State(const std::filesystem::path& file);
 
 }  // namespace relievo

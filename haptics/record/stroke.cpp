@@ -64,7 +64,10 @@ class StrokeCursor {
 HapticOptions strokeHapticOptions(const StrokeOptions& options) {
   HapticOptions core;
   core.proxy = options.proxy;
-  core.stiffness_by_detail = false;
+  core.stiffness_by_detail = options.stiffness_by_detail;
+  core.detail_stiffness = options.detail_stiffness;
+  core.fields = options.fields;
+  core.force.transient = options.transient;
   core.force.stiffness_n_per_mm = options.stiffness_n_per_mm;
   core.force.damping_n_s_per_mm = options.damping_n_s_per_mm;
   core.force.strength = 1;

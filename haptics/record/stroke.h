@@ -35,9 +35,13 @@ enum class StrokeFrame : std::uint8_t { view, device };
 /// asked for.
 struct StrokeOptions {
   ProxyOptions proxy;
-  double stiffness_n_per_mm = 0.5;  ///< N per mm of hand, > 0.
-  double damping_n_s_per_mm = 0;    ///< Of the surface, >= 0.
-  bool safety = false;              ///< true: ramp, slew, cap, as in the window, at full strength.
+  double stiffness_n_per_mm = 0.5;   ///< N per mm of hand, > 0.
+  double damping_n_s_per_mm = 0;     ///< Of the surface, >= 0.
+  bool stiffness_by_detail = false;  ///< true: detail_stiffness instead.
+  DetailStiffness detail_stiffness = kDetailStiffness;
+  FieldOptions fields;
+  TransientOptions transient;
+  bool safety = false;  ///< true: ramp, slew, cap, as in the window, at full strength.
   StrokeFrame frame = StrokeFrame::view;
   /// An open device that follows the stroke and feels the force; null: the hand is the stroke.
   SteeredDevice* device = nullptr;

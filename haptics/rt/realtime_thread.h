@@ -18,15 +18,22 @@ struct MemoryRegion {
 
 /// What the system granted. A refusal is no error: the loop runs, less evenly, and says so.
 struct RealtimeGrant {
-  bool realtime = false;      ///< SCHED_FIFO, or SCHED_RR from RealtimeKit.
-  bool memory_locked = true;  ///< All regions.
-  std::string note;           ///< What was refused, why, and what helps; empty: nothing was.
+  bool realtime = false;           ///< SCHED_FIFO, or SCHED_RR from RealtimeKit.
+  bool memory_locked = true;       ///< All regions, the stack and the code of the loop.
+  std::uint64_t locked_bytes = 0;  ///< Of them.
+  std::string note;                ///< What was refused, why, and what helps; empty: nothing was.
 };
 
 /// Asks for what a 1 kHz thread needs, for the calling thread: SCHED_FIFO at `fifo_priority`
 /// (0: not asked for), from the system and, if it refuses, from RealtimeKit; timer slack of 1 ns,
-/// and locked memory. Never throws for a refusal. [the thread itself, before its loop]
+/// and locked memory: `lock`, then kStackBytes of its stack, then the libraries that it runs in.
+/// Not the whole process: a scan of some gigabytes would be locked with it. What cannot be locked
+/// is touched once, so that it is there at first. Never throws for a refusal. [the thread itself,
+/// before its loop]
 RealtimeGrant requestRealtime(int fifo_priority, std::span<const MemoryRegion> lock);
+
+/// Of a loop's stack that is made present before it runs.
+inline constexpr std::size_t kStackBytes = std::size_t{256} << 10U;
 
 /// CLOCK_MONOTONIC.
 std::int64_t monotonicNs() RELIEVO_REALTIME;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "haptics/space/surface_fit.h"
@@ -25,6 +26,58 @@ void requireComplete(const RegionWindow& window) {
     throw ArgumentError("The window's side is " + std::to_string(window.region.side_mm) +
                         " mm; it must be greater than 0.");
   }
+}
+
+void requireShares(std::span<const float> firmness) {
+  if (firmness.empty()) return;
+  const bool shares = std::all_of(firmness.begin(), firmness.end(),
+                                  [](float part) { return part >= 0 && part <= 1; });
+  if (firmness.size() != kWindowCount || !shares) {
+    throw ArgumentError("A map of firmness must hold 200 x 200 numbers from 0 to 1.");
+  }
+}
+
+bool isFirm(Origin origin) {
+  return origin == Origin::measured || origin == Origin::steep;
+}
+
+/// The mean over 7 samples, twice, along lines of samples `step` apart; beyond its ends a line
+/// goes on as it ends.
+void spread(std::vector<float>& values, std::size_t step, std::size_t across) {
+  constexpr int kReach = kFirmnessReach / 2, kLast = kWindowSamples - 1;
+  std::vector<float> line(kWindowSamples);
+  for (std::size_t start = 0; start < kWindowSamples; ++start) {
+    for (int pass = 0; pass < 2; ++pass) {
+      for (std::size_t i = 0; i < kWindowSamples; ++i) line[i] = values[start * across + i * step];
+      for (int i = 0; i <= kLast; ++i) {
+        float sum = 0;
+        for (int k = i - kReach; k <= i + kReach; ++k) {
+          sum += line[static_cast<std::size_t>(std::clamp(k, 0, kLast))];
+        }
+        values[start * across + static_cast<std::size_t>(i) * step] = sum / (2 * kReach + 1);
+      }
+    }
+  }
+}
+
+/// A hand must be able to glide from firm to soft: a step would push it.
+void fillFirmness(HapticSpace& space, const RegionWindow& window, std::span<const float> firmness) {
+  constexpr float kFull = 255;
+  std::vector<float> parts(firmness.begin(), firmness.end());
+  if (parts.empty()) {
+    parts.resize(kWindowCount);
+    std::transform(window.origins.begin(), window.origins.end(), parts.begin(),
+                   [](Origin origin) { return isFirm(origin) ? 1.0F : 0.0F; });
+  }
+  space.firm_everywhere =
+      std::all_of(parts.begin(), parts.end(), [](float part) { return part >= 1; });
+  if (!space.firm_everywhere) {
+    spread(parts, 1, kWindowSamples);
+    spread(parts, kWindowSamples, 1);
+  }
+  std::transform(parts.begin(), parts.end(), space.firmness.begin(), [](float part) {
+    return static_cast<std::uint8_t>(std::lround(kFull * std::clamp(part, 0.0F, 1.0F)));
+  });
 }
 }  // namespace
 
@@ -55,8 +108,9 @@ HandMapping mappingOf(const RegionWindow& window, const std::optional<Anchor>& a
 }
 
 void fill(HapticSpace& space, const RegionWindow& window, DetailStep step, SurfaceKind kind,
-          const std::optional<Anchor>& anchor) {
+          const std::optional<Anchor>& anchor, std::span<const float> firmness) {
   requireComplete(window);
+  requireShares(firmness);
   const HandMapping mapping = mappingOf(window, anchor);
   std::transform(window.heights_mm.begin(), window.heights_mm.end(), space.samples.begin(),
                  [](float h) {
@@ -74,8 +128,11 @@ void fill(HapticSpace& space, const RegionWindow& window, DetailStep step, Surfa
   space.device_translation = {m[3], m[7], m[11]};
   space.region = window.region;
   space.window_id = window.id;
+  space.scene_id = 0;
   space.detail = step.detail;
   space.levels = step.levels;
+  fillFirmness(space, window, firmness);
+  space.texture.present = false;
   fitSurface(space, kind);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <type_traits>
 
 #include "core/base/origin.h"
@@ -59,6 +60,15 @@ struct BlockTops {
   }
 };
 
+/// What lies between the samples of a window and is too fine for its surface: how far the next
+/// finer level rises above it, at twice as many places per side. One byte per place.
+struct TextureMap {
+  static constexpr int kSamples = 2 * kWindowSamples;
+  static constexpr std::size_t kCount = std::size_t{kSamples} * kSamples;
+  std::array<std::int8_t, kCount> rise_um{};  ///< Micrometres of hand; row 0 at the lowest y.
+  bool present = false;                       ///< There is a finer level.
+};
+
 /// The surface under the hand: one 200 x 200 window, paper sec. 4.1 and 6, with its place in the
 /// hand's workspace. Fixed size and trivially copyable, so that it crosses threads by value inside
 /// a SceneBuffer. One scale for x, y and z: the relief keeps its proportions at every level.
@@ -69,6 +79,10 @@ struct HapticSpace {
   BlockTops block_tops;
   std::array<std::uint8_t, kWindowCount> marks{};    ///< Breaks.
   std::array<std::uint8_t, kWindowCount> origins{};  ///< Codes of `Origin`.
+  /// 0 .. 255: from as soft as the ground gets here to the full stiffness; smooth over some cells.
+  std::array<std::uint8_t, kWindowCount> firmness{};
+  bool firm_everywhere = true;
+  TextureMap texture;
   SurfaceKind surface = SurfaceKind::bilinear;
   double first_x_mm = 0.2, first_y_mm = 0.2;  ///< View position of sample (0, 0).
   double cell_mm = 0.4;                       ///< View mm from sample to sample.
@@ -78,6 +92,7 @@ struct HapticSpace {
   DeviceMm device_translation{-40, -40, 0};   ///< device = device_per_view * view + this.
   Region region{0, 0, 80, {}};
   std::uint64_t window_id = 0;  ///< Changes with every new window.
+  std::uint64_t scene_id = 0;   ///< Given by whoever fills; names this very filling in recordings.
   std::int32_t detail = 1, levels = 1;
 
   double deviceMmPerCell() const RELIEVO_REALTIME { return cell_mm * device_per_view; }
@@ -116,7 +131,8 @@ struct HapticSpace {
   Origin originAt(GridPoint p) const RELIEVO_REALTIME;
 };
 static_assert(std::is_trivially_copyable_v<HapticSpace>);
-static_assert(sizeof(HapticSpace) <= 24 * kWindowCount, "24 bytes per sample in all");
+static_assert(sizeof(HapticSpace) - sizeof(TextureMap) <= 24 * kWindowCount,
+              "24 bytes per sample of the surface in all, and one per place of the texture");
 
 /// Which step of the detail ladder a window is: Detail `detail` of `levels`, 1 the whole.
 struct DetailStep {
@@ -136,10 +152,18 @@ inline constexpr DeviceMm kHandReach{48, 48, 42};
 /// the window stays within kHandReach.
 HandMapping mappingOf(const RegionWindow& window, const std::optional<Anchor>& anchor = {});
 
+/// Over how many samples to either side a change of firmness is spread: 2.4 mm of hand at most.
+inline constexpr int kFirmnessReach = 6;
+
 /// Copies a window, lays it into the hand's workspace (mappingOf) and prepares the surface between
 /// its samples. About 10 ms. [worker]
-/// @throw ArgumentError  the window does not have 200 x 200 samples, or one is not finite
+/// Texture is a step of its own (haptics/proxy/texture.h).
+/// @param firmness  kWindowCount numbers in [0, 1], row 0 at the lowest y: 1 where the ground is
+///                  firm. Empty: firm where the window's origins say measured or steep
+/// @throw ArgumentError  the window does not have 200 x 200 samples, or one is not finite; a
+///                       firmness of another size, or a number of it outside [0, 1]
 void fill(HapticSpace& space, const RegionWindow& window, DetailStep step,
-          SurfaceKind kind = SurfaceKind::gated, const std::optional<Anchor>& anchor = {});
+          SurfaceKind kind = SurfaceKind::gated, const std::optional<Anchor>& anchor = {},
+          std::span<const float> firmness = {});
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/haptics_panel.h"
 
+#include <algorithm>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -13,6 +14,7 @@
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include "core/base/error.h"
 #include "haptics/device_catalog.h"
 
 namespace relievo {
@@ -42,7 +44,24 @@ QComboBox* choice(const char* object_name, const QString& accessible, const QStr
 }
 
 constexpr int kOwnValues = static_cast<int>(kSurfacePresets.size());  // Index after the presets.
-constexpr double kMmPerM = 1000;
+constexpr double kMmPerM = 1000, kUmPerMm = 1000, kPercent = 100;
+
+struct Box {
+  const char* object_name;
+  QString accessible, suffix, tip;
+  double least, most, step;
+  int decimals;
+};
+
+QDoubleSpinBox* numberBox(const Box& what) {
+  auto* box = named(new QDoubleSpinBox, what.object_name, what.accessible);
+  box->setRange(what.least, what.most);
+  box->setSingleStep(what.step);
+  box->setDecimals(what.decimals);
+  box->setSuffix(what.suffix);
+  box->setToolTip(what.tip);
+  return box;
+}
 
 void setTextIfNew(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);  // No repaint, no event, if nothing changed.
@@ -50,6 +69,7 @@ void setTextIfNew(QLabel* label, const QString& text) {
 
 QString stateText(const LoopReport& report) {
   const HapticSample& sample = report.sample;
+  if (!report.not_ready.isEmpty()) return report.not_ready;
   if (sample.fault != DeviceFault::none) {
     const std::string_view fault = describe(sample.fault);
     return HapticsPanel::tr("Off: %1. Switch off and on to try again.")
@@ -78,6 +98,7 @@ HapticsPanel::HapticsPanel(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("hapticsPanel"));
   buildControls();
   buildFeel();
+  buildFields();
   buildReadouts();
   connectControls();
   auto* column = new QVBoxLayout(this);
@@ -107,6 +128,11 @@ QFormLayout* HapticsPanel::rows() {
   form->addRow(QString(), by_detail_);
   labelled(tr("Fr&iction"), friction_, friction_);
   labelled(tr("Dam&ping"), damping_, damping_);
+  labelled(tr("Not &measured"), soft_, soft_);
+  labelled(tr("Tic&k there"), tick_, tick_);
+  labelled(tr("Text&ure"), texture_, texture_);
+  labelled(tr("K&nock"), knock_, knock_);
+  labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
   labelled(tr("&Device"), device_, device_);
   form->addRow(tr("Force loop"), health_);
@@ -127,7 +153,9 @@ void HapticsPanel::buildControls() {
       strength_value_->fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
   by_detail_ = named(new QCheckBox(tr("as the &level suggests")), "stiffnessByDetail",
                      tr("Stiffness as the level suggests"));
-  by_detail_->setToolTip(tr("0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones."));
+  by_detail_->setToolTip(
+      tr("0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the "
+         "shown level's own."));
   stiffness_ = named(new QDoubleSpinBox, "stiffness", tr("Stiffness in newtons per millimetre"));
   stiffness_->setRange(kLeastStiffness, kMostStiffness);
   stiffness_->setSingleStep(0.05);
@@ -158,25 +186,55 @@ void HapticsPanel::buildFeel() {
                   {tr("Converged (exact)"), tr("As in the paper (eq. 2)"),
                    tr("Successive approximation (paper)")});
   proxy_->setToolTip(tr("The proxy is the point that stays on the surface."));
-  friction_ = named(new QDoubleSpinBox, "friction", tr("Friction at rest, 0 to 1"));
-  friction_->setRange(0, kMostFrictionAsked);
-  friction_->setSingleStep(0.05);
-  friction_->setToolTip(
-      tr("Force along the surface that holds the hand, as a part of the force against it; three "
-         "quarters of it while sliding. The paper's proxies know none."));
-  damping_ = named(new QDoubleSpinBox, "damping", tr("Damping in newton seconds per metre"));
-  damping_->setRange(0, kMmPerM * kMostDamping);
-  damping_->setSingleStep(0.1);
-  damping_->setDecimals(1);
-  damping_->setSuffix(tr(" N s/m"));
-  damping_->setToolTip(tr("Against the speed of pressing in."));
+  friction_ = numberBox(
+      {"friction",
+       tr("Friction at rest, 0 to 1"),
+       {},
+       tr("Force along the surface that holds the hand, as a part of the force against it; three "
+          "quarters of it while sliding. The paper's proxies know none."),
+       0,
+       kMostFrictionAsked,
+       0.05,
+       2});
+  damping_ =
+      numberBox({"damping", tr("Damping in newton seconds per metre"), tr(" N s/m"),
+                 tr("Against the speed of pressing in."), 0, kMmPerM * kMostDamping, 0.1, 1});
+}
+
+void HapticsPanel::buildFields() {
+  soft_ =
+      numberBox({"softPart", tr("Stiffness of ground that was not measured, in percent"), tr(" %"),
+                 tr("How stiff filled gaps and the base plane are, as a part of the stiffness of "
+                    "measured ground. 100 %: no difference."),
+                 kPercent * kLeastSoftPart, kPercent, 5, 0});
+  tick_ =
+      numberBox({"crossingTick", tr("Tick at the border of measured ground, in newtons"), tr(" N"),
+                 tr("A faint tick on the way from measured ground to other ground, and "
+                    "back. 0: none."),
+                 0, kMostCrossingN, 0.02, 2});
+  texture_ = numberBox({"texture", tr("Texture of the next finer level, in micrometres of hand"),
+                        tr(" µm"),
+                        tr("How much of the next finer level is felt, at most, on top of the level "
+                           "that is touched. 0: none."),
+                        0, kUmPerMm * kMostTextureMm, 5, 0});
+  knock_ = numberBox({"contactKnock", tr("Knock of a new contact, in newtons at most"), tr(" N"),
+                      tr("A short knock as hard as the hand comes. 0: none."), 0, kMostContactN,
+                      0.05, 2});
+  magnet_ =
+      numberBox({"magnet", tr("Pull toward the surface, in newtons at most"), tr(" N"),
+                 tr("A gentle pull that begins 3 mm above the surface and ends on it. 0: none."), 0,
+                 kMostMagnetN, 0.1, 2});
 }
 
 void HapticsPanel::connectControls() {
   connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
   connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
   connect(by_detail_, &QCheckBox::toggled, this, &HapticsPanel::changed);
-  for (QDoubleSpinBox* box : {stiffness_, friction_, damping_}) {
+  connect(stiffness_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          &HapticsPanel::takeStiffness);
+  connect(by_detail_, &QCheckBox::toggled, this, &HapticsPanel::showStiffness);
+  for (QDoubleSpinBox* box :
+       {stiffness_, friction_, damping_, soft_, tick_, texture_, knock_, magnet_}) {
     connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
             &HapticsPanel::changed);
   }
@@ -189,12 +247,29 @@ void HapticsPanel::connectControls() {
 }
 
 void HapticsPanel::listDevices() {
+  const QSignalBlocker blocker(device_);
+  const QString chosen = device_->currentData().toString();
+  device_->clear();
   for (const DeviceDriver& driver : deviceCatalog()) {
     for (const std::string& id : driver.scan()) {
       device_->addItem(QString::fromStdString(driver.make(id)->info().name),
                        QString::fromStdString(id));
     }
   }
+  if (!chosen.isEmpty()) chooseDevice(chosen);
+}
+
+void HapticsPanel::chooseDevice(const QString& id) {
+  if (device_->findData(id) < 0) {
+    QString name = id;
+    try {
+      name = QString::fromStdString(makeDevice(id.toStdString())->info().name);
+    } catch (const Error&) {
+      // Known to no driver: its id must do.
+    }
+    device_->addItem(tr("%1 (not here now)").arg(name), id);
+  }
+  device_->setCurrentIndex(device_->findData(id));
 }
 
 void HapticsPanel::buildReadouts() {
@@ -208,10 +283,24 @@ void HapticsPanel::buildReadouts() {
 
 void HapticsPanel::changed() {
   strength_value_->setText(tr("%1 %").arg(strength_->value()));
-  stiffness_->setEnabled(!by_detail_->isChecked());
   friction_->setEnabled(proxy_->currentIndex() == static_cast<int>(ProxyKind::converged));
   showPreset();
   Q_EMIT settingsChanged();
+}
+
+std::size_t HapticsPanel::level() const {
+  constexpr int kLast = static_cast<int>(std::tuple_size_v<DetailStiffness>);
+  return static_cast<std::size_t>(std::clamp<int>(report_.sample.detail, 1, kLast) - 1);
+}
+
+void HapticsPanel::takeStiffness(double value) {
+  (by_detail_->isChecked() ? detail_stiffness_.at(level()) : fixed_stiffness_) = value;
+}
+
+void HapticsPanel::showStiffness() {
+  const double k = by_detail_->isChecked() ? detail_stiffness_.at(level()) : fixed_stiffness_;
+  const QSignalBlocker blocker(stiffness_);
+  stiffness_->setValue(k);
 }
 
 void HapticsPanel::takePreset(int index) {
@@ -234,18 +323,25 @@ void HapticsPanel::showPreset() {
 void HapticsPanel::setSettings(const TouchSettings& settings) {
   {
     const QSignalBlocker a(strength_), b(by_detail_), c(stiffness_), d(proxy_), e(device_),
-        f(surface_), g(friction_), h(damping_);
+        f(surface_), g(friction_), h(damping_), i(soft_), j(tick_), k(texture_), l(knock_),
+        m(magnet_);
     const SurfaceFeel& feel = settings.feel;
     strength_->setValue(settings.strength_percent);
     by_detail_->setChecked(feel.stiffness_by_detail);
-    stiffness_->setValue(feel.stiffness_n_per_mm);
+    detail_stiffness_ = feel.detail_stiffness;
+    fixed_stiffness_ = feel.stiffness_n_per_mm;
+    showStiffness();
     proxy_->setCurrentIndex(static_cast<int>(feel.proxy));
     surface_->setCurrentIndex(static_cast<int>(feel.surface));
     friction_->setValue(feel.friction);
     damping_->setValue(kMmPerM * feel.damping_n_s_per_mm);
-    const QString device = QString::fromStdString(settings.device);
-    if (device_->findData(device) < 0) device_->addItem(device, device);  // Not here now.
-    device_->setCurrentIndex(device_->findData(device));
+    soft_->setValue(kPercent * feel.fields.softest_part);
+    tick_->setValue(feel.transient.crossing_n);
+    texture_->setValue(kUmPerMm * feel.fields.texture_mm);
+    knock_->setValue(feel.transient.contact_n);
+    magnet_->setValue(feel.fields.magnet_n);
+    magnet_reach_mm_ = feel.fields.magnet_reach_mm;
+    chooseDevice(QString::fromStdString(settings.device));
   }
   changed();
 }
@@ -255,9 +351,16 @@ SurfaceFeel HapticsPanel::feel() const {
   feel.proxy = static_cast<ProxyKind>(proxy_->currentIndex());
   feel.surface = static_cast<SurfaceKind>(surface_->currentIndex());
   feel.stiffness_by_detail = by_detail_->isChecked();
-  feel.stiffness_n_per_mm = stiffness_->value();
+  feel.stiffness_n_per_mm = fixed_stiffness_;
+  feel.detail_stiffness = detail_stiffness_;
   feel.friction = friction_->value();
   feel.damping_n_s_per_mm = damping_->value() / kMmPerM;
+  feel.fields.softest_part = soft_->value() / kPercent;
+  feel.fields.texture_mm = texture_->value() / kUmPerMm;
+  feel.fields.magnet_n = magnet_->value();
+  feel.fields.magnet_reach_mm = magnet_reach_mm_;
+  feel.transient.crossing_n = tick_->value();
+  feel.transient.contact_n = knock_->value();
   return feel;
 }
 
@@ -288,14 +391,12 @@ void HapticsPanel::setForcesAsked(bool on) {
 void HapticsPanel::show(const LoopReport& report) {
   const HapticSample& sample = report.sample;
   setTextIfNew(state_, stateText(report));
-  if (by_detail_->isChecked() && sample.stiffness_n_per_mm > 0) {
-    const QSignalBlocker blocker(stiffness_);
-    stiffness_->setValue(sample.stiffness_n_per_mm);  // Shows what the level suggests.
-  }
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));
+  const bool another_level = report.sample.detail != report_.sample.detail;
   report_ = report;
+  if (another_level && by_detail_->isChecked()) showStiffness();
   if (open_details_) open_details_->show(report_);
   constexpr int kShowsPerLine = 8;  // Read by speech, too: no oftener than once a second.
   if (health_shows_++ % kShowsPerLine != 0 && report.stats.rate_hz > 0) return;

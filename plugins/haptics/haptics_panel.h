@@ -26,6 +26,8 @@ class HapticsPanel : public QWidget {
   void setSettings(const TouchSettings& settings);
   TouchSettings settings() const;
   void setForcesAsked(bool on);
+  /// Those that are there now; the chosen one stays chosen.
+  void listDevices();
   void show(const LoopReport& report);  ///< A few times a second.
   using QWidget::show;
 
@@ -36,11 +38,15 @@ class HapticsPanel : public QWidget {
  private:
   void buildControls();
   void buildFeel();
+  void buildFields();
   void connectControls();
   void takePreset(int index);
   void showPreset();
+  void showStiffness();
+  void takeStiffness(double value);
+  std::size_t level() const;  // Index of the shown level's own stiffness.
   SurfaceFeel feel() const;
-  void listDevices();
+  void chooseDevice(const QString& id);
   void buildReadouts();
   QFormLayout* rows();
   void showDetails();
@@ -56,14 +62,22 @@ class HapticsPanel : public QWidget {
   QComboBox* proxy_ = nullptr;
   QDoubleSpinBox* friction_ = nullptr;
   QDoubleSpinBox* damping_ = nullptr;
+  QDoubleSpinBox* soft_ = nullptr;
+  QDoubleSpinBox* tick_ = nullptr;
+  QDoubleSpinBox* texture_ = nullptr;
+  QDoubleSpinBox* knock_ = nullptr;
+  QDoubleSpinBox* magnet_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* depth_ = nullptr;
   QComboBox* device_ = nullptr;
   QLabel* health_ = nullptr;
   QPushButton* details_ = nullptr;
   QPointer<LoopDetailsDialog> open_details_;
-  LoopReport report_;     // The last one shown.
-  int health_shows_ = 0;  // Since the health line was written.
+  LoopReport report_;  // The last one shown.
+  DetailStiffness detail_stiffness_ = kDetailStiffness;
+  double fixed_stiffness_ = 0;  // The same at every level.
+  double magnet_reach_mm_ = 3;  // No control of its own.
+  int health_shows_ = 0;        // Since the health line was written.
 };
 
 }  // namespace relievo

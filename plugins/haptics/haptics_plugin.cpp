@@ -14,6 +14,10 @@
 
 namespace relievo {
 
+namespace {
+constexpr const char* kMouse = "mouse";  // Always there.
+}
+
 HapticsPlugin::~HapticsPlugin() {
   detach();
 }
@@ -26,6 +30,10 @@ void HapticsPlugin::attach(Host& host) {
   host.addPanel(tr("Touch"), panel_);
   actions_ = addTouchActions(host);
   buttons_ = makeDeviceButtons(host);
+  buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.
+  buttons_panel_->setSettings(button_settings_);
+  host.addPanel(tr("Buttons"), buttons_panel_);
+  connectButtons();
   connectControls();
   connectHost();
   applySettings();
@@ -33,38 +41,50 @@ void HapticsPlugin::attach(Host& host) {
   constexpr int kFrameMs = 16;
   connect(&timer_, &QTimer::timeout, this, &HapticsPlugin::frame);
   timer_.start(kFrameMs);
+  plugs_ = std::make_unique<falcon::PlugWatch>();
+  sleep_ = std::make_unique<SleepWatch>();
   slowReadouts();
 }
 
 void HapticsPlugin::openDevice() {
   session_.reset();  // One program at a time can hold a device.
+  device_said_.clear();
   opened_ = settings_.device;
   try {
     session_ = std::make_unique<LoopSession>(settings_.device);
   } catch (const DeviceError& error) {
-    constexpr const char* kAlwaysThere = "mouse";
-    if (settings_.device == kAlwaysThere) throw;
+    if (settings_.device == kMouse) throw;
     host_->announce(tr("%1 The mouse is the hand now.").arg(QString::fromUtf8(error.what())));
-    settings_.device = opened_ = kAlwaysThere;
-    session_ = std::make_unique<LoopSession>(kAlwaysThere);
+    settings_.device = opened_ = kMouse;
+    session_ = std::make_unique<LoopSession>(kMouse);
     if (panel_) panel_->setSettings(settings_);
   }
 }
 
 void HapticsPlugin::changeDevice() {
   setForces(false);
+  if (buttons_) buttons_->cancelMoving();
   shown_ = {};
   fault_ = DeviceFault::none;
   openDevice();
   applySettings();
   if (const auto window = host_->shownWindow()) showWindow(*window);
+  if (opened_ != wish_) return;  // Why not, has been said.
   const QString name = QString::fromStdString(session_->loop().device().name);
   host_->announce(tr("Device: %1.").arg(name));
+}
+
+void HapticsPlugin::chooseDevice(const std::string& id) {
+  wish_ = settings_.device = id;
+  if (panel_) panel_->setSettings(settings_);
+  if (session_ && settings_.device != opened_) changeDevice();
 }
 
 void HapticsPlugin::detach() noexcept {
   if (!session_) return;
   timer_.stop();
+  plugs_.reset();
+  sleep_.reset();
   disconnect(host_, nullptr, this, nullptr);
   delete setup_;  // Zero force, joins.
   buttons_.reset();
@@ -89,7 +109,11 @@ void HapticsPlugin::showWindow(const RegionWindow& window) {
   shown_ = {};  // The host may have cleared its probe.
   surface_ = settings_.feel.surface;
   try {
-    session_->show(window, surface_);
+    std::vector<float> finer_mm;
+    textured_ = settings_.feel.fields.texture_mm > 0;
+    if (textured_) finer_mm = host_->finerHeights(window);
+    session_->show(window, surface_, finer_mm);
+    if (session_->recorder().running()) recorded_windows_ += windowLine(window);
   } catch (const Error& error) {
     setForces(false);
     host_->announce(QString::fromStdString(error.what()));
@@ -103,6 +127,20 @@ void HapticsPlugin::connectControls() {
   connect(actions_.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
   connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
   connect(actions_.setup, &QAction::triggered, this, &HapticsPlugin::setUpDevice);
+  connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
+  connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
+    settings_ = panel_->settings();
+    if (settings_.device != opened_) {
+      wish_ = settings_.device;
+      changeDevice();
+    }
+    applySettings();
+    applySurface();
+  });
+}
+
+void HapticsPlugin::connectButtons() {
+  buttons_->setSettings(button_settings_);
   connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
     const auto window = host_->shownWindow();
     if (!window || !session_) return;
@@ -110,13 +148,26 @@ void HapticsPlugin::connectControls() {
     const ViewMm at = session_->update().hip_view;
     session_->moveHand({at.x + by.x / scale, at.y + by.y / scale, at.z + by.z / scale});
   });
-  connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
-  connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
-    settings_ = panel_->settings();
-    if (settings_.device != opened_) changeDevice();
+  connect(buttons_.get(), &DeviceButtons::gateChanged, this, [this] {
+    const bool moving = buttons_->moving();
+    actions_.move_mode->setChecked(moving);
+    actions_.move_back->setEnabled(moving);
+    if (session_) session_->setMoving(moving);
     applySettings();
-    applySurface();
   });
+  connect(buttons_panel_, &ButtonsPanel::settingsChanged, this, [this] {
+    button_settings_ = buttons_panel_->settings();
+    buttons_->setSettings(button_settings_);
+  });
+  connect(actions_.use_mouse, &QAction::triggered, this, [this] { chooseDevice(kMouse); });
+  connect(actions_.move_mode, &QAction::triggered, this, [this] {
+    buttons_->toggleMoving();
+    actions_.move_mode->setChecked(buttons_->moving());
+  });
+  connect(actions_.move_back, &QAction::triggered, this, [this] { buttons_->cancelMoving(); });
+  connect(actions_.where_am_i, &QAction::triggered, this, [this] { buttons_->whereAmI(false); });
+  connect(actions_.say_detail, &QAction::triggered, this, [this] { buttons_->sayDetail(); });
+  connect(actions_.button_help, &QAction::triggered, this, [this] { buttons_->sayHelp(); });
 }
 
 void HapticsPlugin::setForces(bool on) {
@@ -148,18 +199,21 @@ void HapticsPlugin::changeStrength(int percent) {
 
 void HapticsPlugin::applySettings() {
   if (!session_) return;
-  session_->setOptions(hapticOptions(settings_, forces_asked_));
+  HapticOptions options = hapticOptions(settings_, forces_asked_);
+  if (buttons_) options.gate = buttons_->gate();
+  session_->setOptions(options);
 }
 
 void HapticsPlugin::applySurface() {
-  if (!session_ || surface_ == settings_.feel.surface) return;
+  const bool texture_missing = settings_.feel.fields.texture_mm > 0 && !textured_;
+  if (!session_ || (surface_ == settings_.feel.surface && !texture_missing)) return;
   if (const auto window = host_->shownWindow()) showWindow(*window);
 }
 
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop(loopLines(session_->stats()));
+    session_->stopRecording(loopLines(session_->stats()) + recorded_windows_.toStdString());
     return;
   }
   try {
@@ -169,7 +223,9 @@ void HapticsPlugin::setRecording(bool on) {
     const QString header = recordingHeaderLines(
         host_->recordingHeader(), QString::fromStdString(device.name),
         withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
-    session_->recorder().start(file.toStdString(), header.toStdString());
+    session_->startRecording(file.toStdString(), header.toStdString());
+    const auto window = host_->shownWindow();
+    recorded_windows_ = window ? windowLine(*window) : QString();
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
   } catch (const Error& error) {
     const QSignalBlocker blocker(actions_.record);
@@ -193,6 +249,7 @@ void HapticsPlugin::frame() {
   watchSoftening(sample);
   watchRecording();
   runButtons(sample);
+  watchSleep(sample);
   constexpr int kFramesPerReadout = 8;
   if (++frames_ % kFramesPerReadout == 0) slowReadouts();
 }
@@ -204,6 +261,7 @@ void HapticsPlugin::slowReadouts() {
   report.realtime = session_->loop().realtime();
   const DeviceInfo& device = session_->loop().device();
   report.device = QString::fromStdString(device.name);
+  watchDevice(report);
   report.actuated = device.max_force_n > 0;
   if (panel_) panel_->show(report);
 
@@ -219,6 +277,51 @@ void HapticsPlugin::slowReadouts() {
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
   host_->showStatus(status);
+  watchPlugs();
+}
+
+void HapticsPlugin::watchDevice(LoopReport& report) {
+  const falcon::LinkStatus* status = session_->falconStatus();
+  if (status == nullptr) return;
+  const falcon::LinkMessage message = falcon::describe(*status);
+  const QString text = QString::fromStdString(
+      message.code.empty() ? message.screen : message.code + ": " + message.screen);
+  report.device = QString::fromStdString(message.spoken);
+  if (status->state != falcon::LinkState::ready) report.not_ready = text;
+  if (text == device_said_) return;
+  device_said_ = text;
+  host_->announce(text);
+}
+
+void HapticsPlugin::watchSleep(const HapticSample& sample) {
+  switch (sleep_->poll()) {
+    case SleepWatch::News::about_to_sleep:
+      setForces(false);
+      frames_at_zero_ = 0;
+      break;
+    case SleepWatch::News::woken:
+      frames_at_zero_ = -1;
+      host_->announce(tr("Forces are off after the sleep. Press F5 to switch them on."));
+      break;
+    case SleepWatch::News::none:
+      break;
+  }
+  if (frames_at_zero_ < 0 || sample.engaged != EngagePhase::off) return;
+  // Zero reaches the wire within two ticks, unless the driver is busy asking again.
+  constexpr int kFramesUntilSent = 3;
+  if (++frames_at_zero_ == kFramesUntilSent) sleep_->letSleep();
+}
+
+void HapticsPlugin::watchPlugs() {
+  if (!plugs_ || !plugs_->changed()) return;
+  if (panel_) panel_->listDevices();
+  if (setup_ || opened_.starts_with("falcon")) return;  // They wait for it themselves.
+  const bool here = !falcon::seenFalcons().empty();
+  if (here && wish_ == falcon::kFalconId) {
+    chooseDevice(wish_);
+  } else if (here) {
+    host_->announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
+  }
 }
 
 void HapticsPlugin::watchFault(const HapticSample& sample) {
@@ -273,10 +376,10 @@ void HapticsPlugin::setUpDevice() {
     setup_->activateWindow();
     return;
   }
-  const std::string before = settings_.device;
+  const std::string before = wish_;
   setForces(false);
-  if (before.starts_with("falcon")) {  // The dialog holds it now.
-    settings_.device = "mouse";
+  if (opened_.starts_with("falcon")) {  // The dialog holds it now.
+    settings_.device = kMouse;
     changeDevice();
   }
   setup_ = makeDeviceSetup(panel_ ? panel_->window() : nullptr);
@@ -285,19 +388,23 @@ void HapticsPlugin::setUpDevice() {
   });
   connect(setup_, &QDialog::finished, this, [this, before](int result) {
     if (!session_) return;
-    settings_.device = result == QDialog::Accepted ? falcon::kFalconId : before;
-    if (panel_) panel_->setSettings(settings_);
-    if (settings_.device != opened_) changeDevice();
+    chooseDevice(result == QDialog::Accepted ? falcon::kFalconId : before);
   });
   setup_->show();
 }
 
 QByteArray HapticsPlugin::saveState() const {
-  return toJson(settings_);
+  TouchSettings kept = settings_;
+  kept.device = wish_;
+  return withButtons(toJson(kept), button_settings_);
 }
 
 void HapticsPlugin::restoreState(const QByteArray& state) {
   settings_ = touchSettingsFromJson(state);
+  wish_ = settings_.device;
+  button_settings_ = buttonSettingsFromJson(state);
+  if (buttons_panel_) buttons_panel_->setSettings(button_settings_);
+  if (buttons_) buttons_->setSettings(button_settings_);
   if (panel_) panel_->setSettings(settings_);
   if (session_ && settings_.device != opened_) changeDevice();
   applySettings();

@@ -6,7 +6,10 @@
 #include <QPointer>
 #include <QTimer>
 
+#include "haptics/device/falcon/usb_bus.h"
+#include "haptics/rt/sleep_watch.h"
 #include "plugins/api/plugin.h"
+#include "plugins/haptics/buttons_panel.h"
 #include "plugins/haptics/device_setup_buttons.h"
 #include "plugins/haptics/device_setup_dialog.h"
 #include "plugins/haptics/haptics_panel.h"
@@ -36,8 +39,10 @@ class HapticsPlugin : public QObject, public Plugin {
  private:
   void openDevice();    // As the settings say; the mouse if that fails.
   void changeDevice();  // While attached.
+  void chooseDevice(const std::string& id);
   void connectHost();
   void connectControls();
+  void connectButtons();
   void showWindow(const RegionWindow& window);
   void setForces(bool on);
   void changeStrength(int percent);
@@ -49,6 +54,9 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
+  void watchDevice(LoopReport& report);  // Announces its news, and adds them.
+  void watchPlugs();
+  void watchSleep(const HapticSample& sample);
   void runButtons(const HapticSample& sample);
   void setUpDevice();
 
@@ -57,14 +65,23 @@ class HapticsPlugin : public QObject, public Plugin {
   TouchSettings settings_;
   std::unique_ptr<DeviceButtons> buttons_;
   QPointer<DeviceSetupDialog> setup_;
-  std::string opened_;  // Id of the session's device.
+  std::string opened_;          // Id of the session's device.
+  std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.
+  QString device_said_;         // Its last message.
+  std::unique_ptr<falcon::PlugWatch> plugs_;
+  std::unique_ptr<SleepWatch> sleep_;
+  int frames_at_zero_ = -1;  // Since sleep was announced; -1: it was not.
   TouchActions actions_;
+  ButtonSettings button_settings_;
+  QPointer<ButtonsPanel> buttons_panel_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
-  Probe shown_;  // Last given to the host; window_id 0: none yet.
+  QString recorded_windows_;  // Lines for the running recording's end.
+  Probe shown_;               // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   int softened_ = 0;
-  SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last.
+  SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
+  bool textured_ = false;
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;
 };

@@ -63,6 +63,9 @@ QString healthText(const LoopReport& report) {
   if (stats.pauses > 0) {
     said << tr("Pauses after which the force rose anew: %1.").arg(number(stats.pauses));
   }
+  if (stats.page_faults > 0) {
+    said << tr("Waited for memory in %1 ticks.").arg(number(stats.faulty_ticks));
+  }
   if (stats.rate_hz < kGoodRateHz) said << tr("Slow.");
   if (said.isEmpty()) said << tr("Runs well.");
   said << tr("%1 per second, %2 of %3 ticks late, longest gap %4 ms.")
@@ -71,6 +74,8 @@ QString healthText(const LoopReport& report) {
               .arg(stats.worst_period_ms, 0, 'f', 1);
   said << (report.realtime.realtime ? tr("Real-time priority granted.")
                                     : tr("No real-time priority; the tables say why."));
+  said << (report.realtime.memory_locked ? tr("Memory locked.")
+                                         : tr("Memory not locked; the tables say why."));
   return said.join(' ');
 }
 
@@ -82,7 +87,9 @@ QString loopDetailsText(const LoopReport& report) {
                     tr("Computing, mean and longest: %1 µs, %2 µs")
                         .arg(stats.mean_tick_us, 0, 'f', 1)
                         .arg(stats.worst_tick_us, 0, 'f', 1),
-                    tr("Page faults of the loop: %1").arg(number(stats.page_faults)),
+                    tr("Page faults of the loop: %1, in %2 ticks")
+                        .arg(number(stats.page_faults), number(stats.faulty_ticks)),
+                    tr("Memory locked: %1 kB").arg(number(report.realtime.locked_bytes >> 10U)),
                     report.realtime.note.empty() ? tr("Real time: everything was granted.")
                                                  : QString::fromStdString(report.realtime.note),
                     QString(),

@@ -16,6 +16,7 @@ struct LoopReport {
   LoopStats stats;
   RealtimeGrant realtime;
   QString device;
+  QString not_ready;      ///< Why the device cannot be used now, and what helps; empty: it can.
   bool actuated = false;  ///< The device can push back.
 };
 

@@ -9,6 +9,7 @@
 #include "core/region/probe.h"
 #include "core/region/window.h"
 #include "haptics/device/device.h"
+#include "haptics/device/falcon/falcon_device.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
 #include "haptics/record/recorder.h"
@@ -29,17 +30,26 @@ class LoopSession {
   /// A new surface. The hand keeps its place sideways and its depth, so that a change of detail
   /// while touching goes on touching; so does another kind of surface of the same window.
   /// @throw ArgumentError
-  void show(const RegionWindow& window, SurfaceKind kind);
+  /// @param finer_mm  see fillTexture(); empty: no texture
+  void show(const RegionWindow& window, SurfaceKind kind, std::span<const float> finer_mm = {});
   bool hasWindow() const noexcept { return has_window_; }
   /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
   /// does not care.
   void moveHand(ViewMm target);
   void setOptions(const HapticOptions& options);
+  /// Begins with one of the next ticks. @throw as Recorder::start
+  void startRecording(const std::string& file, const std::string& header);
+  /// @param footer  lines that end the file, with what a replay needs after them
+  void stopRecording(const std::string& footer);
+  /// In Move mode the window goes on below the hand: what is touched does not come along.
+  void setMoving(bool moving) { moving_ = moving; }
 
   const HapticSample& update();  ///< The newest sample.
   const LoopStats& stats();
   std::vector<PlotSample> takePlot();  ///< Since the last call, every fifth sample.
   std::optional<ButtonEvent> takeButton();
+  /// How the Falcon is doing; null: the device is none.
+  const falcon::LinkStatus* falconStatus();
   Recorder& recorder() noexcept { return recorder_; }
   FlightRecord& flight() noexcept { return flight_; }
   HapticLoop& loop() noexcept { return *loop_; }
@@ -54,10 +64,15 @@ class LoopSession {
   std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;
   std::unique_ptr<HapticLoop> loop_;
-  SteeredDevice* steered_ = nullptr;  // Owned by the loop; null: a person holds the device.
+  // Owned by the loop. Null: a person holds the device; null: it is no Falcon.
+  SteeredDevice* steered_ = nullptr;
+  falcon::FalconDevice* falcon_ = nullptr;
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
-  bool has_window_ = false;
+  // What a replay needs: since a recording began, or of the present and the last scene.
+  std::uint64_t scene_id_ = 0, options_id_ = 0;
+  std::vector<std::string> scene_lines_, options_lines_;
+  bool has_window_ = false, moving_ = false;
 };
 
 /// Would a picture of the two differ? A hand at rest costs no frames.

@@ -59,6 +59,16 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
   return lines.join('\n');
 }
 
+QString windowLine(const RegionWindow& window) {
+  const auto exact = [](double v) { return QString::number(v, 'g', 17); };
+  const Region& r = window.region;
+  return QStringLiteral("window %1: region_mm %2 %3 %4 level %5 gain %6\n")
+      .arg(window.id)
+      .arg(exact(r.x_mm), exact(r.y_mm), exact(r.side_mm))
+      .arg(r.level.value)
+      .arg(exact(window.gain));
+}
+
 QString durationText(quint64 samples) {
   const quint64 seconds = samples / 1000;
   if (seconds < 60) return QStringLiteral("%1 s").arg(seconds);

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QString>
 
+#include "core/region/window.h"
 #include "haptics/loop/haptic_core.h"
 
 namespace relievo {
@@ -19,6 +20,9 @@ QString flightFolder();
 QString recordingHeaderLines(const QString& from_host, const QString& device,
                              const HapticOptions& options, SurfaceKind surface,
                              const QDateTime& now);
+
+/// Where a window lay, for a recording's last lines.
+QString windowLine(const RegionWindow& window);
 
 /// "2 min 14 s", from samples at 1 kHz.
 QString durationText(quint64 samples);

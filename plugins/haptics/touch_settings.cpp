@@ -2,6 +2,7 @@
 #include "plugins/haptics/touch_settings.h"
 
 #include <algorithm>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -16,12 +17,8 @@ double within(const QJsonValue& value, double least, double most, double otherwi
 }  // namespace
 
 HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
-  const SurfaceFeel& feel = settings.feel;
   HapticOptions options;
-  options.proxy = proxyOptions(feel);
-  options.stiffness_by_detail = feel.stiffness_by_detail;
-  options.force.stiffness_n_per_mm = feel.stiffness_n_per_mm;
-  options.force.damping_n_s_per_mm = feel.damping_n_s_per_mm;
+  setFeel(options, settings.feel);
   options.force.strength = settings.strength_percent / 100.0;
   options.force.forces_on = forces_on;
   options.frame = true;
@@ -30,6 +27,8 @@ HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
 
 QByteArray toJson(const TouchSettings& settings) {
   const SurfaceFeel& feel = settings.feel;
+  QJsonArray by_detail;
+  for (const double k : feel.detail_stiffness) by_detail.append(k);
   const QJsonObject object{{"strength_percent", settings.strength_percent},
                            {"stiffness_by_detail", feel.stiffness_by_detail},
                            {"stiffness_n_per_mm", feel.stiffness_n_per_mm},
@@ -37,6 +36,13 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"surface", static_cast<int>(feel.surface)},
                            {"friction", feel.friction},
                            {"damping_n_s_per_mm", feel.damping_n_s_per_mm},
+                           {"detail_stiffness_n_per_mm", by_detail},
+                           {"softest_part", feel.fields.softest_part},
+                           {"texture_mm", feel.fields.texture_mm},
+                           {"magnet_n", feel.fields.magnet_n},
+                           {"magnet_reach_mm", feel.fields.magnet_reach_mm},
+                           {"contact_n", feel.transient.contact_n},
+                           {"crossing_n", feel.transient.crossing_n},
                            {"device", QString::fromStdString(settings.device)}};
   return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
@@ -52,6 +58,20 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
                                    feel.stiffness_n_per_mm);
   feel.friction = within(object["friction"], 0, kMostFrictionAsked, 0);
   feel.damping_n_s_per_mm = within(object["damping_n_s_per_mm"], 0, kMostDamping, 0);
+  const QJsonArray by_detail = object["detail_stiffness_n_per_mm"].toArray();
+  for (int i = 0; i < by_detail.size() && i < static_cast<int>(feel.detail_stiffness.size()); ++i) {
+    double& k = feel.detail_stiffness[static_cast<std::size_t>(i)];
+    k = within(by_detail[i], kLeastStiffness, kMostStiffness, k);
+  }
+  FieldOptions& fields = feel.fields;
+  fields.softest_part = within(object["softest_part"], kLeastSoftPart, 1, fields.softest_part);
+  fields.texture_mm = within(object["texture_mm"], 0, kMostTextureMm, fields.texture_mm);
+  fields.magnet_n = within(object["magnet_n"], 0, kMostMagnetN, fields.magnet_n);
+  fields.magnet_reach_mm =
+      within(object["magnet_reach_mm"], kLeastReachMm, kMostReachMm, fields.magnet_reach_mm);
+  TransientOptions& transient = feel.transient;
+  transient.contact_n = within(object["contact_n"], 0, kMostContactN, transient.contact_n);
+  transient.crossing_n = within(object["crossing_n"], 0, kMostCrossingN, transient.crossing_n);
   const QString device = object["device"].toString();
   if (!device.isEmpty()) settings.device = device.toStdString();
   const int proxy = object["proxy"].toInt(0);

@@ -81,6 +81,13 @@ TEST_F(FigureVerb, SaysSoWhenTheInputChanged) {
       runRelievo({"figure", "--from-image", path("a.png"), "-o", path("b.png")}, {"DISPLAY"});
   EXPECT_EQ(again.exit_code, 5);
   EXPECT_NE(again.err.find("E501"), std::string::npos) << again.err;
+  EXPECT_FALSE(fs::exists(path("b.png"))) << "nothing is drawn from other bytes unasked";
+  EXPECT_EQ(
+      runRelievo({"figure", "--from-image", path("a.png"), "--changed-input", "-o", path("b.png")},
+                 {"DISPLAY"})
+          .exit_code,
+      0);
+  EXPECT_TRUE(fs::exists(path("b.png")));
 }
 
 TEST_F(FigureVerb, RefusesWhatItCannotDrawInWords) {

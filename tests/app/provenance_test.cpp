@@ -56,6 +56,28 @@ class Repeatable : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(Repeatable, AMapByTilesSaysInEveryFileWhatItWasMadeFrom) {
+  std::ofstream grid(path("scans/dem.asc"));
+  grid << "ncols 300\nnrows 250\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 300 * 250; ++i) grid << i % 37 << ' ';
+  grid.close();
+  ASSERT_EQ(runRelievo({"depthmap", path("scans/dem.asc"), "--unit", "cm", "--memory", "500", "-o",
+                        path("figures/map.tif")})
+                .exit_code,
+            0);
+  for (const char* const name : {"map.tif", "map.origin.tif", "map.L1.tif"}) {
+    SCOPED_TRACE(name);
+    const Provenance found = stateOf(path(std::string("figures/") + name));
+    EXPECT_EQ(found.input.file, "../scans/dem.asc");
+    EXPECT_EQ(found.input.sha256, sha256OfFile(path("scans/dem.asc"), {}));
+    EXPECT_EQ(found.options.unit, LengthUnit::cm);
+    EXPECT_EQ(found.version, RELIEVO_VERSION_STRING);
+    const json made = json::parse(found.made);
+    EXPECT_EQ(made["cells"], (json{300, 250}));
+    EXPECT_EQ(made["engine"], "raster");
+  }
+}
+
 TEST_F(Repeatable, AnImageIsDrawnAgainFromItself) {
   const std::string first = path("figures/a.png");
   ASSERT_EQ(runRelievo({"render",
@@ -131,7 +153,7 @@ TEST_F(Repeatable, AMovedInputIsGivenAndAChangedOneRefused) {
   writeScan("elsewhere/deep/b.xyz", 89);
   const CommandResult changed = runRelievo(
       {"render", path("elsewhere/deep/b.xyz"), "--from-image", first, "-o", path("d.png")});
-  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_EQ(changed.exit_code, 5);
   EXPECT_THAT(changed.err, HasSubstr("checksum"));
   EXPECT_FALSE(fs::exists(path("d.png")));
   EXPECT_EQ(runRelievo({"render", path("elsewhere/deep/b.xyz"), "--from-image", first,
@@ -180,6 +202,17 @@ TEST_F(Repeatable, AFigureIsToldFromAPictureAndBothAreDrawnAgain) {
       runRelievo({"figure", "--from-image", picture, "-o", path("pf.png"), "--report", "json"});
   ASSERT_EQ(figure.exit_code, 0) << figure.err;
   EXPECT_EQ(json::parse(figure.out)["region_mm"], json({10, 5, 30, 30}));
+  // What is asked for beside the picture takes the place of what it says; the map stays its own.
+  const CommandResult finer = runRelievo({"figure", "--from-image", path("figures/f.png"), "--dpi",
+                                          "90", "-o", path("fine.png"), "--report", "json"});
+  ASSERT_EQ(finer.exit_code, 0) << finer.err;
+  EXPECT_EQ(json::parse(finer.out)["pixels"][0], 638) << "180 mm at 90 dots per inch";
+  EXPECT_EQ(json::parse(finer.out)["relief"], "slope");
+  const CommandResult other = runRelievo(
+      {"figure", "--from-image", path("figures/f.png"), "--holes", "none", "-o", path("x.png")});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_THAT(other.err, HasSubstr("--holes"));
+  EXPECT_FALSE(fs::exists(path("x.png")));
   // A project comes from either.
   for (const std::string& made : {picture, path("figures/f.tif")}) {
     const CommandResult project = runRelievo({"project", "new", made, "-o", path("p.json")});
@@ -206,7 +239,7 @@ TEST_F(Repeatable, AFigureOfAChangedInputIsRefusedToo) {
   writeScan("b.xyz", 89);
   const CommandResult changed =
       runRelievo({"render", path("b.xyz"), "--from-image", first, "-o", path("h.png")});
-  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_EQ(changed.exit_code, 5);
   EXPECT_THAT(changed.err, HasSubstr("E501"));
   EXPECT_FALSE(fs::exists(path("h.png")));
   ASSERT_EQ(runRelievo({"render", path("b.xyz"), "--from-image", first, "--changed-input", "-o",

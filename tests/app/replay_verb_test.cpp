@@ -6,6 +6,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/provenance/embedded.h"
+#include "core/provenance/provenance.h"
+#include "haptics/record/sample_log.h"
 #include "tests/app/command.h"
 
 namespace relievo {
@@ -66,6 +69,25 @@ TEST(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
   EXPECT_EQ(replay.exit_code, 5) << replay.err;
   EXPECT_TRUE(nlohmann::json::parse(replay.out).contains("first_difference"));
   EXPECT_EQ(runRelievo({"replay", log}).exit_code, 0) << "without --verify it only tells";
+}
+
+TEST(ReplayVerb, RecordingsSayWhatTheyWereMadeFromAndHowTheLoopRan) {
+  const std::string sha256 = sha256OfFile(kScan);
+  const auto check = [&](const std::string& state) {
+    const Provenance provenance = provenanceFromJson(state, "log");
+    EXPECT_EQ(provenance.input.sha256, sha256);
+    EXPECT_FALSE(provenance.version.empty());
+    EXPECT_EQ(nlohmann::json::parse(provenance.touch)["texture_mm"], 0.02);
+  };
+  const std::vector<std::string> more{"--seconds", "0.3", "--texture", "0.02"};
+  const std::string h5 = temporary("state.h5"), csv = temporary("state.csv");
+  ASSERT_EQ(made("record", h5, more).exit_code, 0);
+  check(hdf5State(h5).value());
+  ASSERT_EQ(made("record", csv, more).exit_code, 0);
+  check(embeddedState(csv).value());
+  std::ifstream in(csv);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  EXPECT_LT(text.find("\n# wake-up us "), text.find("\nt_s,tick"));
 }
 
 TEST(ReplayVerb, SaysWhatCannotBeReplayed) {

@@ -42,12 +42,21 @@ const ModuleRule* moduleOf(const IncludeTable& table, const std::string& path) {
   return longest;
 }
 
+const InternalRule* internalRule(const IncludeTable& table, const std::string& header) {
+  const auto found = std::find_if(table.internals.begin(), table.internals.end(),
+                                  [&](const InternalRule& rule) { return rule.header == header; });
+  return found == table.internals.end() ? nullptr : &*found;
+}
+
 bool mayIncludeProject(const IncludeTable& table, const ModuleRule& from,
                        const std::string& header) {
   const ModuleRule* to = moduleOf(table, header);
   if (to == nullptr) return false;
   if (to == &from) return true;
-  if (contains(table.internal_headers, header) && from.name != "tests") return false;
+  const InternalRule* const internal = internalRule(table, header);
+  if (internal != nullptr && from.name != "tests" && !contains(internal->also, from.name)) {
+    return false;
+  }
   return std::any_of(from.modules.begin(), from.modules.end(),
                      [&](const auto& m) { return to->name == m || isWithin(to->name, m); });
 }
@@ -67,7 +76,7 @@ IncludeTable parseTable(const std::string& text) {
     } else if (head[0] == "module") {
       table.modules.push_back({head[1], words(field[1]), words(field[2]), words(field[3])});
     } else if (head[0] == "internal") {
-      table.internal_headers.push_back(head[1]);
+      table.internals.push_back({head[1], words(field[1])});
     } else if (head[0] == "single") {
       table.singles.emplace_back(head[1], words(field[1]).at(0));
     } else {
@@ -111,7 +120,7 @@ std::vector<std::string> violations(const IncludeTable& table, const std::string
   std::vector<std::string> found;
   const ModuleRule* from = moduleOf(table, path);
   if (from == nullptr) return {path + " belongs to no module of the table"};
-  const bool is_cpp = path.ends_with(".cpp") || contains(table.internal_headers, path);
+  const bool is_cpp = path.ends_with(".cpp") || internalRule(table, path) != nullptr;
   for (const Include& include : includesOf(source)) {
     if (include.quoted) {
       // Files that the build makes from the file itself stand beside it.

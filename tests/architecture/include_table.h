@@ -21,10 +21,16 @@ struct LibraryRule {
   std::vector<std::string> patterns;  ///< Of header names, as in a shell.
 };
 
+/// A header that only its own module, tests and those modules may include.
+struct InternalRule {
+  std::string header;
+  std::vector<std::string> also;
+};
+
 struct IncludeTable {
   std::vector<LibraryRule> libraries;
   std::vector<ModuleRule> modules;
-  std::vector<std::string> internal_headers;
+  std::vector<InternalRule> internals;
   std::vector<std::pair<std::string, std::string>> singles;  ///< Library, folder.
 };
 

@@ -67,6 +67,9 @@ TEST(IncludeCheck, KeepsInternalHeadersInTheirModule) {
   EXPECT_EQ(found("ui/vtk/surface_mesh.h", "#include <vtkPolyData.h>\n"), 0U);
   EXPECT_EQ(found("ui/vtk/relief_scene.cpp", "#include \"ui/vtk/surface_mesh.h\"\n"), 0U);
   EXPECT_EQ(found("ui/detail_view.cpp", "#include \"ui/vtk/surface_mesh.h\"\n"), 1U);
+  // Unless the table names another.
+  EXPECT_EQ(found("core/tiles/tile_raster.cpp", "#include \"core/io/gdal_session.h\"\n"), 0U);
+  EXPECT_EQ(found("core/session/load.cpp", "#include \"core/io/gdal_session.h\"\n"), 1U);
 }
 
 TEST(IncludeCheck, CatchesWhatTheTableDoesNotKnow) {

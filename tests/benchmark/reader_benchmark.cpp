@@ -126,7 +126,7 @@ void measure(benchmark::State& state, const std::string& file, Work&& work) {
 void ours(benchmark::State& state, const std::string& name) {
   const std::string file = files().path(name);
   measure(state, file, [&] {
-    const relievo::Scan scan = relievo::readScanHere(file, {}, {});
+    const relievo::Scan scan = relievo::readScanHere(file, {}, {}, relievo::unpackLzf);
     benchmark::DoNotOptimize(scan.points.data());
   });
 }

@@ -22,7 +22,6 @@
 #include <vector>
 
 #include "core/depth/rasterize.h"
-#include "core/io/import.h"
 #include "core/region/window.h"
 #include "core/session/load.h"
 #include "tests/core/relief_n_accuracy.h"
@@ -245,7 +244,6 @@ BENCHMARK(windowOf200)->ArgName("aligned")->Arg(1)->Arg(0)->Unit(benchmark::kMic
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -428,6 +428,10 @@ void MockUsb::unplug() {
   umockdev_testbed_detach_ioctl(impl_->testbed, kNode, nullptr);
 }
 
+bool MockUsb::works() {
+  return umockdev_in_mock_environment() != 0;
+}
+
 void MockUsb::set(const MockPortState& state) {
   const std::lock_guard lock(impl_->mutex);
   impl_->state = state;

@@ -28,6 +28,8 @@ class MockUsb {
   ~MockUsb();
   MockUsb(const MockUsb&) = delete;
   MockUsb& operator=(const MockUsb&) = delete;
+  /// false: umockdev's library is not preloaded here, and programs would see the real ports.
+  static bool works();
 
   void plugIn(std::shared_ptr<SharedFalcon> falcon);
   /// Pulls the plug: transfers under way fail, the node goes away, the event is sent.

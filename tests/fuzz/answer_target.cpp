@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <vector>
 
+#include "core/base/error.h"
 #include "core/io/scan_transport.h"
 #include "tests/fuzz/invariants.h"
 
@@ -23,6 +25,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const std::uint32_t corner : triangle) {
         fuzz::require(corner < scan->points.size(), "corners are points");
       }
+    }
+  }
+  if (const auto* raster = std::get_if<RasterRows>(&answer)) {
+    const GridSize size = raster->head().size;
+    std::vector<float> heights(static_cast<std::size_t>(size.cols));
+    std::vector<Origin> origins(heights.size());
+    try {
+      for (int row = 0; row < size.rows; ++row)
+        raster->read(row, 1, heights.data(), origins.data());
+    } catch (const FileError& error) {
+      fuzz::checkMessage(error.what());
     }
   }
   return 0;

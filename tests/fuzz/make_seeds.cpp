@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fuzz_seeds FOLDER: writes FOLDER/<target>/<name>, small good files for the fuzzers to start from.
 #include <fcntl.h>
-#include <unistd.h>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "core/io/raster.h"
@@ -185,10 +186,8 @@ void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
 }
 
 void addAnswers(const Seeds& seeds) {
-  const auto add = [&](const std::string& name, const auto& content) {
-    const int fd = ::open(seeds.add("answer", name, "").c_str(), O_WRONLY | O_CLOEXEC);
-    sendAnswer(fd, content);
-    ::close(fd);
+  const auto open = [&](const std::string& name) {
+    return OwnedFd(::open(seeds.add("answer", name, "").c_str(), O_WRONLY | O_CLOEXEC));
   };
   Scan scan;
   scan.info.format = "PLY";
@@ -200,8 +199,19 @@ void addAnswers(const Seeds& seeds) {
   scan.info.bounds = FileBounds{{0, 0, 0}, {1, 1, 0}};
   scan.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   scan.triangles = {{0, 1, 2}};
-  add("scan", scan);
-  add("refusal", WorkerRefusal{"Cannot read it.", "E101"});
+  sendAnswer(open("scan").get(), scan);
+  sendAnswer(open("refusal").get(), WorkerRefusal{"Cannot read it.", "E101"});
+  RasterEnd raster{.head = {}, .has_origins = true};
+  raster.head.size = {3, 2};
+  raster.head.info.bounds = FileBounds{{0, 0, 0}, {2, 1, 5}};
+  const std::array<float, 3> row{0, std::numeric_limits<float>::quiet_NaN(), 5};
+  const std::array<Origin, 3> origins{Origin::measured, Origin::outside, Origin::measured};
+  const OwnedFd file = open("raster");
+  RasterAnswer answer(file.get());
+  const RasterSink sink = answer.sink();
+  sink.begin(raster.head, true);
+  for (int i = 0; i < 2; ++i) sink.row(i, row.data(), origins.data());
+  answer.finish(raster);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/sample_files.h"
 
@@ -69,6 +70,24 @@ void addBent(const HostileFile& good, std::vector<HostileFile>& files) {
   if (!isText(good)) return;
   add("crlf", replaced(bytes, "\n", "\r\n"), Outcome::loads);
   add("garbage", bytes.substr(0, bytes.size() - 8) + "\x07\x1B[2J{]\n", Outcome::refused);
+}
+
+/// E57: ten sound points, and a scan with another rotation and count.
+std::string twoScans(const std::string& rotation, const std::string& records = "10") {
+  std::string doubles;
+  for (int i = 0; i < 10; ++i) doubles += bytesOf(i * 0.5);
+  const std::string real = R"(type="Float")";
+  E57SampleScan scan{
+      "10",
+      {{"cartesianX", real, doubles}, {"cartesianY", real, doubles}, {"cartesianZ", real, doubles}},
+      {},
+      {}};
+  E57Sample sample;
+  sample.add(scan);
+  scan.records = records;
+  scan.pose = "<pose><rotation>" + rotation + "</rotation></pose>";
+  sample.add(scan);
+  return sample.file();
 }
 
 /// Rows of three numbers in every text format that has them.
@@ -199,6 +218,9 @@ void addBinaryLies(const std::vector<HostileFile>& good, std::vector<HostileFile
   refused("page_size.e57", patched(e57, 40, bytesOf(std::uint64_t{0})));
   refused("xml_far.e57", patched(e57, 24, bytesOf(~std::uint64_t{0})));
   refused("version.e57", patched(e57, 8, bytesOf(std::uint32_t{2})));
+  files.push_back({"one_bad_scan.e57", twoScans("<w>7</w>"), Outcome::loads, 10, 10});
+  files.push_back(
+      {"endless_scan.e57", twoScans("<w>1</w>", "18446744073709551615"), Outcome::refused, 0, 0});
   const std::string three_ds = of("mesh.3ds");
   refused("chunk_0.3ds", patched(three_ds, 8, bytesOf(0U)));
   refused("chunk_huge.3ds", patched(three_ds, 8, bytesOf(0xFFFFFFFFU)));

@@ -20,7 +20,6 @@
 #include "core/base/error.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
-#include "tests/core/io/import_main.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/hostile/hostile_files.h"
 

@@ -21,7 +21,6 @@
 #include <QTimer>
 
 #include "app/host.h"
-#include "core/io/import.h"
 #include "haptics/rt/realtime_thread.h"
 #include "plugins/haptics/haptics_plugin.h"
 #include "ui/detail_view.h"
@@ -234,7 +233,6 @@ int run(QApplication& app) {
 }  // namespace relievo
 
 int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
   const relievo::DisplayGuard display;
   QTemporaryDir places;
   qputenv("XDG_CONFIG_HOME", places.filePath("config").toLocal8Bit());

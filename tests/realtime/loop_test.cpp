@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The thread: starts, ticks, fades, joins, and says what the system refused. No timed assertions.
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -257,7 +258,8 @@ std::string refusalAsAnOrdinaryUser() {
   const pid_t child = ::fork();
   if (child == 0) {
     const rlimit none{0, 0};
-    bool ordinary = ::setrlimit(RLIMIT_RTPRIO, &none) == 0;
+    bool ordinary =
+        ::setrlimit(RLIMIT_RTPRIO, &none) == 0 && ::setrlimit(RLIMIT_MEMLOCK, &none) == 0;
     if (::geteuid() == 0) {
       constexpr uid_t kNobody = 65534;
       ordinary = ordinary && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
@@ -285,6 +287,55 @@ TEST(Realtime, ARefusalToAnOrdinaryUserIsSaidInWords) {
   EXPECT_NE(said.find("RealtimeKit: "), std::string::npos) << "who else was asked: " << said;
   EXPECT_NE(said.find("rtprio"), std::string::npos) << "and what helps: " << said;
 }
+
+TEST(Realtime, MemoryThatCannotBeLockedIsSaidInWords) {
+  const std::string said = refusalAsAnOrdinaryUser();
+  EXPECT_NE(said.find("Memory could not be locked"), std::string::npos) << said;
+  EXPECT_NE(said.find("0 of "), std::string::npos) << "how much: " << said;
+  EXPECT_NE(said.find("memlock"), std::string::npos) << "and what helps: " << said;
+}
+
+#if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+/// A device that waits for memory in each exchange: it touches a page that nobody has touched.
+class FaultingDevice : public MouseDevice {
+ public:
+  FaultingDevice()
+      : pages_(static_cast<char*>(::mmap(nullptr, kPages * kPage, PROT_READ | PROT_WRITE,
+                                         MAP_PRIVATE | MAP_ANONYMOUS, -1, 0))) {
+    // One fault for one page, also where the system would give larger ones.
+    ::madvise(pages_, kPages * kPage, MADV_NOHUGEPAGE);
+  }
+  ~FaultingDevice() override { ::munmap(pages_, kPages * kPage); }
+  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
+    if (next_ < kPages) pages_[kPage * next_++] = 1;
+    return MouseDevice::exchange(force, now_ns);
+  }
+
+ private:
+  static constexpr std::size_t kPages = 100, kPage = 4096;
+  char* pages_;
+  std::size_t next_ = 0;
+};
+
+TEST(Realtime, PageFaultsOfTicksAreCountedAndALockedLoopHasNone) {
+  const auto faults = [](std::unique_ptr<Device> device) {
+    HapticLoop loop(std::move(device));
+    showFlat(loop, 7);
+    loop.start();
+    waitFor(loop, [](const HapticSample& s) { return s.tick > 200; });
+    loop.stop();
+    loop.stats().update();
+    return std::pair(loop.stats().front(), loop.realtime());
+  };
+  const auto planted = faults(std::make_unique<FaultingDevice>()).first;
+  EXPECT_GE(planted.page_faults, 99U);
+  EXPECT_GE(planted.faulty_ticks, 99U);
+  const auto [stats, grant] = faults(std::make_unique<MouseDevice>());
+  if (!grant.memory_locked) GTEST_SKIP() << grant.note;
+  EXPECT_GT(grant.locked_bytes, sizeof(HapticSpace) * 4 + kStackBytes);
+  EXPECT_EQ(stats.page_faults, 0U);
+}
+#endif
 
 TEST(Realtime, TheLoopReportsWhatItWasGranted) {
   HapticLoop loop(std::make_unique<MouseDevice>());

@@ -78,6 +78,8 @@ TEST(NoAllocation, ATickAllocatesNothingWithAnyProxyAndSurface) {
       options.proxy.dynamic_friction = 0.2;
       options.force.damping_n_s_per_mm = 0.001;
       options.force.forces_on = true;
+      options.fields = {.softest_part = 0.5, .texture_mm = 0.02, .magnet_n = 0.3};
+      options.force.transient = {.contact_n = 0.3, .crossing_n = 0.1};
       HapticCore core;
       double sum = 0;
       const long count = allocationsIn([&] {

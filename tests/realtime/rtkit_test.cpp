@@ -4,44 +4,17 @@
 
 #include <dbus/dbus.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <thread>
 
+#include "tests/realtime/message_bus.h"
+
 namespace relievo {
 namespace {
-
-/// A message bus that lives as long as the test.
-class Bus {
- public:
-  Bus() {
-    // Its number comes first, so that this one process can be ended.
-    pipe_ = ::popen("sh -c 'echo $$; exec dbus-daemon --session --nofork --print-address=1'", "r");
-    std::array<char, 512> line{};
-    if (std::fgets(line.data(), line.size(), pipe_) != nullptr) process_ = std::atoi(line.data());
-    if (std::fgets(line.data(), line.size(), pipe_) != nullptr) address_ = line.data();
-    while (!address_.empty() && address_.back() == '\n') address_.pop_back();
-    ::setenv("DBUS_SYSTEM_BUS_ADDRESS", address_.c_str(), 1);
-  }
-  ~Bus() {
-    if (process_ > 1) ::kill(process_, SIGTERM);
-    ::pclose(pipe_);
-    ::unsetenv("DBUS_SYSTEM_BUS_ADDRESS");
-  }
-  const std::string& address() const { return address_; }
-
- private:
-  std::FILE* pipe_ = nullptr;
-  pid_t process_ = 0;
-  std::string address_;
-};
 
 /// Answers MakeThreadRealtime once: grants, or refuses with a sentence.
 class Service {
@@ -96,14 +69,14 @@ class RealtimeKit : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     dbus_threads_init_default();
-    bus_ = std::make_unique<Bus>();
+    bus_ = std::make_unique<test::MessageBus>();
   }
   static void TearDownTestSuite() { bus_.reset(); }
   void SetUp() override { ASSERT_FALSE(bus_->address().empty()) << "no dbus-daemon"; }
 
-  static std::unique_ptr<Bus> bus_;
+  static std::unique_ptr<test::MessageBus> bus_;
 };
-std::unique_ptr<Bus> RealtimeKit::bus_;
+std::unique_ptr<test::MessageBus> RealtimeKit::bus_;
 
 TEST_F(RealtimeKit, IsAskedForTheCallingThreadAtAPriorityThatItHandsOut) {
   Service service(bus_->address(), true);

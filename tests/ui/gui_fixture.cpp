@@ -35,6 +35,7 @@ bool waitFor(const std::function<bool()>& condition) {
 
 GuiTest::GuiTest() {
   qputenv("XDG_CONFIG_HOME", path(QStringLiteral("config")).toLocal8Bit());
+  qputenv("XDG_CACHE_HOME", path(QStringLiteral("cache")).toLocal8Bit());
   qputenv("XDG_STATE_HOME", path(QStringLiteral("state")).toLocal8Bit());
   restart();
 }

@@ -7,12 +7,10 @@
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 
-#include "core/io/import.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/offscreen.h"
 
 int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
   ::testing::InitGoogleTest(&argc, argv);
   const relievo::DisplayGuard display;
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();

@@ -21,7 +21,6 @@
 #include "ui/figure_dialog.h"
 #include "ui/measure_panel.h"
 #include "ui/vtk/offscreen.h"
-#include "ui/vtk/picture_file.h"
 
 namespace relievo {
 namespace {
@@ -62,7 +61,7 @@ TEST_F(PublishTest, AFigureIsWrittenAsItsPreviewShowsAndCarriesTheState) {
   const QImage image(file);
   EXPECT_EQ(image.width(), 2126);
   EXPECT_EQ(image.dotsPerMeterX(), 11811);
-  const auto state = pictureState(file.toStdString());
+  const auto state = embeddedState(file.toStdString());
   ASSERT_TRUE(state);
   EXPECT_EQ(projectFromJson(*state, "out.png").region, document().state().region);
 }

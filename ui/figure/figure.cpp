@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "core/project/caption.h"
+#include "core/session/tiled_surface.h"
 #include "ui/figure/figure_marks.h"
 #include "ui/figure/figure_plot.h"
 #include "ui/figure/figure_sheet.h"
@@ -28,6 +29,18 @@ FigureSession::FigureSession() {
   if (QCoreApplication::instance() == nullptr) impl_ = std::make_unique<Impl>();
 }
 FigureSession::~FigureSession() = default;
+
+std::string figureCaption(const Surface& surface, const Project& project,
+                          const FigureFacts& facts) {
+  const FigureRequest& f = project.figure;
+  CaptionFacts drawn{.look = f.look,
+                     .stereo = f.stereo,
+                     .swap_eyes = f.swap_eyes,
+                     .eye_angle_deg = facts.eye_angle_deg,
+                     .paper_mm_per_mm = facts.paper_per_mm};
+  if (facts.mm_per_pixel > 0) drawn.mm_per_pixel = facts.mm_per_pixel;
+  return captionOf(project, surface, windowOf(surface, project.region, project.gain), drawn);
+}
 
 DrawnSheet drawPictures(const Surface& surface, const Project& project, double dpi,
                         const Task& task) {
@@ -54,7 +67,7 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
   }
   facts.eye_angle_deg = drawn.pictures.back().eye_angle_deg;
   facts.parallax_deg = drawn.pictures.back().parallax_deg;
-  facts.caption = captionOf(project, surface, facts.paper_per_mm, facts.eye_angle_deg);
+  facts.caption = figureCaption(surface, project, facts);
   return drawn;
 }
 

@@ -21,20 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The input as it is found from the figure's folder.
-std::string stateFor(Project project, const fs::path& figure) {
-  std::error_code error;
-  const fs::path folder = fs::absolute(figure, error).parent_path();
-  const fs::path input = fs::absolute(project.file, error).lexically_relative(folder);
-  if (!input.empty()) project.file = input.generic_string();
-  return projectJson(project);
-}
-
-PictureText textOf(const Project& project, const FigureFacts& facts, const fs::path& file) {
+PictureText textOf(const Surface& surface, const Project& project, const FigureFacts& facts,
+                   const fs::path& file) {
+  Project state = relativeTo(project, file);
+  state.made = madeText(surface);
   return {{"Title", fs::path(project.file).filename().string()},
           {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
           {"Description", facts.caption},
-          {kStateEntry, stateFor(project, file)}};
+          {kStateEntry, projectJson(state)}};
 }
 
 std::string lowerEnding(const fs::path& file) {
@@ -108,7 +102,7 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const fs
   const std::string ending = lowerEnding(file);
   if (ending == ".png" || ending == ".tif" || ending == ".tiff") {
     const Figure figure = drawFigure(surface, project, task);
-    const PictureText text = textOf(project, figure.facts, file);
+    const PictureText text = textOf(surface, project, figure.facts, file);
     if (ending == ".png") {
       writePng(file, figure.image, project.figure.dpi, text);
     } else {
@@ -146,8 +140,11 @@ std::vector<fs::path> writeEyes(const Surface& surface, const Project& project,
     fs::path target = file;
     target.replace_extension(eye < 0 ? ".left.png" : ".right.png");
     FigureFacts facts;
-    facts.caption = captionOf(both, surface, sheet.paper_per_mm, picture.eye_angle_deg);
-    writePng(target, image, f.dpi, textOf(both, facts, target));
+    facts.paper_per_mm = sheet.paper_per_mm;
+    facts.eye_angle_deg = picture.eye_angle_deg;
+    facts.mm_per_pixel = project.region.side_mm / side;
+    facts.caption = figureCaption(surface, both, facts);
+    writePng(target, image, f.dpi, textOf(surface, both, facts, target));
     files.push_back(target);
   }
   return files;
@@ -186,10 +183,12 @@ void writeHeightsTiff(const Surface& surface, const Project& project, const fs::
     picture.values.push_back(static_cast<std::uint16_t>(std::min(value, kSteps + 1)));
   }
   FigureFacts facts;
+  facts.paper_per_mm = sheet.paper_per_mm;
+  facts.mm_per_pixel = r.side_mm / side;
   facts.caption = "Heights: value 0 is outside; value v is " + shortNumber(low, 9) +
                   " mm + (v - 1) x " + shortNumber(step_mm, 9) + " mm. " +
-                  captionOf(project, surface, sheet.paper_per_mm, 0);
-  writeTiff(file, picture, f.dpi, textOf(project, facts, file));
+                  figureCaption(surface, project, facts);
+  writeTiff(file, picture, f.dpi, textOf(surface, project, facts, file));
 }
 
 }  // namespace relievo

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/axis.h"
+
 namespace relievo {
 namespace {
 
@@ -13,32 +15,10 @@ const QColor kGrid(0xd8, 0xd8, 0xd8);
 const QColor kHip(0xd0, 0x20, 0x20);
 const QColor kProxy(0x1f, 0x5f, 0xd0);
 
-struct Axis {
-  double low = 0, high = 1, step = 0.2;
-};
-
-/// Steps of 1, 2 or 5 times a power of ten.
-Axis axisFor(double low, double high, bool round_ends) {
-  if (!(high - low > 1e-9)) {
-    low -= 0.5;
-    high += 0.5;
-  }
-  const double raw = (high - low) / 4;
-  const double power = std::pow(10, std::floor(std::log10(raw)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.0, 1.0}) {
-    if (factor * power >= raw) step = factor * power;
-  }
-  if (round_ends) {
-    low = std::floor(low / step + 1e-9) * step;
-    high = std::ceil(high / step - 1e-9) * step;
-  }
-  return {low, high, step};
-}
+constexpr int kMostSteps = 4;
 
 QString tick(double value, double step) {
-  const int digits = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  return QString::number(std::abs(value) < 1e-9 * step ? 0 : value, 'f', digits);
+  return QString::fromStdString(tickText(value, step));
 }
 
 class Plot {
@@ -104,8 +84,8 @@ class Plot {
     const double y = box_.top() + (lines_down + 0.9) * ink_.lineHeight();
     const double right = box_.right() - ink_.pt(4);
     const double left = right - ink_.width(words);
-    ink_.painter().fillRect(QRectF(left - ink_.pt(24), y - ink_.lineHeight(),
-                                   right - left + ink_.pt(26), 1.25 * ink_.lineHeight()),
+    ink_.painter().fillRect(QRectF(left - ink_.pt(24), y - 0.75 * ink_.lineHeight(),
+                                   right - left + ink_.pt(26), ink_.lineHeight()),
                             kPlate);
     ink_.text({left, y}, words);
     ink_.painter().setPen(pen);
@@ -142,11 +122,11 @@ void drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows, cons
   const auto hip = curveOf(rows, [](const ForceCurveRow& r) { return r.hip_z_mm; });
   const auto proxy = curveOf(rows, [](const ForceCurveRow& r) { return r.proxy_z_mm; });
   const auto force = curveOf(rows, [](const ForceCurveRow& r) { return r.force_n; });
-  const Axis time = axisFor(rows.front().t_s, rows.back().t_s, false);
+  const Axis time = axisFor(rows.front().t_s, rows.back().t_s, kMostSteps, AxisEnds::exact);
   const auto [hip_low, hip_high] = range(hip);
   const auto [proxy_low, proxy_high] = range(proxy);
   Plot above(ink, heights, time,
-             axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), true));
+             axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), kMostSteps));
   above.frame(QStringLiteral("z (mm)"), {});
   // Width and dashes tell the curves apart without colour, too.
   const QPen proxy_pen = ink.pen(kProxy, 1.4);
@@ -156,7 +136,7 @@ void drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows, cons
   above.curve(hip, hip_pen);
   above.name(QStringLiteral("proxy"), proxy_pen, 0);
   above.name(QStringLiteral("HIP"), hip_pen, 1);
-  Plot below(ink, forces, time, axisFor(0, range(force).second, true));
+  Plot below(ink, forces, time, axisFor(0, range(force).second, kMostSteps));
   below.frame(QStringLiteral("force (N)"), QStringLiteral("time (s)"));
   below.curve(force, ink.pen(kInk, 1));
 }
@@ -165,8 +145,8 @@ void drawCurve(FigureInk& ink, const std::vector<QPointF>& curve, const QRectF& 
                const QString& x_title, const QString& y_title) {
   if (curve.empty()) return;
   const auto [low, high] = range(curve);
-  Plot plot(ink, box, axisFor(curve.front().x(), curve.back().x(), false),
-            axisFor(low, high, true));
+  Plot plot(ink, box, axisFor(curve.front().x(), curve.back().x(), kMostSteps, AxisEnds::exact),
+            axisFor(low, high, kMostSteps));
   plot.frame(y_title, x_title);
   plot.curve(curve, ink.pen(kProxy, 1.2));
 }

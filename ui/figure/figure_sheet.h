@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/project/force_curve.h"
@@ -23,6 +24,9 @@ struct DrawnSheet {
 /// @throw as drawFigure
 DrawnSheet drawPictures(const Surface& surface, const Project& project, double dpi,
                         const Task& task);
+
+/// The caption of a figure, from what its facts say of scale and stereo.
+std::string figureCaption(const Surface& surface, const Project& project, const FigureFacts& facts);
 
 /// Pictures, marks, plots and legend. The painter's unit is 1/dpi inch.
 void paintSheet(QPainter& painter, const Surface& surface, const Project& project,

@@ -8,6 +8,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include "core/base/error.h"
+#include "core/relief/stereo.h"
 #include "ui/vtk/gl_session.h"
 
 namespace relievo {
@@ -117,8 +118,30 @@ std::vector<std::uint8_t> storedBytes(const RgbaImage& image) {
   return bytes;
 }
 
+namespace {
+
+/// Each eye's picture by itself, mixed as on paper.
+RgbaImage renderAnaglyph(const ReliefScene& scene, int width, int height) {
+  const StereoOptions stereo = scene.stereo();
+  const std::unique_ptr<ReliefScene> eye = scene.copy();
+  StereoOptions one_eye = stereo;
+  one_eye.mode = StereoMode::off;
+  eye->setStereo(one_eye);
+  const double half_deg = (stereo.swap_eyes ? -0.5 : 0.5) * stereo.eye_angle_deg;
+  eye->setEyeTurn(-half_deg);
+  RgbaImage left = renderPicture(*eye, {.width = width, .height = height});
+  eye->setEyeTurn(half_deg);
+  mixAnaglyph(printed(stereo.mode), left.rgba,
+              renderPicture(*eye, {.width = width, .height = height}).rgba);
+  return left;
+}
+
+}  // namespace
+
 RgbImage renderOffscreen(const ReliefScene& scene, int width, int height) {
-  const RgbaImage picture = renderPicture(scene, {.width = width, .height = height});
+  const RgbaImage picture = scene.stereo().mode == StereoMode::off
+                                ? renderPicture(scene, {.width = width, .height = height})
+                                : renderAnaglyph(scene, width, height);
   RgbImage image{width, height, {}};
   image.rgb.reserve(picture.rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {

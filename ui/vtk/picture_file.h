@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,7 +14,8 @@ namespace relievo {
 
 using PictureText = std::vector<std::pair<std::string, std::string>>;
 
-/// The entry that holds the project, from which a picture's state comes back.
+/// The entry that holds the project, from which a picture's state comes back
+/// (core/provenance/embedded.h reads it).
 inline constexpr const char* kStateEntry = "relievo:state";
 
 /// PNG, RGB where every pixel is opaque and RGBA else, with its density and text entries (Title,
@@ -35,9 +35,5 @@ struct GreyPicture {
 /// 16-bit grey. @throw WriteError
 void writeTiff(const std::filesystem::path& file, const GreyPicture& image, double dpi,
                const PictureText& text);
-
-/// What writePng or writeTiff wrote as relievo:state; nothing for a picture without.
-/// @throw FileError  cannot be read, or neither PNG nor TIFF
-std::optional<std::string> pictureState(const std::filesystem::path& file);
 
 }  // namespace relievo

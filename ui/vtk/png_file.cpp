@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -66,7 +67,7 @@ bool encode(std::FILE* file, const PngShape& shape, const png_byte* const* rows,
                static_cast<png_uint_32>(shape.height), 8, shape.colour_type, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (shape.dpi > 0) {
-    const auto per_metre = static_cast<png_uint_32>(shape.dpi / 0.0254 + 0.5);
+    const auto per_metre = static_cast<png_uint_32>(std::lround(shape.dpi / 0.0254));
     png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
   }
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

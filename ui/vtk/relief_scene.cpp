@@ -245,6 +245,7 @@ void ReliefScene::Impl::applyStereo() {
     window->StereoRenderOff();
     return;
   }
+  // The window of the views and renderOffscreen mix by themselves (core/relief/stereo.h).
   window->SetAnaglyphColorMask(kRedCyanMask[0], kRedCyanMask[1]);
   window->SetAnaglyphColorSaturation(kAnaglyphSaturation);
   window->SetStereoType(VTK_STEREO_ANAGLYPH);  // Before StereoRenderOn: some builds warn otherwise.
@@ -282,6 +283,10 @@ void ReliefScene::setCamera(const ReliefCamera& camera) {
     throw ArgumentError("A camera needs a rectangle with a width and a height above 0.");
   }
   impl_->camera = camera;
+}
+
+const StereoOptions& ReliefScene::stereo() const {
+  return impl_->stereo;
 }
 
 void ReliefScene::setStereo(const StereoOptions& stereo) {

@@ -54,6 +54,7 @@ class ReliefScene {
   void clearSurface();
   void setCamera(const ReliefCamera& camera);
   void setStereo(const StereoOptions& stereo);
+  const StereoOptions& stereo() const;
   void setLight(const LightOptions& light);
   void setBackground(double red, double green, double blue);
   /// Nothing is drawn where there is no relief: pixels keep alpha 0. For pictures off screen.

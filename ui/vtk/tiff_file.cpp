@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <png.h>
 #include <tiffio.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -96,64 +94,6 @@ void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t*
                    "'. Choose another folder or free some space.");
 }
 
-std::optional<std::string> tiffState(const fs::path& file) {
-  TIFFSetErrorHandler(beQuiet);
-  TIFFSetWarningHandler(beQuiet);
-  const TiffFile tiff(TIFFOpen(file.c_str(), "r"));
-  if (!tiff) throw FileError("The picture '" + file.string() + "' cannot be read.");
-  char* words = nullptr;
-  if (TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &words) != 1 || words == nullptr) {
-    return std::nullopt;
-  }
-  const std::string text(words);
-  const std::size_t at = text.find(kStateLine);
-  if (at == std::string::npos) return std::nullopt;
-  return text.substr(at + std::strlen(kStateLine));
-}
-
-[[noreturn]] void leave(png_structp png, png_const_charp) {
-  png_longjmp(png, 1);
-}
-void beQuietPng(png_structp, png_const_charp) {}
-
-// libpng leaves by longjmp: nothing with a destructor lives in this function. The text is copied
-// into `out`, which the caller owns. @return 0 broken, 1 no such entry, 2 found
-int readState(std::FILE* file, char* out, std::size_t room) {
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, leave, beQuietPng);
-  png_infop info = png ? png_create_info_struct(png) : nullptr;
-  if (!info || setjmp(png_jmpbuf(png))) {
-    png_destroy_read_struct(&png, &info, nullptr);
-    return 0;
-  }
-  png_set_user_limits(png, 0x7fffffff, 0x7fffffff);
-  png_set_chunk_malloc_max(png, room);
-  png_init_io(png, file);
-  png_read_info(png, info);
-  png_textp entries = nullptr;
-  int count = 0;
-  int found = 1;
-  png_get_text(png, info, &entries, &count);
-  for (int i = 0; i < count; ++i) {
-    if (std::strcmp(entries[i].key, kStateEntry) != 0) continue;
-    if (std::strlen(entries[i].text) + 1 > room) break;
-    std::strcpy(out, entries[i].text);
-    found = 2;
-  }
-  png_destroy_read_struct(&png, &info, nullptr);
-  return found;
-}
-
-std::optional<std::string> pngState(const fs::path& file) {
-  constexpr std::size_t kMostText = 8U << 20U;
-  std::vector<char> text(kMostText);
-  std::FILE* const in = std::fopen(file.c_str(), "rb");
-  const int found = in != nullptr ? readState(in, text.data(), text.size()) : 0;
-  if (in != nullptr) std::fclose(in);
-  if (found == 0) throw FileError("The picture '" + file.string() + "' cannot be read.");
-  if (found == 1) return std::nullopt;
-  return std::string(text.data());
-}
-
 }  // namespace
 
 void writeTiff(const fs::path& file, const RgbaImage& image, double dpi, const PictureText& text) {
@@ -173,18 +113,6 @@ void writeTiff(const fs::path& file, const GreyPicture& image, double dpi,
   writeRows(file,
             {.width = image.width, .height = image.height, .channels = 1, .bits = 16, .dpi = dpi},
             reinterpret_cast<const std::uint8_t*>(image.values.data()), text);
-}
-
-std::optional<std::string> pictureState(const fs::path& file) {
-  std::FILE* const in = std::fopen(file.c_str(), "rb");
-  std::array<unsigned char, 8> head{};
-  const bool read = in != nullptr && std::fread(head.data(), 1, head.size(), in) == head.size();
-  if (in != nullptr) std::fclose(in);
-  if (!read) throw FileError("The picture '" + file.string() + "' cannot be read.");
-  if (png_sig_cmp(head.data(), 0, head.size()) == 0) return pngState(file);
-  const bool tiff = (head[0] == 'I' && head[1] == 'I') || (head[0] == 'M' && head[1] == 'M');
-  if (tiff) return tiffState(file);
-  throw FileError("'" + file.string() + "' is neither a PNG nor a TIFF picture.");
 }
 
 }  // namespace relievo

@@ -7,10 +7,13 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "haptics/rt/realtime_thread.h"
 
 namespace relievo::falcon {
 
 namespace {
+constexpr int kPriority = 75;  // Below the loop and its watchdog: this thread calls libusb.
+
 std::uint32_t withPlusAndMinusSwapped(std::uint32_t buttons) RELIEVO_REALTIME {
   return (buttons & 0b0110U) | (buttons & 1U) << 3U | (buttons >> 3U & 1U);
 }
@@ -58,6 +61,9 @@ void FalconDevice::openWhenPlugged() {
 void FalconDevice::start(std::unique_ptr<Port> port) {
   try {
     thread_ = std::jthread([this, p = std::move(port)](const std::stop_token& stop) mutable {
+      // Refused like the loop's own, which says so: an answer that waits for a drawing thread is a
+      // force that comes late.
+      [[maybe_unused]] const RealtimeGrant grant = requestRealtime(kPriority, {});
       Link(*bus_, mailbox_, firmware_, limits_).run(stop, std::move(p));
     });
   } catch (const std::system_error& error) {

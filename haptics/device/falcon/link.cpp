@@ -143,6 +143,8 @@ void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
 }
 
 void Link::setState(LinkState state, const std::string& detail) {
+  if (state == LinkState::homing && status_.state != state) homing_since_ns_ = bus_.now();
+  if (state != LinkState::homing) status_.homing_is_long = false;
   status_.state = state;
   status_.detail.fill('\0');
   detail.copy(status_.detail.data(), status_.detail.size() - 1);

@@ -129,7 +129,7 @@ class Link {
   // Of operate().
   std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
   std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, gate_ns_ = 0, force_ns_ = 0;
-  std::int64_t published_ns_ = 0, rate_mark_ns_ = 0;
+  std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0;
   std::uint64_t rate_frames_ = 0, malformed_seen_ = 0;
   double answer_sum_ms_ = 0;
   int under_way_ = 0;     // Questions without an answer.

@@ -11,6 +11,7 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr double kPulledOutMm = 170 - kCentre.z;
 constexpr int kSureFrames = 3;  // In a row, before arms count as homed or a button as pressed.
+constexpr std::int64_t kHomingHintNs = 20'000 * kMs;
 /// While no loop asks: the chip's longest latency, so that nobody is woken for nothing.
 constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 100 * kMs;
 constexpr std::uint8_t kRestLatencyMs = 255;
@@ -98,6 +99,8 @@ void Link::takeReport(const Report& report, std::int64_t now_ns) {
   publishReading(now_ns);
   if (now_ns - published_ns_ > 20 * kMs) {
     published_ns_ = now_ns;
+    status_.homing_is_long =
+        status_.state == LinkState::homing && now_ns - homing_since_ns_ > kHomingHintNs;
     publishStatus();
   }
 }

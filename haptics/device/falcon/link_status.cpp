@@ -4,6 +4,9 @@
 namespace relievo::falcon {
 
 namespace {
+constexpr const char* kHomingHint =
+    " It takes long: pull straight out, push straight in, as far as it goes; do not twist.";
+
 std::string missingArms(std::uint8_t homed) {
   constexpr std::array<const char*, kArms> kNames{"top", "right", "left"};
   std::string text;
@@ -22,15 +25,18 @@ LinkMessage describe(const LinkStatus& status) {
       return {"", "The Falcon is not in use.", "The Falcon is not in use."};
     case LinkState::absent:
       if (status.unplugged > 0) {
-        return {"E305", "Falcon unplugged. Forces off. View and recording continue with the mouse.",
+        return {"E305",
+                "Falcon unplugged. Forces off. View and recording go on. Plug it in again, or "
+                "choose the "
+                "mouse as the device.",
                 "Falcon unplugged. Forces are off."};
       }
       return {"", "No Falcon is plugged in. Plug in its power supply, then its USB cable.",
               "No Falcon is plugged in."};
     case LinkState::forbidden:
       return {"E301",
-              "A Falcon is plugged in but this account may not use it. Install the rule shown "
-              "below once (needs an administrator), then replug.",
+              "A Falcon is plugged in but this account may not use it. Install the rule that the "
+              "device set-up shows once (needs an administrator), then replug.",
               "Falcon found, but not allowed. Ask staff."};
     case LinkState::busy:
       return {"E304", "Another program is using the Falcon. Close it, then press Retry.",
@@ -58,8 +64,9 @@ LinkMessage describe(const LinkStatus& status) {
     case LinkState::homing:
       return {"E308",
               "Please push the grip fully in, then pull it fully out. Still missing: " +
-                  missingArms(status.homed) + ".",
-              "Please push the grip fully in, then pull it fully out."};
+                  missingArms(status.homed) + "." + (status.homing_is_long ? kHomingHint : ""),
+              status.homing_is_long ? "Straight out, straight in; do not twist the grip."
+                                    : "Please push the grip fully in, then pull it fully out."};
     case LinkState::pull_out:
       return {"E308", "All three arms have found their place. Pull the grip fully out once more.",
               "Pull the grip fully out."};

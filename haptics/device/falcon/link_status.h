@@ -51,7 +51,8 @@ struct LinkStatus {
   int attempt = 0, attempts = 0;  ///< Of starting.
   std::uint32_t uploaded_bytes = 0, firmware_bytes = 0;
   bool firmware_was_running = false;
-  std::uint8_t homed = 0;  ///< Bit i: arm i.
+  std::uint8_t homed = 0;       ///< Bit i: arm i.
+  bool homing_is_long = false;  ///< For 20 s now; a hint may help.
   std::array<std::int16_t, kArms> encoders{};
   std::uint32_t buttons = 0;
   DeviceMm position;

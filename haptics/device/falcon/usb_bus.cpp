@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "haptics/device/falcon/last_words.h"
@@ -215,37 +216,80 @@ class UsbPort : public Port {
 };
 }  // namespace
 
-struct UsbBus::Impl {
+namespace {
+/// A libusb that counts Falcons coming and going.
+struct PlugCounter {
   libusb_context* context = nullptr;
   libusb_hotplug_callback_handle callback = 0;
   bool hears_plugs = false;
-  int plugs = 0;
+  int plugs = 0, plugs_told = 0;
 
   static int LIBUSB_CALL onPlug(libusb_context* /*context*/, libusb_device* /*device*/,
                                 libusb_hotplug_event /*event*/, void* self) {
-    ++static_cast<Impl*>(self)->plugs;
+    ++static_cast<PlugCounter*>(self)->plugs;
     return 0;
   }
+  /// @return what libusb says; 0: it can be used
+  int begin() {
+    const int result = libusb_init(&context);
+    if (result != 0) return result;
+    hears_plugs =
+        libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
+        libusb_hotplug_register_callback(
+            context, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT,
+            LIBUSB_HOTPLUG_NO_FLAGS, kVendorId, kProductId, LIBUSB_HOTPLUG_MATCH_ANY, &onPlug, this,
+            &callback) == 0;
+    return 0;
+  }
+  void end() {
+    if (context == nullptr) return;
+    if (hears_plugs) libusb_hotplug_deregister_callback(context, callback);
+    libusb_exit(context);
+    context = nullptr;
+  }
 };
+}  // namespace
+
+struct PlugWatch::Impl : PlugCounter {};
+struct UsbBus::Impl : PlugCounter {};
+
+PlugWatch::PlugWatch() : impl_(std::make_unique<Impl>()) {
+  if (impl_->begin() != 0) impl_->context = nullptr;
+}
+
+PlugWatch::~PlugWatch() {
+  impl_->end();
+}
+
+bool PlugWatch::changed() {
+  if (impl_->context == nullptr) return false;
+  timeval at_once{};
+  libusb_handle_events_timeout_completed(impl_->context, &at_once, nullptr);
+  return std::exchange(impl_->plugs_told, impl_->plugs) != impl_->plugs;
+}
 
 UsbBus::UsbBus() : impl_(std::make_unique<Impl>()) {
-  if (const int result = libusb_init(&impl_->context); result != 0) {
+  if (const int result = impl_->begin(); result != 0) {
     throw DeviceError(std::string("USB cannot be used: ") + libusb_strerror(result) + ".");
   }
-  impl_->hears_plugs =
-      libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
-      libusb_hotplug_register_callback(
-          impl_->context, LIBUSB_HOTPLUG_EVENT_DEVICE_ARRIVED | LIBUSB_HOTPLUG_EVENT_DEVICE_LEFT,
-          LIBUSB_HOTPLUG_NO_FLAGS, kVendorId, kProductId, LIBUSB_HOTPLUG_MATCH_ANY, &Impl::onPlug,
-          impl_.get(), &impl_->callback) == 0;
 }
 
 UsbBus::~UsbBus() {
-  if (impl_->hears_plugs) libusb_hotplug_deregister_callback(impl_->context, impl_->callback);
-  libusb_exit(impl_->context);
+  impl_->end();
 }
 
 Opening UsbBus::open() {
+  Opening opening = openSeen();
+  // Where no udev service tells of plugs (containers, small systems), a libusb goes on seeing what
+  // it saw first; a new one looks anew.
+  if (opening.presence == Presence::absent && !seenFalcons().empty()) {
+    impl_->end();
+    if (impl_->begin() == 0) opening = openSeen();
+  }
+  return opening;
+}
+
+Opening UsbBus::openSeen() {
   const DeviceList list(impl_->context);
   Opening opening;
   for (libusb_device* device : list.devices()) {

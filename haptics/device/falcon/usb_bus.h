@@ -17,7 +17,21 @@ struct SeenFalcon {
 /// None where USB cannot be used at all; opening says why.
 std::vector<SeenFalcon> seenFalcons();
 
-/// Falcons on USB through libusb. Made by one thread, then used by one.
+/// Tells when a Falcon was plugged in or pulled. Opens none. [one thread]
+class PlugWatch {
+ public:
+  PlugWatch();  ///< Where USB cannot be used at all, nothing ever changes.
+  ~PlugWatch();
+  PlugWatch(const PlugWatch&) = delete;
+  PlugWatch& operator=(const PlugWatch&) = delete;
+  bool changed();  ///< Since the last call. Never waits.
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Falcons on USB through libusb. Made by one thread, then used by one; one port at a time is open.
 class UsbBus : public Bus {
  public:
   UsbBus();  ///< @throw DeviceError  USB cannot be used at all
@@ -28,6 +42,8 @@ class UsbBus : public Bus {
   std::int64_t slept() override;
 
  private:
+  Opening openSeen();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

@@ -38,6 +38,7 @@ struct E57SampleScan {
   std::string pose;
   std::string codecs;
   std::size_t share = 1000;  ///< Bytes of every stream in one packet; streams may end early.
+  std::string name = {};     ///< Written as it is, inside the element.
 };
 
 /// Slow and simple on purpose: the reader has its own.
@@ -55,6 +56,7 @@ class E57Sample {
  public:
   void add(const E57SampleScan& scan) {
     const std::size_t section = logical_.size();
+    sections_.push_back(section);
     std::string packets = indexPacket();
     for (std::size_t at = 0; at == 0 || at < longest(scan); at += scan.share) {
       packets += dataPacket(scan, at);
@@ -62,7 +64,9 @@ class E57Sample {
     logical_ += "\1" + std::string(7, '\0') +
                 bytesOf(static_cast<std::uint64_t>(32 + packets.size())) +
                 bytesOf(physical(section + 32)) + bytesOf(std::uint64_t{0}) + packets;
-    scans_ += "<vectorChild type=\"Structure\">" + scan.pose +
+    const std::string name =
+        scan.name.empty() ? "" : "<name type=\"String\">" + scan.name + "</name>";
+    scans_ += "<vectorChild type=\"Structure\">" + name + scan.pose +
               R"(<points type="CompressedVector" fileOffset=")" +
               std::to_string(physical(section)) + "\" recordCount=\"" + scan.records +
               R"("><prototype type="Structure">)";
@@ -80,6 +84,9 @@ class E57Sample {
   }
 
   std::string file() const { return fileWith(xml()); }
+
+  /// Logical places of the scans' binary sections.
+  const std::vector<std::size_t>& sections() const { return sections_; }
 
   std::string fileWith(const std::string& xml_text) const {
     std::string logical = logical_ + xml_text;
@@ -144,6 +151,7 @@ class E57Sample {
 
   std::string logical_ = std::string(48, '\0');
   std::string scans_;
+  std::vector<std::size_t> sections_;
 };
 
 }  // namespace relievo::test

@@ -19,7 +19,6 @@
 #include "core/io/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
-#include "tests/core/io/import_main.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {

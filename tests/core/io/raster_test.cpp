@@ -18,6 +18,8 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "core/io/raster_rows.h"
+#include "tests/core/io/refusal.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -83,12 +85,7 @@ struct ForeignRaster {
 };
 
 std::string refusal(const std::filesystem::path& file) {
-  try {
-    readRaster(file);
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return {};
+  return test::refusalOf([&] { readRaster(file); }).words;
 }
 
 TEST(Raster, OwnMapComesBackBitForBit) {
@@ -288,6 +285,44 @@ TEST(Raster, DamagedFilesAreRefusedWithASentence) {
   writeMap(file, roughMap({200, 200}), {oddView(), true});
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   EXPECT_FALSE(refusal(file).empty());
+}
+
+TEST(Raster, RowsThatStayInAFileAreThoseInMemory) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "map.tif";
+  writeMap(file, roughMap({201, 130}), {oddView(), true});
+  for (const bool with_origins : {true, false}) {
+    SCOPED_TRACE(with_origins);
+    if (!with_origins) folder.write("map.origin.tif", "II*");
+    const RasterMap whole = importRaster(file);
+    const RasterRows rows = importRasterRows(file, folder.path());
+    EXPECT_EQ(rows.head().info.warnings, whole.info.warnings);
+    EXPECT_EQ(rows.head().info.bounds, whole.info.bounds);
+    EXPECT_EQ(rows.head().info.file, file);
+    EXPECT_EQ(rows.head().view_from_file, whole.view_from_file);
+    EXPECT_EQ(rows.hasOrigins(), with_origins);
+    ASSERT_EQ(whole.origins.size(), with_origins ? whole.values.size() : 0);
+    std::vector<float> heights(201UL * 7);
+    std::vector<Origin> origins(heights.size());
+    for (int row = 0; row + 7 <= 130; row += 11) {
+      rows.read(row, 7, heights.data(), origins.data());
+      for (std::size_t i = 0; i < heights.size(); ++i) {
+        const std::size_t cell = static_cast<std::size_t>(row) * 201 + i;
+        ASSERT_EQ(!std::isnan(heights[i]), whole.valid[cell]);
+        if (whole.valid[cell]) {
+          ASSERT_EQ(heights[i], whole.values[cell]);
+        }
+        if (with_origins) {
+          ASSERT_EQ(origins[i], whole.origins[cell]);
+        }
+      }
+    }
+  }
+  EXPECT_THAT(test::refusalOf([&] { importRasterRows(file, folder.path() / "absent"); }).words,
+              HasSubstr("cannot keep heights in"));
+  EXPECT_THAT(
+      test::refusalOf([&] { importRasterRows(folder.write("a.tif", "II*"), folder.path()); }).words,
+      HasSubstr("Cannot read a.tif"));
 }
 
 // ---- PNG, plain TIFF, ESRI ASCII grid -------------------------------------------------------

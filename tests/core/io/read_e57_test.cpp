@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -12,7 +13,7 @@
 #include "core/io/crc32c.h"
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/file_cases.h"
-#include "tests/core/io/import_main.h"
+#include "tests/core/io/refusal.h"
 
 namespace relievo {
 namespace {
@@ -201,13 +202,9 @@ TEST_F(ReadE57, SphericalCoordinatesBecomeCartesian) {
 TEST_F(ReadE57, AScanThatEndsEarlyIsE101AndLoadsOnRequest) {
   E57SampleScan scan = floats<float>();
   scan.records = "25";
-  try {
-    load(fileOf(scan));
-    ADD_FAILURE() << "a short scan was loaded";
-  } catch (const FileError& error) {
-    EXPECT_EQ(error.code, "E101");
-    EXPECT_THAT(error.what(), HasSubstr("promises 25 points, file ends at 10"));
-  }
+  const Refusal refusal = refusalOf([&] { load(fileOf(scan)); });
+  EXPECT_EQ(refusal.code, "E101");
+  EXPECT_THAT(refusal.words, HasSubstr("promises 25 points, file ends at 10"));
   ImportOptions options;
   options.accept_incomplete = true;
   EXPECT_EQ(load(fileOf(scan), options).points.size(), 10U);
@@ -334,6 +331,82 @@ TEST_F(ReadE57, ListsOfScansThatMakeNoSenseAreRefused) {
             }),
             10),
   });
+}
+
+/// Three scans of 300 points each, long enough to have pages of their own; x starts at 0, 1000
+/// and 2000.
+E57Sample threeScans(const std::function<void(E57SampleScan&)>& change_second = {}) {
+  E57Sample sample;
+  for (int number = 0; number < 3; ++number) {
+    E57SampleScan scan;
+    scan.records = "300";
+    scan.name = "Station <![CDATA[" + std::to_string(number + 1) + "]]>";
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::string stream;
+      for (int i = 0; i < 300; ++i) stream += bytesOf(axis == 0 ? 1000.0 * number + i : 0.5 * i);
+      scan.fields.push_back({kAxes[axis], "type=\"Float\"", stream});
+    }
+    if (number == 1 && change_second) change_second(scan);
+    sample.add(scan);
+  }
+  return sample;
+}
+
+struct BrokenScan {
+  std::string file, why;
+};
+
+TEST_F(ReadE57, ABrokenScanIsLeftOutAndTheOthersAreRead) {
+  const std::string good = threeScans().file();
+  const std::size_t second = threeScans().sections()[1];
+  ASSERT_EQ(load(good).points.size(), 900U);
+  ASSERT_TRUE(load(good).info.warnings.empty());
+  std::string flipped = good;
+  const auto page = static_cast<std::size_t>(E57Sample::physical(second + 3000));
+  flipped[page] = static_cast<char>(flipped[page] ^ 1);
+  const auto with = [](const std::function<void(E57SampleScan&)>& change) {
+    return threeScans(change).file();
+  };
+  const std::vector<BrokenScan> broken{
+      {flipped, "the checksum of its page 11 of 23 is wrong"},
+      {E57Sample::changed(good, second, "\7"), "a section of its points makes no sense"},
+      {E57Sample::changed(good, second + 32 + 16, "\5"), "a packet of its points makes no sense"},
+      {with([](E57SampleScan& s) { s.codecs = "<vectorChild><zipCodec/></vectorChild>"; }),
+       "its entry in the list of scans names an unknown codec"},
+      {with([](E57SampleScan& s) { s.records = "ten"; }),
+       "its entry in the list of scans holds \"ten\" in place of a number"},
+      {with([](E57SampleScan& s) { s.fields[2].name = "colorRed"; }), "it has no cartesianZ"},
+      {with([](E57SampleScan& s) {
+         s.pose = pose(numbers("rotation", {"w", "0"}));
+       }),
+       "its entry in the list of scans holds a rotation that is no unit quaternion"},
+  };
+  for (const BrokenScan& b : broken) {
+    SCOPED_TRACE(b.why);
+    const Scan scan = load(b.file);
+    EXPECT_EQ(scan.info.points, 600U);
+    ASSERT_EQ(scan.points.size(), 600U);
+    EXPECT_EQ(scan.point(299), (FilePoint{299, 149.5, 149.5}));
+    EXPECT_EQ(scan.point(300), (FilePoint{2000, 0, 0}));
+    EXPECT_THAT(
+        scan.info.warnings,
+        ::testing::ElementsAre("1 of 3 scans was left out: scan 2 \"Station 2\" (" + b.why + ")."));
+  }
+}
+
+TEST_F(ReadE57, WhereNoScanIsSoundTheFileIsRefused) {
+  const E57Sample sample = threeScans();
+  std::string bytes = sample.file();
+  const auto damage = [&](std::size_t scan) {
+    bytes = E57Sample::changed(bytes, sample.sections()[scan], "\7");
+  };
+  damage(0);
+  damage(1);
+  EXPECT_THAT(load(bytes).info.warnings, ::testing::ElementsAre(HasSubstr(
+                                             "2 of 3 scans were left out: scan 1 \"Station 1\" (a "
+                                             "section of its points makes no sense), scan 2")));
+  damage(2);
+  check({refused("all_broken.e57", bytes, "a section of its points makes no sense")});
 }
 
 /// Damage behind right checksums reaches the packets and the XML.

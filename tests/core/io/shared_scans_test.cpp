@@ -11,7 +11,6 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
-#include "tests/core/io/import_main.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {

@@ -16,8 +16,8 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
-#include "tests/core/io/import_main.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/refusal.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -57,12 +57,7 @@ class UnpackLas : public ::testing::Test {
   std::string quoted(const std::filesystem::path& file) const { return "'" + file.string() + "'"; }
 
   std::string refusal() const {
-    try {
-      importScan(packed_);
-    } catch (const FileError& error) {
-      return error.what();
-    }
-    return "it was loaded";
+    return refusalOf([&] { importScan(packed_); }).words;
   }
 
   TemporaryFolder folder_;

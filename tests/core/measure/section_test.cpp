@@ -8,25 +8,12 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "tests/core/measure/made_map.h"
 
 namespace relievo {
 namespace {
 
-/// 100 x 100 mm, a sample each 0.5 mm.
-DepthMap mapOf(const std::function<double(double, double)>& z) {
-  DepthMap map;
-  map.frame = {.size = {.cols = 200, .rows = 200},
-               .spacing_mm = 0.5,
-               .first_x_mm = 0.25,
-               .first_y_mm = 0.25};
-  for (int row = 0; row < 200; ++row) {
-    for (int col = 0; col < 200; ++col) {
-      map.heights_mm.push_back(static_cast<float>(z(map.frame.xMm(col), map.frame.yMm(row))));
-    }
-  }
-  map.origins.assign(map.frame.size.count(), Origin::measured);
-  return map;
-}
+using test::mapOf;
 
 double cone(double x, double y) {
   return std::max(0.0, 30 - std::hypot(x - 50, y - 50));

@@ -105,8 +105,8 @@ TEST_F(OnDisk, HostileProjectsAreRefusedWithASentence) {
   expectRefused("");
   expectRefused("[]");
   expectRefused("{}");
-  expectRefused(changed("\"relievo_project\": 1", "\"relievo_project\": 2"));
-  expectRefused(changed("\"relievo_project\": 1", "\"relievo_project\": \"1\""));
+  expectRefused(changed("\"relievo_project\": 2", "\"relievo_project\": 3"));
+  expectRefused(changed("\"relievo_project\": 2", "\"relievo_project\": \"2\""));
   expectRefused(changed("\"kind\": \"area\"", "\"kind\": \"guess\""));
   expectRefused(changed("\"input\"", "\"output\""));
   expectRefused(changed("\"recordings\": [", "\"recordings\": [7,"));

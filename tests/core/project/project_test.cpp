@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/project/force_curve.h"
@@ -34,7 +35,9 @@ class ProjectFile : public ::testing::Test {
 Project fullProject() {
   Project p;
   p.file = "scans/relief.ply";
-  p.sha256 = "00ff";
+  p.sha256 = std::string(64, 'f');
+  p.bytes = 4711;
+  p.accept_incomplete = true;
   p.options.unit = LengthUnit::cm;
   p.options.unit_source = UnitSource::remembered;
   p.options.view = ViewChoice{"free", Rotation{0, 1, 0, -1, 0, 0, 0, 0, 1}, {1, 2, 3}};
@@ -43,6 +46,7 @@ Project fullProject() {
   p.options.rule = PointRule::median;
   p.options.holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 12.5};
   p.options.pyramid.factor = 1.5;
+  p.options.pyramid.coarsest_samples = 150;
   p.region = {.x_mm = 1.0 / 3, .y_mm = -2, .side_mm = 44.4, .level = {2}};
   p.gain = 1.7;
   p.look.kind = ReliefKind::openness;
@@ -50,7 +54,10 @@ Project fullProject() {
   p.look.light = {.azimuth_deg = 10, .elevation_deg = 20};
   p.look.radius_mm = 7;
   p.look.range = {{-1, 2}};
-  p.stereo = {.mode = StereoMode::anaglyph, .eye_angle_deg = 2.5, .zero_plane_mm = 3};
+  p.stereo = {
+      .mode = StereoMode::anaglyph, .eye_angle_deg = 2.5, .zero_plane_mm = 3, .swap_eyes = true};
+  p.azimuth_deg = 12;
+  p.elevation_deg = -7;
   p.figure.layout = FigureLayout::plot;
   p.figure.width_mm = 85;
   p.figure.dpi = 600;
@@ -66,10 +73,11 @@ Project fullProject() {
   p.figure.swap_eyes = true;
   p.figure.limit_parallax = false;
   p.figure.recording = "run.csv";
-  p.places = {{"nose", p.region, 2}};
+  p.places = {{"nose", p.region, 2}, {"ear", p.region, 2, viewOf(p)}};
   p.measurements = {{"step", MeasureKind::depth, {{1, 2}, {3, 4}}, 0},
                     {"piece", MeasureKind::area, {{1, 2}, {3, 4}, {5, 6}}, 1.5}};
   p.history = {"Depth map", "Detail 1 \u2192 2"};
+  p.undo = {{"Detail 1 \u2192 2", p.region, 1.5}};
   return p;
 }
 
@@ -79,15 +87,21 @@ TEST(ProjectJson, EveryFieldComesBackBitForBit) {
   EXPECT_EQ(projectJson(back), json);
   EXPECT_EQ(back.region, fullProject().region);
   EXPECT_EQ(back.look, fullProject().look);
+  EXPECT_EQ(viewOf(back), viewOf(fullProject()));
+  EXPECT_EQ(back.places, fullProject().places);
+  EXPECT_EQ(back.undo, fullProject().undo);
+  EXPECT_EQ(back.sha256, fullProject().sha256);
   EXPECT_EQ(back.measurements, fullProject().measurements);
   EXPECT_EQ(back.options.rule, PointRule::median);
   // Had a field been forgotten, the text of a full project would share a value with a plain one.
   const std::string plain = projectJson(Project{});
+  const std::set<std::string> kSame{"\"relievo_project\"", "\"version\"", "\"commit\"", "\"name\"",
+                                    "\"cells\""};
   const std::regex line("\"[a-z_0-9]+\": [^{\\[\\n]+");
   for (auto it = std::sregex_iterator(plain.begin(), plain.end(), line);
        it != std::sregex_iterator(); ++it) {
     const std::string field = it->str().substr(0, it->str().find(':'));
-    if (field == "\"relievo_project\"" || field == "\"version\"" || field == "\"cells\"") continue;
+    if (kSame.contains(field)) continue;
     EXPECT_EQ(json.find(it->str().back() == ',' ? it->str() : it->str() + "\n"), std::string::npos)
         << it->str() << " is as in an empty project";
   }
@@ -95,18 +109,18 @@ TEST(ProjectJson, EveryFieldComesBackBitForBit) {
 
 TEST(ProjectJson, KeysOfALaterVersionAreKept) {
   std::string json = projectJson(fullProject());
-  json.insert(json.find("\"version\""), "\"smell\": {\"of\": [1, 2]}, ");
+  json.insert(json.find("\"input\""), "\"smell\": {\"of\": [1, 2]}, ");
   const Project back = projectFromJson(json, "test");
   EXPECT_NE(projectJson(back).find("smell"), std::string::npos);
 }
 
 TEST(ProjectJson, WhatIsNoProjectIsRefusedWithItsName) {
-  std::string newer = projectJson(Project{});
-  newer.replace(newer.find("\"relievo_project\": 1"), 20, "\"relievo_project\": 9");
-  std::string odd = projectJson(Project{});
-  odd.replace(odd.find("\"kind\": \"lit\""), 13, "\"kind\": \"tin\"");
-  std::string wrong = projectJson(Project{});
-  wrong.replace(wrong.find("\"gain\": 1.0"), 11, "\"gain\": \"x\"");
+  std::string newer = projectJson(fullProject());
+  newer.replace(newer.find("\"relievo_project\": 2"), 20, "\"relievo_project\": 9");
+  std::string odd = projectJson(fullProject());
+  odd.replace(odd.find("\"kind\": \"openness\""), 18, "\"kind\": \"tin\"");
+  std::string wrong = projectJson(fullProject());
+  wrong.replace(wrong.find("\"gain\": 1.7"), 11, "\"gain\": \"x\"");
   for (const std::string& text :
        {std::string(), std::string("{"), std::string("[]"), std::string("{\"a\":1}"),
         std::string("{\"relievo_project\": 1}"), newer, odd, wrong, std::string(100000, '[')}) {

@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
-#include "core/provenance/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/program.h"
 #include "tests/core/io/temporary_folder.h"
@@ -146,19 +145,6 @@ TEST(ViewText, ComesBackAndNonsenseIsRefused) {
   EXPECT_THROW(viewFromText("[1]"), ArgumentError);
 }
 
-Surface surfaceWithHole() {
-  // A cap over a plate with a hole of 6 x 6 mm that shows nothing.
-  Scan scan = test::latticeScan(101, 81, 0.5, [](double x, double y) {
-    const double d2 = (x - 25) * (x - 25) + (y - 20) * (y - 20);
-    return d2 < 100 ? 0.05 * (100 - d2) : 0;
-  });
-  std::erase_if(scan.points, [](const std::array<float, 3>& p) {
-    return std::abs(p[0] - 40) < 3 && std::abs(p[1] - 30) < 3;
-  });
-  scan.info.points = scan.info.finite_points = scan.points.size();
-  return makeSurface(scan, {}, rasterize);
-}
-
 TEST(Resolved, OptionsMakeTheSameMapAgain) {
   const Scan scan =
       test::latticeScan(61, 41, 0.7, [](double x, double y) { return std::sin(x) * std::cos(y); });
@@ -170,27 +156,6 @@ TEST(Resolved, OptionsMakeTheSameMapAgain) {
   EXPECT_EQ(second.map.frame, first.map.frame);
   EXPECT_EQ(second.map.heights_mm, first.map.heights_mm);
   EXPECT_EQ(second.unit_source, UnitSource::assumed);
-}
-
-TEST(Caption, SaysEverythingThatDecidesThePicture) {
-  const Surface surface = surfaceWithHole();
-  ASSERT_EQ(surface.holes.size(), 1U);
-  SurfaceOptions options;
-  Provenance p = provenanceOf(surface, options);
-  p.input = {.file = "a/coin.ply", .sha256 = sha256OfText("coin"), .bytes = 4};
-  const ViewState view{.region = wholeRegion(surface.ladder), .gain = 2};
-  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, view.region, view.gain);
-  const std::string text =
-      caption(p, surface, view, window, {.mm_per_pixel = 0.25, .paper_mm_per_mm = 0.5});
-  for (const char* part :
-       {"coin.ply", "mm (unit mm, assumed)", "view ", "engine cpu", "1 enclosed hole of ",
-        "on the base plane", "Detail 1 of 1 (level 0, M = 2)", "heights \u00d7 2",
-        "light from 315\u00b0, 45\u00b0", "1 pixel is 0.25 mm", "scale 1:2", "% measured",
-        "% outside the object", "input SHA-256"}) {
-    EXPECT_THAT(text, HasSubstr(part));
-  }
-  EXPECT_THAT(text, HasSubstr(sha256OfText("coin")));
-  EXPECT_THAT(text, HasSubstr(surface.rule));
 }
 
 TEST(Embedded, StateComesBackFromTiffAndCsvAndIsMissedElsewhere) {

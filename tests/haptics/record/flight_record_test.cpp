@@ -68,7 +68,7 @@ TEST(FlightRecord, SaysWhyThereIsNone) {
 
 TEST(Events, NameWhatChangedBetweenTwoSamples) {
   HapticSample a, b;
-  a.stiffness_n_per_mm = b.stiffness_n_per_mm = 0.8;
+  a.firm_stiffness_n_per_mm = b.firm_stiffness_n_per_mm = 0.8;
   b.tick = 1;
   EXPECT_EQ(eventBetween(a, b), "");
   b.tick = 4;
@@ -77,7 +77,8 @@ TEST(Events, NameWhatChangedBetweenTwoSamples) {
   b.window_id = 7;
   b.detail = 3;
   b.engaged = EngagePhase::rising;
-  b.stiffness_n_per_mm = 0.6;
+  b.stiffness_n_per_mm = 0.3;  // On soft ground: not a change of its own.
+  b.firm_stiffness_n_per_mm = 0.6;
   b.buttons = 0b100;
   b.softened = 1;
   b.fault = DeviceFault::timeout;
@@ -86,6 +87,21 @@ TEST(Events, NameWhatChangedBetweenTwoSamples) {
             "detail 3; the device did not answer in time; forces rise; softened against swinging; "
             "stiffness 600 N/m; button 2 down");
   EXPECT_EQ(eventAtStart(b), "window 7 of detail 3; stiffness 600 N/m; forces rise");
+}
+
+TEST(Events, TellHowSamplesCame) {
+  std::vector<HapticSample> samples(4);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].time_ns = static_cast<std::int64_t>(i) * 1'000'000;
+    samples[i].tick_ns = 700;
+  }
+  samples[3].time_ns += 30'000'000;  // A pause of 30 ms.
+  samples[3].late = samples[3].resumed = true;
+  const std::string lines = sampleLines(samples);
+  EXPECT_NE(lines.find("loop ticks 4, late 1, pauses 1, rate 90.9 Hz"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("beyond the period us <=20.0:2 "), std::string::npos) << lines;
+  EXPECT_NE(lines.find("<=100000.0:1 "), std::string::npos) << lines;
+  EXPECT_NE(lines.find("work us <=0.5:0 <=1.0:4 "), std::string::npos) << lines;
 }
 
 TEST(Events, TellHowTheLoopRan) {

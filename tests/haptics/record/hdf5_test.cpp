@@ -96,6 +96,17 @@ TEST(Hdf5Log, KeepsEveryValueToTheLastBitWithUnitsSurfaceAndEvents) {
   H5Fclose(held);
 }
 
+TEST(Hdf5Log, CarriesTheStateOfItsHeader) {
+  const std::filesystem::path with = temporary("state.h5"), without = temporary("stateless.h5");
+  openLog(with, "unit mm\nrelievo:state {\"a\":[1,2]}\nparameters {}")->close();
+  openLog(without, "unit mm")->close();
+  EXPECT_EQ(hdf5State(with), "{\"a\":[1,2]}");
+  EXPECT_EQ(hdf5State(without), std::nullopt);
+  const std::filesystem::path csv = temporary("state.csv");
+  openLog(csv, "")->close();
+  EXPECT_THROW(hdf5State(csv), FileError);
+}
+
 TEST(Hdf5Log, RefusesAPlaceThatCannotBeWritten) {
   EXPECT_THROW(openLog("/nowhere/at/all.h5", ""), WriteError);
 }

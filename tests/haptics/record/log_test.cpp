@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/recorder.h"
+#include "haptics/record/replay.h"
 #include "haptics/record/sample_drain.h"
 #include "haptics/record/stroke.h"
 #include "tests/haptics/haptic_fixture.h"
@@ -258,6 +259,34 @@ TEST(SampleDrain, HandsOverEverySampleInOrderToAllSinks) {
   ASSERT_EQ(first.size(), 5000U);
   for (std::uint64_t i = 0; i < 5000; ++i) ASSERT_EQ(first[i], i);
   EXPECT_EQ(first, second);
+}
+
+std::string wholeText(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(Log, ARecordingsLoopStandsBeforeItsRows) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "loop.csv";
+  const auto write = [&](LogKind kind, const std::string& footer) {
+    const auto log = openLog(file, "unit mm", nullptr, kind);
+    log->write({}, 0);
+    log->write({}, 0.001);
+    log->close(footer);
+    return wholeText(file);
+  };
+  const std::string footer = "loop ticks 2\nwork us <=0.5:2";
+  const std::string text = write(LogKind::recording, footer);
+  const std::size_t columns = text.find("\nt_s,tick");
+  EXPECT_LT(text.find("\n# loop ticks 2\n# work us <=0.5:2"), columns);
+  EXPECT_EQ(text.find("not ended"), std::string::npos);
+  EXPECT_EQ(readLog(file).rows.size(), 2U);
+  EXPECT_NE(readLog(file).header.find("loop ticks 2\n"), std::string::npos);
+  const std::string stroke = write(LogKind::stroke, footer);
+  EXPECT_GT(stroke.find("\n# loop ticks 2"), stroke.find("\nt_s,tick"));
+  const std::string large = write(LogKind::recording, std::string(5000, 'x'));
+  EXPECT_GT(large.find("# xxx"), large.find("\nt_s,tick")) << "no room in the header";
+  EXPECT_EQ(readLog(file).rows.size(), 2U);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
+#include "core/provenance/embedded.h"
 #include "ui/vtk/picture_file.h"
 #include "ui/vtk/scale_length.h"
 
@@ -56,7 +57,7 @@ class FigureTest : public ::testing::Test {
     folder_ = fs::temp_directory_path() / ("relievo_figure_" + std::to_string(getpid()));
     fs::create_directories(folder_);
     project_.file = (folder_ / "relief.ply").string();
-    project_.sha256 = "abc";
+    project_.sha256 = std::string(64, 'a');
     project_.region = {.x_mm = 20, .y_mm = 10, .side_mm = 60, .level = {0}};
     project_.figure.width_mm = 85;
   }
@@ -188,17 +189,17 @@ TEST_F(FigureTest, AStateReadFromTheFileDrawsTheSamePixelsAgain) {
   project_.measurements = {{"step", MeasureKind::depth, {{45, 45}, {70, 45}}, 0}};
   for (const char* name : {"a.png", "a.tif"}) {
     writeFigure(*surface_, project_, folder_ / name);
-    const auto state = pictureState(folder_ / name);
+    const auto state = embeddedState(folder_ / name);
     ASSERT_TRUE(state) << name;
     const Project back = projectFromJson(*state, name);
     EXPECT_EQ(back.file, "relief.ply") << "as found from the figure's folder";
     EXPECT_EQ(drawFigure(*surface_, back).image.rgba, draw().image.rgba) << name;
   }
   writePng(folder_ / "plain.png", RgbaImage{1, 1, {1, 2, 3, 255}}, 300, {});
-  EXPECT_FALSE(pictureState(folder_ / "plain.png"));
+  EXPECT_FALSE(embeddedState(folder_ / "plain.png"));
   std::ofstream(folder_ / "text.png") << "no picture";
-  EXPECT_THROW(pictureState(folder_ / "text.png"), FileError);
-  EXPECT_THROW(pictureState(folder_ / "missing.png"), FileError);
+  EXPECT_FALSE(embeddedState(folder_ / "text.png"));
+  EXPECT_THROW(embeddedState(folder_ / "missing.png"), FileError);
 }
 
 TEST_F(FigureTest, VectorsKeepTextAsTextAroundThePictures) {
@@ -306,8 +307,8 @@ TEST_F(FigureTest, HeightsInSixteenBitsAreTheReliefsHeights) {
 TEST_F(FigureTest, TheCaptionNamesWhatTheFigureRestsOn) {
   const std::string caption = draw().facts.caption;
   for (const char* word :
-       {"relief.ply", "unit mm", "top", "cells of 0.5 mm", "measured", "enclosed hole", "Detail",
-        "M = 2", "light from 315", "Scale 1:", "SHA-256", "level 0"}) {
+       {"relief.ply", "unit mm", "top", "cells, 0.5 mm apart", "measured", "enclosed hole",
+        "Detail", "M = 2", "light from 315", "Scale 1:", "SHA-256", "level 0"}) {
     EXPECT_NE(caption.find(word), std::string::npos) << word << " in: " << caption;
   }
 }

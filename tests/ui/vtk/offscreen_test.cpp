@@ -158,6 +158,53 @@ TEST(Offscreen, APictureInTilesIsThePictureInOnePiece) {
   EXPECT_LT(differing, whole.rgba.size() / 1000) << "at most " << most;
 }
 
+/// Mean step between neighbouring columns (or rows) `at` - 1 and `at`, of 8 bits.
+double stepAcross(const RgbaImage& image, int at, bool columns) {
+  double sum = 0;
+  const int length = columns ? image.height : image.width;
+  for (int i = 0; i < length; ++i) {
+    const auto pixel = [&](int k) {
+      const auto x = static_cast<std::size_t>(columns ? k : i);
+      const auto y = static_cast<std::size_t>(columns ? i : k);
+      return 4 * (y * static_cast<std::size_t>(image.width) + x);
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += std::abs(image.rgba[pixel(at) + c] - image.rgba[pixel(at - 1) + c]);
+    }
+  }
+  return sum / (3.0 * length);
+}
+
+// 180 mm at 600 dots per inch are 4252 pixels, three tiles; half a minute of software OpenGL, so it
+// runs when asked for: --gtest_also_run_disabled_tests. The test above is the cheap one.
+TEST(Offscreen, DISABLED_APrintOf180MmAt600DpiHasNoSeams) {
+  constexpr int kPixels = 4252;
+  const SyntheticRelief relief = makeRelief(400, 100, domeWithRidges);
+  ReliefScene scene;
+  shownFromAbove(scene, relief);
+  const RgbaImage image = renderPicture(scene, {.width = kPixels, .height = kPixels});
+  const RgbaImage other =
+      renderPicture(scene, {.width = kPixels, .height = kPixels, .tile_px = 1500});
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+    if (std::abs(image.rgba[i] - other.rgba[i]) > 2) ++differing;
+  }
+  EXPECT_LT(differing, image.rgba.size() / 1000);
+  for (const bool columns : {true, false}) {
+    for (const int border : {2048, 4096}) {
+      // In the rows tiles count from below.
+      const int at = columns ? border : kPixels - border;
+      double around = 0;
+      for (const int k : {-3, -2, -1, 1, 2, 3}) {
+        around = std::max(around, stepAcross(image, at + k, columns));
+      }
+      const double here = stepAcross(image, at, columns);
+      std::printf("step across the border at %d: %.3f, beside it at most %.3f\n", at, here, around);
+      EXPECT_LE(here, 1.5 * around + 0.1);
+    }
+  }
+}
+
 TEST(Offscreen, APictureBeyondTheDriversLimitHasNoBlackPart) {
   const SyntheticRelief relief = makeRelief(50, 100, domeWithRidges);
   ReliefScene scene;

@@ -47,9 +47,3 @@ TEST(SharedMeshes, BothEnginesSeeTheSameDemosthenes) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  if (const auto status = relievo::runImportWorkerIfAsked(argc, argv)) return *status;
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

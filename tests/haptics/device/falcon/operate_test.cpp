@@ -123,6 +123,40 @@ TEST_F(RunningFalconTest, ALoopThatHangsLosesItsForce) {
   EXPECT_LT(norm(felt()), 1e-9);
 }
 
+TEST_F(RunningFalconTest, AWatchdogsCutIsZeroUntilTheLoopAsksAgain) {
+  beginTouching();
+  loop_runs_ = false;  // It hangs; what it asked for last is still fresh.
+  device_->cutForce();
+  step(2);
+  EXPECT_TRUE(lastCommand().neutral());
+  loop_runs_ = true;
+  EXPECT_TRUE(stepUntil([this] { return norm(felt()) > 1.9; }, 300));
+}
+
+TEST_F(RunningFalconTest, TellsThePassivityControllerItsStepAndItsDelay) {
+  // The largest way of the grip for one count of one encoder, in the middle and all round it.
+  double most_mm = 0;
+  const BaseMm middle{0, 0, kCentre.z};
+  const Angles angles = *anglesFromGrip(middle);
+  for (std::size_t arm = 0; arm < kArms; ++arm) {
+    Angles next = angles;
+    next[arm] += anglesFromEncoders({1, 1, 1})[arm] - anglesFromEncoders({0, 0, 0})[arm];
+    most_mm = std::max(most_mm, norm(*gripFromAngles(next) - middle));
+  }
+  EXPECT_NEAR(device_->info().position_step_mm, most_mm, 0.25 * most_mm);
+  // From the loop's order to the first frame that carries it.
+  beginTouching();
+  force_ = {};
+  step(5);
+  force_ = {0, 0, 1};
+  int ticks = 0;
+  while (lastCommand().neutral()) {
+    step();
+    ASSERT_LT(++ticks, 10);
+  }
+  EXPECT_LE(ticks, device_->info().force_delay_ticks);
+}
+
 TEST_F(RunningFalconTest, NobodyAsksNobodyIsWoken) {
   begin();
   ASSERT_TRUE(becomes(LinkState::ready, 100));

@@ -63,6 +63,23 @@ TEST_F(FalconTest, OneArmThatIsNotHomedIsNamedAndKeepsForceOff) {
   EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
 }
 
+TEST_F(FalconTest, AHintIsGivenAfterTwentySecondsOfHoming) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 5000));
+  step(19'900);
+  EXPECT_THAT(describe(device_->status()).screen, testing::Not(HasSubstr("do not twist")));
+  step(200);
+  const LinkMessage message = describe(device_->status());
+  EXPECT_EQ(message.code, "E308");
+  EXPECT_THAT(message.screen, HasSubstr("do not twist"));
+  EXPECT_THAT(message.spoken, HasSubstr("do not twist"));
+  ASSERT_TRUE(home()) << "there is no time limit";
+  falcon([](auto& f) { f.body.forgetHoming(); });
+  ASSERT_TRUE(becomes(LinkState::homing, 100));
+  step(1000);
+  EXPECT_THAT(describe(device_->status()).screen, testing::Not(HasSubstr("do not twist")));
+}
+
 TEST_F(FalconTest, TriesAgainWhenTheBootLoaderIsDeafLateOrEchoesWrongly) {
   falcon([](auto& f) {
     f.troubles.deaf_hellos = 3;

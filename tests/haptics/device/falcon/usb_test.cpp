@@ -65,6 +65,16 @@ TEST_F(FalconUsbTest, IsSeenAndOpened) {
   EXPECT_EQ(opening.presence, Presence::present);
 }
 
+TEST_F(FalconUsbTest, PluggingAndPullingAreHeardWithoutOpening) {
+  PlugWatch watch;
+  EXPECT_FALSE(watch.changed());
+  plugged();
+  EXPECT_TRUE(eventually([&] { return watch.changed(); }));
+  EXPECT_FALSE(watch.changed()) << "told once";
+  usb_.unplug();
+  EXPECT_TRUE(eventually([&] { return watch.changed(); }));
+}
+
 TEST_F(FalconUsbTest, UploadsWithoutABadChunkAndHomes) {
   const auto falcon = plugged({});
   const auto device = this->device();

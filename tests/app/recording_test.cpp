@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What touch and record write comes back as a recording that knows its map, from CSV and HDF5.
+#include "app/batch/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/provenance/sha256.h"
+#include "haptics/record/sample_log.h"
+#include "haptics/record/stroke.h"
+#include "tests/app/command.h"
+
+namespace relievo {
+namespace {
+
+const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
+const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
+
+std::string temporary(const std::string& name) {
+  return (std::filesystem::path(::testing::TempDir()) / name).string();
+}
+
+void writeLog(const std::string& verb, const std::string& log,
+              const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words{verb,       kScan,     "--unit", "mm",       "--view",
+                                 "top",      "--level", "0",      "--region", "240,60,50,50",
+                                 "--stroke", kStroke,   "-o",     log};
+  words.insert(words.end(), more.begin(), more.end());
+  const test::CommandResult result = test::runRelievo(words);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+}
+
+TEST(Recording, OfEveryVerbAndFormatKnowsItsInputItsMapAndItsWindow) {
+  const std::string sum = sha256OfFile(kScan);
+  writeLog("touch", temporary("touch.csv"));
+  writeLog("touch", temporary("touch.h5"));
+  writeLog("record", temporary("record.h5"), {"--seconds", "0.2"});
+  for (const char* name : {"touch.csv", "touch.h5", "record.h5"}) {
+    const TouchRecording recording = batch::readRecording(temporary(name));
+    EXPECT_EQ(recording.input_sha256, sum) << name;
+    EXPECT_NE(recording.input.find("relief_f.ply"), std::string::npos) << name;
+    ASSERT_TRUE(recording.view_from_file) << name;
+    ASSERT_EQ(recording.windows.size(), 1U) << name;
+    EXPECT_EQ(recording.windows[0].region, (Region{240, 60, 50, {0}})) << name;
+    ASSERT_NE(windowOf(recording, recording.rows.back()), nullptr) << name;
+    EXPECT_GE(recording.rows.size(), 200U) << name;
+    EXPECT_EQ(recording.name, name);
+  }
+}
+
+TEST(Recording, HasTheSameRowsFromBothFormats) {
+  writeLog("touch", temporary("same.csv"));
+  writeLog("touch", temporary("same.h5"));
+  const TouchRecording csv = batch::readRecording(temporary("same.csv"));
+  const TouchRecording h5 = batch::readRecording(temporary("same.h5"));
+  ASSERT_EQ(csv.rows.size(), h5.rows.size());
+  const StrokePoint first = readStroke(kStroke).points.front();
+  EXPECT_NEAR(norm(csv.rows[0].hip - ViewMm{first.x_mm, first.y_mm, first.z_mm}), 0, 1e-9);
+  EXPECT_NEAR(csv.rows[0].proxy.x, first.x_mm, 1e-9);
+  bool touched = false;
+  for (std::size_t i = 0; i < csv.rows.size(); ++i) {
+    EXPECT_EQ(csv.rows[i].hip, h5.rows[i].hip);
+    EXPECT_EQ(csv.rows[i].proxy, h5.rows[i].proxy);
+    EXPECT_EQ(csv.rows[i].force, h5.rows[i].force);
+    touched = touched || (csv.rows[i].contact && norm(csv.rows[i].force) > 0.1);
+  }
+  EXPECT_TRUE(touched);
+}
+
+/// Two rows, the second in another window.
+std::string writeTwoRows(const std::string& name, const std::string& footer, double second_s) {
+  const std::string file = temporary(name);
+  const auto log = openLog(file, "relievo recording, schema 1");
+  HapticSample sample;
+  sample.window_id = 5;
+  log->write(sample, 1);
+  sample.window_id = 6;
+  sample.detail = 3;
+  log->write(sample, second_s);
+  log->close(footer);
+  return file;
+}
+
+TEST(Recording, ReadsFromItsLastLinesWhereLaterWindowsLay) {
+  const std::string lines =
+      "loop ticks 2\nwindow 5: region_mm 0 0 300 level 3 gain 1\n"
+      "window 6: region_mm 100.5 -20 50 level 1 gain 2.5\n";
+  for (const char* name : {"windows.csv", "windows.h5"}) {
+    const TouchRecording recording = batch::readRecording(writeTwoRows(name, lines, 2));
+    ASSERT_EQ(recording.windows.size(), 2U) << name;
+    const TouchedWindow* later = windowOf(recording, recording.rows[1]);
+    ASSERT_NE(later, nullptr);
+    EXPECT_EQ(later->region, (Region{100.5, -20, 50, {1}}));
+    EXPECT_DOUBLE_EQ(later->gain, 2.5);
+  }
+}
+
+TEST(Recording, RefusesTimesThatGoBackAndValuesThatAreNoNumbers) {
+  EXPECT_THROW(batch::readRecording(writeTwoRows("back.csv", "", 0.5)), FileError);
+  EXPECT_THROW(
+      batch::readRecording(writeTwoRows("nan.h5", "", std::numeric_limits<double>::quiet_NaN())),
+      FileError);
+  EXPECT_THROW(batch::readRecording(temporary("missing.csv")), FileError);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(batch::readRecording(writeTwoRows("stop.csv", "", 2), Task{stop.get_token(), {}}),
+               Cancelled);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a surface feels, from the command line.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.h"
+
+namespace relievo {
+namespace {
+
+using Json = nlohmann::json;
+using test::CommandResult;
+using test::runRelievo;
+
+const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
+const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
+
+std::string temporary(const char* name) {
+  return (std::filesystem::path(::testing::TempDir()) / name).string();
+}
+
+CommandResult touch(const std::vector<std::string>& more) {
+  std::vector<std::string> words{
+      "touch",    kScan,      "--unit",       "mm",       "--view", "top", "--cells",
+      "300",      "--region", "240,60,50,50", "--stroke", kStroke,  "-o",  temporary("feel.csv"),
+      "--report", "json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return runRelievo(words);
+}
+
+TEST(TouchFeel, WithoutAPresetItIsASpringAndNothingElse) {
+  const CommandResult run = touch({});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Json report = Json::parse(run.out);
+  EXPECT_EQ(report["stiffness_n_per_mm"], 0.5);
+  EXPECT_EQ(report["surface"], "gated");
+  EXPECT_EQ(report["softest_part"], 1);
+  EXPECT_EQ(report["texture_mm"], 0);
+  EXPECT_EQ(report["crossing_n"], 0);
+}
+
+TEST(TouchFeel, APresetOfTheWindowIsTakenAndOverriddenByWhatIsGiven) {
+  const CommandResult paper = touch({"--preset", "paper"});
+  ASSERT_EQ(paper.exit_code, 0) << paper.err;
+  Json report = Json::parse(paper.out);
+  EXPECT_EQ(report["proxy"], "equation");
+  EXPECT_EQ(report["surface"], "exact");
+  EXPECT_EQ(report["softest_part"], 1) << "off as in the paper";
+  const CommandResult bronze = touch({"--preset", "bronze", "--friction", "0.1", "--knock", "0.2"});
+  ASSERT_EQ(bronze.exit_code, 0) << bronze.err;
+  report = Json::parse(bronze.out);
+  EXPECT_EQ(report["stiffness_n_per_mm"], 0.8);
+  EXPECT_EQ(report["friction"], Json({0.1, 0.1}));
+  EXPECT_EQ(report["contact_n"], 0.2);
+  EXPECT_EQ(report["softest_part"], 0.6);
+  const CommandResult levels = touch({"--level-stiffness", "0.7,0.65"});
+  ASSERT_EQ(levels.exit_code, 0) << levels.err;
+  report = Json::parse(levels.out);
+  EXPECT_TRUE(report["stiffness_n_per_mm"] == 0.7 || report["stiffness_n_per_mm"] == 0.65);
+}
+
+TEST(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
+  const auto grid = [](const char* name, double part) {
+    const std::string file = temporary(name);
+    std::ofstream out(file);
+    out << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n";
+    out << part << " " << part << "\n" << part << " " << part << "\n";
+    return file;
+  };
+  const double firm = Json::parse(
+      touch({"--firmness", grid("one.asc", 1), "--soft", "0.5"}).out)["largest_force_n"];
+  const double soft = Json::parse(
+      touch({"--firmness", grid("nil.asc", 0), "--soft", "0.5"}).out)["largest_force_n"];
+  EXPECT_GT(firm, 0.05);
+  EXPECT_NEAR(soft / firm, 0.5, 1e-6);
+  const CommandResult wrong = touch({"--firmness", grid("two.asc", 2), "--soft", "0.5"});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.err.find("outside 0 to 1"), std::string::npos) << wrong.err;
+}
+
+TEST(TouchFeel, SaysWhatCannotBeFelt) {
+  const CommandResult unknown = touch({"--preset", "marble"});
+  EXPECT_EQ(unknown.exit_code, 1);
+  EXPECT_NE(unknown.err.find("soft_stone"), std::string::npos) << "names what there is";
+  EXPECT_EQ(touch({"--soft", "0.1"}).exit_code, 1);
+  EXPECT_EQ(touch({"--texture", "1"}).exit_code, 1);
+  EXPECT_EQ(touch({"--magnet", "5"}).exit_code, 1);
+  EXPECT_EQ(touch({"--level-stiffness", "0.5,-1"}).exit_code, 1);
+}
+
+}  // namespace
+}  // namespace relievo

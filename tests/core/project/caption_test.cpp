@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/project/caption.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/depth/rasterize.h"
+#include "tests/core/scan_fixtures.h"
+
+namespace relievo {
+namespace {
+
+using testing::HasSubstr;
+
+Surface surfaceWithHole() {
+  // A cap over a plate with a hole of 6 x 6 mm that shows nothing.
+  Scan scan = test::latticeScan(101, 81, 0.5, [](double x, double y) {
+    const double d2 = (x - 25) * (x - 25) + (y - 20) * (y - 20);
+    return d2 < 100 ? 0.05 * (100 - d2) : 0;
+  });
+  std::erase_if(scan.points, [](const std::array<float, 3>& p) {
+    return std::abs(p[0] - 40) < 3 && std::abs(p[1] - 30) < 3;
+  });
+  scan.info.points = scan.info.finite_points = scan.points.size();
+  return makeSurface(scan, {}, rasterize);
+}
+
+TEST(Caption, SaysEverythingThatDecidesThePicture) {
+  const Surface surface = surfaceWithHole();
+  ASSERT_EQ(surface.holes.size(), 1U);
+  Project p;
+  p.file = "a/coin.ply";
+  p.sha256 = sha256OfText("coin");
+  p.region = wholeRegion(surface.ladder);
+  p.gain = 2;
+  p.azimuth_deg = 10;
+  p.stereo.mode = StereoMode::dubois;
+  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, p.region, p.gain);
+  CaptionFacts facts = pictureFacts(p, 0.25);
+  facts.paper_mm_per_mm = 0.5;
+  const std::string text = captionOf(p, surface, window, facts);
+  for (const char* part :
+       {"coin.ply", "mm (unit mm, assumed)", "view ", "engine cpu", "1 enclosed hole of ",
+        "on the base plane", "Detail 1 of 1 (level 0, M = 2)", "heights \u00d7 2",
+        "light from 315\u00b0, 45\u00b0", "turned by 10\u00b0", "Dubois red-cyan anaglyph, 4\u00b0",
+        "1 pixel is 0.25 mm", "Scale 1:2", "% measured", "% outside the object", "input SHA-256"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  EXPECT_THAT(text, HasSubstr(sha256OfText("coin")));
+  EXPECT_THAT(text, HasSubstr(surface.rule));
+}
+
+}  // namespace
+}  // namespace relievo

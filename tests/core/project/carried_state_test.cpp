@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What older versions wrote still opens, whichever of the two kinds it is.
+#include "core/project/carried_state.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/provenance/embedded.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+/// As version 0.1 wrote figures and projects.
+constexpr const char* kSchema1 = R"({
+  "relievo_project": 1,
+  "version": "0.1.0",
+  "input": {"file": "scans/relief.ply",
+            "sha256": "2222222222222222222222222222222222222222222222222222222222222222"},
+  "depth_map": {"unit": "cm", "unit_source": "remembered",
+                "view": {"name": "free", "rotation": [0, 1, 0, -1, 0, 0, 0, 0, 1],
+                         "turn_deg": [1, 2, 3]},
+                "cells": null, "spacing_mm": 0.1, "engine": "depthbuffer", "rule": "median",
+                "holes": {"rule": "interpolate", "max_area_mm2": 12.5}, "factor": 1.5},
+  "region": {"x_mm": 1.5, "y_mm": -2.0, "side_mm": 44.4, "level": 2, "gain": 1.7},
+  "look": {"kind": "openness", "colours": "cividis", "light_azimuth_deg": 10,
+           "light_elevation_deg": 20, "radius_mm": 7, "range": [-1, 2]},
+  "stereo": {"on": true, "eye_angle_deg": 2.5, "zero_plane_mm": 3},
+  "figure": {"layout": "levels", "stereo": "dubois", "scale_1_to": 2, "zero_plane_mm": 1,
+             "width_mm": 85, "dpi": 600, "look": {"kind": "slope", "colours": "grey",
+             "light_azimuth_deg": 1, "light_elevation_deg": 2, "radius_mm": 0, "range": null}},
+  "places": [{"x_mm": 1, "y_mm": 2, "side_mm": 3, "level": 0, "gain": 2, "name": "nose"}],
+  "measurements": [{"name": "step", "kind": "depth", "places_mm": [[1, 2], [3, 4]], "plane_mm": 0}],
+  "recordings": [], "history": ["Depth map"], "smell": {"of": "stone"}
+})";
+
+/// As version 0.1 wrote pictures of `render`.
+constexpr const char* kPicture = R"({
+  "relievo_provenance": 1,
+  "program": {"name": "relievo", "version": "0.1.0", "commit": "unknown"},
+  "input": {"file": "a.xyz", "bytes": 9, "sha256": "", "incomplete": true},
+  "depth_map": {"unit": "mm", "unit_source": "assumed",
+                "view": {"name": "top", "turn_deg": [0, 0, 0]}, "cells": null, "spacing_mm": 1,
+                "engine": "cpu", "rule": null, "holes": {"rule": "base"}, "factor": 2,
+                "coarsest_samples": 200},
+  "view": {"region_mm": [10, 5, 30, 30], "level": 1, "gain": 3, "turn_deg": [10, -20],
+           "look": {"kind": "lit", "colours": "viridis", "light_azimuth_deg": 40,
+                    "light_elevation_deg": 20, "radius_mm": 0, "range": null},
+           "stereo": {"mode": "anaglyph", "eye_angle_deg": 5, "zero_plane_mm": null}},
+  "picture": {"pixels": [640, 480], "scale_bar": true},
+  "made": {"cells": [3, 4]}
+})";
+
+TEST(CarriedState, AFigureOfAnOlderVersionOpensWhole) {
+  const auto p = projectFromState(kSchema1, "f.png");
+  ASSERT_TRUE(p);
+  EXPECT_EQ(p->version, "0.1.0");
+  EXPECT_EQ(p->file, "scans/relief.ply");
+  EXPECT_EQ(p->sha256, std::string(64, '2'));
+  EXPECT_EQ(p->options.unit, LengthUnit::cm);
+  EXPECT_EQ(p->options.rule, PointRule::median);
+  EXPECT_EQ(p->options.holes.max_area_mm2, 12.5);
+  EXPECT_EQ(p->options.view->turn_deg[2], 3);
+  EXPECT_EQ(p->region, (Region{.x_mm = 1.5, .y_mm = -2, .side_mm = 44.4, .level = Level{2}}));
+  EXPECT_EQ(p->gain, 1.7);
+  EXPECT_EQ(p->look.kind, ReliefKind::openness);
+  EXPECT_EQ(p->look.range, (std::array{-1.0, 2.0}));
+  EXPECT_EQ(p->stereo.mode, StereoMode::anaglyph);
+  EXPECT_EQ(p->stereo.zero_plane_mm, 3);
+  EXPECT_FALSE(p->picture);
+  EXPECT_EQ(p->figure.layout, FigureLayout::levels);
+  EXPECT_EQ(p->figure.dpi, 600);
+  EXPECT_EQ(p->figure.look.kind, ReliefKind::slope);
+  ASSERT_EQ(p->places.size(), 1U);
+  EXPECT_EQ(p->places[0].name, "nose");
+  ASSERT_EQ(p->measurements.size(), 1U);
+  EXPECT_EQ(p->history.size(), 1U);
+  EXPECT_NE(projectJson(*p).find("smell"), std::string::npos);
+}
+
+TEST(CarriedState, APictureOfAnOlderVersionBecomesAProjectThatDrawsIt) {
+  const auto p = projectFromState(kPicture, "r.png");
+  ASSERT_TRUE(p);
+  EXPECT_EQ(p->region, (Region{.x_mm = 10, .y_mm = 5, .side_mm = 30, .level = Level{1}}));
+  EXPECT_EQ(p->gain, 3);
+  EXPECT_EQ(p->azimuth_deg, 10);
+  EXPECT_EQ(p->elevation_deg, -20);
+  EXPECT_EQ(p->look.light.azimuth_deg, 40);
+  EXPECT_EQ(p->stereo.mode, StereoMode::anaglyph);
+  EXPECT_TRUE(p->accept_incomplete);
+  EXPECT_EQ(p->picture, (PictureChoice{.width_px = 640, .height_px = 480, .scale_bar = true}));
+  // Written again it is of today's kind and says the same.
+  const auto again = projectFromState(projectJson(*p), "r.png");
+  EXPECT_EQ(viewOf(*again), viewOf(*p));
+  EXPECT_EQ(again->picture, p->picture);
+}
+
+TEST(CarriedState, AMapShowsNoRegion) {
+  std::string map = kPicture;
+  const std::size_t view = map.find("\"view\": {\"region_mm\"");
+  map.replace(view, map.find("\"made\"") - view, "");
+  EXPECT_FALSE(projectFromState(map, "m.tif"));
+}
+
+TEST(CarriedState, ALogsPlaceIsTakenFromItsFolder) {
+  const test::TemporaryFolder folder;
+  std::string line = kPicture;
+  std::erase(line, '\n');
+  const auto log = folder.write("log.csv", "# " + stateLine(line) + "\nt_s\n");
+  EXPECT_EQ(carriedProject(log)->file, (folder.path() / "a.xyz").string());
+  EXPECT_EQ(carriedProject(folder.write("p.json", kSchema1))->file,
+            (folder.path() / "scans/relief.ply").string());
+  EXPECT_FALSE(carriedProject(folder.write("points.csv", "x,y,z\n1,2,3\n")));
+  EXPECT_THROW(carriedProject(folder.write("bad.json", "{\"a\": 1}")), FileError);
+}
+
+}  // namespace
+}  // namespace relievo

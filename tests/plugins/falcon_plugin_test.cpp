@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plugin and a Falcon that comes and goes on a mocked port, through the real libusb.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <QApplication>
+#include <QComboBox>
+#include <QDeadlineTimer>
+#include <QLabel>
+#include <QPluginLoader>
+#include <QTemporaryDir>
+
+#include "tests/emulator/mock_hid.h"
+#include "tests/emulator/mock_usb.h"
+#include "tests/haptics/haptic_fixture.h"
+#include "tests/plugins/test_host.h"
+#include "tests/realtime/fake_logind.h"
+#include "tests/realtime/message_bus.h"
+
+namespace relievo {
+namespace {
+
+using emulator::FalconEmulator;
+using emulator::SharedFalcon;
+using test::TestHost;
+
+bool eventually(const std::function<bool()>& holds) {
+  const QDeadlineTimer give_up(60'000);
+  while (!holds()) {
+    if (give_up.hasExpired()) return false;
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
+  }
+  return true;
+}
+
+class FalconPluginTest : public ::testing::Test {
+ protected:
+  FalconPluginTest() {
+    qputenv("XDG_DATA_HOME", home_.filePath("data").toUtf8());
+    qputenv("XDG_CONFIG_HOME", home_.filePath("config").toUtf8());
+    qputenv("XDG_STATE_HOME", home_.filePath("state").toUtf8());
+    qunsetenv("RELIEVO_FALCON_FIRMWARE");
+  }
+  void SetUp() override {
+    if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
+    logind_ = std::make_unique<test::FakeLogind>(bus_->address());
+    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
+    plugin_ = qobject_cast<Plugin*>(loader_.instance());
+    ASSERT_NE(plugin_, nullptr);
+    host_.window = std::make_shared<RegionWindow>(test::windowOf(
+        80, [](double, double) { return 5.0; }, 7));
+    plugin_->attach(host_);
+  }
+  void TearDown() override {
+    if (plugin_ != nullptr) plugin_->detach();
+    loader_.unload();
+  }
+  /// One that another program has started and homed.
+  void plugIn() {
+    falcon_ = std::make_shared<SharedFalcon>(
+        emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+    usb_.plugIn(falcon_);
+  }
+  template <class Widget>
+  Widget* inPanel(const char* name) {
+    QWidget* panel = host_.panels.at(QStringLiteral("Touch"));
+    return panel->findChild<Widget*>(QString::fromLatin1(name));
+  }
+  bool listed(const QString& name) {
+    return eventually([&] { return inPanel<QComboBox>("deviceList")->findText(name) >= 0; });
+  }
+  bool said(const QString& text) {
+    return eventually([&] { return host_.announcements.contains(text); });
+  }
+  QString all() const { return host_.announcements.join('\n'); }
+
+  static void SetUpTestSuite() {
+    dbus_threads_init_default();
+    bus_ = std::make_unique<test::MessageBus>();
+  }
+  static void TearDownTestSuite() { bus_.reset(); }
+
+  static std::unique_ptr<test::MessageBus> bus_;
+  QTemporaryDir home_;
+  emulator::MockUsb usb_;
+  std::shared_ptr<SharedFalcon> falcon_;
+  std::unique_ptr<test::FakeLogind> logind_;
+  TestHost host_;
+  QPluginLoader loader_{QStringLiteral(RELIEVO_BINARY_DIR "/plugins/haptics_plugin.so")};
+  Plugin* plugin_ = nullptr;
+};
+std::unique_ptr<test::MessageBus> FalconPluginTest::bus_;
+
+TEST_F(FalconPluginTest, TheListFollowsThePlug) {
+  auto* list = inPanel<QComboBox>("deviceList");
+  EXPECT_EQ(list->findData("falcon:0"), -1);
+  plugIn();
+  ASSERT_TRUE(listed("Falcon"));
+  EXPECT_EQ(list->currentData().toString(), "mouse") << "chosen is what was chosen";
+  EXPECT_TRUE(said("A Falcon was plugged in. Choose it in the panel Touch to use it."));
+  usb_.unplug();
+  EXPECT_TRUE(eventually([&] { return list->findData("falcon:0") < 0; }));
+}
+
+TEST_F(FalconPluginTest, ARememberedFalconIsUsedAsSoonAsItIsThere) {
+  plugin_->restoreState(R"({"device": "falcon:0"})");
+  EXPECT_TRUE(host_.announcements.last().endsWith("The mouse is the hand now."))
+      << all().toStdString();
+  EXPECT_EQ(inPanel<QComboBox>("deviceList")->currentData().toString(), "mouse");
+  EXPECT_TRUE(plugin_->saveState().contains("falcon:0")) << "the wish is kept";
+  plugIn();
+  ASSERT_TRUE(said("Device: Falcon.")) << all().toStdString();
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  EXPECT_TRUE(eventually([this] { return host_.status.device == "Falcon ready."; }));
+}
+
+TEST_F(FalconPluginTest, AnUnpluggedFalconIsNamedAndComesBackByItself) {
+  plugIn();
+  ASSERT_TRUE(listed("Falcon"));
+  auto* list = inPanel<QComboBox>("deviceList");
+  list->setCurrentIndex(list->findData("falcon:0"));
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  usb_.unplug();
+  const QString e305 =
+      "E305: Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose "
+      "the mouse as the device.";
+  ASSERT_TRUE(said(e305)) << all().toStdString();
+  EXPECT_TRUE(eventually([&] { return inPanel<QLabel>("forceState")->text() == e305; }));
+  EXPECT_TRUE(listed("Falcon (not here now)"));
+  host_.announcements.clear();
+  plugIn();
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  EXPECT_TRUE(listed("Falcon"));
+  EXPECT_EQ(list->findText("Falcon (not here now)"), -1);
+}
+
+TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
+  plugIn();
+  falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 165}); });
+  ASSERT_TRUE(listed("Falcon"));
+  auto* list = inPanel<QComboBox>("deviceList");
+  list->setCurrentIndex(list->findData("falcon:0"));
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  host_.actions.at("forces")->trigger();
+  const auto pushed = [this] {
+    return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
+  };
+  ASSERT_TRUE(
+      eventually([this] { return !host_.probes.empty() && host_.probes.back().forces_on; }));
+  falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 100}); });
+  ASSERT_TRUE(eventually(pushed));
+  ASSERT_TRUE(logind_->isDelayed());
+  logind_->tell(true);
+  ASSERT_TRUE(eventually([this] { return !logind_->isDelayed(); }));
+  EXPECT_TRUE(falcon_->with([](FalconEmulator& f) { return f.commands().back().neutral(); }))
+      << "before the computer sleeps";
+  EXPECT_FALSE(host_.actions.at("forces")->isChecked());
+  logind_->tell(false);
+  EXPECT_TRUE(said("Forces are off after the sleep. Press F5 to switch them on."));
+  EXPECT_TRUE(eventually([this] { return logind_->isDelayed(); })) << "the next sleep waits, too";
+}
+
+/// The plugin and a SpaceMouse, through the real hidapi.
+class SpaceMousePluginTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
+    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
+    plugin_ = qobject_cast<Plugin*>(loader_.instance());
+    host_.window = std::make_shared<RegionWindow>(test::windowOf(
+        80, [](double, double) { return 5.0; }, 7));
+    plugin_->attach(host_);
+    const std::vector<std::uint8_t> multi_axis{0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0x85,
+                                               0x01, 0x75, 0x10, 0x95, 0x03, 0x09, 0x30,
+                                               0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0};
+    hid_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", multi_axis);
+    ASSERT_TRUE(eventually(
+        [this] { return host_.announcements.contains("SpaceMouse Compact connected."); }));
+    ASSERT_TRUE(eventually([this] { return !host_.probes.empty(); }));
+  }
+  void TearDown() override {
+    if (plugin_ != nullptr) plugin_->detach();
+    loader_.unload();
+  }
+  /// Full deflection: to the right, and up (the cap's z points down).
+  void pushRight() { hid_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0}); }
+  void letGo() { hid_.send(0, {1, 0, 0, 0, 0, 0, 0}); }
+
+  emulator::MockHid hid_;
+  TestHost host_;
+  QPluginLoader loader_{QStringLiteral(RELIEVO_BINARY_DIR "/plugins/haptics_plugin.so")};
+  Plugin* plugin_ = nullptr;
+};
+
+TEST_F(SpaceMousePluginTest, MovesTheHandAsLongAsItIsPushed) {
+  const double from = host_.probes.back().hip.x;
+  pushRight();
+  EXPECT_TRUE(eventually([&] { return host_.probes.back().hip.x > from + 10; }));
+  letGo();
+  EXPECT_EQ(host_.turned_az_deg, 0);
+  hid_.send(0, {3, 2, 0});
+  hid_.send(0, {3, 0, 0});
+  EXPECT_TRUE(eventually([this] { return host_.commands.contains("finer"); })) << "its button";
+}
+
+TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
+  auto* choice = host_.panels.at("Buttons")->findChild<QComboBox*>("spaceMouse");
+  ASSERT_NE(choice, nullptr);
+  choice->setCurrentIndex(1);
+  const double from = host_.probes.back().hip.x;
+  pushRight();
+  EXPECT_TRUE(eventually([this] { return host_.turned_az_deg < -20; }))
+      << "the near side follows the cap, as with the command turn_right";
+  letGo();
+  EXPECT_EQ(host_.turned_el_deg, 0);
+  EXPECT_NEAR(host_.probes.back().hip.x, from, 1e-6) << "the hand stays";
+  EXPECT_TRUE(plugin_->saveState().contains(R"("space_mouse":"view")"));
+}
+
+}  // namespace
+}  // namespace relievo
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  ::testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

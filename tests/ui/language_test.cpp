@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Translations are whole, every text goes through them, and nothing is cut when texts grow.
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QFile>
+#include <QGroupBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSet>
+#include <QToolButton>
+#include <QTranslator>
+#include <QtTest/QTest>
+#include <QXmlStreamReader>
+
+#include "tests/ui/gui_fixture.h"
+#include "ui/language.h"
+#include "ui/palette.h"
+
+namespace relievo {
+namespace {
+
+/// Another language that nobody speaks: accents on every vowel, a third longer, between brackets.
+/// What the window shows without brackets did not come from a translation.
+class PseudoTranslator : public QTranslator {
+ public:
+  bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* source, const char* /*disambiguation*/,
+                    int n) const override {
+    const QString from = QString::fromUtf8(context);
+    if (!from.startsWith("relievo") && from != "Text" && from != "Core") return {};
+    QString text = QString::fromUtf8(source);
+    if (n >= 0) text.replace("%n", QString::number(n));
+    constexpr std::array<std::pair<char16_t, char16_t>, 5> kAccents{
+        {{u'a', u'á'}, {u'e', u'é'}, {u'i', u'í'}, {u'o', u'ó'}, {u'u', u'ü'}}};
+    bool inside = false;  // Of a tag, whose name must stay.
+    for (QChar& c : text) {
+      if (c == '<') inside = true;
+      if (c == '>') inside = false;
+      for (const auto& [plain, accented] : kAccents) {
+        if (!inside && c == QChar(plain)) c = QChar(accented);
+      }
+    }
+    return QChar(0x27e6) + text + QString(1 + text.size() / 3, '~') + QChar(0x27e7);
+  }
+};
+
+bool isTranslated(const QString& text) {
+  if (text.contains(QChar(0x27e6))) return true;
+  // Units, numbers, letters of axes, names of files and of the program are no words.
+  static const QSet<QString> kNames{"relievo", "relief", "ply",     "mm",      "Ctrl",  "Shift",
+                                    "Alt",     "Esc",    "English", "Deutsch", "Dubois"};
+  QString word;
+  for (const QChar c : text + ' ') {
+    if (c.isLetter()) {
+      word += c;
+    } else {
+      if (word.size() > 2 && !kNames.contains(word)) return false;
+      word.clear();
+    }
+  }
+  return true;
+}
+
+class PseudoTest : public GuiTest {
+ protected:
+  PseudoTest() {
+    QCoreApplication::installTranslator(&pseudo_);
+    restart();
+  }
+  ~PseudoTest() override { QCoreApplication::removeTranslator(&pseudo_); }
+
+  /// Every text of a widget and its children that people see or hear.
+  static QStringList untranslated(const QWidget& of) {
+    QStringList found;
+    const auto look = [&](const QObject* at, const QString& text) {
+      // What core says about this scan, and names of files.
+      static const QSet<QString> kFacts{"surface_cells", "surface_file"};
+      if (kFacts.contains(at->objectName()) || text.contains(".ply")) return;
+      if (!isTranslated(text)) found << at->objectName() + ": " + text;
+    };
+    QList<QWidget*> all = of.findChildren<QWidget*>();
+    for (const auto* w : all) {
+      look(w, w->toolTip());
+      look(w, w->accessibleName());
+      if (w->isWindow()) look(w, w->windowTitle());
+      if (const auto* label = qobject_cast<const QLabel*>(w)) look(w, label->text());
+      if (const auto* button = qobject_cast<const QAbstractButton*>(w)) look(w, button->text());
+      if (const auto* box = qobject_cast<const QGroupBox*>(w)) look(w, box->title());
+      if (const auto* box = qobject_cast<const QComboBox*>(w)) {
+        for (int i = 0; i < box->count(); ++i) look(w, box->itemText(i));
+      }
+    }
+    for (const auto* action : of.findChildren<QAction*>()) {
+      if (action->objectName().startsWith("qt_") ||
+          action->objectName() == "_q_qlineeditclearaction") {
+        continue;
+      }
+      look(action, action->text());
+      look(action, action->toolTip());
+    }
+    return found;
+  }
+
+  PseudoTranslator pseudo_;
+};
+
+TEST_F(PseudoTest, TheWindowShowsNothingUntranslated) {
+  openRelief();
+  window().setWindowTitle({});
+  EXPECT_EQ(untranslated(window()).join('\n').toStdString(), "");
+}
+
+TEST_F(PseudoTest, DialogsShowNothingUntranslated) {
+  openRelief();
+  for (const char* command : {"preferences", "keys", "figure", "depth_map", "image", "history"}) {
+    window().runCommand(command);
+    QApplication::processEvents();
+    for (auto* dialog : window().findChildren<QDialog*>()) {
+      if (!dialog->isVisible()) continue;
+      EXPECT_EQ(untranslated(*dialog).join('\n').toStdString(), "") << command;
+      dialog->close();
+    }
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+/// Labels and buttons that show less than their text.
+QStringList cutTexts(const QWidget& of) {
+  QStringList found;
+  for (const auto* w : of.findChildren<QWidget*>()) {
+    if (!w->isVisibleTo(&of)) continue;
+    QString text;
+    int needed = 0;
+    if (const auto* label = qobject_cast<const QLabel*>(w)) {
+      text = label->text();
+      needed = label->wordWrap() ? label->heightForWidth(label->width()) - label->height()
+                                 : label->sizeHint().width() - label->width();
+    } else if (const auto* button = qobject_cast<const QAbstractButton*>(w)) {
+      text = button->text();
+      const auto* tool = qobject_cast<const QToolButton*>(w);
+      if (tool != nullptr && tool->toolButtonStyle() == Qt::ToolButtonIconOnly) continue;
+      const int words = button->fontMetrics().size(Qt::TextShowMnemonic, text).width();
+      const int picture = button->icon().isNull() ? 0 : button->iconSize().width() + 4;
+      needed = words + picture + 4 - button->width();
+    } else {
+      continue;
+    }
+    if (!text.isEmpty() && needed > 1) {
+      found << QStringLiteral("%1 (%2): %3").arg(w->objectName(), QString::number(needed), text);
+    }
+  }
+  return found;
+}
+
+TEST_F(PseudoTest, LongerTextsAreNotCut) {
+  window().resize(1440, 900);
+  openRelief();
+  QApplication::processEvents();
+  EXPECT_EQ(cutTexts(window()).join('\n').toStdString(), "");
+}
+
+class TextSizeTest : public GuiTest, public ::testing::WithParamInterface<int> {
+ protected:
+  ~TextSizeTest() override { applyTextSize(100); }
+};
+
+TEST_P(TextSizeTest, NothingIsCutInTheSmallestWindow) {
+  window().settings().setChoice("text_percent", GetParam());
+  restart();
+  window().resize(1024, 640);
+  openRelief();
+  QApplication::processEvents();
+  EXPECT_EQ(cutTexts(window()).join('\n').toStdString(), "");
+  EXPECT_LE(window().width(), 1024) << "the window must not grow beyond the screen";
+  EXPECT_LE(window().height(), 640);
+}
+INSTANTIATE_TEST_SUITE_P(Percent, TextSizeTest, ::testing::Values(100, 200));
+
+TEST(Translations, AreWholeAndKeepTheirPlaceholders) {
+  for (const char* code : {"de", "hi"}) {
+    QFile file(QStringLiteral(RELIEVO_SOURCE_DIR "/ui/translations/relievo_%1.ts").arg(code));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << code;
+    QXmlStreamReader xml(&file);
+    QString source;
+    int texts = 0;
+    const auto marks = [](const QString& text) {
+      QStringList list;
+      for (int i = 0; i + 1 < text.size(); ++i) {
+        if (text[i] == '%' && (text[i + 1].isDigit() || text[i + 1] == 'n')) list << text.mid(i, 2);
+      }
+      list.sort();
+      return list.join(' ');
+    };
+    const auto check = [&](const QString& text) {
+      EXPECT_FALSE(text.isEmpty()) << code << ": " << source.toStdString();
+      EXPECT_EQ(marks(text).toStdString(), marks(source).toStdString())
+          << code << ": " << source.toStdString();
+      EXPECT_EQ(text.contains('&'), source.contains('&')) << code << ": " << source.toStdString();
+    };
+    while (!xml.atEnd()) {
+      xml.readNext();
+      if (!xml.isStartElement()) continue;
+      if (xml.name() == QLatin1String("source")) source = xml.readElementText();
+      if (xml.name() == QLatin1String("numerusform")) check(xml.readElementText());
+      if (xml.name() != QLatin1String("translation")) continue;
+      ++texts;
+      EXPECT_NE(xml.attributes().value("type"), QLatin1String("unfinished"))
+          << code << ": " << source.toStdString();
+      if (source.contains("%n")) continue;  // Its forms follow.
+      check(xml.readElementText());
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    EXPECT_GT(texts, 800) << code;
+  }
+}
+
+TEST(Translations, AreInTheProgramAndTheWindowSpeaksThem) {
+  QStringList codes;
+  for (const Language& language : languageList()) codes << language.code;
+  EXPECT_EQ(codes, (QStringList{"en", "de", "hi"}));
+  QTranslator german, hindi;
+  ASSERT_TRUE(german.load(":/translations/relievo_de.qm"));
+  ASSERT_TRUE(hindi.load(":/translations/relievo_hi.qm"));
+  EXPECT_EQ(german.translate("relievo::MainWindow", "Surface"), QString("Oberfläche"));
+  EXPECT_EQ(hindi.translate("relievo::MainWindow", "Surface"), QString("सतह"));
+}
+
+}  // namespace
+}  // namespace relievo

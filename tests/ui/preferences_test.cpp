@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QtTest/QTest>
+
+#include "core/relief/stereo.h"
+#include "tests/ui/gui_fixture.h"
+#include "ui/palette.h"
+#include "ui/preferences_dialog.h"
+#include "ui/stereo_panel.h"
+#include "ui/text.h"
+
+namespace relievo {
+namespace {
+
+class PreferencesTest : public GuiTest {
+ protected:
+  ~PreferencesTest() override {
+    applyTextSize(100);
+    setSizeUnit({});
+  }
+  PreferencesDialog& openDialog() {
+    QTest::keyClick(&window(), Qt::Key_Comma, Qt::ControlModifier);
+    return *window().findChild<PreferencesDialog*>();
+  }
+};
+
+TEST_F(PreferencesTest, EverySettingHasANameAnExplanationAndIsReachedByTab) {
+  PreferencesDialog& dialog = openDialog();
+  int settings = 0;
+  for (auto* field : dialog.findChildren<QWidget*>()) {
+    if (!field->objectName().startsWith("pref_")) continue;
+    ++settings;
+    EXPECT_FALSE(field->accessibleName().isEmpty()) << field->objectName().toStdString();
+    EXPECT_FALSE(field->toolTip().isEmpty()) << field->objectName().toStdString();
+    const QWidget* focus = field->focusProxy() != nullptr ? field->focusProxy() : field;
+    EXPECT_NE(focus->focusPolicy() & Qt::TabFocus, 0) << field->objectName().toStdString();
+  }
+  EXPECT_GE(settings, 11);
+}
+
+TEST_F(PreferencesTest, WordsFindASettingOnAnyPage) {
+  PreferencesDialog& dialog = openDialog();
+  auto* words = dialog.findChild<QLineEdit*>("preferences_words");
+  auto* pages = dialog.findChild<QListWidget*>("preferences_pages");
+  QTest::keyClicks(words, "red filter");
+  EXPECT_TRUE(dialog.findChild<QCheckBox*>("pref_stereo_swap")->isVisible());
+  EXPECT_FALSE(dialog.findChild<QComboBox*>("pref_stereo_kind")->isVisible());
+  EXPECT_TRUE(pages->item(0)->isHidden());
+  words->setText("nothing of the kind");
+  for (int i = 0; i < pages->count(); ++i) EXPECT_TRUE(pages->item(i)->isHidden());
+  words->clear();
+  for (int i = 0; i < pages->count(); ++i) EXPECT_FALSE(pages->item(i)->isHidden());
+}
+
+TEST_F(PreferencesTest, TextGrowsAtOnceAndStaysSoAtTheNextStart) {
+  openRelief();
+  const double before = window().font().pointSizeF();
+  openDialog().findChild<QDoubleSpinBox*>("pref_text_percent")->setValue(200);
+  EXPECT_NEAR(child<QLabel>("reference_note")->font().pointSizeF(), 2 * before, 0.1);
+  applyTextSize(100);
+  restart();
+  EXPECT_NEAR(QApplication::font().pointSizeF(), 2 * before, 0.1);
+  PreferencesDialog& dialog = openDialog();
+  QTest::mouseClick(dialog.findChild<QPushButton*>("preferences_reset"), Qt::LeftButton);
+  EXPECT_NEAR(QApplication::font().pointSizeF(), before, 0.1);
+}
+
+TEST_F(PreferencesTest, PaletteUnitsAndStereoFollowTheirSettings) {
+  openRelief();
+  PreferencesDialog& dialog = openDialog();
+  dialog.findChild<QComboBox*>("pref_theme")->setCurrentIndex(3);
+  EXPECT_EQ(QApplication::palette().color(QPalette::Window), QColor(Qt::black));
+  EXPECT_TRUE(child<QLabel>("reference_note")->text().endsWith("mm"));
+  dialog.findChild<QComboBox*>("pref_size_unit")->setCurrentIndex(2);
+  EXPECT_TRUE(child<QLabel>("reference_note")->text().endsWith("cm"))
+      << child<QLabel>("reference_note")->text().toStdString();
+  dialog.findChild<QComboBox*>("pref_stereo_kind")->setCurrentIndex(2);
+  dialog.findChild<QCheckBox*>("pref_stereo_swap")->setChecked(true);
+  window().runCommand("stereo");
+  EXPECT_EQ(window().detailView().sceneState().stereo.mode, StereoMode::dubois);
+  EXPECT_TRUE(window().detailView().sceneState().stereo.swap_eyes);
+}
+
+TEST_F(PreferencesTest, AUnitForFilesWithoutOneIsNotAskedFor) {
+  openDialog().findChild<QComboBox*>("pref_unit_without")->setCurrentIndex(2);  // Centimetres.
+  window().open(writeRelief());
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(document().surface()->unit, LengthUnit::cm);
+  EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
+}
+
+TEST_F(PreferencesTest, TheMeterSaysTheParallaxAndTheLimitKeepsIt) {
+  StereoPanel panel;
+  panel.setComfort(false);
+  panel.setScale(0, 20, 1);
+  panel.setOn(true);
+  auto* angle = panel.findChild<QDoubleSpinBox*>("eye_angle");
+  angle->setValue(4);
+  auto* meter = panel.findChild<QProgressBar*>("parallax_meter");
+  // 10 mm from the plane, 4 degrees: 0.698 mm on the screen, 0.067 degrees from 60 cm.
+  EXPECT_TRUE(meter->format().startsWith("0.1")) << meter->format().toStdString();
+  panel.setScale(0, 20, 30);  // Thirty times larger on the screen: 2 degrees.
+  EXPECT_TRUE(meter->format().startsWith("2.0")) << meter->format().toStdString();
+  panel.setComfort(true);
+  EXPECT_TRUE(meter->format().startsWith("1.0")) << meter->format().toStdString();
+  EXPECT_NEAR(panel.options().eye_angle_deg, 2, 0.05);
+  EXPECT_EQ(angle->value(), 4) << "the choice stays for where it fits";
+}
+
+TEST_F(PreferencesTest, TheGlassesPictureShowsEachEyeItsLetter) {
+  GlassesDialog plain(false, nullptr), swapped(true, nullptr);
+  const auto colours = [](const GlassesDialog& dialog) {
+    const QImage image =
+        dialog.findChild<QWidget*>(QString(), Qt::FindDirectChildrenOnly)->grab().toImage();
+    std::array<std::array<int, 2>, 2> counts{};  // Half, red or cyan.
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const QColor c = image.pixelColor(x, y);
+        const auto half = static_cast<std::size_t>(x >= image.width() / 2 ? 1 : 0);
+        if (c.red() > 200 && c.green() < 50) ++counts[half][0];
+        if (c.red() < 50 && c.green() > 200) ++counts[half][1];
+      }
+    }
+    return counts;
+  };
+  EXPECT_GT(colours(plain)[0][0], 100);
+  EXPECT_EQ(colours(plain)[0][1], 0);
+  EXPECT_GT(colours(plain)[1][1], 100);
+  EXPECT_GT(colours(swapped)[0][1], 100);
+}
+
+TEST_F(PreferencesTest, TheScreenMixesEyesAsThePictureDoes) {
+  openRelief();
+  window().runCommand("relief_height");
+  window().runCommand("stereo");
+  for (const StereoMode mode :
+       {StereoMode::anaglyph, StereoMode::half_colour, StereoMode::dubois}) {
+    child<QComboBox>("stereo_kind")->setCurrentIndex(static_cast<int>(mode) - 1);
+    const QImage shot = window().detailView().shot().convertToFormat(QImage::Format_RGB888);
+    const QImage drawn = window().detailView().image(shot.size());
+    ASSERT_EQ(drawn.size(), shot.size());
+    double difference = 0;
+    for (int y = 0; y < shot.height(); ++y) {
+      for (int x = 0; x < 3 * shot.width(); ++x) {
+        difference += std::abs(shot.constScanLine(y)[x] - drawn.constScanLine(y)[x]);
+      }
+    }
+    difference /= 3.0 * shot.width() * shot.height();
+    EXPECT_LT(difference, 3) << name(mode).data();
+  }
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recording replayed in the window: picture, plots, keys, and the map it needs.
+#include <cmath>
+#include <QAccessible>
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <QtTest/QTest>
+
+#include "core/base/error.h"
+#include "core/project/project.h"
+#include "tests/ui/gui_fixture.h"
+#include "ui/replay_panel.h"
+
+namespace relievo {
+namespace {
+
+/// Ten seconds on the test relief: along x at y = 90; the window changes after five.
+TouchRecording tenSeconds() {
+  TouchRecording recording;
+  recording.name = "touch.csv";
+  for (int i = 0; i <= 10'000; ++i) {
+    TouchRow row;
+    row.t_s = 2 + 0.001 * i;  // A log need not begin at 0.
+    row.proxy = {60 + 0.008 * i, 90, 15};
+    row.hip = row.proxy + ViewMm{0, 0, i < 5000 ? 1.0 : -0.8};
+    row.contact = i >= 5000;
+    row.force = {0, 0, i < 5000 ? 0 : 0.4};
+    row.origin = Origin::measured;
+    row.window_id = i < 5000 ? 11 : 12;
+    recording.rows.push_back(row);
+  }
+  recording.windows = {{11, {50, 50, 100, {1}}, 1, true}, {12, {80, 70, 40, {0}}, 1, true}};
+  return recording;
+}
+
+class ReplayTest : public GuiTest {
+ protected:
+  void SetUp() override {
+    openRelief();
+    recording_ = std::make_shared<TouchRecording>(tenSeconds());
+    recording_->input_sha256 = document().fileSha256().toStdString();
+    recording_->input = "relief.ply";
+    window().setRecordingReader([this](const std::filesystem::path& file, const Task&) {
+      if (file.filename() != "touch.csv") throw FileError("This is no recording.");
+      return *recording_;
+    });
+  }
+  ReplayControl& control() { return window().replayControl(); }
+  ReplayPlayer& player() { return control().player(); }
+  void replay() {
+    window().replay(path("touch.csv"));
+    ASSERT_TRUE(waitFor([this] { return control().showing() || !window().message().isEmpty(); }));
+  }
+  const Probe& drawn() { return *window().detailView().sceneState().probe; }
+  QString status(const char* field) { return child<QLabel>(field)->text(); }
+  QSlider& slider() { return *child<QSlider>("replay_slider"); }
+
+  std::shared_ptr<TouchRecording> recording_;
+};
+
+TEST_F(ReplayTest, ShowsHandProxyAndWindowOfTheRecordingAtEachTime) {
+  replay();
+  ASSERT_TRUE(control().showing()) << window().message().toStdString();
+  EXPECT_FALSE(player().playing()) << "it waits for its user";
+  EXPECT_DOUBLE_EQ(drawn().proxy.x, 60);
+  EXPECT_FALSE(drawn().touching);
+  EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100);
+  player().setTime(7.5);
+  EXPECT_DOUBLE_EQ(drawn().proxy.x, 120);
+  EXPECT_LT(drawn().hip.z, drawn().proxy.z);
+  EXPECT_TRUE(drawn().touching);
+  EXPECT_EQ(document().state().region, (Region{80, 70, 40, {0}}));
+  EXPECT_EQ(drawn().window_id, document().window()->id) << "drawn in the window that is shown";
+  EXPECT_EQ(status("status_force"), "0.40 N");
+  EXPECT_EQ(status("status_recording"), "replay 7.50 of 10.00 s");
+  player().setTime(1);
+  EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100) << "and back";
+}
+
+TEST_F(ReplayTest, KeysAndSliderGoThroughTheRecordingAndPlotsKeepStep) {
+  replay();
+  auto& panel = *control().panel();
+  QApplication::processEvents();
+  EXPECT_TRUE(panel.isVisible());
+  EXPECT_FALSE(child<QWidget>("time_plot")->isVisible());
+  slider().setFocus();
+  QTest::keyClick(&slider(), Qt::Key_PageDown);
+  EXPECT_NEAR(player().timeS(), 1, 1e-9);
+  QTest::keyClick(&slider(), Qt::Key_Right);
+  EXPECT_NEAR(player().timeS(), 1.1, 1e-9);
+  QTest::keyClick(&panel, Qt::Key_Left);
+  EXPECT_NEAR(player().timeS(), 1, 1e-9);
+  QTest::keyClick(&slider(), Qt::Key_End);
+  EXPECT_DOUBLE_EQ(player().timeS(), 10);
+  EXPECT_DOUBLE_EQ(drawn().proxy.x, 140);
+  slider().setValue(2500);
+  EXPECT_NEAR(player().timeS(), 2.5, 1e-9);
+  EXPECT_NEAR(panel.cursorS(), 2.5, 1e-9);
+  EXPECT_EQ(panel.shownS(), (std::pair{0.0, 10.0}));
+  EXPECT_EQ(status("replay_time"), "2.50 of 10.00 s");
+  EXPECT_FALSE(slider().accessibleName().isEmpty());
+  EXPECT_EQ(slider().accessibleDescription(), "2.50 of 10.00 s");
+}
+
+TEST_F(ReplayTest, PlaysAtFullAndAtQuarterSpeedAndHaltsAtTheEnd) {
+  replay();
+  QTest::keyClick(control().panel(), Qt::Key_Space);
+  EXPECT_TRUE(player().playing());
+  player().pause();
+  player().setTime(0);
+  player().advance(2);
+  EXPECT_DOUBLE_EQ(player().timeS(), 2);
+  auto* speed = child<QComboBox>("replay_speed");
+  speed->setCurrentIndex(speed->findData(0.25));
+  player().advance(2);
+  EXPECT_DOUBLE_EQ(player().timeS(), 2.5);
+  player().play();
+  player().advance(1000);
+  EXPECT_DOUBLE_EQ(player().timeS(), 10);
+  EXPECT_FALSE(player().playing());
+  player().play();
+  EXPECT_DOUBLE_EQ(player().timeS(), 0) << "again from the start";
+  EXPECT_TRUE(waitFor([this] { return player().timeS() > 0; })) << "the clock runs by itself";
+}
+
+TEST_F(ReplayTest, DrivesNoDeviceAndGivesTheWindowBack) {
+  auto* off = new QAction("Forces &off now");
+  off->setObjectName("forcesOff");
+  bool stopped = false;
+  QObject::connect(off, &QAction::triggered, off, [&] {
+    stopped = true;
+    window().showTouch(TouchReadout{});  // As the force loop answers at once.
+  });
+  window().addToMenu("Touch", off);
+  auto* forces = new QAction("&Forces on");
+  forces->setObjectName("forces");
+  window().addToMenu("Touch", forces);
+  document().setRect({60, 50, 80, 80});
+  const Region before = document().state().region;
+  TouchReadout readout;
+  readout.forces_on = true;
+  window().showTouch(readout);
+  replay();
+  EXPECT_TRUE(stopped);
+  EXPECT_FALSE(forces->isEnabled());
+  EXPECT_FALSE(action("coarser")->isEnabled()) << "the recording chooses the window";
+  player().setTime(7);
+  Probe live;
+  live.window_id = document().window()->id;
+  live.proxy = {1, 2, 3};
+  window().showProbe(live);
+  EXPECT_NEAR(drawn().proxy.x, 116, 1e-9) << "the hand of now is not mixed in";
+  QTest::keyClick(control().panel(), Qt::Key_Escape);
+  EXPECT_FALSE(control().showing());
+  EXPECT_EQ(document().state().region, before);
+  EXPECT_FALSE(window().detailView().sceneState().probe.has_value());
+  EXPECT_TRUE(forces->isEnabled());
+  EXPECT_TRUE(action("coarser")->isEnabled());
+}
+
+TEST_F(ReplayTest, EndsWhenForcesComeOnByAnotherWay) {
+  replay();
+  TouchReadout readout;
+  readout.forces_on = true;
+  window().showTouch(readout);
+  EXPECT_FALSE(control().showing());
+  EXPECT_TRUE(status("status_message").contains("Forces are on"));
+}
+
+TEST_F(ReplayTest, OffersTheMapOfARecordingThatDoesNotFit) {
+  // The other file lies beside the recording under another name than the recording says.
+  const QString other = path("other.ply");
+  QFile::copy(writeRelief(), other);
+  QFile file(other);
+  ASSERT_TRUE(file.open(QIODevice::Append));
+  file.write("\n");
+  file.close();
+  recording_->input = "gone.ply";
+  recording_->input_sha256 = sha256OfFile(other.toStdString());
+  Project made;
+  made.file = "gone.ply";
+  made.sha256 = recording_->input_sha256;
+  made.options.unit = LengthUnit::mm;
+  made.options.view = ViewChoice{"top", {}};
+  made.region = recording_->windows.front().region;
+  recording_->state = projectJson(made);
+  window().settings().addRecentFile(other);
+  const QString before = document().file();
+  replay();
+  EXPECT_FALSE(control().showing());
+  EXPECT_TRUE(window().message().contains("gone.ply, not on relief.ply. Nothing was changed."))
+      << window().message().toStdString();
+  EXPECT_EQ(document().file(), before);
+  QPushButton* open = nullptr;
+  for (auto* button : window().findChildren<QPushButton*>()) {
+    if (button->text().contains("input") && button->isVisible()) open = button;
+  }
+  ASSERT_NE(open, nullptr);
+  open->click();
+  ASSERT_TRUE(waitFor([this] { return control().showing(); })) << window().message().toStdString();
+  EXPECT_EQ(document().file(), other) << "found by its checksum";
+  EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100);
+}
+
+TEST_F(ReplayTest, SaysWhatCannotBeReplayedAndChangesNothing) {
+  window().replay(path("other.csv"));
+  ASSERT_TRUE(waitFor([this] { return !window().message().isEmpty(); }));
+  EXPECT_EQ(window().message(), "This is no recording.");
+  EXPECT_FALSE(control().showing());
+  TouchReadout readout;
+  readout.recording = true;
+  window().showTouch(readout);
+  window().replay(path("touch.csv"));
+  EXPECT_TRUE(window().message().contains("Stop it first"));
+  EXPECT_FALSE(control().reading());
+}
+
+TEST_F(ReplayTest, ALongRecordingIsPlottedPartByPart) {
+  for (int i = 1; i <= 70; ++i) {
+    TouchRow row = recording_->rows.back();
+    row.t_s += 1;
+    recording_->rows.push_back(row);
+  }
+  replay();
+  EXPECT_EQ(control().panel()->shownS(), (std::pair{0.0, 20.0}));
+  player().setTime(47);
+  EXPECT_EQ(control().panel()->shownS(), (std::pair{40.0, 60.0}));
+  player().setTime(80);
+  EXPECT_EQ(control().panel()->shownS(), (std::pair{60.0, 80.0}));
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Named places, undo that outlives the program, and work that a crash left.
+#include <QAction>
+#include <QCheckBox>
+#include <QDir>
+#include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QtTest/QTest>
+
+#include "core/project/autosave.h"
+#include "tests/ui/gui_fixture.h"
+#include "ui/measure_panel.h"
+#include "ui/message_strip.h"
+#include "ui/places_panel.h"
+
+namespace relievo {
+namespace {
+
+class WorkTest : public GuiTest {
+ protected:
+  QString copies() const { return path("state/relievo/autosave"); }
+  int copyCount() const {
+    return QDir(copies()).entryList({QStringLiteral("*.json")}, QDir::Files).size();
+  }
+  QPushButton* stripButton(const QString& text) {
+    for (auto* button : window().findChild<MessageStrip*>()->findChildren<QPushButton*>()) {
+      if (button->isVisibleTo(&window()) && button->text().remove('&') == text) return button;
+    }
+    return nullptr;
+  }
+  PlacesPanel& places() { return *window().findChild<PlacesPanel*>(); }
+  QListWidget& list() { return *child<QListWidget>("places_list"); }
+  void typeName(const QString& name) {
+    QLineEdit* editor = nullptr;
+    for (auto* one : list().findChildren<QLineEdit*>()) {
+      if (one->isVisible()) editor = one;
+    }
+    ASSERT_NE(editor, nullptr) << "the name can be typed at once";
+    QTest::keyClicks(editor, name);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QApplication::processEvents();  // The list takes the name later.
+  }
+  /// What a program that was killed leaves: a copy and a lock that nobody holds.
+  void leaveWork(const Project& project) {
+    QDir().mkpath(copies());
+    writeProject((copies() + "/autosave-dead01.json").toStdString(), project);
+    QFile lock(copies() + "/autosave-dead01.lock");
+    ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+  }
+};
+
+TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  const Region there = document().state().region;
+  QTest::keyClick(&window().detailView(), Qt::Key_N, Qt::ControlModifier);
+  ASSERT_EQ(places().places().size(), 1U);
+  typeName("nose");
+  EXPECT_EQ(places().places()[0].name, "nose");
+  document().whole();
+  document().setRect({100, 20, 40, 40});
+  window().runCommand("name_place");
+  ASSERT_EQ(places().places().size(), 2U);
+  QTest::keyClick(list().findChild<QLineEdit*>(), Qt::Key_Escape);
+  QTest::keyClick(&window().detailView(), Qt::Key_PageDown, Qt::ControlModifier);
+  EXPECT_EQ(document().state().region, there) << "next, round and round";
+  EXPECT_EQ(document().history().undoText(), "Go to nose");
+  QTest::keyClick(&window().detailView(), Qt::Key_PageUp, Qt::ControlModifier);
+  EXPECT_NE(document().state().region, there);
+  list().setFocus();
+  list().setCurrentRow(0);
+  QTest::keyClick(&list(), Qt::Key_Return);
+  EXPECT_EQ(document().state().region, there) << "Enter goes to it";
+  QTest::keyClick(&list(), Qt::Key_F2);
+  typeName("left eye");
+  EXPECT_EQ(places().places()[0].name, "left eye");
+  list().setFocus();
+  QTest::keyClick(&list(), Qt::Key_Delete);
+  EXPECT_EQ(places().places().size(), 1U);
+}
+
+TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {
+  openRelief();
+  window().runCommand("relief_slope");
+  window().detailView().turnBy(20, 10);
+  child<QCheckBox>("places_with_view")->setChecked(true);
+  QTest::mouseClick(child<QPushButton>("place_add"), Qt::LeftButton);
+  ASSERT_EQ(places().places().size(), 1U);
+  window().runCommand("relief_lit");
+  window().detailView().straighten();
+  QTest::mouseClick(child<QPushButton>("place_go"), Qt::LeftButton);
+  const SceneState& seen = window().detailView().sceneState();
+  EXPECT_EQ(seen.look.kind, ReliefKind::slope);
+  EXPECT_EQ(seen.camera.azimuth_deg, 20);
+  QTest::mouseClick(child<QPushButton>("place_delete"), Qt::LeftButton);
+  EXPECT_TRUE(places().places().empty());
+  EXPECT_FALSE(child<QPushButton>("place_go")->isEnabled());
+}
+
+TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  for (int i = 0; i < 99; ++i) document().move(i % 2 == 0 ? 0.1 : -0.1, 0);
+  const Region end = document().state().region;
+  ASSERT_EQ(document().history().index(), 100);
+  window().runCommand("name_place");
+  window().saveProject(path("p.relievo.json"));
+  restart();
+  window().open(path("p.relievo.json"));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(document().state().region, end);
+  EXPECT_EQ(places().places().size(), 1U);
+  ASSERT_EQ(document().history().index(), 100);
+  EXPECT_EQ(document().history().undoText(), "Move window");
+  for (int i = 0; i < 99; ++i) document().history().undo();
+  EXPECT_EQ(document().state().region.side_mm, 60);
+  EXPECT_EQ(document().history().undoText(), "Choose window");
+  document().history().undo();
+  EXPECT_EQ(document().detail(), 1) << "as it was opened";
+  document().history().redo();
+  EXPECT_EQ(document().state().region.side_mm, 60);
+}
+
+TEST_F(WorkTest, UnsavedWorkHasACopyThatGoesWithSavingAndWithTheEnd) {
+  openRelief();
+  EXPECT_EQ(copyCount(), 0);
+  document().setRect({40, 40, 60, 60});
+  ASSERT_TRUE(waitFor([&] { return copyCount() == 1; }));
+  window().saveProject(path("p.relievo.json"));
+  EXPECT_TRUE(waitFor([&] { return copyCount() == 0; }));
+  document().whole();
+  ASSERT_TRUE(waitFor([&] { return copyCount() == 1; }));
+  restart();
+  EXPECT_EQ(copyCount(), 0) << "an end is no crash";
+  EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
+}
+
+TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  const Region region = document().state().region;
+  window().findChild<MeasurePanel*>()->setMeasurements(
+      {{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
+  const Project work = window().project();
+  leaveWork(work);
+  restart();
+  EXPECT_TRUE(window().message().contains("relief.ply")) << window().message().toStdString();
+  EXPECT_FALSE(document().isOpen()) << "nothing happens unasked";
+  ASSERT_NE(stripButton("Restore"), nullptr);
+  QTest::mouseClick(stripButton("Restore"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), 1U);
+  EXPECT_EQ(document().history().undoText(), "Choose window");
+  EXPECT_FALSE(QFile::exists(copies() + "/autosave-dead01.json"));
+  ASSERT_TRUE(waitFor([&] { return copyCount() == 1; })) << "it is still in no file of the user's";
+}
+
+TEST_F(WorkTest, WorkThatIsRefusedIsForgotten) {
+  openRelief();
+  leaveWork(window().project());
+  restart();
+  ASSERT_NE(stripButton("Discard"), nullptr);
+  QTest::mouseClick(stripButton("Discard"), Qt::LeftButton);
+  EXPECT_FALSE(QFile::exists(copies() + "/autosave-dead01.json"));
+  EXPECT_TRUE(window().message().isEmpty());
+  QFile bad(copies() + "/autosave-dead02.json");
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("{");
+  bad.close();
+  QFile lock(copies() + "/autosave-dead02.lock");
+  ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
+  restart();
+  EXPECT_TRUE(window().message().isEmpty()) << "what the crash cut is not offered";
+}
+
+TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  window().runCommand("relief_openness");
+  const Region region = document().state().region;
+  for (const ImageSource source :
+       {ImageSource::detail, ImageSource::reference, ImageSource::window}) {
+    const QString file = path(QStringLiteral("shot%1.png").arg(static_cast<int>(source)));
+    document().setRect({40, 40, 60, 60});
+    window().runCommand("relief_openness");
+    window().writeImage(source, {300, 200}, file);
+    document().whole();
+    window().runCommand("relief_lit");
+    window().open(file);
+    EXPECT_TRUE(waitFor([&] { return document().state().region == region; }));
+    EXPECT_EQ(window().detailView().sceneState().look.kind, ReliefKind::openness);
+  }
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+#include <vector>
+
+class QCoreApplication;
+
+namespace relievo {
+
+struct Language {
+  QString code;  ///< "de"
+  QString name;  ///< In itself: "Deutsch".
+};
+/// English and every language that the program was built with.
+std::vector<Language> languageList();
+
+/// Makes the window speak a language from now on; to be called before widgets are made. Texts that
+/// a translation lacks stay English. @param code  empty: the system's
+void applyLanguage(QCoreApplication& app, const QString& code);
+
+}  // namespace relievo

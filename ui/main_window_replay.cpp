@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window's part in a replay: commands, what the status bar says, and the map it needs.
+#include <QAction>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include "core/base/error.h"
+#include "core/project/carried_state.h"
+#include "ui/detail_view.h"
+#include "ui/main_window.h"
+#include "ui/message_strip.h"
+#include "ui/replay_control.h"
+#include "ui/replay_panel.h"
+#include "ui/status_fields.h"
+#include "ui/time_plot.h"
+
+namespace relievo {
+
+void MainWindow::makeReplayCommands() {
+  make({"replay",
+        tr("Re&play\u2026"),
+        {QKeySequence("Ctrl+Shift+R")},
+        tr("Show a recording of a touch again; no device is moved"),
+        [this] { chooseRecording(); },
+        {}});
+  make({"replay_play",
+        tr("P&lay or pause"),
+        {QKeySequence("Ctrl+Space")},
+        tr("Go on with the replay, or halt it"),
+        [this] { replay_->player().toggle(); },
+        {}});
+  make({"replay_close",
+        tr("&Close replay"),
+        {},
+        tr("Back to the window from before"),
+        [this] { replay_->close(); },
+        {}});
+  for (const char* name : {"replay", "replay_play", "replay_close"}) {
+    command(name)->setEnabled(false);
+  }
+}
+
+void MainWindow::connectReplay() {
+  connect(replay_, &ReplayControl::said, this, &MainWindow::announce);
+  connect(replay_, &ReplayControl::failed, this, &MainWindow::showMessage);
+  connect(replay_, &ReplayControl::shownChanged, this, &MainWindow::showReplaying);
+  connect(replay_, &ReplayControl::probeMoved, this, &MainWindow::drawProbe);
+  connect(replay_, &ReplayControl::needsItsMap, this, &MainWindow::offerRecordedMap);
+  connect(replay_, &ReplayControl::inputFound, this, &MainWindow::openRecordedMap);
+  connect(replay_, &ReplayControl::busyChanged, this, &MainWindow::showBusy);
+  connect(replay_, &ReplayControl::progressed, status_, &StatusFields::showWork);
+  connect(status_, &StatusFields::cancelAsked, replay_, &ReplayControl::cancel);
+  // Another map: what was recorded on the one before is over.
+  connect(&document_, &Document::surfaceChanged, replay_, &ReplayControl::close);
+}
+
+void MainWindow::setRecordingReader(RecordingReader reader) {
+  replay_->setReader(std::move(reader));
+  command("replay")->setEnabled(replay_->canRead());
+}
+
+void MainWindow::chooseRecording() {
+  auto* dialog = new QFileDialog(this, tr("Replay"));
+  dialog->setObjectName(QStringLiteral("replay_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters({tr("Recordings (*.csv *.h5 *.hdf5)"), tr("All files (*)")});
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) +
+                         QLatin1String("/relievo");
+  if (QFileInfo(folder).isDir()) dialog->setDirectory(folder);
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::replay);
+  dialog->open();
+}
+
+void MainWindow::replay(const QString& file) {
+  if (touch_.recording) {
+    strip_->show(tr("A recording is running. Nothing was opened. Stop it first (Ctrl+R)."));
+    return;
+  }
+  strip_->close();
+  replay_->open(QFileInfo(file).absoluteFilePath());
+}
+
+void MainWindow::showReplaying(bool on) {
+  if (on) stopForces();  // What is shown is not where the hand is.
+  if (QAction* forces = command("forces")) forces->setEnabled(!on);
+  for (const char* name : {"replay_play", "replay_close"}) command(name)->setEnabled(on);
+  replay_->panel()->setVisible(on);
+  plot_->setVisible(!on && command("show_plots")->isVisible() &&
+                    command("show_plots")->isChecked());
+  enableCommands();
+  if (on) {
+    replay_->panel()->setFocus();
+    return;
+  }
+  probe_.reset();
+  detail_->clearProbe();
+  status_->set(StatusField::recording, {});
+  detail_->setFocus();
+}
+
+void MainWindow::offerRecordedMap(const QString& sentence) {
+  const auto recording = replay_->waiting();
+  if (recording->input.empty()) {
+    strip_->show(sentence);
+    return;
+  }
+  strip_->show(tr("%1 Nothing was changed.").arg(sentence),
+               {{tr("&Open its input"), [this] {
+                   QStringList others{settings_.recentFiles()};
+                   others << document_.file();
+                   replay_->findInput(others);
+                 }}});
+}
+
+void MainWindow::openRecordedMap(const QString& file) {
+  const auto recording = replay_->waiting();
+  if (!recording) return;
+  Project project;
+  try {
+    if (!recording->state.empty()) {
+      project = projectFromState(recording->state, recording->name).value_or(Project{});
+    }
+  } catch (const Error& error) {
+    replay_->forgetWaiting();
+    strip_->show(QString::fromUtf8(error.what()));
+    return;
+  }
+  // Empty: not there; restoring says so and lets it be found by hand.
+  project.file = file.isEmpty() ? recording->input : file.toStdString();
+  if (recording->state.empty() && !file.isEmpty()) {
+    OpenRequest request;
+    request.file = file;
+    open(request);
+  } else {
+    restore(project, QString::fromStdString(recording->name));
+  }
+}
+
+}  // namespace relievo

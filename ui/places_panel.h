@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/project/project.h"
+
+class QCheckBox;
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+
+namespace relievo {
+
+/// Places of the object that have names: gone to by Enter or a double click, renamed by F2, deleted
+/// by Delete. What is shown now comes from whoever answers addAsked. [GUI thread]
+class PlacesPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PlacesPanel(QWidget* parent = nullptr);
+
+  const std::vector<NamedRegion>& places() const { return places_; }
+  void setPlaces(std::vector<NamedRegion> places);
+  /// Adds one after the others, selects it, and lets its name be typed.
+  void add(NamedRegion place);
+  /// "Place 3": a name that is not taken.
+  QString freeName() const;
+  /// Goes to the one after (or before) the selected one, round and round.
+  void step(int direction);
+  /// Should a new place also keep light, relief image, stereo and turn?
+  bool withView() const;
+
+ Q_SIGNALS:
+  void changed();
+  void addAsked();
+  void goAsked(const relievo::NamedRegion& place);
+  void said(const QString& text);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void showList(int row);
+  void rename(const QListWidgetItem* item);
+  void goToSelected();
+  void removeSelected();
+  void enableButtons();
+
+  std::vector<NamedRegion> places_;
+  QListWidget* list_;
+  QCheckBox* with_view_;
+  QPushButton *add_, *go_, *rename_, *remove_;
+  bool showing_ = false;
+};
+
+}  // namespace relievo

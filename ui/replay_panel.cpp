@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/replay_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QToolButton>
+
+#include "ui/palette.h"
+#include "ui/text.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kMostShownS = 60;   // A longer recording is shown in parts ...
+constexpr double kPartS = 20;        // ... of this length.
+constexpr std::size_t kBins = 1500;  // Points per curve; a strip is a thousand pixels wide.
+constexpr double kLeastForceN = 1;
+constexpr double kStepS = 0.1, kLargeStepS = 1;
+
+QToolButton* button(const char* name, const QString& text, const QString& tip) {
+  auto* made = new QToolButton;
+  made->setObjectName(QString::fromLatin1(name));
+  made->setText(text);
+  made->setAccessibleName(text);
+  made->setToolTip(tip);
+  made->setFocusPolicy(Qt::StrongFocus);
+  return made;
+}
+
+/// The smallest and the largest value of each bin, so that no peak is lost.
+QVector<QPointF> thinned(const TouchRecording& recording, double low_s, double high_s,
+                         const std::function<double(const TouchRow&)>& value) {
+  const auto at = [&](double t_s) {
+    return std::lower_bound(recording.rows.begin(), recording.rows.end(), recording.startS() + t_s,
+                            [](const TouchRow& row, double t) { return row.t_s < t; });
+  };
+  const auto first = at(low_s);
+  const auto last = at(high_s + 1e-9);
+  const auto step =
+      std::max<std::ptrdiff_t>(1, (last - first) / static_cast<std::ptrdiff_t>(kBins));
+  QVector<QPointF> curve;
+  for (auto bin = first; bin < last; bin += std::min(step, last - bin)) {
+    auto [low, high] =
+        std::minmax_element(bin, bin + std::min(step, last - bin),
+                            [&](const auto& a, const auto& b) { return value(a) < value(b); });
+    if (low->t_s > high->t_s) std::swap(low, high);
+    curve.append({low->t_s - recording.startS(), value(*low)});
+    if (low != high) curve.append({high->t_s - recording.startS(), value(*high)});
+  }
+  return curve;
+}
+
+double largest(const QVector<QPointF>& curve) {
+  double most = 0;
+  for (const QPointF& p : curve) most = std::max(most, p.y());
+  return most;
+}
+
+}  // namespace
+
+ReplayPanel::ReplayPanel(ReplayPlayer& player, QWidget* parent)
+    : QWidget(parent),
+      player_(player),
+      play_(button("replay_play_button", tr("Play"), tr("Play or pause (Space)"))),
+      close_(button("replay_close_button", tr("Close"), tr("End the replay (Esc)"))),
+      slider_(new QSlider(Qt::Horizontal)),
+      time_(new QLabel),
+      speed_(new QComboBox),
+      heights_(tr("Height of hand and proxy in the recording"), tr("z (mm)"),
+               {tr("hand"), tr("proxy")}, kPartS, this),
+      forces_(tr("Force in the recording"), tr("force (N)"), {tr("force")}, kPartS, this) {
+  setObjectName(QStringLiteral("replay_panel"));
+  setAccessibleName(tr("Replay"));
+  layOut();
+  connect(play_, &QToolButton::clicked, &player_, &ReplayPlayer::toggle);
+  connect(close_, &QToolButton::clicked, this, &ReplayPanel::closeAsked);
+  connect(slider_, &QSlider::valueChanged, this,
+          [this](int ms) { player_.setTime(1e-3 * static_cast<double>(ms)); });
+  connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this](int index) { player_.setSpeed(speed_->itemData(index).toDouble()); });
+  connect(&player_, &ReplayPlayer::moved, this, &ReplayPanel::showTime);
+  connect(&player_, &ReplayPlayer::playingChanged, this, [this](bool playing) {
+    play_->setText(playing ? tr("Pause") : tr("Play"));
+    play_->setAccessibleName(play_->text());
+  });
+  takeColours();
+}
+
+void ReplayPanel::layOut() {
+  slider_->setObjectName(QStringLiteral("replay_slider"));
+  slider_->setAccessibleName(tr("Place in the recording"));
+  slider_->setToolTip(tr("Drag through the recording; left and right by 0.1 s, Page keys by 1 s"));
+  slider_->setSingleStep(static_cast<int>(1000 * kStepS));
+  slider_->setPageStep(static_cast<int>(1000 * kLargeStepS));
+  slider_->setFocusPolicy(Qt::StrongFocus);
+  slider_->installEventFilter(this);
+  time_->setObjectName(QStringLiteral("replay_time"));
+  time_->setAccessibleName(tr("Time in the recording"));
+  time_->setMinimumWidth(
+      time_->fontMetrics().horizontalAdvance(QStringLiteral("0000.00 of 0000.00 s")));
+  speed_->setObjectName(QStringLiteral("replay_speed"));
+  speed_->setAccessibleName(tr("Speed"));
+  speed_->setToolTip(tr("How fast the recording is shown"));
+  for (const double factor : {1.0, 0.5, 0.25, 0.1}) {
+    speed_->addItem(QLocale().toString(factor) + QStringLiteral(" \u00d7"), factor);
+  }
+  auto* controls = new QHBoxLayout;
+  controls->addWidget(play_);
+  controls->addWidget(slider_, 1);
+  controls->addWidget(time_);
+  controls->addWidget(speed_);
+  controls->addWidget(close_);
+  auto* plots = new QHBoxLayout;
+  plots->setSpacing(12);
+  plots->addWidget(heights_.widget(), 1);
+  plots->addWidget(forces_.widget(), 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 2, 8, 2);
+  column->setSpacing(2);
+  column->addLayout(controls);
+  column->addLayout(plots, 1);
+}
+
+QString ReplayPanel::timeText() const {
+  return tr("%1 of %2 s").arg(numberText(player_.timeS(), 2), numberText(player_.durationS(), 2));
+}
+
+void ReplayPanel::takeColours() {
+  const ThemeColours& c = currentColours();
+  heights_.setColours(c.base, c.border, c.quiet_text,
+                      {QPen(c.hip, 1.5, Qt::DashLine), QPen(c.proxy, 1.8)});
+  forces_.setColours(c.base, c.border, c.quiet_text, {QPen(c.force, 1.8)});
+  heights_.setCursorColour(c.text);
+  forces_.setCursorColour(c.text);
+}
+
+void ReplayPanel::showLoaded() {
+  shown_ = player_.recording();
+  const QSignalBlocker quiet(slider_);
+  slider_->setRange(0, static_cast<int>(std::lround(1000 * player_.durationS())));
+  low_s_ = high_s_ = 0;
+}
+
+void ReplayPanel::showTime() {
+  if (player_.recording() == nullptr) return;
+  if (shown_ != player_.recording()) showLoaded();
+  const double t = player_.timeS();
+  {
+    const QSignalBlocker quiet(slider_);
+    slider_->setValue(static_cast<int>(std::lround(1000 * t)));
+  }
+  const QString text = timeText();
+  time_->setText(text);
+  slider_->setAccessibleDescription(text);
+  const double duration = player_.durationS();
+  double low = 0, high = duration;
+  if (duration > kMostShownS) {
+    // Part by part, so that the curves stand still while the cursor goes through them.
+    low = std::min(kPartS * std::floor(t / kPartS), duration - kPartS);
+    high = low + kPartS;
+  }
+  if (low != low_s_ || high != high_s_) {
+    low_s_ = low;
+    high_s_ = high;
+    showPart();
+  }
+  cursor_s_ = t;
+  heights_.setCursor(t);
+  forces_.setCursor(t);
+  heights_.replot();
+  forces_.replot();
+}
+
+void ReplayPanel::showPart() {
+  const TouchRecording& recording = *player_.recording();
+  heights_.setTimes(low_s_, high_s_);
+  forces_.setTimes(low_s_, high_s_);
+  const auto curve = [&](const std::function<double(const TouchRow&)>& value) {
+    return thinned(recording, low_s_, high_s_, value);
+  };
+  heights_.setCurve(0, curve([](const TouchRow& row) { return row.hip.z; }));
+  heights_.setCurve(1, curve([](const TouchRow& row) { return row.proxy.z; }));
+  heights_.setRangeFromCurves();
+  const QVector<QPointF> force = curve([](const TouchRow& row) { return norm(row.force); });
+  forces_.setCurve(0, force);
+  forces_.setRange(0, 1.05 * std::max(kLeastForceN, largest(force)));
+}
+
+bool ReplayPanel::goByKey(int key) {
+  const double t = player_.timeS();
+  switch (key) {
+    case Qt::Key_Left:
+      player_.setTime(t - kStepS);
+      return true;
+    case Qt::Key_Right:
+      player_.setTime(t + kStepS);
+      return true;
+    case Qt::Key_PageUp:
+      player_.setTime(t - kLargeStepS);
+      return true;
+    case Qt::Key_PageDown:
+      player_.setTime(t + kLargeStepS);
+      return true;
+    case Qt::Key_Home:
+      player_.setTime(0);
+      return true;
+    case Qt::Key_End:
+      player_.setTime(player_.durationS());
+      return true;
+    case Qt::Key_Space:
+      player_.toggle();
+      return true;
+    default:
+      return false;
+  }
+}
+
+void ReplayPanel::keyPressEvent(QKeyEvent* event) {
+  if (event->modifiers() != Qt::NoModifier || !goByKey(event->key())) {
+    QWidget::keyPressEvent(event);
+  }
+}
+
+// A slider's own Page keys go the other way round.
+bool ReplayPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == slider_ && event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->modifiers() == Qt::NoModifier && goByKey(key->key())) return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace relievo

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+#include <utility>
+
+#include "ui/replay_player.h"
+#include "ui/strip_plot.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+class QToolButton;
+
+namespace relievo {
+
+/// A replay's controls above its plots: play, a slider through the recording, speed, close; z of
+/// hand and proxy and the force, with a cursor where the picture is. Keys: Space plays and pauses,
+/// left and right go by 0.1 s, Page Up and Down by 1 s, Home and End to the ends. [GUI thread]
+class ReplayPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ReplayPanel(ReplayPlayer& player, QWidget* parent = nullptr);
+
+  /// "3.42 of 10.00 s"
+  QString timeText() const;
+  void takeColours();
+  /// Part of the recording that the plots show, seconds since its start.
+  std::pair<double, double> shownS() const { return {low_s_, high_s_}; }
+  double cursorS() const { return cursor_s_; }
+
+ Q_SIGNALS:
+  void closeAsked();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void layOut();
+  void showLoaded();
+  void showTime();
+  void showPart();
+  bool goByKey(int key);
+
+  ReplayPlayer& player_;
+  QToolButton *play_, *close_;
+  QSlider* slider_;
+  QLabel* time_;
+  QComboBox* speed_;
+  StripPlot heights_, forces_;
+  const TouchRecording* shown_ = nullptr;  ///< Whose curves are drawn; compared, never followed.
+  double low_s_ = 0, high_s_ = 0, cursor_s_ = 0;
+};
+
+}  // namespace relievo

@@ -1,0 +1,3969 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Core</name>
+    <message>
+        <source>Checksum</source>
+        <translation>Prüfsumme</translation>
+    </message>
+    <message>
+        <source>Depth map</source>
+        <translation>Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Drawing the depth buffer</source>
+        <translation>Tiefenpuffer wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Filling gaps</source>
+        <translation>Lücken werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Filling holes</source>
+        <translation>Löcher werden gefüllt</translation>
+    </message>
+    <message>
+        <source>Heights of cells</source>
+        <translation>Höhen der Zellen</translation>
+    </message>
+    <message>
+        <source>Looking for gaps</source>
+        <translation>Lücken werden gesucht</translation>
+    </message>
+    <message>
+        <source>Looking through gaps</source>
+        <translation>Durch Lücken wird geschaut</translation>
+    </message>
+    <message>
+        <source>Measuring the scan</source>
+        <translation>Der Scan wird vermessen</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Sorting points into tiles</source>
+        <translation>Punkte werden in Kacheln sortiert</translation>
+    </message>
+    <message>
+        <source>Writing levels</source>
+        <translation>Ebenen werden geschrieben</translation>
+    </message>
+    <message>
+        <source>checking pages</source>
+        <translation>Seiten werden geprüft</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>wird geöffnet</translation>
+    </message>
+    <message>
+        <source>reading mesh</source>
+        <translation>Netz wird gelesen</translation>
+    </message>
+    <message>
+        <source>reading points</source>
+        <translation>Punkte werden gelesen</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>wird entpackt</translation>
+    </message>
+    <message>
+        <source>front-most point</source>
+        <translation>vorderster Punkt</translation>
+    </message>
+    <message>
+        <source>second point from the front</source>
+        <translation>zweiter Punkt von vorn</translation>
+    </message>
+    <message>
+        <source>mean of the top layer</source>
+        <translation>Mittel der obersten Schicht</translation>
+    </message>
+    <message>
+        <source>median of the points</source>
+        <translation>Median der Punkte</translation>
+    </message>
+    <message>
+        <source>mean of the points</source>
+        <translation>Mittel der Punkte</translation>
+    </message>
+    <message>
+        <source>bilinear splat</source>
+        <translation>bilineare Verteilung</translation>
+    </message>
+    <message>
+        <source>local quadratic</source>
+        <translation>lokale quadratische Fläche</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>height range</source>
+        <translation>Höhenspanne</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>längs der Oberfläche</translation>
+    </message>
+    <message>
+        <source>area in the view</source>
+        <translation>Fläche in der Ansicht</translation>
+    </message>
+    <message>
+        <source>volume above the plane</source>
+        <translation>Volumen über der Ebene</translation>
+    </message>
+    <message>
+        <source>area of the surface</source>
+        <translation>Fläche der Oberfläche</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Distanz</translation>
+    </message>
+    <message>
+        <source>depth difference</source>
+        <translation>Höhenunterschied</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>local relief</source>
+        <translation>lokales Relief</translation>
+    </message>
+    <message>
+        <source>sky-view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <source>openness</source>
+        <translation>Offenheit</translation>
+    </message>
+    <message>
+        <source>hillshade</source>
+        <translation>Schummerung</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildunterschrift</translation>
+    </message>
+    <message>
+        <source>hillshade, four lights</source>
+        <translation>Schummerung, vier Lichter</translation>
+    </message>
+</context>
+<context>
+    <name>PluginLoader</name>
+    <message>
+        <source>%1 is no plugin for this version.</source>
+        <translation>%1 ist kein Plugin für diese Version.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded: %2.</source>
+        <translation>%1 lässt sich nicht laden: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot start: %2</source>
+        <translation>%1 kann nicht starten: %2</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>US-Vermessungsfuß</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Free view</source>
+        <translation>Freie Ansicht</translation>
+    </message>
+    <message>
+        <source>Best-fit plane</source>
+        <translation>Ausgleichsebene</translation>
+    </message>
+    <message>
+        <source>Principal axes</source>
+        <translation>Hauptachsen</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo</name>
+    <message>
+        <source>There is not enough memory for this. Nothing was changed. Close other programs or choose a smaller file.</source>
+        <translation>Der Speicher reicht dafür nicht. Nichts wurde geändert. Schließen Sie andere Programme oder wählen Sie eine kleinere Datei.</translation>
+    </message>
+    <message>
+        <source>This failed unexpectedly: %1. Nothing was changed.</source>
+        <translation>Das ist unerwartet fehlgeschlagen: %1. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>longer than %1</source>
+        <translation>länger als %1</translation>
+    </message>
+    <message>
+        <source>Not measured yet.</source>
+        <translation>Noch nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>The watchdog cut the force, times: %1.</source>
+        <translation>Kraft vom Wächter abgeschaltet, Anzahl: %1.</translation>
+    </message>
+    <message>
+        <source>Softened against swinging, times: %1.</source>
+        <translation>Gegen Schwingen weicher gemacht, Anzahl: %1.</translation>
+    </message>
+    <message>
+        <source>Pauses after which the force rose anew: %1.</source>
+        <translation>Pausen, nach denen die Kraft neu anstieg: %1.</translation>
+    </message>
+    <message>
+        <source>Slow.</source>
+        <translation>Langsam.</translation>
+    </message>
+    <message>
+        <source>Runs well.</source>
+        <translation>Läuft gut.</translation>
+    </message>
+    <message>
+        <source>%1 per second, %2 of %3 ticks late, longest gap %4 ms.</source>
+        <translation>%1 pro Sekunde, %2 von %3 Takten verspätet, längste Lücke %4 ms.</translation>
+    </message>
+    <message>
+        <source>Real-time priority granted.</source>
+        <translation>Echtzeitpriorität erteilt.</translation>
+    </message>
+    <message>
+        <source>No real-time priority; the tables say why.</source>
+        <translation>Keine Echtzeitpriorität; die Tabellen nennen den Grund.</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>Gerät: %1</translation>
+    </message>
+    <message>
+        <source>Computing, mean and longest: %1 µs, %2 µs</source>
+        <translation>Rechenzeit, im Mittel und längste: %1 µs, %2 µs</translation>
+    </message>
+    <message>
+        <source>Page faults of the loop: %1</source>
+        <translation>Seitenfehler der Schleife: %1</translation>
+    </message>
+    <message>
+        <source>Real time: everything was granted.</source>
+        <translation>Echtzeit: alles wurde erteilt.</translation>
+    </message>
+    <message>
+        <source>Woken late by, in ticks:</source>
+        <translation>Verspätung beim Wecken, in Takten:</translation>
+    </message>
+    <message>
+        <source>Time spent computing, in ticks:</source>
+        <translation>Rechenzeit, in Takten:</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ColourBar</name>
+    <message>
+        <source>Bar of colours</source>
+        <translation>Farbskala</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::CommandSearch</name>
+    <message>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>Wörter eines Befehls</translation>
+    </message>
+    <message>
+        <source>Words of a command's name or explanation; Enter runs the first</source>
+        <translation>Wörter aus Name oder Erklärung eines Befehls; die Eingabetaste führt den ersten aus</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DepthMapDialog</name>
+    <message>
+        <source>%1 of the cells are measured</source>
+        <translation>%1 der Zellen sind gemessen</translation>
+    </message>
+    <message>
+        <source>%1 interpolated</source>
+        <translation>%1 interpoliert</translation>
+    </message>
+    <message>
+        <source>%1 holes on the base plane</source>
+        <translation>%1 Löcher auf der Grundebene</translation>
+    </message>
+    <message>
+        <source>%1 too steep</source>
+        <translation>%1 zu steil</translation>
+    </message>
+    <message>
+        <source>%1 outside</source>
+        <translation>%1 außerhalb</translation>
+    </message>
+    <message>
+        <source>No enclosed holes.</source>
+        <translation>Keine umschlossenen Löcher.</translation>
+    </message>
+    <message>
+        <source>%1 (filled)</source>
+        <translation>%1 (gefüllt)</translation>
+    </message>
+    <message>
+        <source>Enclosed holes: %1, of %2 mm².</source>
+        <translation>Umschlossene Löcher: %1, mit %2 mm².</translation>
+    </message>
+    <message>
+        <source>Hidden from here: %1; undercut: %2; too steep: %3.</source>
+        <translation>Von hier verdeckt: %1; hinterschnitten: %2; zu steil: %3.</translation>
+    </message>
+    <message>
+        <source>Flyers left out: %1.</source>
+        <translation>Ausreißer weggelassen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells of %3, %4 levels; %5.</source>
+        <translation>%1 × %2 Zellen zu %3, %4 Ebenen; %5.</translation>
+    </message>
+    <message>
+        <source>Shares of the cells</source>
+        <translation>Anteile der Zellen</translation>
+    </message>
+    <message>
+        <source>About this depth map</source>
+        <translation>Über diese Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>L&amp;ive</source>
+        <translation>Laufend (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w what was not measured</source>
+        <translation>Nicht Gemessenes zeigen (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute</source>
+        <translation>Neu berechnen (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Anhalten (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Depth map</source>
+        <translation>Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation>Neu berechnen</translation>
+    </message>
+    <message>
+        <source>Make the preview of the choices shown</source>
+        <translation>Die Vorschau mit dieser Auswahl machen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop the work; the picture before stays</source>
+        <translation>Die Arbeit anhalten; das Bild von vorher bleibt</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Laufende Vorschau</translation>
+    </message>
+    <message>
+        <source>Make the preview anew after each change</source>
+        <translation>Die Vorschau nach jeder Änderung neu machen</translation>
+    </message>
+    <message>
+        <source>Show what was not measured</source>
+        <translation>Nicht Gemessenes zeigen</translation>
+    </message>
+    <message>
+        <source>Blue stripes: interpolated. Purple crosses: holes on the base plane. Orange: too steep</source>
+        <translation>Blaue Streifen: interpoliert. Lila Kreuze: Löcher auf der Grundebene. Orange: zu steil</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>What is being done</source>
+        <translation>Was gerade geschieht</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute *</source>
+        <translation>Neu berechnen (&amp;P) *</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DepthMapForm</name>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>Einheit der Datei (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Length unit of the file's coordinates</source>
+        <translation>Längeneinheit der Koordinaten in der Datei</translation>
+    </message>
+    <message>
+        <source>Size in millimetres</source>
+        <translation>Größe in Millimetern</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Ansicht (&amp;V)</translation>
+    </message>
+    <message>
+        <source>From which side the object is seen</source>
+        <translation>Von welcher Seite das Objekt gesehen wird</translation>
+    </message>
+    <message>
+        <source>As turned in the detail view</source>
+        <translation>Wie in der Detailansicht gedreht</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;x</source>
+        <translation>Drehung um &amp;x</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;y</source>
+        <translation>Drehung um &amp;y</translation>
+    </message>
+    <message>
+        <source>Turn a&amp;bout z</source>
+        <translation>Drehung um z (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Right-handed, about the view's own axes, x first</source>
+        <translation>Rechtshändig, um die Achsen der Ansicht, zuerst x</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>V&amp;erfahren</translation>
+    </message>
+    <message>
+        <source>The processor, or the graphics card's depth buffer as in the paper</source>
+        <translation>Der Prozessor, oder der Tiefenpuffer der Grafikkarte wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>Depth buffer</source>
+        <translation>Tiefenpuffer</translation>
+    </message>
+    <message>
+        <source>&amp;Rule</source>
+        <translation>&amp;Regel</translation>
+    </message>
+    <message>
+        <source>Which height a cell gets from the points in it</source>
+        <translation>Welche Höhe eine Zelle aus ihren Punkten bekommt</translation>
+    </message>
+    <message>
+        <source>From the data</source>
+        <translation>Aus den Daten</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>Raster (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How fine the grid is</source>
+        <translation>Wie fein das Raster ist</translation>
+    </message>
+    <message>
+        <source>Number of cells</source>
+        <translation>Anzahl der Zellen</translation>
+    </message>
+    <message>
+        <source>Size of a cell</source>
+        <translation>Größe einer Zelle</translation>
+    </message>
+    <message>
+        <source>&amp;Cells</source>
+        <translation>Zellen (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cells across the longer side</source>
+        <translation>Zellen über die längere Seite</translation>
+    </message>
+    <message>
+        <source>Cell si&amp;ze</source>
+        <translation>&amp;Zellengröße</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring cells</source>
+        <translation>Abstand benachbarter Zellen</translation>
+    </message>
+    <message>
+        <source>&amp;M between levels</source>
+        <translation>&amp;M zwischen den Ebenen</translation>
+    </message>
+    <message>
+        <source>How much coarser each level of the pyramid is; 2 in the paper</source>
+        <translation>Wievielmal gröber jede Ebene der Pyramide ist; 2 im Aufsatz</translation>
+    </message>
+    <message>
+        <source>&amp;Holes</source>
+        <translation>Löc&amp;her</translation>
+    </message>
+    <message>
+        <source>What becomes of enclosed places where nothing was measured</source>
+        <translation>Was aus umschlossenen Stellen wird, an denen nichts gemessen wurde</translation>
+    </message>
+    <message>
+        <source>On the base plane</source>
+        <translation>Auf der Grundebene</translation>
+    </message>
+    <message>
+        <source>Interpolate up to</source>
+        <translation>Interpolieren bis</translation>
+    </message>
+    <message>
+        <source>Smooth membrane up to</source>
+        <translation>Glatte Membran bis</translation>
+    </message>
+    <message>
+        <source>Leave open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Largest hole</source>
+        <translation>Größtes &amp;Loch</translation>
+    </message>
+    <message>
+        <source>Larger holes rest on the base plane</source>
+        <translation>Größere Löcher liegen auf der Grundebene</translation>
+    </message>
+    <message>
+        <source>The lowest cell of the raster</source>
+        <translation>Die tiefste Zelle des Rasters</translation>
+    </message>
+    <message>
+        <source>0.1 % of the measured cells lie below it</source>
+        <translation>0,1 % der gemessenen Zellen liegen darunter</translation>
+    </message>
+    <message>
+        <source>Base plane</source>
+        <translation>Grundebene</translation>
+    </message>
+    <message>
+        <source>A height map keeps its cells and its view.</source>
+        <translation>Eine Höhenkarte behält ihre Zellen und ihre Ansicht.</translation>
+    </message>
+    <message>
+        <source>A map of this program is in millimetres.</source>
+        <translation>Eine Karte dieses Programms ist in Millimetern.</translation>
+    </message>
+    <message>
+        <source>A map of this program has its holes treated already.</source>
+        <translation>In einer Karte dieses Programms sind die Löcher schon behandelt.</translation>
+    </message>
+    <message>
+        <source>Triangles need no rule.</source>
+        <translation>Dreiecke brauchen keine Regel.</translation>
+    </message>
+    <message>
+        <source>The depth buffer keeps the front-most point.</source>
+        <translation>Der Tiefenpuffer behält den vordersten Punkt.</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DepthMapPreview</name>
+    <message>
+        <source>Preview of the depth map</source>
+        <translation>Vorschau der Tiefenkarte</translation>
+    </message>
+    <message>
+        <source>Of other choices than those shown</source>
+        <translation>Mit anderer Auswahl als gezeigt</translation>
+    </message>
+    <message>
+        <source>Of the choices shown</source>
+        <translation>Mit der gezeigten Auswahl</translation>
+    </message>
+    <message>
+        <source>Not of these choices yet</source>
+        <translation>Noch nicht mit dieser Auswahl</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DetailView</name>
+    <message>
+        <source>Detail view</source>
+        <translation>Detailansicht</translation>
+    </message>
+    <message>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface; hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche; mit gehaltener linker Taste wird eingedrückt, das Rad dabei drückt tiefer. Ziehen mit der mittleren Taste dreht, mit der rechten verschiebt es den Ausschnitt, das Rad vergrößert. Tasten: Pfeile, Bild ab, Bild auf.</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceButtons</name>
+    <message>
+        <source>%1 connected.</source>
+        <translation>%1 angeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 disconnected.</source>
+        <translation>%1 getrennt.</translation>
+    </message>
+    <message>
+        <source>%1?</source>
+        <translation>%1?</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side; Forward when you are there.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite; Vorwärts, wenn Sie da sind.</translation>
+    </message>
+    <message>
+        <source>Moved. %1</source>
+        <translation>Verschoben. %1</translation>
+    </message>
+    <message>
+        <source>%1 is not possible here.</source>
+        <translation>%1 ist hier nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>Nichts ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Touching. </source>
+        <translation>In Berührung. </translation>
+    </message>
+    <message>
+        <source>In the air. </source>
+        <translation>In der Luft. </translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, height %3 millimetres.</source>
+        <translation>%1 nach rechts, %2 nach oben, Höhe %3 Millimeter.</translation>
+    </message>
+    <message>
+        <source> Not measured here: %1.</source>
+        <translation> Hier nicht gemessen: %1.</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.</source>
+        <translation>Detail %1 von %2, Ausschnitt %3 Millimeter, ein Millimeter der Hand ist %4.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceSetupDialog</name>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>nicht gesehen</translation>
+    </message>
+    <message>
+        <source>Device set-up</source>
+        <translation>Gerät einrichten</translation>
+    </message>
+    <message>
+        <source>State of the Falcon</source>
+        <translation>Zustand des Falcon</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed: plus and minus change sides</source>
+        <translation>&amp;Linkshändig: Plus und Minus tauschen die Seiten</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>Linkshändig</translation>
+    </message>
+    <message>
+        <source>&amp;Save and use the Falcon</source>
+        <translation>&amp;Speichern und den Falcon benutzen</translation>
+    </message>
+    <message>
+        <source>Save and use the Falcon</source>
+        <translation>Speichern und den Falcon benutzen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>&amp;Retry</source>
+        <translation>Noch einmal (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>&amp;Firmware file…</source>
+        <translation>&amp;Firmware-Datei…</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Copy rule</source>
+        <translation>Regel kopieren (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy rule</source>
+        <translation>Regel kopieren</translation>
+    </message>
+    <message>
+        <source>Firmware loaded</source>
+        <translation>Firmware geladen</translation>
+    </message>
+    <message>
+        <source>not loaded yet</source>
+        <translation>noch nicht geladen</translation>
+    </message>
+    <message>
+        <source>Rule that gives access</source>
+        <translation>Regel, die Zugang gibt</translation>
+    </message>
+    <message>
+        <source># As an administrator, write this into /etc/udev/rules.d/60-relievo-falcon.rules, then replug:
+</source>
+        <translation># Als Verwalter in /etc/udev/rules.d/60-relievo-falcon.rules schreiben, dann neu einstecken:
+</translation>
+    </message>
+    <message>
+        <source>The rule is copied.</source>
+        <translation>Die Regel ist kopiert.</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>Oberer Arm</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Rechter Arm</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Linker Arm</translation>
+    </message>
+    <message>
+        <source>Place of the hand</source>
+        <translation>Ort der Hand</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Test and calibration</source>
+        <translation>Prüfung und Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Self &amp;test</source>
+        <translation>Selbs&amp;ttest</translation>
+    </message>
+    <message>
+        <source>Self test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>Weight for calibration in grams</source>
+        <translation>Gewicht zum Kalibrieren in Gramm</translation>
+    </message>
+    <message>
+        <source> g</source>
+        <translation> g</translation>
+    </message>
+    <message>
+        <source>&amp;Weight</source>
+        <translation>Ge&amp;wicht</translation>
+    </message>
+    <message>
+        <source>C&amp;alibrate</source>
+        <translation>K&amp;alibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Force gain</source>
+        <translation>Kraftverstärkung</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>attempt %1 of %2, %p %</source>
+        <translation>Versuch %1 von %2, %p %</translation>
+    </message>
+    <message>
+        <source>was running already</source>
+        <translation>lief schon</translation>
+    </message>
+    <message>
+        <source>✓ found</source>
+        <translation>✓ gefunden</translation>
+    </message>
+    <message>
+        <source>– missing</source>
+        <translation>– fehlt</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
+        <translation>%1 nach rechts, %2 nach oben, %3 nach vorn, in Millimetern; %4 Antworten je Sekunde</translation>
+    </message>
+    <message>
+        <source>not known before homing</source>
+        <translation>vor der Referenzfahrt nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 counts per N mm</source>
+        <translation>%1 Zählschritte je N mm</translation>
+    </message>
+    <message>
+        <source>Continue (&amp;a)</source>
+        <translation>Weiter (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Falcon firmware</source>
+        <translation>Falcon-Firmware</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin);;All files (*)</source>
+        <translation>Firmware (*.bin);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Unknown firmware</source>
+        <translation>Unbekannte Firmware</translation>
+    </message>
+    <message>
+        <source>The file has the form of a boot image, but nobody knows this one (sha256 %1). Load it into the Falcon all the same?</source>
+        <translation>Die Datei hat die Form eines Startabbilds, aber niemand kennt es (sha256 %1). Trotzdem in den Falcon laden?</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::Document</name>
+    <message>
+        <source>Detail %1 → %2</source>
+        <translation>Detail %1 → %2</translation>
+    </message>
+    <message>
+        <source>View %1 → %2</source>
+        <translation>Ansicht %1 → %2</translation>
+    </message>
+    <message>
+        <source>Depth engine → %1</source>
+        <translation>Verfahren → %1</translation>
+    </message>
+    <message>
+        <source>Unit %1 → %2</source>
+        <translation>Einheit %1 → %2</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Choose window</source>
+        <translation>Ausschnitt wählen</translation>
+    </message>
+    <message>
+        <source>Height gain</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößern</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FigureDialog</name>
+    <message>
+        <source>Detail alone</source>
+        <translation>Detail allein</translation>
+    </message>
+    <message>
+        <source>Whole object and detail</source>
+        <translation>Ganzes Objekt und Detail</translation>
+    </message>
+    <message>
+        <source>As measured and filled</source>
+        <translation>Wie gemessen und gefüllt</translation>
+    </message>
+    <message>
+        <source>Several levels</source>
+        <translation>Mehrere Ebenen</translation>
+    </message>
+    <message>
+        <source>With force plots of a recording</source>
+        <translation>Mit Kraftkurven einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Lit stone</source>
+        <translation>Beleuchteter Stein</translation>
+    </message>
+    <message>
+        <source>Height in colour</source>
+        <translation>Höhe in Farbe</translation>
+    </message>
+    <message>
+        <source>Hillshade</source>
+        <translation>Schummerung</translation>
+    </message>
+    <message>
+        <source>Hillshade, four lights</source>
+        <translation>Schummerung, vier Lichter</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Local relief</source>
+        <translation>Lokales Relief</translation>
+    </message>
+    <message>
+        <source>Sky-view factor</source>
+        <translation>Himmelssichtfaktor</translation>
+    </message>
+    <message>
+        <source>Openness</source>
+        <translation>Offenheit</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Anaglyph, grey</source>
+        <translation>Anaglyphe, grau</translation>
+    </message>
+    <message>
+        <source>Anaglyph, half colour</source>
+        <translation>Anaglyphe, halbfarbig</translation>
+    </message>
+    <message>
+        <source>Anaglyph, Dubois</source>
+        <translation>Anaglyphe, Dubois</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>One over the other</source>
+        <translation>Übereinander</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>Maßsta&amp;b</translation>
+    </message>
+    <message>
+        <source>&amp;Height bar</source>
+        <translation>&amp;Höhenskala</translation>
+    </message>
+    <message>
+        <source>&amp;Up mark</source>
+        <translation>Zeiger nach oben (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Window's &amp;outline</source>
+        <translation>Umriss des Ausschnitts (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hat&amp;ch</source>
+        <translation>S&amp;chraffur</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>Le&amp;gende</translation>
+    </message>
+    <message>
+        <source>Letters a, b</source>
+        <translation>Buchstaben a, b</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>&amp;Messungen</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this figure. Nothing was written.</source>
+        <translation>Der Speicher reicht für diese Abbildung nicht. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>Anhalten (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Preview of the figure</source>
+        <translation>Vorschau der Abbildung</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>Bildunterschrift</translation>
+    </message>
+    <message>
+        <source>The text that belongs under this figure</source>
+        <translation>Der Text, der unter diese Abbildung gehört</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y caption</source>
+        <translation>Text kopieren (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Copy caption</source>
+        <translation>Bildunterschrift kopieren</translation>
+    </message>
+    <message>
+        <source>Put the caption into the clipboard</source>
+        <translation>Die Bildunterschrift in die Zwischenablage legen</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop the work; nothing is written</source>
+        <translation>Die Arbeit anhalten; nichts wird geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Datei (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Ends in .png, .tif, .pdf or .svg</source>
+        <translation>Endet mit .png, .tif, .pdf oder .svg</translation>
+    </message>
+    <message>
+        <source>Bro&amp;wse…</source>
+        <translation>Durchsuchen (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>Durchsuchen</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>Save figure</source>
+        <translation>Abbildung speichern</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.tif *.pdf *.svg)</source>
+        <translation>Abbildungen (*.png *.tif *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>Anordnung (&amp;L)</translation>
+    </message>
+    <message>
+        <source>What stands beside what</source>
+        <translation>Was neben was steht</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>Aufzeichnung (&amp;R)</translation>
+    </message>
+    <message>
+        <source>CSV file of a recording, for the plots</source>
+        <translation>CSV-Datei einer Aufzeichnung, für die Kurven</translation>
+    </message>
+    <message>
+        <source>Wi&amp;dth on paper</source>
+        <translation>Breite auf Papier (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Journals have columns of 85 and pages of 180 mm</source>
+        <translation>Zeitschriften haben Spalten von 85 und Seiten von 180 mm</translation>
+    </message>
+    <message>
+        <source>To &amp;scale</source>
+        <translation>Maß&amp;stäblich</translation>
+    </message>
+    <message>
+        <source>Choose the scale of the detail; the width follows from it</source>
+        <translation>Den Maßstab des Details wählen; die Breite folgt daraus</translation>
+    </message>
+    <message>
+        <source>Scale &amp;1 :</source>
+        <translation>Maßstab &amp;1 :</translation>
+    </message>
+    <message>
+        <source>Millimetres of object on one millimetre of paper</source>
+        <translation>Millimeter des Objekts auf einem Millimeter Papier</translation>
+    </message>
+    <message>
+        <source>D&amp;ensity</source>
+        <translation>Auflösung (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Dots per inch of paper</source>
+        <translation>Punkte je Zoll Papier</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>Schrif&amp;tgröße</translation>
+    </message>
+    <message>
+        <source>Text and bars on paper, in points</source>
+        <translation>Schrift und Skalen auf Papier, in Punkt</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Rel&amp;ief</source>
+        <translation>Rel&amp;ief</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>Wie Höhen dargestellt werden</translation>
+    </message>
+    <message>
+        <source>Colours (&amp;k)</source>
+        <translation>Farben (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Even steps of lightness, also for colour-blind readers</source>
+        <translation>Gleichmäßige Helligkeitsstufen, auch für Farbenblinde</translation>
+    </message>
+    <message>
+        <source>Light from (&amp;q)</source>
+        <translation>Licht von (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>0 is above, clockwise; 315 is the upper left</source>
+        <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
+    </message>
+    <message>
+        <source>Light's height (&amp;j)</source>
+        <translation>Lichthöhe (&amp;J)</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Radius (&amp;z)</source>
+        <translation>Radius (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood of local relief, sky view, openness</source>
+        <translation>Der Umgebung für lokales Relief, Himmelssicht, Offenheit</translation>
+    </message>
+    <message>
+        <source>10 samples</source>
+        <translation>10 Stützstellen</translation>
+    </message>
+    <message>
+        <source>Stereo (&amp;v)</source>
+        <translation>Stereo (&amp;V)</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or two pictures</source>
+        <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
+    </message>
+    <message>
+        <source>E&amp;yes apart</source>
+        <translation>Augenabstand (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes' directions</source>
+        <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
+    </message>
+    <message>
+        <source>Keep to 1° of paralla&amp;x</source>
+        <translation>Höchstens 1° Paralla&amp;xe</translation>
+    </message>
+    <message>
+        <source>Less angle where many readers would see double</source>
+        <translation>Weniger Winkel, wo viele Leser doppelt sähen</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>Augen tauschen</translation>
+    </message>
+    <message>
+        <source>For glasses the other way round, or for crossed eyes</source>
+        <translation>Für umgekehrte Brillen oder gekreuzte Augen</translation>
+    </message>
+    <message>
+        <source>Drawn in points, whatever the density</source>
+        <translation>In Punkt gezeichnet, unabhängig von der Auflösung</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsparent paper</source>
+        <translation>Durchsichtiges Papier (&amp;N)</translation>
+    </message>
+    <message>
+        <source>No white behind the relief</source>
+        <translation>Kein Weiß hinter dem Relief</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm on paper, %3 × %4 pixels, scale 1 : %5</source>
+        <translation>%1 × %2 mm auf Papier, %3 × %4 Pixel, Maßstab 1 : %5</translation>
+    </message>
+    <message>
+        <source>. Parallax %1° of %2° with %3° between the eyes</source>
+        <translation>. Parallaxe %1° von %2° bei %3° zwischen den Augen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GlassesDialog</name>
+    <message>
+        <source>Test picture</source>
+        <translation>Testbild</translation>
+    </message>
+    <message>
+        <source>Left an L for the left eye alone, right an R for the right eye alone</source>
+        <translation>Links ein L nur für das linke Auge, rechts ein R nur für das rechte Auge</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left eye</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right eye</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Test glasses</source>
+        <translation>Brille prüfen</translation>
+    </message>
+    <message>
+        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on "Swap eyes". What shines through faintly is a ghost; Dubois has the least.</source>
+        <translation>Setzen Sie die Brille auf und schließen Sie das rechte Auge: Sie sollten nur das L sehen, hell auf schwarz. Mit geschlossenem linkem Auge nur das R. Ist es umgekehrt, schalten Sie „Augen tauschen“ ein. Was schwach durchscheint, ist ein Geisterbild; Dubois hat davon am wenigsten.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HapticsPanel</name>
+    <message>
+        <source>Off: %1. Switch off and on to try again.</source>
+        <translation>Aus: %1. Zum neuen Versuch aus- und einschalten.</translation>
+    </message>
+    <message>
+        <source>Off. Press F5 to switch forces on.</source>
+        <translation>Aus. F5 schaltet die Kräfte ein.</translation>
+    </message>
+    <message>
+        <source>Waiting until the hand is clear of the surface.</source>
+        <translation>Warten, bis die Hand von der Oberfläche frei ist.</translation>
+    </message>
+    <message>
+        <source>Coming on.</source>
+        <translation>Wird eingeschaltet.</translation>
+    </message>
+    <message>
+        <source>On, softened to %1 N/mm against swinging until switched off.</source>
+        <translation>An, gegen Schwingen auf %1 N/mm verringert, bis zum Ausschalten.</translation>
+    </message>
+    <message>
+        <source>On.</source>
+        <translation>An.</translation>
+    </message>
+    <message>
+        <source>On: computed and shown; a mouse cannot push back.</source>
+        <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
+    </message>
+    <message>
+        <source>S&amp;trength</source>
+        <translation>S&amp;tärke</translation>
+    </message>
+    <message>
+        <source>Surfa&amp;ce</source>
+        <translation>Oberflä&amp;che</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ape</source>
+        <translation>Form (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;xy</source>
+        <translation>Pro&amp;xy</translation>
+    </message>
+    <message>
+        <source>Sti&amp;ffness</source>
+        <translation>Stei&amp;figkeit</translation>
+    </message>
+    <message>
+        <source>Fr&amp;iction</source>
+        <translation>Re&amp;ibung</translation>
+    </message>
+    <message>
+        <source>Dam&amp;ping</source>
+        <translation>Däm&amp;pfung</translation>
+    </message>
+    <message>
+        <source>Pressed in</source>
+        <translation>Eingedrückt</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>Gerät (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Force loop</source>
+        <translation>Kraftschleife</translation>
+    </message>
+    <message>
+        <source>Forces &amp;on</source>
+        <translation>Kräfte an (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Forces on</source>
+        <translation>Kräfte an</translation>
+    </message>
+    <message>
+        <source>Switch forces on or off (F5). Esc switches them off.</source>
+        <translation>Kräfte ein- oder ausschalten (F5). Esc schaltet sie aus.</translation>
+    </message>
+    <message>
+        <source>Strength in percent</source>
+        <translation>Stärke in Prozent</translation>
+    </message>
+    <message>
+        <source>Multiplies every force. The limit stays.</source>
+        <translation>Vervielfacht jede Kraft. Die Grenze bleibt.</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>as the &amp;level suggests</source>
+        <translation>wie die Ebene empfieh&amp;lt</translation>
+    </message>
+    <message>
+        <source>Stiffness as the level suggests</source>
+        <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones.</source>
+        <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren.</translation>
+    </message>
+    <message>
+        <source>Stiffness in newtons per millimetre</source>
+        <translation>Steifigkeit in Newton je Millimeter</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>Force per millimetre that the hand is pressed in.</source>
+        <translation>Kraft je Millimeter, den die Hand eingedrückt ist.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
+        <translation>Was die Hand hält. Eine virtuelle Hand wird von der Maus bewegt und von der Kraft gedrückt, wie eine wirkliche.</translation>
+    </message>
+    <message>
+        <source>How the surface feels</source>
+        <translation>Wie sich die Oberfläche anfühlt</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glatt</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>Wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Soft stone</source>
+        <translation>Weicher Stein</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>Bronze</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Sets shape, proxy, stiffness, friction and damping together. Each can be changed afterwards.</source>
+        <translation>Setzt Form, Proxy, Steifigkeit, Reibung und Dämpfung zusammen. Jedes lässt sich danach ändern.</translation>
+    </message>
+    <message>
+        <source>Shape of the surface between the samples</source>
+        <translation>Form der Oberfläche zwischen den Stützstellen</translation>
+    </message>
+    <message>
+        <source>Smooth with walls</source>
+        <translation>Glatt, mit Wänden</translation>
+    </message>
+    <message>
+        <source>Smooth everywhere</source>
+        <translation>Überall glatt</translation>
+    </message>
+    <message>
+        <source>Flat facets (exact)</source>
+        <translation>Ebene Facetten (exakt)</translation>
+    </message>
+    <message>
+        <source>The height samples are exact in each; only what lies between them differs.</source>
+        <translation>Die Stützhöhen sind in jeder exakt; nur was dazwischen liegt, unterscheidet sich.</translation>
+    </message>
+    <message>
+        <source>How the proxy follows the hand</source>
+        <translation>Wie der Proxy der Hand folgt</translation>
+    </message>
+    <message>
+        <source>Converged (exact)</source>
+        <translation>Konvergiert (exakt)</translation>
+    </message>
+    <message>
+        <source>As in the paper (eq. 2)</source>
+        <translation>Wie im Aufsatz (Gl. 2)</translation>
+    </message>
+    <message>
+        <source>Successive approximation (paper)</source>
+        <translation>Schrittweise Näherung (Aufsatz)</translation>
+    </message>
+    <message>
+        <source>The proxy is the point that stays on the surface.</source>
+        <translation>Der Proxy ist der Punkt, der auf der Oberfläche bleibt.</translation>
+    </message>
+    <message>
+        <source>Friction at rest, 0 to 1</source>
+        <translation>Haftreibung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper's proxies know none.</source>
+        <translation>Kraft längs der Oberfläche, die die Hand hält, als Teil der Kraft dagegen; beim Gleiten drei Viertel davon. Die Proxys des Aufsatzes kennen keine.</translation>
+    </message>
+    <message>
+        <source>Damping in newton seconds per metre</source>
+        <translation>Dämpfung in Newtonsekunden je Meter</translation>
+    </message>
+    <message>
+        <source> N s/m</source>
+        <translation> N s/m</translation>
+    </message>
+    <message>
+        <source>Against the speed of pressing in.</source>
+        <translation>Gegen die Geschwindigkeit des Eindrückens.</translation>
+    </message>
+    <message>
+        <source>State of the forces</source>
+        <translation>Zustand der Kräfte</translation>
+    </message>
+    <message>
+        <source>How far the hand is pressed in</source>
+        <translation>Wie weit die Hand eingedrückt ist</translation>
+    </message>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>Wie die Kraftschleife läuft</translation>
+    </message>
+    <message>
+        <source>More a&amp;bout the loop…</source>
+        <translation>Mehr ü&amp;ber die Schleife…</translation>
+    </message>
+    <message>
+        <source>More about the force loop</source>
+        <translation>Mehr über die Kraftschleife</translation>
+    </message>
+    <message>
+        <source>Wake-ups and computing times as tables, and what the system granted.</source>
+        <translation>Weck- und Rechenzeiten als Tabellen, und was das System gewährte.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mm of hand</source>
+        <translation>%1 mm der Hand</translation>
+    </message>
+    <message>
+        <source>not touching</source>
+        <translation>keine Berührung</translation>
+    </message>
+    <message>
+        <source>%1 (not here now)</source>
+        <translation>%1 (gerade nicht da)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HapticsPlugin</name>
+    <message>
+        <source>Touch</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>%1 The mouse is the hand now.</source>
+        <translation>%1 Jetzt ist die Maus die Hand.</translation>
+    </message>
+    <message>
+        <source>Device: %1.</source>
+        <translation>Gerät: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing to touch yet. Open a scan first.</source>
+        <translation>Noch nichts zu tasten. Öffnen Sie zuerst einen Scan.</translation>
+    </message>
+    <message>
+        <source>Forces on.</source>
+        <translation>Kräfte an.</translation>
+    </message>
+    <message>
+        <source>Forces off.</source>
+        <translation>Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>Strength %1 percent.</source>
+        <translation>Stärke %1 Prozent.</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>Aufzeichnung in %1</translation>
+    </message>
+    <message>
+        <source>Forces off: %1.</source>
+        <translation>Kräfte aus: %1.</translation>
+    </message>
+    <message>
+        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
+        <translation>Auf %1 N/mm verringert: Hand und Oberfläche begannen zu schwingen.</translation>
+    </message>
+    <message>
+        <source>The last %1 before the fault are kept: %2</source>
+        <translation>Die letzten %1 vor dem Fehler sind aufgehoben: %2</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1, %2 samples in %3</source>
+        <translation>Aufzeichnung gespeichert: %1, %2 Werte in %3</translation>
+    </message>
+    <message>
+        <source>Forces are off after the sleep. Press F5 to switch them on.</source>
+        <translation>Die Kräfte sind nach dem Ruhezustand aus. F5 schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
+        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Tasten, um ihn zu benutzen.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HeightHistogram</name>
+    <message>
+        <source>Heights of measured cells</source>
+        <translation>Höhen der gemessenen Zellen</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 mm</source>
+        <translation>Von %1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ImageDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Picture of</source>
+        <translation>Bild von</translation>
+    </message>
+    <message>
+        <source>What the picture shows</source>
+        <translation>Was das Bild zeigt</translation>
+    </message>
+    <message>
+        <source>Detail view</source>
+        <translation>Detailansicht</translation>
+    </message>
+    <message>
+        <source>Reference view</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>Whole window</source>
+        <translation>Ganzes Fenster</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where the picture is saved</source>
+        <translation>Wo das Bild gespeichert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Durchsuchen (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>Durchsuchen</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG-Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of</source>
+        <translation>Bild von (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Größe (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Datei (&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::KeysSheet</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Stop forces, then cancel, then leave the mode</source>
+        <translation>Kräfte anhalten, dann abbrechen, dann den Modus verlassen</translation>
+    </message>
+    <message>
+        <source>Detail view: arrows, Shift+arrows</source>
+        <translation>Detailansicht: Pfeile, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>Move the hand by 1 or by 10 cells</source>
+        <translation>Die Hand um 1 oder um 10 Zellen bewegen</translation>
+    </message>
+    <message>
+        <source>Detail view: Page Down, Page Up</source>
+        <translation>Detailansicht: Bild ab, Bild auf</translation>
+    </message>
+    <message>
+        <source>Press in, lift</source>
+        <translation>Eindrücken, anheben</translation>
+    </message>
+    <message>
+        <source>Detail view: left button</source>
+        <translation>Detailansicht: linke Taste</translation>
+    </message>
+    <message>
+        <source>Press the hand in</source>
+        <translation>Die Hand eindrücken</translation>
+    </message>
+    <message>
+        <source>Detail view: Ctrl+wheel</source>
+        <translation>Detailansicht: Strg+Rad</translation>
+    </message>
+    <message>
+        <source>Change the press depth</source>
+        <translation>Die Eindrücktiefe ändern</translation>
+    </message>
+    <message>
+        <source>Detail view: wheel</source>
+        <translation>Detailansicht: Rad</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer</source>
+        <translation>Um den Zeiger vergrößern</translation>
+    </message>
+    <message>
+        <source>Detail view: middle, right button</source>
+        <translation>Detailansicht: mittlere, rechte Taste</translation>
+    </message>
+    <message>
+        <source>Turn the view, move the window</source>
+        <translation>Die Ansicht drehen, den Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Reference view: drag</source>
+        <translation>Übersicht: Ziehen</translation>
+    </message>
+    <message>
+        <source>Draw, move or resize the window</source>
+        <translation>Den Ausschnitt zeichnen, verschieben oder in der Größe ändern</translation>
+    </message>
+    <message>
+        <source>Reference view: arrows, Shift+arrows</source>
+        <translation>Übersicht: Pfeile, Umschalt+Pfeile</translation>
+    </message>
+    <message>
+        <source>Move, resize the window</source>
+        <translation>Den Ausschnitt verschieben, in der Größe ändern</translation>
+    </message>
+    <message>
+        <source>Reference view: Space, arrows, Enter</source>
+        <translation>Übersicht: Leertaste, Pfeile, Eingabe</translation>
+    </message>
+    <message>
+        <source>Draw a window</source>
+        <translation>Einen Ausschnitt zeichnen</translation>
+    </message>
+    <message>
+        <source>Reference view: +, −, wheel</source>
+        <translation>Übersicht: +, −, Rad</translation>
+    </message>
+    <message>
+        <source>Finer, coarser</source>
+        <translation>Feiner, gröber</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>What they do</source>
+        <translation>Was sie tun</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LoopDetailsDialog</name>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>Wie die Kraftschleife läuft</translation>
+    </message>
+    <message>
+        <source>Counts of the force loop since it began</source>
+        <translation>Zählungen der Kraftschleife seit ihrem Beginn</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MainWindow</name>
+    <message>
+        <source>&amp;Point</source>
+        <translation>&amp;Punkt</translation>
+    </message>
+    <message>
+        <source>Height of one place</source>
+        <translation>Höhe einer Stelle</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Distanz</translation>
+    </message>
+    <message>
+        <source>Between two places</source>
+        <translation>Zwischen zwei Stellen</translation>
+    </message>
+    <message>
+        <source>Depth di&amp;fference</source>
+        <translation>Höhenunterschie&amp;f</translation>
+    </message>
+    <message>
+        <source>How much higher the second place lies</source>
+        <translation>Wieviel höher die zweite Stelle liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>Winkel (&amp;A)</translation>
+    </message>
+    <message>
+        <source>At the second of three places</source>
+        <translation>An der zweiten von drei Stellen</translation>
+    </message>
+    <message>
+        <source>P&amp;rofile</source>
+        <translation>P&amp;rofil</translation>
+    </message>
+    <message>
+        <source>Heights along a line</source>
+        <translation>Höhen längs einer Linie</translation>
+    </message>
+    <message>
+        <source>Area and &amp;volume</source>
+        <translation>Fläche und &amp;Volumen</translation>
+    </message>
+    <message>
+        <source>Of a piece of surface above its lowest corner</source>
+        <translation>Eines Flächenstücks über seiner tiefsten Ecke</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>The list as CSV, or the selected profile as CSV or SVG</source>
+        <translation>Die Liste als CSV, oder das gewählte Profil als CSV oder SVG</translation>
+    </message>
+    <message>
+        <source>&amp;Lit stone</source>
+        <translation>Be&amp;leuchteter Stein</translation>
+    </message>
+    <message>
+        <source>Matt stone under lamps</source>
+        <translation>Matter Stein unter Lampen</translation>
+    </message>
+    <message>
+        <source>&amp;Height in colour</source>
+        <translation>&amp;Höhe in Farbe</translation>
+    </message>
+    <message>
+        <source>Lit, with a colour for each height</source>
+        <translation>Beleuchtet, mit einer Farbe für jede Höhe</translation>
+    </message>
+    <message>
+        <source>H&amp;illshade</source>
+        <translation>Schummerung (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Brightness under one light</source>
+        <translation>Helligkeit unter einem Licht</translation>
+    </message>
+    <message>
+        <source>Hillshade, &amp;four lights</source>
+        <translation>Schummerung, vier Lichter (&amp;F)</translation>
+    </message>
+    <message>
+        <source>No direction stays in the dark</source>
+        <translation>Keine Richtung bleibt im Dunkeln</translation>
+    </message>
+    <message>
+        <source>&amp;Slope</source>
+        <translation>Neigung (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Steepness in degrees</source>
+        <translation>Steilheit in Grad</translation>
+    </message>
+    <message>
+        <source>Local &amp;relief</source>
+        <translation>Lokales &amp;Relief</translation>
+    </message>
+    <message>
+        <source>Worn detail without the broad shape</source>
+        <translation>Abgenutzte Einzelheiten ohne die große Form</translation>
+    </message>
+    <message>
+        <source>Sky &amp;view</source>
+        <translation>Himmelssicht (&amp;V)</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>Wieviel vom Himmel jede Stelle sieht</translation>
+    </message>
+    <message>
+        <source>&amp;Openness</source>
+        <translation>&amp;Offenheit</translation>
+    </message>
+    <message>
+        <source>Hollows dark, ridges bright</source>
+        <translation>Vertiefungen dunkel, Grate hell</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>&amp;Viridis</source>
+        <translation>&amp;Viridis</translation>
+    </message>
+    <message>
+        <source>&amp;Cividis</source>
+        <translation>&amp;Cividis</translation>
+    </message>
+    <message>
+        <source>Colours that grow lighter in even steps</source>
+        <translation>Farben, die in gleichen Stufen heller werden</translation>
+    </message>
+    <message>
+        <source>Save measurements</source>
+        <translation>Messungen speichern</translation>
+    </message>
+    <message>
+        <source>List of measurements (*.csv)</source>
+        <translation>Liste der Messungen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Selected profile (*.csv *.svg)</source>
+        <translation>Gewähltes Profil (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another place.</source>
+        <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>Datei (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zuletzt geöffnet (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Files opened before</source>
+        <translation>Zuvor geöffnete Dateien</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>B&amp;earbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Ansicht (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;detail view</source>
+        <translation>&amp;Detailansicht drehen</translation>
+    </message>
+    <message>
+        <source>Turn the detail view</source>
+        <translation>Die Detailansicht drehen</translation>
+    </message>
+    <message>
+        <source>Relief ima&amp;ge</source>
+        <translation>Reliefbild (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>Wie Höhen dargestellt werden</translation>
+    </message>
+    <message>
+        <source>R&amp;elief colours</source>
+        <translation>R&amp;elieffarben</translation>
+    </message>
+    <message>
+        <source>Colours of heights, slopes and other values</source>
+        <translation>Farben der Höhen, Neigungen und anderer Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>Oberfläche (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Depth &amp;engine</source>
+        <translation>V&amp;erfahren</translation>
+    </message>
+    <message>
+        <source>How the depth map is made</source>
+        <translation>Wie die Tiefenkarte gemacht wird</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Touch</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>Aufzei&amp;chnen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Colours (&amp;h)</source>
+        <translation>Farben (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Light or dark window</source>
+        <translation>Helles oder dunkles Fenster</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>He&amp;ll</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>Farben des Fensters</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>From which side the object is seen (Alt+1 to Alt+6)</source>
+        <translation>Von welcher Seite das Objekt gesehen wird (Alt+1 bis Alt+6)</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detail</translation>
+    </message>
+    <message>
+        <source>Which detail feeds the window</source>
+        <translation>Welches Detail den Ausschnitt speist</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Diese Liste leeren (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Forget these files</source>
+        <translation>Diese Dateien vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Rückgängig: (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wiede&amp;rherstellen:</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Scans, height maps, projects and figures (%1)</source>
+        <translation>Scans, Höhenkarten, Projekte und Abbildungen (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>About relievo</source>
+        <translation>Über relievo</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;See and touch scans of reliefs: a depth map, its pyramid, and a window on it that is shown in stereo and felt.&lt;br&gt;&lt;br&gt;BSD-3-Clause licence.</source>
+        <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;Scans von Reliefs sehen und tasten: eine Tiefenkarte, ihre Pyramide und ein Ausschnitt daraus, der in Stereo gezeigt und gefühlt wird.&lt;br&gt;&lt;br&gt;BSD-3-Clause-Lizenz.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
+        <translation>%1 braucht %2; diese Datei ist nicht mehr dort. Nichts wurde geändert. Suchen Sie sie oder wählen Sie eine andere Datei. (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Find it…</source>
+        <translation>Suchen (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
+        <translation>%1 hat sich seit dem Speichern geändert (die Prüfsumme ist eine andere). Es wird gezeigt, wie es jetzt ist; Ergebnisse können abweichen. (E501)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt speichern</translation>
+    </message>
+    <message>
+        <source>Projects (*.relievo.json)</source>
+        <translation>Projekte (*.relievo.json)</translation>
+    </message>
+    <message>
+        <source>Na&amp;me this place…</source>
+        <translation>Diese Stelle benennen (&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Give the window's place a name, to come back to it</source>
+        <translation>Der Stelle des Ausschnitts einen Namen geben, um zu ihr zurückzukehren</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>Nächste Stelle (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go to the next place that has a name</source>
+        <translation>Zur nächsten Stelle mit Namen gehen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious place</source>
+        <translation>&amp;Vorige Stelle</translation>
+    </message>
+    <message>
+        <source>Go to the place with a name before this one</source>
+        <translation>Zur Stelle mit Namen vor dieser gehen</translation>
+    </message>
+    <message>
+        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
+        <translation>%1 liegt auf einem feineren Detail, als diese Karte hat. Der Ausschnitt wurde nicht verschoben.</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>Gehe zu %1</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3</source>
+        <translation>%1. Detail %2 von %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform><numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>Wiede&amp;rherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Verwerfen (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Öffnen (&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a scan or a height map</source>
+        <translation>Einen Scan oder eine Höhenkarte öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>Projekt &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Keep this state: file, depth map, window, measurements</source>
+        <translation>Diesen Stand aufheben: Datei, Tiefenkarte, Ausschnitt, Messungen</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>Projekt speichern unter (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Keep this state in another file</source>
+        <translation>Diesen Stand in einer anderen Datei aufheben</translation>
+    </message>
+    <message>
+        <source>&amp;Figure…</source>
+        <translation>Abbildung (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>A figure for print, with scale bar, legend and caption</source>
+        <translation>Eine Abbildung für den Druck, mit Maßstab, Legende und Bildunterschrift</translation>
+    </message>
+    <message>
+        <source>&amp;Image…</source>
+        <translation>B&amp;ild…</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view or of the window</source>
+        <translation>Ein Bild einer Ansicht oder des Fensters speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Beenden (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close relievo</source>
+        <translation>relievo schließen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>Tasten (&amp;K)</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>Alle Tasten auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>Verlauf (&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Every step so far; choose one to go back to it</source>
+        <translation>Jeder Schritt bisher; wählen Sie einen, um zu ihm zurückzukehren</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>Einstellungen (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Colours, text size, language, units, stereo, device</source>
+        <translation>Farben, Schriftgröße, Sprache, Einheiten, Stereo, Gerät</translation>
+    </message>
+    <message>
+        <source>&amp;Search commands…</source>
+        <translation>Befehle &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Find a command by its words and run it</source>
+        <translation>Einen Befehl an seinen Wörtern finden und ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;About relievo</source>
+        <translation>Über relievo (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2</source>
+        <translation>Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>This is the finest detail</source>
+        <translation>Das ist das feinste Detail</translation>
+    </message>
+    <message>
+        <source>This is the whole object</source>
+        <translation>Das ist das ganze Objekt</translation>
+    </message>
+    <message>
+        <source>&amp;Finer</source>
+        <translation>&amp;Feiner</translation>
+    </message>
+    <message>
+        <source>Finer detail: a smaller window</source>
+        <translation>Feineres Detail: ein kleinerer Ausschnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Coarser</source>
+        <translation>Gröber (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Coarser detail: a larger window</source>
+        <translation>Gröberes Detail: ein größerer Ausschnitt</translation>
+    </message>
+    <message>
+        <source>&amp;Whole object</source>
+        <translation>Ganzes Objekt (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The whole object in the window</source>
+        <translation>Das ganze Objekt im Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>Nach &amp;links</translation>
+    </message>
+    <message>
+        <source>Move &amp;right</source>
+        <translation>Nach &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach oben (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>Nach unten (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Move the window by a quarter of its side</source>
+        <translation>Den Ausschnitt um ein Viertel seiner Seite verschieben</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>&amp;Type window…</source>
+        <translation>Ausschni&amp;tt eintippen…</translation>
+    </message>
+    <message>
+        <source>Type the window's place and size in millimetres</source>
+        <translation>Ort und Größe des Ausschnitts in Millimetern eintippen</translation>
+    </message>
+    <message>
+        <source>Depth ma&amp;p…</source>
+        <translation>Tiefenkarte (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Everything between the scan and its depth map, with a preview</source>
+        <translation>Alles zwischen dem Scan und seiner Tiefenkarte, mit Vorschau</translation>
+    </message>
+    <message>
+        <source>U&amp;nits…</source>
+        <translation>Ei&amp;nheiten…</translation>
+    </message>
+    <message>
+        <source>Say which length unit the file's coordinates have; kept for its folder</source>
+        <translation>Angeben, welche Längeneinheit die Koordinaten der Datei haben; gilt für ihren Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>Vorn (&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>Hinten (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>Oben (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>Unten (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Look from this side and make the relief anew</source>
+        <translation>Von dieser Seite sehen und das Relief neu machen</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>Look from the side that shows most</source>
+        <translation>Von der Seite sehen, die am meisten zeigt</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>Nach &amp;links drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>Nach &amp;rechts drehen</translation>
+    </message>
+    <message>
+        <source>Turn &amp;up</source>
+        <translation>Nach oben drehen (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;down</source>
+        <translation>Nach unten &amp;drehen</translation>
+    </message>
+    <message>
+        <source>Turn the detail view by 15 degrees</source>
+        <translation>Die Detailansicht um 15 Grad drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Use this view</source>
+        <translation>Diese Ansicht nehmen (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Make the relief anew from where the turned detail view looks</source>
+        <translation>Das Relief neu machen, aus der Richtung der gedrehten Detailansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Processor</source>
+        <translation>&amp;Prozessor</translation>
+    </message>
+    <message>
+        <source>Make the depth map on the processor</source>
+        <translation>Die Tiefenkarte mit dem Prozessor machen</translation>
+    </message>
+    <message>
+        <source>&amp;Depth buffer</source>
+        <translation>Tiefenpuffer (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Make the depth map by the graphics card's depth buffer</source>
+        <translation>Die Tiefenkarte mit dem Tiefenpuffer der Grafikkarte machen</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>E&amp;inpassen</translation>
+    </message>
+    <message>
+        <source>Look straight down on the relief, fitted to the view</source>
+        <translation>Gerade auf das Relief sehen, in die Ansicht eingepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo (red/cyan)</source>
+        <translation>&amp;Stereo (rot/cyan)</translation>
+    </message>
+    <message>
+        <source>Anaglyph for red and cyan glasses</source>
+        <translation>Anaglyphe für rot-cyane Brillen</translation>
+    </message>
+    <message>
+        <source>Side &amp;panels</source>
+        <translation>Seitenfelder (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show or hide the side panels</source>
+        <translation>Die Seitenfelder zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Refere&amp;nce view</source>
+        <translation>Übersicht (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show or hide the whole object</source>
+        <translation>Das ganze Objekt zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ots</source>
+        <translation>Kurven (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show or hide the plots of height and force</source>
+        <translation>Die Kurven von Höhe und Kraft zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>Full s&amp;creen detail</source>
+        <translation>Detail im Vollbild (&amp;C)</translation>
+    </message>
+    <message>
+        <source>The detail view alone on the whole screen</source>
+        <translation>Die Detailansicht allein auf dem ganzen Bildschirm</translation>
+    </message>
+    <message>
+        <source>Other vie&amp;w</source>
+        <translation>Andere Ansicht (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Move the focus between the reference view and the detail view</source>
+        <translation>Den Fokus zwischen Übersicht und Detailansicht wechseln</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt part</source>
+        <translation>Nächster Teil (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Move the focus to the next part of the window</source>
+        <translation>Den Fokus zum nächsten Teil des Fensters bewegen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious part</source>
+        <translation>&amp;Voriger Teil</translation>
+    </message>
+    <message>
+        <source>Move the focus to the part before</source>
+        <translation>Den Fokus zum Teil davor bewegen</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Stellen</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1: %2, points: %3</source>
+        <translation>%1: %2, Punkte: %3</translation>
+    </message>
+    <message>
+        <source>%1 is open.</source>
+        <translation>%1 ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 Press F5 to switch forces on.</source>
+        <translation>%1 F5 schaltet die Kräfte ein.</translation>
+    </message>
+    <message>
+        <source>Press depth %1 mm of hand</source>
+        <translation>Eindrücktiefe %1 mm der Hand</translation>
+    </message>
+    <message>
+        <source>%1 – relievo</source>
+        <translation>%1 – relievo</translation>
+    </message>
+    <message>
+        <source>REFERENCE</source>
+        <translation>ÜBERSICHT</translation>
+    </message>
+    <message>
+        <source>DETAIL %1 of %2</source>
+        <translation>DETAIL %1 von %2</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm</source>
+        <translation>1 mm der Hand = %1 mm</translation>
+    </message>
+    <message>
+        <source>heights × %1   |   </source>
+        <translation>Höhen × %1   |   </translation>
+    </message>
+    <message>
+        <source>Detail %1/%2</source>
+        <translation>Detail %1/%2</translation>
+    </message>
+    <message>
+        <source>Level %1 of the pyramid</source>
+        <translation>Ebene %1 der Pyramide</translation>
+    </message>
+    <message>
+        <source>hand 1 : %1</source>
+        <translation>Hand 1 : %1</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm on the object</source>
+        <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
+    </message>
+    <message>
+        <source>&amp;Load what is there</source>
+        <translation>&amp;Laden, was da ist</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>Wählen (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>in %1 %2</source>
+        <translation>in %2 %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Which unit?</source>
+        <translation>%1: %2. Welche Einheit?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
+        <translation>Die Punkte tragen keine Einheit. %1 – %2. Am wahrscheinlichsten %3. Als Millimeter gezeigt, bis Sie es sagen. (E103)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files were dropped. Nothing was opened. Drop one file.</source>
+        <translation>
+            <numerusform>%n Datei wurde abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform><numerusform>%n Dateien wurden abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform></translation>
+    </message>
+    <message>
+        <source>Only files on this computer can be opened. Nothing was opened.</source>
+        <translation>Nur Dateien auf diesem Rechner lassen sich öffnen. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>hole, on base plane</source>
+        <translation>Loch, auf Grundebene</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>steil</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2. Detail %3 of %4</source>
+        <translation>%1, %2. Detail %3 von %4</translation>
+    </message>
+    <message>
+        <source>%1/%2 N</source>
+        <translation>%1/%2 N</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Force on the hand and its limit</source>
+        <translation>Kraft auf die Hand und ihre Grenze</translation>
+    </message>
+    <message>
+        <source>Press F5 to switch forces on</source>
+        <translation>F5 schaltet die Kräfte ein</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>Gerät: %1</translation>
+    </message>
+    <message>
+        <source>Worst period: %1 ms</source>
+        <translation>Längste Periode: %1 ms</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>Echtzeitpriorität</translation>
+    </message>
+    <message>
+        <source>No real-time priority: %1</source>
+        <translation>Keine Echtzeitpriorität: %1</translation>
+    </message>
+    <message>
+        <source>%1/s, late %2</source>
+        <translation>%1/s, verspätet %2</translation>
+    </message>
+    <message>
+        <source>recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Touch is not available: %1 Viewing works.</source>
+        <translation>Tasten ist nicht möglich: %1 Sehen geht.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Nothing was saved. Choose another place.</source>
+        <translation>%1 konnte nicht geschrieben werden. Nichts wurde gespeichert. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>the haptics plugin was not found.</source>
+        <translation>das Haptik-Plugin wurde nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>Re&amp;play…</source>
+        <translation>Wiedergabe (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Show a recording of a touch again; no device is moved</source>
+        <translation>Eine Aufzeichnung eines Tastens noch einmal zeigen; kein Gerät wird bewegt</translation>
+    </message>
+    <message>
+        <source>P&amp;lay or pause</source>
+        <translation>Abspie&amp;len oder halten</translation>
+    </message>
+    <message>
+        <source>Go on with the replay, or halt it</source>
+        <translation>Die Wiedergabe fortsetzen oder anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Close replay</source>
+        <translation>Wiedergabe s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Back to the window from before</source>
+        <translation>Zurück zum Ausschnitt von vorher</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
+        <translation>Eine Aufzeichnung läuft. Nichts wurde geöffnet. Halten Sie sie zuerst an (Strg+R).</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Open its input</source>
+        <translation>Ihre Quelle öffnen (&amp;O)</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Force when it was recorded</source>
+        <translation>Kraft bei der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>replay %1</source>
+        <translation>Wiedergabe %1</translation>
+    </message>
+    <message>
+        <source>Forces are on: the replay was closed.</source>
+        <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasurePanel</name>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distanz</translation>
+    </message>
+    <message>
+        <source>Depth difference</source>
+        <translation>Höhenunterschied</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Area and volume</source>
+        <translation>Fläche und Volumen</translation>
+    </message>
+    <message>
+        <source>%1 %2 ± %3 %4</source>
+        <translation>%1 %2 ± %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 % of it is not measured</source>
+        <translation>%1 % davon sind nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>Liste speichern…</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>Was als nächstes zu tun ist</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Names can be changed by a double click or F2</source>
+        <translation>Namen lassen sich durch Doppelklick oder F2 ändern</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Reads</source>
+        <translation>Liest</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alle auswählen</translation>
+    </message>
+    <message>
+        <source>Delete the selected measurement</source>
+        <translation>Die gewählte Messung löschen</translation>
+    </message>
+    <message>
+        <source>Save the list as CSV, or the selected profile as CSV or SVG</source>
+        <translation>Die Liste als CSV speichern, oder das gewählte Profil als CSV oder SVG</translation>
+    </message>
+    <message>
+        <source>There is no surface here</source>
+        <translation>Hier ist keine Oberfläche</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Choose what to measure from the Measure menu.</source>
+        <translation>Wählen Sie im Menü Messen, was gemessen werden soll.</translation>
+    </message>
+    <message>
+        <source>%1: place %2 of %3. Click on the detail view, or move the hand there and press Enter.</source>
+        <translation>%1: Stelle %2 von %3. Klicken Sie in die Detailansicht, oder führen Sie die Hand dorthin und drücken Sie die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>A double click or F ends.</source>
+        <translation>Ein Doppelklick oder F beendet.</translation>
+    </message>
+    <message>
+        <source>Select a profile in the list first.</source>
+        <translation>Wählen Sie zuerst ein Profil in der Liste.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another place.</source>
+        <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MessageStrip</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Close message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::OverviewInset</name>
+    <message>
+        <source>Place of the window on the object</source>
+        <translation>Ort des Ausschnitts auf dem Objekt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PlacesPanel</name>
+    <message>
+        <source>With light and view</source>
+        <translation>Mit Licht und Ansicht</translation>
+    </message>
+    <message>
+        <source>Name this place</source>
+        <translation>Diese Stelle benennen</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Named places</source>
+        <translation>Benannte Stellen</translation>
+    </message>
+    <message>
+        <source>Enter goes to a place, F2 renames it, Delete removes it</source>
+        <translation>Eingabe geht zu einer Stelle, F2 benennt sie um, Entf löscht sie</translation>
+    </message>
+    <message>
+        <source>A new place also keeps light, relief image, stereo and the turn of the view</source>
+        <translation>Eine neue Stelle behält auch Licht, Reliefbild, Stereo und die Drehung der Ansicht</translation>
+    </message>
+    <message>
+        <source>Give the window's place a name (Ctrl+N)</source>
+        <translation>Der Stelle des Ausschnitts einen Namen geben (Strg+N)</translation>
+    </message>
+    <message>
+        <source>Move the window to the selected place</source>
+        <translation>Den Ausschnitt zur gewählten Stelle bewegen</translation>
+    </message>
+    <message>
+        <source>Change the selected place's name (F2)</source>
+        <translation>Den Namen der gewählten Stelle ändern (F2)</translation>
+    </message>
+    <message>
+        <source>Forget the selected place</source>
+        <translation>Die gewählte Stelle vergessen</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Stelle %1</translation>
+    </message>
+    <message>
+        <source>No place has a name yet</source>
+        <translation>Noch hat keine Stelle einen Namen</translation>
+    </message>
+    <message>
+        <source>%1 is forgotten</source>
+        <translation>%1 ist vergessen</translation>
+    </message>
+    <message>
+        <source>The place alone</source>
+        <translation>Nur die Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PreferencesDialog</name>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>Keine Einstellung hat diese Wörter.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Search settings</source>
+        <translation>Einstellungen suchen</translation>
+    </message>
+    <message>
+        <source>Words of a setting's name or explanation</source>
+        <translation>Wörter aus Name oder Erklärung einer Einstellung</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>&amp;Defaults of this page</source>
+        <translation>Vorgaben &amp;dieser Seite</translation>
+    </message>
+    <message>
+        <source>Defaults of this page</source>
+        <translation>Vorgaben dieser Seite</translation>
+    </message>
+    <message>
+        <source>Every setting of this page as it was at first</source>
+        <translation>Jede Einstellung dieser Seite wie am Anfang</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Durchsuchen (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Browse for %1</source>
+        <translation>%1 suchen</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Light, dark or high contrast window; or as the desktop</source>
+        <translation>Helles, dunkles oder kontrastreiches Fenster; oder wie der Desktop</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Of the system's text size; everything grows with it</source>
+        <translation>Der Schriftgröße des Systems; alles wächst mit</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Of the window; holds from the next start</source>
+        <translation>Des Fensters; gilt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Files without a unit</source>
+        <translation>Dateien ohne Einheit</translation>
+    </message>
+    <message>
+        <source>Which unit is taken where neither the file nor its folder says one</source>
+        <translation>Welche Einheit gilt, wo weder die Datei noch ihr Ordner eine nennt</translation>
+    </message>
+    <message>
+        <source>Sizes are shown in</source>
+        <translation>Größen werden gezeigt in</translation>
+    </message>
+    <message>
+        <source>Millimetres, and metres for what is larger than 10 m; or always one unit</source>
+        <translation>Millimeter, und Meter für alles über 10 m; oder immer eine Einheit</translation>
+    </message>
+    <message>
+        <source>Fitting unit</source>
+        <translation>Passende Einheit</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>Kind of anaglyph</source>
+        <translation>Art der Anaglyphe</translation>
+    </message>
+    <message>
+        <source>What stereo starts with: grey, half colour or Dubois</source>
+        <translation>Womit Stereo beginnt: grau, halbfarbig oder Dubois</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Half colour</source>
+        <translation>Halbfarbig</translation>
+    </message>
+    <message>
+        <source>Dubois</source>
+        <translation>Dubois</translation>
+    </message>
+    <message>
+        <source>Eye separation</source>
+        <translation>Augenabstand</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes' directions at the start</source>
+        <translation>Winkel zwischen den Blickrichtungen beider Augen am Anfang</translation>
+    </message>
+    <message>
+        <source>Keep comfortable</source>
+        <translation>Angenehm halten</translation>
+    </message>
+    <message>
+        <source>Less eye separation where it would pass 1 degree of parallax</source>
+        <translation>Weniger Augenabstand, wo die Parallaxe 1 Grad überschritte</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>Augen tauschen</translation>
+    </message>
+    <message>
+        <source>For glasses whose red filter is at the right eye</source>
+        <translation>Für Brillen mit dem roten Filter am rechten Auge</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Falcon firmware</source>
+        <translation>Falcon-Firmware</translation>
+    </message>
+    <message>
+        <source>File with the Falcon's firmware, or its folder; empty: the usual places. Holds from the next start</source>
+        <translation>Datei mit der Firmware des Falcon, oder ihr Ordner; leer: die üblichen Orte. Gilt ab dem nächsten Start</translation>
+    </message>
+    <message>
+        <source>Keep work for a crash</source>
+        <translation>Arbeit bei Absturz aufheben</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved work every two seconds, offered after a crash</source>
+        <translation>Alle zwei Sekunden eine Kopie ungespeicherter Arbeit, nach einem Absturz angeboten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReferenceView</name>
+    <message>
+        <source>Draw window</source>
+        <translation>Ausschnitt zeichnen</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>Ausschnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Resize window</source>
+        <translation>Größe des Ausschnitts ändern</translation>
+    </message>
+    <message>
+        <source>Reference view</source>
+        <translation>Übersicht</translation>
+    </message>
+    <message>
+        <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
+        <translation>Das ganze Objekt. Der rosa Ausschnitt ist, was die Detailansicht zeigt: Ziehen darin verschiebt ihn, Ziehen an den Rändern ändert seine Größe, Ziehen außerhalb zeichnet einen neuen. Das Rad wechselt das Detail. Tasten: Pfeile, Umschalt+Pfeile, + und -; Leertaste, Pfeile und Eingabe zeichnen einen Ausschnitt.</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5</source>
+        <translation>Detail %1 von %2, Ausschnitt %3 breit, linke untere Ecke bei x %4, y %5</translation>
+    </message>
+    <message>
+        <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
+        <translation>Ausschnitt ab x %1, y %2. Pfeile führen die andere Ecke, Eingabe beendet, Esc kehrt zurück</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RegionPanel</name>
+    <message>
+        <source>Left edge of the pink window</source>
+        <translation>Linker Rand des rosa Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Left edge of the window</source>
+        <translation>Linker Rand des Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Lower edge of the pink window</source>
+        <translation>Unterer Rand des rosa Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Lower edge of the window</source>
+        <translation>Unterer Rand des Ausschnitts</translation>
+    </message>
+    <message>
+        <source>Si&amp;de</source>
+        <translation>Seite (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Width and height of the pink window</source>
+        <translation>Breite und Höhe des rosa Ausschnitts</translation>
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation>Ebene (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Which detail feeds the window</source>
+        <translation>Welches Detail den Ausschnitt speist</translation>
+    </message>
+    <message>
+        <source>Gai&amp;n</source>
+        <translation>Überhöhu&amp;ng</translation>
+    </message>
+    <message>
+        <source>Heights are multiplied by this; 1 is true to scale</source>
+        <translation>Höhen werden damit vervielfacht; 1 ist maßstabsgetreu</translation>
+    </message>
+    <message>
+        <source>Height gain</source>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Heights are multiplied by this; the middle is true to scale</source>
+        <translation>Höhen werden damit vervielfacht; die Mitte ist maßstabsgetreu</translation>
+    </message>
+    <message>
+        <source>Hand scale</source>
+        <translation>Maßstab der Hand</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2 (level %3)</source>
+        <translation>Detail %1 von %2 (Ebene %3)</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm on the object</source>
+        <translation>1 mm der Hand = %1 mm auf dem Objekt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayControl</name>
+    <message>
+        <source>Playing, %1</source>
+        <translation>Läuft, %1</translation>
+    </message>
+    <message>
+        <source>Paused, %1</source>
+        <translation>Angehalten, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording does not say where %n window(s) lay; they are shown around what was touched.</source>
+        <translation>
+            <numerusform>Die Aufzeichnung sagt nicht, wo %n Ausschnitt lag; er wird um das Getastete gezeigt.</numerusform><numerusform>Die Aufzeichnung sagt nicht, wo %n Ausschnitte lagen; sie werden um das Getastete gezeigt.</numerusform></translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 does not say what was touched. Open that file first.</source>
+        <translation>%1 sagt nicht, was getastet wurde. Öffnen Sie zuerst diese Datei.</translation>
+    </message>
+    <message>
+        <source>%1 was recorded on %2, which is not open.</source>
+        <translation>%1 wurde auf %2 aufgezeichnet; diese Datei ist nicht geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 was recorded on %2, not on %3.</source>
+        <translation>%1 wurde auf %2 aufgezeichnet, nicht auf %3.</translation>
+    </message>
+    <message>
+        <source>%1 was recorded on another view of %2 or with another unit.</source>
+        <translation>%1 wurde auf einer anderen Ansicht von %2 oder mit einer anderen Einheit aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 does not say what it was recorded on; it is shown on the open map.</source>
+        <translation>%1 sagt nicht, worauf sie aufgezeichnet wurde; sie wird auf der geöffneten Karte gezeigt.</translation>
+    </message>
+    <message>
+        <source>Replay of %1, %2 s. Forces are off. Space plays.</source>
+        <translation>Wiedergabe von %1, %2 s. Die Kräfte sind aus. Die Leertaste spielt ab.</translation>
+    </message>
+    <message>
+        <source>Replay closed</source>
+        <translation>Wiedergabe geschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayPanel</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>Abspielen oder halten (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>End the replay (Esc)</source>
+        <translation>Die Wiedergabe beenden (Esc)</translation>
+    </message>
+    <message>
+        <source>Height of hand and proxy in the recording</source>
+        <translation>Höhe von Hand und Proxy in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>proxy</source>
+        <translation>Proxy</translation>
+    </message>
+    <message>
+        <source>Force in the recording</source>
+        <translation>Kraft in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation>Stelle in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Drag through the recording; left and right by 0.1 s, Page keys by 1 s</source>
+        <translation>Durch die Aufzeichnung ziehen; links und rechts um 0,1 s, Bild-Tasten um 1 s</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>Zeit in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>How fast the recording is shown</source>
+        <translation>Wie schnell die Aufzeichnung gezeigt wird</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 of %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SidePanels</name>
+    <message>
+        <source>Panels</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 zeigen oder verbergen</translation>
+    </message>
+    <message>
+        <source>%1 panel</source>
+        <translation>Feld %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StartPage</name>
+    <message>
+        <source>Acceptance relief: dome, step, ridge, grating</source>
+        <translation>Abnahmerelief: Kuppel, Stufe, Grat, Gitter</translation>
+    </message>
+    <message>
+        <source>Coin, 24 mm across</source>
+        <translation>Münze, 24 mm breit</translation>
+    </message>
+    <message>
+        <source>Carved panel with undercuts</source>
+        <translation>Geschnitzte Tafel mit Hinterschnitten</translation>
+    </message>
+    <message>
+        <source>Ruin, 400 m across</source>
+        <translation>Ruine, 400 m breit</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Open a scan to see and touch it</source>
+        <translation>Einen Scan öffnen, um ihn zu sehen und zu tasten</translation>
+    </message>
+    <message>
+        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). You can also drop a file on this window.</source>
+        <translation>Punktwolken und Netze (PLY, PCD, OBJ, STL, XYZ und anderer Text) und Höhenkarten (TIFF). Sie können eine Datei auch auf dieses Fenster ziehen.</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Öffnen (&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a scan (Ctrl+O)</source>
+        <translation>Einen Scan öffnen (Strg+O)</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StatusFields</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Kind of surface</source>
+        <translation>Art der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detail</translation>
+    </message>
+    <message>
+        <source>Hand scale</source>
+        <translation>Maßstab der Hand</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Force rate</source>
+        <translation>Takt der Kraft</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Running step</source>
+        <translation>Laufender Schritt</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop this work; what is shown stays (Esc)</source>
+        <translation>Diese Arbeit anhalten; was gezeigt wird, bleibt (Esc)</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>In Arbeit</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StereoPanel</name>
+    <message>
+        <source>Red/cyan &amp;anaglyph</source>
+        <translation>Rot-cyane &amp;Anaglyphe</translation>
+    </message>
+    <message>
+        <source>At &amp;mid height</source>
+        <translation>Auf &amp;mittlerer Höhe</translation>
+    </message>
+    <message>
+        <source>S&amp;wap eyes</source>
+        <translation>Augen tauschen (&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep comfortable</source>
+        <translation>Angenehm halten (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Red and cyan anaglyph</source>
+        <translation>Rot-cyane Anaglyphe</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses (Ctrl+3)</source>
+        <translation>Für rot-cyane Brillen (Strg+3)</translation>
+    </message>
+    <message>
+        <source>Kind of anaglyph</source>
+        <translation>Art der Anaglyphe</translation>
+    </message>
+    <message>
+        <source>Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts by the filters of common glasses</source>
+        <translation>Grau: keine Farbe stört sich an der Brille. Halbfarbig: etwas Farbe. Dubois: die wenigsten Geisterbilder durch die Filter üblicher Brillen</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Half colour</source>
+        <translation>Halbfarbig</translation>
+    </message>
+    <message>
+        <source>Dubois</source>
+        <translation>Dubois</translation>
+    </message>
+    <message>
+        <source>Eye separation</source>
+        <translation>Augenabstand</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes' directions; more gives more depth</source>
+        <translation>Winkel zwischen den Blickrichtungen beider Augen; mehr gibt mehr Tiefe</translation>
+    </message>
+    <message>
+        <source>Zero plane at mid height</source>
+        <translation>Nullebene auf mittlerer Höhe</translation>
+    </message>
+    <message>
+        <source>The screen lies halfway between the lowest and the highest point</source>
+        <translation>Der Bildschirm liegt auf halbem Weg zwischen dem tiefsten und dem höchsten Punkt</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>Nullebene</translation>
+    </message>
+    <message>
+        <source>Height that appears in the plane of the screen</source>
+        <translation>Höhe, die in der Bildschirmebene erscheint</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>Augen tauschen</translation>
+    </message>
+    <message>
+        <source>For glasses whose red filter is at the right eye</source>
+        <translation>Für Brillen mit dem roten Filter am rechten Auge</translation>
+    </message>
+    <message>
+        <source>Keep comfortable</source>
+        <translation>Angenehm halten</translation>
+    </message>
+    <message>
+        <source>Less eye separation where the two pictures would lie farther apart than the eyes like</source>
+        <translation>Weniger Augenabstand, wo die zwei Bilder weiter auseinander lägen, als die Augen mögen</translation>
+    </message>
+    <message>
+        <source>Parallax</source>
+        <translation>Parallaxe</translation>
+    </message>
+    <message>
+        <source>How far apart the eyes see the farthest point, at 60 cm from the screen; above 1 degree many people see double</source>
+        <translation>Wie weit auseinander die Augen den fernsten Punkt sehen, 60 cm vor dem Bildschirm; über 1 Grad sehen viele doppelt</translation>
+    </message>
+    <message>
+        <source>&amp;Test glasses…</source>
+        <translation>Brille prüfen (&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Test glasses</source>
+        <translation>Brille prüfen</translation>
+    </message>
+    <message>
+        <source>A picture that says whether the filters are at the right eyes</source>
+        <translation>Ein Bild, das sagt, ob die Filter an den richtigen Augen sind</translation>
+    </message>
+    <message>
+        <source>K&amp;ind</source>
+        <translation>Art (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Eye sepa&amp;ration</source>
+        <translation>Augenabstand (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Zero &amp;plane</source>
+        <translation>Nullebene (&amp;P)</translation>
+    </message>
+    <message>
+        <source>%1°, above %2°</source>
+        <translation>%1°, über %2°</translation>
+    </message>
+    <message>
+        <source>%1° of %2°</source>
+        <translation>%1° von %2°</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SurfacePanel</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>Einheit (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Length unit of the file's coordinates</source>
+        <translation>Längeneinheit der Koordinaten in der Datei</translation>
+    </message>
+    <message>
+        <source>En&amp;gine</source>
+        <translation>Verfahren (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How the depth map is made from points and triangles</source>
+        <translation>Wie die Tiefenkarte aus Punkten und Dreiecken gemacht wird</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>Depth buffer</source>
+        <translation>Tiefenpuffer</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 apart</source>
+        <translation>%1 × %2, Abstand %3</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1, on the base plane</source>
+        <translation>%1, auf der Grundebene</translation>
+    </message>
+    <message>
+        <source>Length unit of the file's coordinates (%1)</source>
+        <translation>Längeneinheit der Koordinaten in der Datei (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TimePlot</name>
+    <message>
+        <source>Height of hand and proxy over the last ten seconds</source>
+        <translation>Höhe von Hand und Proxy in den letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>proxy</source>
+        <translation>Proxy</translation>
+    </message>
+    <message>
+        <source>Force over the last ten seconds</source>
+        <translation>Kraft in den letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>Kraft (N)</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Plots of height and force</source>
+        <translation>Kurven von Höhe und Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ViewPanel</name>
+    <message>
+        <source>Seen from</source>
+        <translation>Gesehen von</translation>
+    </message>
+    <message>
+        <source>Look from this side (Alt+%1)</source>
+        <translation>Von dieser Seite sehen (Alt+%1)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Look from the side that shows most</source>
+        <translation>Von der Seite sehen, die am meisten zeigt</translation>
+    </message>
+    <message>
+        <source>Use this view</source>
+        <translation>Diese Ansicht nehmen</translation>
+    </message>
+    <message>
+        <source>Make the depth map from where the turned detail view looks</source>
+        <translation>Die Tiefenkarte aus der Richtung der gedrehten Detailansicht machen</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>Gerade richten</translation>
+    </message>
+    <message>
+        <source>Look straight down on the relief again</source>
+        <translation>Wieder gerade auf das Relief sehen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Direction of the light</source>
+        <translation>Richtung des Lichts</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 is above, clockwise</source>
+        <translation>Woher das Licht kommt: 0 ist oben, im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Height of the light</source>
+        <translation>Höhe des Lichts</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Light from %1°, %2° high</source>
+        <translation>Licht von %1°, %2° hoch</translation>
+    </message>
+    <message>
+        <source>Seen from: %1</source>
+        <translation>Gesehen von: %1</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,3969 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="hi_IN">
+<context>
+    <name>Core</name>
+    <message>
+        <source>Checksum</source>
+        <translation>चेकसम</translation>
+    </message>
+    <message>
+        <source>Depth map</source>
+        <translation>गहराई मानचित्र</translation>
+    </message>
+    <message>
+        <source>Drawing the depth buffer</source>
+        <translation>गहराई बफ़र बन रहा है</translation>
+    </message>
+    <message>
+        <source>Filling gaps</source>
+        <translation>अंतराल भरे जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>Filling holes</source>
+        <translation>छेद भरे जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>Heights of cells</source>
+        <translation>सेलों की ऊँचाइयाँ</translation>
+    </message>
+    <message>
+        <source>Looking for gaps</source>
+        <translation>अंतराल खोजे जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>Looking through gaps</source>
+        <translation>अंतरालों के पार देखा जा रहा है</translation>
+    </message>
+    <message>
+        <source>Measuring the scan</source>
+        <translation>स्कैन मापा जा रहा है</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>तस्वीर</translation>
+    </message>
+    <message>
+        <source>Pyramid</source>
+        <translation>पिरामिड</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>Sorting points into tiles</source>
+        <translation>बिंदु खंडों में बाँटे जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>Writing levels</source>
+        <translation>स्तर लिखे जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>checking pages</source>
+        <translation>पन्ने जाँचे जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation>खुल रहा है</translation>
+    </message>
+    <message>
+        <source>reading mesh</source>
+        <translation>जाल पढ़ा जा रहा है</translation>
+    </message>
+    <message>
+        <source>reading points</source>
+        <translation>बिंदु पढ़े जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>unpacking</source>
+        <translation>खोला जा रहा है</translation>
+    </message>
+    <message>
+        <source>front-most point</source>
+        <translation>सबसे आगे का बिंदु</translation>
+    </message>
+    <message>
+        <source>second point from the front</source>
+        <translation>आगे से दूसरा बिंदु</translation>
+    </message>
+    <message>
+        <source>mean of the top layer</source>
+        <translation>ऊपरी परत का औसत</translation>
+    </message>
+    <message>
+        <source>median of the points</source>
+        <translation>बिंदुओं का माध्यक</translation>
+    </message>
+    <message>
+        <source>mean of the points</source>
+        <translation>बिंदुओं का औसत</translation>
+    </message>
+    <message>
+        <source>bilinear splat</source>
+        <translation>द्विरैखिक वितरण</translation>
+    </message>
+    <message>
+        <source>local quadratic</source>
+        <translation>स्थानीय द्विघात सतह</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>लंबाई</translation>
+    </message>
+    <message>
+        <source>height range</source>
+        <translation>ऊँचाई का विस्तार</translation>
+    </message>
+    <message>
+        <source>along the surface</source>
+        <translation>सतह के साथ</translation>
+    </message>
+    <message>
+        <source>area in the view</source>
+        <translation>दृश्य में क्षेत्रफल</translation>
+    </message>
+    <message>
+        <source>volume above the plane</source>
+        <translation>तल के ऊपर आयतन</translation>
+    </message>
+    <message>
+        <source>area of the surface</source>
+        <translation>सतह का क्षेत्रफल</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>ऊँचाई</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>दूरी</translation>
+    </message>
+    <message>
+        <source>depth difference</source>
+        <translation>गहराई का अंतर</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>कोण</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>ढाल</translation>
+    </message>
+    <message>
+        <source>local relief</source>
+        <translation>स्थानीय उभार</translation>
+    </message>
+    <message>
+        <source>sky-view factor</source>
+        <translation>आकाश-दृश्य गुणांक</translation>
+    </message>
+    <message>
+        <source>openness</source>
+        <translation>खुलापन</translation>
+    </message>
+    <message>
+        <source>hillshade</source>
+        <translation>पहाड़ी छाया</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>धूसर</translation>
+    </message>
+    <message>
+        <source>viridis</source>
+        <translation>Viridis</translation>
+    </message>
+    <message>
+        <source>cividis</source>
+        <translation>Cividis</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>बंद करें</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>रद्द करें</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>सहेजें</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>ठीक</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>चित्र</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>चित्र-शीर्षक</translation>
+    </message>
+    <message>
+        <source>hillshade, four lights</source>
+        <translation>पहाड़ी छाया, चार प्रकाश</translation>
+    </message>
+</context>
+<context>
+    <name>PluginLoader</name>
+    <message>
+        <source>%1 is no plugin for this version.</source>
+        <translation>%1 इस संस्करण का प्लगइन नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 cannot be loaded: %2.</source>
+        <translation>%1 लोड नहीं हो सकता: %2।</translation>
+    </message>
+    <message>
+        <source>%1 cannot start: %2</source>
+        <translation>%1 शुरू नहीं हो सकता: %2</translation>
+    </message>
+</context>
+<context>
+    <name>Text</name>
+    <message>
+        <source>millimetres</source>
+        <translation>मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>सेंटीमीटर</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>मीटर</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>इंच</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>फ़ुट</translation>
+    </message>
+    <message>
+        <source>US survey feet</source>
+        <translation>अमेरिकी सर्वेक्षण फ़ुट</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>स्वचालित</translation>
+    </message>
+    <message>
+        <source>Free view</source>
+        <translation>मुक्त दृश्य</translation>
+    </message>
+    <message>
+        <source>Best-fit plane</source>
+        <translation>सर्वोत्तम समतल</translation>
+    </message>
+    <message>
+        <source>Principal axes</source>
+        <translation>मुख्य अक्ष</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>सामने</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>पीछे</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>बाएँ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>दाएँ</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>नीचे</translation>
+    </message>
+</context>
+<context>
+    <name>relievo</name>
+    <message>
+        <source>There is not enough memory for this. Nothing was changed. Close other programs or choose a smaller file.</source>
+        <translation>इसके लिए मेमोरी पर्याप्त नहीं है। कुछ नहीं बदला। दूसरे प्रोग्राम बंद करें या छोटी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>This failed unexpectedly: %1. Nothing was changed.</source>
+        <translation>यह अप्रत्याशित रूप से विफल हुआ: %1। कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>%1 तक</translation>
+    </message>
+    <message>
+        <source>longer than %1</source>
+        <translation>%1 से लंबा</translation>
+    </message>
+    <message>
+        <source>Not measured yet.</source>
+        <translation>अभी मापा नहीं गया।</translation>
+    </message>
+    <message>
+        <source>The watchdog cut the force, times: %1.</source>
+        <translation>निगरानी ने बल काटा, बार: %1।</translation>
+    </message>
+    <message>
+        <source>Softened against swinging, times: %1.</source>
+        <translation>कंपन के विरुद्ध नरम किया, बार: %1।</translation>
+    </message>
+    <message>
+        <source>Pauses after which the force rose anew: %1.</source>
+        <translation>विराम जिनके बाद बल फिर बढ़ा: %1।</translation>
+    </message>
+    <message>
+        <source>Slow.</source>
+        <translation>धीमा।</translation>
+    </message>
+    <message>
+        <source>Runs well.</source>
+        <translation>ठीक चल रहा है।</translation>
+    </message>
+    <message>
+        <source>%1 per second, %2 of %3 ticks late, longest gap %4 ms.</source>
+        <translation>%1 प्रति सेकंड, %3 में से %2 चक्र देर से, सबसे लंबा अंतराल %4 ms।</translation>
+    </message>
+    <message>
+        <source>Real-time priority granted.</source>
+        <translation>रीयल-टाइम प्राथमिकता मिली।</translation>
+    </message>
+    <message>
+        <source>No real-time priority; the tables say why.</source>
+        <translation>रीयल-टाइम प्राथमिकता नहीं; कारण तालिकाओं में है।</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>उपकरण: %1</translation>
+    </message>
+    <message>
+        <source>Computing, mean and longest: %1 µs, %2 µs</source>
+        <translation>गणना समय, औसत और अधिकतम: %1 µs, %2 µs</translation>
+    </message>
+    <message>
+        <source>Page faults of the loop: %1</source>
+        <translation>चक्र के पेज फ़ॉल्ट: %1</translation>
+    </message>
+    <message>
+        <source>Real time: everything was granted.</source>
+        <translation>रीयल-टाइम: सब कुछ मिला।</translation>
+    </message>
+    <message>
+        <source>Woken late by, in ticks:</source>
+        <translation>जागने में देरी, चक्रों में:</translation>
+    </message>
+    <message>
+        <source>Time spent computing, in ticks:</source>
+        <translation>गणना में लगा समय, चक्रों में:</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ColourBar</name>
+    <message>
+        <source>Bar of colours</source>
+        <translation>रंग पट्टी</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1, %2 से %3 तक</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::CommandSearch</name>
+    <message>
+        <source>Search commands</source>
+        <translation>आदेश खोजें</translation>
+    </message>
+    <message>
+        <source>Words of a command</source>
+        <translation>आदेश के शब्द</translation>
+    </message>
+    <message>
+        <source>Words of a command's name or explanation; Enter runs the first</source>
+        <translation>आदेश के नाम या व्याख्या के शब्द; Enter पहला चलाता है</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>आप क्या करना चाहते हैं?</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>आदेश</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DepthMapDialog</name>
+    <message>
+        <source>%1 of the cells are measured</source>
+        <translation>%1 सेल मापे गए हैं</translation>
+    </message>
+    <message>
+        <source>%1 interpolated</source>
+        <translation>%1 अंतर्वेशित</translation>
+    </message>
+    <message>
+        <source>%1 holes on the base plane</source>
+        <translation>%1 छेद, आधार तल पर</translation>
+    </message>
+    <message>
+        <source>%1 too steep</source>
+        <translation>%1 बहुत तीव्र ढाल</translation>
+    </message>
+    <message>
+        <source>%1 outside</source>
+        <translation>%1 बाहर</translation>
+    </message>
+    <message>
+        <source>No enclosed holes.</source>
+        <translation>कोई घिरा हुआ छेद नहीं।</translation>
+    </message>
+    <message>
+        <source>%1 (filled)</source>
+        <translation>%1 (भरा)</translation>
+    </message>
+    <message>
+        <source>Enclosed holes: %1, of %2 mm².</source>
+        <translation>घिरे हुए छेद: %1, क्षेत्रफल %2 mm²।</translation>
+    </message>
+    <message>
+        <source>Hidden from here: %1; undercut: %2; too steep: %3.</source>
+        <translation>यहाँ से छिपा: %1; नीचे कटा: %2; बहुत तीव्र ढाल: %3।</translation>
+    </message>
+    <message>
+        <source>Flyers left out: %1.</source>
+        <translation>छोड़े गए भटके बिंदु: %1।</translation>
+    </message>
+    <message>
+        <source>%1 × %2 cells of %3, %4 levels; %5.</source>
+        <translation>%3 के %1 × %2 सेल, %4 स्तर; %5।</translation>
+    </message>
+    <message>
+        <source>Shares of the cells</source>
+        <translation>सेलों के हिस्से</translation>
+    </message>
+    <message>
+        <source>About this depth map</source>
+        <translation>इस गहराई मानचित्र के बारे में</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>समस्या</translation>
+    </message>
+    <message>
+        <source>L&amp;ive</source>
+        <translation>साथ-साथ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w what was not measured</source>
+        <translation>जो मापा नहीं गया वह दिखाएँ (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute</source>
+        <translation>फिर से गणना (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>रोकें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Depth map</source>
+        <translation>गहराई मानचित्र</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation>फिर से गणना</translation>
+    </message>
+    <message>
+        <source>Make the preview of the choices shown</source>
+        <translation>दिखाए गए चुनावों का पूर्वावलोकन बनाएँ</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>रोकें</translation>
+    </message>
+    <message>
+        <source>Stop the work; the picture before stays</source>
+        <translation>काम रोकें; पहले का चित्र रहता है</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>साथ-साथ पूर्वावलोकन</translation>
+    </message>
+    <message>
+        <source>Make the preview anew after each change</source>
+        <translation>हर बदलाव के बाद पूर्वावलोकन फिर बनाएँ</translation>
+    </message>
+    <message>
+        <source>Show what was not measured</source>
+        <translation>जो मापा नहीं गया वह दिखाएँ</translation>
+    </message>
+    <message>
+        <source>Blue stripes: interpolated. Purple crosses: holes on the base plane. Orange: too steep</source>
+        <translation>नीली धारियाँ: अंतर्वेशित। बैंगनी क्रॉस: आधार तल पर छेद। नारंगी: बहुत तीव्र ढाल</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>प्रगति</translation>
+    </message>
+    <message>
+        <source>What is being done</source>
+        <translation>क्या हो रहा है</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute *</source>
+        <translation>फिर से गणना (&amp;P) *</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DepthMapForm</name>
+    <message>
+        <source>&amp;Unit of the file</source>
+        <translation>फ़ाइल की इकाई (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Length unit of the file's coordinates</source>
+        <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
+    </message>
+    <message>
+        <source>Size in millimetres</source>
+        <translation>आकार मिलीमीटर में</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>आकार</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>दृश्य (&amp;V)</translation>
+    </message>
+    <message>
+        <source>From which side the object is seen</source>
+        <translation>वस्तु किस ओर से देखी जाती है</translation>
+    </message>
+    <message>
+        <source>As turned in the detail view</source>
+        <translation>जैसा विवरण दृश्य में घुमाया</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;x</source>
+        <translation>x के चारों ओर घुमाएँ (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Turn about &amp;y</source>
+        <translation>y के चारों ओर घुमाएँ (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Turn a&amp;bout z</source>
+        <translation>z के चारों ओर घुमाएँ (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Right-handed, about the view's own axes, x first</source>
+        <translation>दाहिने हाथ का नियम, दृश्य के अपने अक्षों पर, पहले x</translation>
+    </message>
+    <message>
+        <source>&amp;Engine</source>
+        <translation>विधि (&amp;E)</translation>
+    </message>
+    <message>
+        <source>The processor, or the graphics card's depth buffer as in the paper</source>
+        <translation>प्रोसेसर, या लेख की तरह ग्राफ़िक्स कार्ड का गहराई बफ़र</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>प्रोसेसर</translation>
+    </message>
+    <message>
+        <source>Depth buffer</source>
+        <translation>गहराई बफ़र</translation>
+    </message>
+    <message>
+        <source>&amp;Rule</source>
+        <translation>नियम (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Which height a cell gets from the points in it</source>
+        <translation>सेल को उसके बिंदुओं से कौन-सी ऊँचाई मिलती है</translation>
+    </message>
+    <message>
+        <source>From the data</source>
+        <translation>आँकड़ों से</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>ग्रिड (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How fine the grid is</source>
+        <translation>ग्रिड कितना बारीक है</translation>
+    </message>
+    <message>
+        <source>Number of cells</source>
+        <translation>सेलों की संख्या</translation>
+    </message>
+    <message>
+        <source>Size of a cell</source>
+        <translation>सेल का आकार</translation>
+    </message>
+    <message>
+        <source>&amp;Cells</source>
+        <translation>सेल (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cells across the longer side</source>
+        <translation>लंबी भुजा पर सेल</translation>
+    </message>
+    <message>
+        <source>Cell si&amp;ze</source>
+        <translation>सेल का आकार (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring cells</source>
+        <translation>पड़ोसी सेलों की दूरी</translation>
+    </message>
+    <message>
+        <source>&amp;M between levels</source>
+        <translation>स्तरों के बीच M (&amp;M)</translation>
+    </message>
+    <message>
+        <source>How much coarser each level of the pyramid is; 2 in the paper</source>
+        <translation>पिरामिड का हर स्तर कितना मोटा है; लेख में 2</translation>
+    </message>
+    <message>
+        <source>&amp;Holes</source>
+        <translation>छेद (&amp;H)</translation>
+    </message>
+    <message>
+        <source>What becomes of enclosed places where nothing was measured</source>
+        <translation>जहाँ कुछ मापा नहीं गया उन घिरी जगहों का क्या हो</translation>
+    </message>
+    <message>
+        <source>On the base plane</source>
+        <translation>आधार तल पर</translation>
+    </message>
+    <message>
+        <source>Interpolate up to</source>
+        <translation>अंतर्वेशन, अधिकतम</translation>
+    </message>
+    <message>
+        <source>Smooth membrane up to</source>
+        <translation>चिकनी झिल्ली, अधिकतम</translation>
+    </message>
+    <message>
+        <source>Leave open</source>
+        <translation>खुला छोड़ें</translation>
+    </message>
+    <message>
+        <source>&amp;Largest hole</source>
+        <translation>सबसे बड़ा छेद (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Larger holes rest on the base plane</source>
+        <translation>इससे बड़े छेद आधार तल पर रहते हैं</translation>
+    </message>
+    <message>
+        <source>The lowest cell of the raster</source>
+        <translation>ग्रिड का सबसे नीचा सेल</translation>
+    </message>
+    <message>
+        <source>0.1 % of the measured cells lie below it</source>
+        <translation>मापे गए सेलों का 0.1 % इससे नीचे है</translation>
+    </message>
+    <message>
+        <source>Base plane</source>
+        <translation>आधार तल</translation>
+    </message>
+    <message>
+        <source>A height map keeps its cells and its view.</source>
+        <translation>ऊँचाई मानचित्र अपने सेल और अपना दृश्य रखता है।</translation>
+    </message>
+    <message>
+        <source>A map of this program is in millimetres.</source>
+        <translation>इस प्रोग्राम का मानचित्र मिलीमीटर में होता है।</translation>
+    </message>
+    <message>
+        <source>A map of this program has its holes treated already.</source>
+        <translation>इस प्रोग्राम के मानचित्र में छेद पहले ही निपटाए गए हैं।</translation>
+    </message>
+    <message>
+        <source>Triangles need no rule.</source>
+        <translation>त्रिभुजों को नियम नहीं चाहिए।</translation>
+    </message>
+    <message>
+        <source>The depth buffer keeps the front-most point.</source>
+        <translation>गहराई बफ़र सबसे आगे का बिंदु रखता है।</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>अज्ञात</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DepthMapPreview</name>
+    <message>
+        <source>Preview of the depth map</source>
+        <translation>गहराई मानचित्र का पूर्वावलोकन</translation>
+    </message>
+    <message>
+        <source>Of other choices than those shown</source>
+        <translation>दिखाए गए से अलग चुनावों का</translation>
+    </message>
+    <message>
+        <source>Of the choices shown</source>
+        <translation>दिखाए गए चुनावों का</translation>
+    </message>
+    <message>
+        <source>Not of these choices yet</source>
+        <translation>अभी इन चुनावों का नहीं</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DetailView</name>
+    <message>
+        <source>Detail view</source>
+        <translation>विवरण दृश्य</translation>
+    </message>
+    <message>
+        <source>The part inside the pink window. The pointer carries the hand just above the surface; hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
+        <translation>गुलाबी विंडो के भीतर का भाग। सूचक हाथ को सतह के ठीक ऊपर ले जाता है; भीतर दबाने के लिए बायाँ बटन दबाए रखें, और गहरा दबाने के लिए साथ में पहिया घुमाएँ। बीच का बटन घुमाता है, दायाँ विंडो खिसकाता है, पहिया पास लाता है। कुंजियाँ: तीर, Page Down, Page Up।</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceButtons</name>
+    <message>
+        <source>%1 connected.</source>
+        <translation>%1 जुड़ा।</translation>
+    </message>
+    <message>
+        <source>%1 disconnected.</source>
+        <translation>%1 हटा।</translation>
+    </message>
+    <message>
+        <source>%1?</source>
+        <translation>%1?</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side; Forward when you are there.</source>
+        <translation>खिसकाने की विधा। ग्रिप को एक ओर धकेलें; पहुँचने पर आगे वाला बटन।</translation>
+    </message>
+    <message>
+        <source>Moved. %1</source>
+        <translation>खिसकाया। %1</translation>
+    </message>
+    <message>
+        <source>%1 is not possible here.</source>
+        <translation>%1 यहाँ संभव नहीं।</translation>
+    </message>
+    <message>
+        <source>Nothing is open.</source>
+        <translation>कुछ खुला नहीं है।</translation>
+    </message>
+    <message>
+        <source>Touching. </source>
+        <translation>स्पर्श हो रहा है। </translation>
+    </message>
+    <message>
+        <source>In the air. </source>
+        <translation>हवा में। </translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, height %3 millimetres.</source>
+        <translation>दाएँ %1, ऊपर %2, ऊँचाई %3 मिलीमीटर।</translation>
+    </message>
+    <message>
+        <source> Not measured here: %1.</source>
+        <translation> यहाँ मापा नहीं गया: %1।</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.</source>
+        <translation>विवरण %2 में से %1, विंडो %3 मिलीमीटर, हाथ का एक मिलीमीटर %4 है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::DeviceSetupDialog</name>
+    <message>
+        <source>passed</source>
+        <translation>सफल</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>असफल</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>नहीं दिखा</translation>
+    </message>
+    <message>
+        <source>Device set-up</source>
+        <translation>उपकरण की तैयारी</translation>
+    </message>
+    <message>
+        <source>State of the Falcon</source>
+        <translation>Falcon की अवस्था</translation>
+    </message>
+    <message>
+        <source>&amp;Left-handed: plus and minus change sides</source>
+        <translation>बाएँ हाथ के लिए: प्लस और माइनस जगह बदलते हैं (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>बाएँ हाथ के लिए</translation>
+    </message>
+    <message>
+        <source>&amp;Save and use the Falcon</source>
+        <translation>सहेजें और Falcon का उपयोग करें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save and use the Falcon</source>
+        <translation>सहेजें और Falcon का उपयोग करें</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>बंद करें</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>शुरू</translation>
+    </message>
+    <message>
+        <source>&amp;Retry</source>
+        <translation>फिर कोशिश (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>फिर कोशिश</translation>
+    </message>
+    <message>
+        <source>&amp;Firmware file…</source>
+        <translation>फ़र्मवेयर फ़ाइल (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Firmware file</source>
+        <translation>फ़र्मवेयर फ़ाइल</translation>
+    </message>
+    <message>
+        <source>&amp;Copy rule</source>
+        <translation>नियम की प्रति (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy rule</source>
+        <translation>नियम की प्रति</translation>
+    </message>
+    <message>
+        <source>Firmware loaded</source>
+        <translation>फ़र्मवेयर लोड हुआ</translation>
+    </message>
+    <message>
+        <source>not loaded yet</source>
+        <translation>अभी लोड नहीं</translation>
+    </message>
+    <message>
+        <source>Rule that gives access</source>
+        <translation>पहुँच देने वाला नियम</translation>
+    </message>
+    <message>
+        <source># As an administrator, write this into /etc/udev/rules.d/60-relievo-falcon.rules, then replug:
+</source>
+        <translation># प्रशासक के रूप में इसे /etc/udev/rules.d/60-relievo-falcon.rules में लिखें, फिर दोबारा जोड़ें:
+</translation>
+    </message>
+    <message>
+        <source>The rule is copied.</source>
+        <translation>नियम की प्रति बन गई।</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>आरंभ स्थिति</translation>
+    </message>
+    <message>
+        <source>Top arm</source>
+        <translation>ऊपरी भुजा</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>दाईं भुजा</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>बाईं भुजा</translation>
+    </message>
+    <message>
+        <source>Place of the hand</source>
+        <translation>हाथ का स्थान</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>Test and calibration</source>
+        <translation>जाँच और अंशांकन</translation>
+    </message>
+    <message>
+        <source>Self &amp;test</source>
+        <translation>स्व-जाँच (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Self test</source>
+        <translation>स्व-जाँच</translation>
+    </message>
+    <message>
+        <source>Weight for calibration in grams</source>
+        <translation>अंशांकन का भार, ग्राम में</translation>
+    </message>
+    <message>
+        <source> g</source>
+        <translation> g</translation>
+    </message>
+    <message>
+        <source>&amp;Weight</source>
+        <translation>भार (&amp;W)</translation>
+    </message>
+    <message>
+        <source>C&amp;alibrate</source>
+        <translation>अंशांकन करें (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>अंशांकन करें</translation>
+    </message>
+    <message>
+        <source>Force gain</source>
+        <translation>बल का गुणक</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>परिणाम</translation>
+    </message>
+    <message>
+        <source>attempt %1 of %2, %p %</source>
+        <translation>प्रयास %2 में से %1, %p %</translation>
+    </message>
+    <message>
+        <source>was running already</source>
+        <translation>पहले से चल रहा था</translation>
+    </message>
+    <message>
+        <source>✓ found</source>
+        <translation>✓ मिला</translation>
+    </message>
+    <message>
+        <source>– missing</source>
+        <translation>– नहीं मिला</translation>
+    </message>
+    <message>
+        <source>%1 right, %2 up, %3 out, in millimetres; %4 answers per second</source>
+        <translation>दाएँ %1, ऊपर %2, बाहर %3, मिलीमीटर में; प्रति सेकंड %4 उत्तर</translation>
+    </message>
+    <message>
+        <source>not known before homing</source>
+        <translation>आरंभ स्थिति से पहले ज्ञात नहीं</translation>
+    </message>
+    <message>
+        <source>%1 counts per N mm</source>
+        <translation>%1 गणना प्रति N mm</translation>
+    </message>
+    <message>
+        <source>Continue (&amp;a)</source>
+        <translation>आगे बढ़ें (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Falcon firmware</source>
+        <translation>Falcon फ़र्मवेयर</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin);;All files (*)</source>
+        <translation>फ़र्मवेयर (*.bin);;सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>Unknown firmware</source>
+        <translation>अनजान फ़र्मवेयर</translation>
+    </message>
+    <message>
+        <source>The file has the form of a boot image, but nobody knows this one (sha256 %1). Load it into the Falcon all the same?</source>
+        <translation>फ़ाइल बूट इमेज के रूप की है, पर इसे कोई नहीं जानता (sha256 %1)। फिर भी Falcon में लोड करें?</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::Document</name>
+    <message>
+        <source>Detail %1 → %2</source>
+        <translation>विवरण %1 → %2</translation>
+    </message>
+    <message>
+        <source>View %1 → %2</source>
+        <translation>दृश्य %1 → %2</translation>
+    </message>
+    <message>
+        <source>Depth engine → %1</source>
+        <translation>विधि → %1</translation>
+    </message>
+    <message>
+        <source>Unit %1 → %2</source>
+        <translation>इकाई %1 → %2</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>Choose window</source>
+        <translation>विंडो चुनें</translation>
+    </message>
+    <message>
+        <source>Height gain</source>
+        <translation>ऊँचाई का गुणक</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>पास लाएँ</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FigureDialog</name>
+    <message>
+        <source>Detail alone</source>
+        <translation>केवल विवरण</translation>
+    </message>
+    <message>
+        <source>Whole object and detail</source>
+        <translation>पूरी वस्तु और विवरण</translation>
+    </message>
+    <message>
+        <source>As measured and filled</source>
+        <translation>जैसा मापा और भरा हुआ</translation>
+    </message>
+    <message>
+        <source>Several levels</source>
+        <translation>कई स्तर</translation>
+    </message>
+    <message>
+        <source>With force plots of a recording</source>
+        <translation>रिकॉर्डिंग के बल आलेखों के साथ</translation>
+    </message>
+    <message>
+        <source>Lit stone</source>
+        <translation>प्रकाशित पत्थर</translation>
+    </message>
+    <message>
+        <source>Height in colour</source>
+        <translation>रंग में ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Hillshade</source>
+        <translation>पहाड़ी छाया</translation>
+    </message>
+    <message>
+        <source>Hillshade, four lights</source>
+        <translation>पहाड़ी छाया, चार प्रकाश</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>ढाल</translation>
+    </message>
+    <message>
+        <source>Local relief</source>
+        <translation>स्थानीय उभार</translation>
+    </message>
+    <message>
+        <source>Sky-view factor</source>
+        <translation>आकाश-दृश्य गुणांक</translation>
+    </message>
+    <message>
+        <source>Openness</source>
+        <translation>खुलापन</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>कोई नहीं</translation>
+    </message>
+    <message>
+        <source>Anaglyph, grey</source>
+        <translation>एनाग्लिफ़, धूसर</translation>
+    </message>
+    <message>
+        <source>Anaglyph, half colour</source>
+        <translation>एनाग्लिफ़, अर्ध-रंग</translation>
+    </message>
+    <message>
+        <source>Anaglyph, Dubois</source>
+        <translation>एनाग्लिफ़, Dubois</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>साथ-साथ</translation>
+    </message>
+    <message>
+        <source>One over the other</source>
+        <translation>एक के ऊपर एक</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>पैमाना पट्टी (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Height bar</source>
+        <translation>ऊँचाई पट्टी (&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Up mark</source>
+        <translation>ऊपर का चिह्न (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Window's &amp;outline</source>
+        <translation>विंडो की रूपरेखा (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hat&amp;ch</source>
+        <translation>रेखा-छाया (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Le&amp;gend</source>
+        <translation>संकेत सूची (&amp;G)</translation>
+    </message>
+    <message>
+        <source>Letters a, b</source>
+        <translation>अक्षर a, b</translation>
+    </message>
+    <message>
+        <source>&amp;Measurements</source>
+        <translation>माप (&amp;M)</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this figure. Nothing was written.</source>
+        <translation>इस चित्र के लिए मेमोरी पर्याप्त नहीं है। कुछ नहीं लिखा गया।</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>रोकें (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>चित्र</translation>
+    </message>
+    <message>
+        <source>Preview of the figure</source>
+        <translation>चित्र का पूर्वावलोकन</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>आकार</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>समस्या</translation>
+    </message>
+    <message>
+        <source>Caption</source>
+        <translation>चित्र-शीर्षक</translation>
+    </message>
+    <message>
+        <source>The text that belongs under this figure</source>
+        <translation>इस चित्र के नीचे का पाठ</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y caption</source>
+        <translation>शीर्षक की प्रति (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Copy caption</source>
+        <translation>शीर्षक की प्रति</translation>
+    </message>
+    <message>
+        <source>Put the caption into the clipboard</source>
+        <translation>शीर्षक को क्लिपबोर्ड में रखें</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>प्रगति</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>रोकें</translation>
+    </message>
+    <message>
+        <source>Stop the work; nothing is written</source>
+        <translation>काम रोकें; कुछ नहीं लिखा जाता</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Ends in .png, .tif, .pdf or .svg</source>
+        <translation>.png, .tif, .pdf या .svg पर समाप्त होता है</translation>
+    </message>
+    <message>
+        <source>Bro&amp;wse…</source>
+        <translation>ढूँढें (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>ढूँढें</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>Save figure</source>
+        <translation>चित्र सहेजें</translation>
+    </message>
+    <message>
+        <source>Figures (*.png *.tif *.pdf *.svg)</source>
+        <translation>चित्र (*.png *.tif *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;Layout</source>
+        <translation>विन्यास (&amp;L)</translation>
+    </message>
+    <message>
+        <source>What stands beside what</source>
+        <translation>किसके पास क्या है</translation>
+    </message>
+    <message>
+        <source>&amp;Recording</source>
+        <translation>रिकॉर्डिंग (&amp;R)</translation>
+    </message>
+    <message>
+        <source>CSV file of a recording, for the plots</source>
+        <translation>आलेखों के लिए रिकॉर्डिंग की CSV फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Wi&amp;dth on paper</source>
+        <translation>काग़ज़ पर चौड़ाई (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Journals have columns of 85 and pages of 180 mm</source>
+        <translation>पत्रिकाओं में 85 के स्तंभ और 180 mm के पृष्ठ होते हैं</translation>
+    </message>
+    <message>
+        <source>To &amp;scale</source>
+        <translation>पैमाने पर (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Choose the scale of the detail; the width follows from it</source>
+        <translation>विवरण का पैमाना चुनें; चौड़ाई उससे निकलती है</translation>
+    </message>
+    <message>
+        <source>Scale &amp;1 :</source>
+        <translation>पैमाना 1 (&amp;1) :</translation>
+    </message>
+    <message>
+        <source>Millimetres of object on one millimetre of paper</source>
+        <translation>काग़ज़ के एक मिलीमीटर पर वस्तु के मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>D&amp;ensity</source>
+        <translation>घनत्व (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Dots per inch of paper</source>
+        <translation>काग़ज़ के प्रति इंच बिंदु</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>पाठ का आकार (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Text and bars on paper, in points</source>
+        <translation>काग़ज़ पर पाठ और पट्टियाँ, पॉइंट में</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Rel&amp;ief</source>
+        <translation>उभार (&amp;I)</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
+    </message>
+    <message>
+        <source>Colours (&amp;k)</source>
+        <translation>रंग (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Even steps of lightness, also for colour-blind readers</source>
+        <translation>उजाले के समान चरण, रंगांध पाठकों के लिए भी</translation>
+    </message>
+    <message>
+        <source>Light from (&amp;q)</source>
+        <translation>प्रकाश की दिशा (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>0 is above, clockwise; 315 is the upper left</source>
+        <translation>0 ऊपर है, घड़ी की दिशा में; 315 ऊपर बाएँ</translation>
+    </message>
+    <message>
+        <source>Light's height (&amp;j)</source>
+        <translation>प्रकाश की ऊँचाई (&amp;J)</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>नीचा प्रकाश घिसे विवरण उभारता है</translation>
+    </message>
+    <message>
+        <source>Radius (&amp;z)</source>
+        <translation>त्रिज्या (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Of the neighbourhood of local relief, sky view, openness</source>
+        <translation>स्थानीय उभार, आकाश-दृश्य और खुलेपन के पड़ोस की</translation>
+    </message>
+    <message>
+        <source>10 samples</source>
+        <translation>10 नमूने</translation>
+    </message>
+    <message>
+        <source>Stereo (&amp;v)</source>
+        <translation>स्टीरियो (&amp;V)</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses, or two pictures</source>
+        <translation>लाल-सियान चश्मे के लिए, या दो चित्र</translation>
+    </message>
+    <message>
+        <source>E&amp;yes apart</source>
+        <translation>आँखों की दूरी (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes' directions</source>
+        <translation>दोनों आँखों की दिशाओं के बीच का कोण</translation>
+    </message>
+    <message>
+        <source>Keep to 1° of paralla&amp;x</source>
+        <translation>लंबन 1° तक रखें (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Less angle where many readers would see double</source>
+        <translation>जहाँ कई पाठक दोहरा देखेंगे वहाँ कम कोण</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>आँखें बदलें</translation>
+    </message>
+    <message>
+        <source>For glasses the other way round, or for crossed eyes</source>
+        <translation>उलटे चश्मे या तिरछी आँखों के लिए</translation>
+    </message>
+    <message>
+        <source>Drawn in points, whatever the density</source>
+        <translation>पॉइंट में बना, घनत्व जो भी हो</translation>
+    </message>
+    <message>
+        <source>Tra&amp;nsparent paper</source>
+        <translation>पारदर्शी काग़ज़ (&amp;N)</translation>
+    </message>
+    <message>
+        <source>No white behind the relief</source>
+        <translation>उभार के पीछे सफ़ेद नहीं</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm on paper, %3 × %4 pixels, scale 1 : %5</source>
+        <translation>काग़ज़ पर %1 × %2 mm, %3 × %4 पिक्सेल, पैमाना 1 : %5</translation>
+    </message>
+    <message>
+        <source>. Parallax %1° of %2° with %3° between the eyes</source>
+        <translation>। लंबन %2° में से %1°, आँखों के बीच %3°</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::GlassesDialog</name>
+    <message>
+        <source>Test picture</source>
+        <translation>जाँच चित्र</translation>
+    </message>
+    <message>
+        <source>Left an L for the left eye alone, right an R for the right eye alone</source>
+        <translation>बाईं ओर L केवल बाईं आँख के लिए, दाईं ओर R केवल दाईं आँख के लिए</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <comment>left eye</comment>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right eye</comment>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Test glasses</source>
+        <translation>चश्मा जाँचें</translation>
+    </message>
+    <message>
+        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on "Swap eyes". What shines through faintly is a ghost; Dubois has the least.</source>
+        <translation>चश्मा पहनें और दाईं आँख बंद करें: केवल L दिखना चाहिए, काले पर चमकीला। बाईं आँख बंद हो तो केवल R। उलटा हो तो “आँखें बदलें” चालू करें। जो हल्का-सा झलकता है वह छाया-चित्र है; Dubois में वह सबसे कम है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HapticsPanel</name>
+    <message>
+        <source>Off: %1. Switch off and on to try again.</source>
+        <translation>बंद: %1। फिर कोशिश के लिए बंद करके चालू करें।</translation>
+    </message>
+    <message>
+        <source>Off. Press F5 to switch forces on.</source>
+        <translation>बंद। बल चालू करने के लिए F5 दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Waiting until the hand is clear of the surface.</source>
+        <translation>हाथ के सतह से हटने की प्रतीक्षा।</translation>
+    </message>
+    <message>
+        <source>Coming on.</source>
+        <translation>चालू हो रहा है।</translation>
+    </message>
+    <message>
+        <source>On, softened to %1 N/mm against swinging until switched off.</source>
+        <translation>चालू, कंपन के विरुद्ध बंद करने तक %1 N/mm तक नरम।</translation>
+    </message>
+    <message>
+        <source>On.</source>
+        <translation>चालू।</translation>
+    </message>
+    <message>
+        <source>On: computed and shown; a mouse cannot push back.</source>
+        <translation>चालू: गणना और प्रदर्शन; माउस वापस नहीं धकेल सकता।</translation>
+    </message>
+    <message>
+        <source>S&amp;trength</source>
+        <translation>प्रबलता (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Surfa&amp;ce</source>
+        <translation>सतह (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Sh&amp;ape</source>
+        <translation>आकार (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;xy</source>
+        <translation>प्रॉक्सी (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Sti&amp;ffness</source>
+        <translation>कठोरता (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Fr&amp;iction</source>
+        <translation>घर्षण (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Dam&amp;ping</source>
+        <translation>अवमंदन (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Pressed in</source>
+        <translation>दबा हुआ</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>उपकरण (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Force loop</source>
+        <translation>बल चक्र</translation>
+    </message>
+    <message>
+        <source>Forces &amp;on</source>
+        <translation>बल चालू (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Forces on</source>
+        <translation>बल चालू</translation>
+    </message>
+    <message>
+        <source>Switch forces on or off (F5). Esc switches them off.</source>
+        <translation>बल चालू या बंद करें (F5)। Esc बंद करता है।</translation>
+    </message>
+    <message>
+        <source>Strength in percent</source>
+        <translation>प्रबलता प्रतिशत में</translation>
+    </message>
+    <message>
+        <source>Multiplies every force. The limit stays.</source>
+        <translation>हर बल को गुणा करता है। सीमा वही रहती है।</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>प्रबलता</translation>
+    </message>
+    <message>
+        <source>as the &amp;level suggests</source>
+        <translation>जैसा स्तर सुझाए (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Stiffness as the level suggests</source>
+        <translation>कठोरता जैसा स्तर सुझाए</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones.</source>
+        <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5।</translation>
+    </message>
+    <message>
+        <source>Stiffness in newtons per millimetre</source>
+        <translation>कठोरता न्यूटन प्रति मिलीमीटर में</translation>
+    </message>
+    <message>
+        <source> N/mm</source>
+        <translation> N/mm</translation>
+    </message>
+    <message>
+        <source>Force per millimetre that the hand is pressed in.</source>
+        <translation>हाथ जितने मिलीमीटर भीतर दबा है, प्रति मिलीमीटर बल।</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>उपकरण</translation>
+    </message>
+    <message>
+        <source>What the hand holds. A virtual hand is moved by the mouse and pushed by the force, as a real one is.</source>
+        <translation>हाथ क्या पकड़े है। आभासी हाथ को माउस चलाता है और बल धकेलता है, जैसे असली हाथ को।</translation>
+    </message>
+    <message>
+        <source>How the surface feels</source>
+        <translation>सतह कैसी लगती है</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>चिकनी</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>सटीक</translation>
+    </message>
+    <message>
+        <source>As in the paper</source>
+        <translation>लेख की तरह</translation>
+    </message>
+    <message>
+        <source>Soft stone</source>
+        <translation>नरम पत्थर</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>काँसा</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>अपने मान</translation>
+    </message>
+    <message>
+        <source>Sets shape, proxy, stiffness, friction and damping together. Each can be changed afterwards.</source>
+        <translation>आकार, प्रॉक्सी, कठोरता, घर्षण और अवमंदन साथ में रखता है। बाद में हर एक बदला जा सकता है।</translation>
+    </message>
+    <message>
+        <source>Shape of the surface between the samples</source>
+        <translation>नमूनों के बीच सतह का आकार</translation>
+    </message>
+    <message>
+        <source>Smooth with walls</source>
+        <translation>दीवारों के साथ चिकना</translation>
+    </message>
+    <message>
+        <source>Smooth everywhere</source>
+        <translation>हर जगह चिकना</translation>
+    </message>
+    <message>
+        <source>Flat facets (exact)</source>
+        <translation>समतल फलक (सटीक)</translation>
+    </message>
+    <message>
+        <source>The height samples are exact in each; only what lies between them differs.</source>
+        <translation>ऊँचाई के नमूने हर एक में सटीक हैं; अंतर केवल उनके बीच है।</translation>
+    </message>
+    <message>
+        <source>How the proxy follows the hand</source>
+        <translation>प्रॉक्सी हाथ का अनुसरण कैसे करता है</translation>
+    </message>
+    <message>
+        <source>Converged (exact)</source>
+        <translation>अभिसरित (सटीक)</translation>
+    </message>
+    <message>
+        <source>As in the paper (eq. 2)</source>
+        <translation>लेख की तरह (समी. 2)</translation>
+    </message>
+    <message>
+        <source>Successive approximation (paper)</source>
+        <translation>क्रमिक सन्निकटन (लेख)</translation>
+    </message>
+    <message>
+        <source>The proxy is the point that stays on the surface.</source>
+        <translation>प्रॉक्सी वह बिंदु है जो सतह पर रहता है।</translation>
+    </message>
+    <message>
+        <source>Friction at rest, 0 to 1</source>
+        <translation>स्थिर घर्षण, 0 से 1</translation>
+    </message>
+    <message>
+        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper's proxies know none.</source>
+        <translation>सतह के साथ का बल जो हाथ को रोकता है, सतह के विरुद्ध बल के अंश में; फिसलते समय उसका तीन-चौथाई। लेख के प्रॉक्सी में घर्षण नहीं है।</translation>
+    </message>
+    <message>
+        <source>Damping in newton seconds per metre</source>
+        <translation>अवमंदन न्यूटन सेकंड प्रति मीटर में</translation>
+    </message>
+    <message>
+        <source> N s/m</source>
+        <translation> N s/m</translation>
+    </message>
+    <message>
+        <source>Against the speed of pressing in.</source>
+        <translation>भीतर दबने की गति के विरुद्ध।</translation>
+    </message>
+    <message>
+        <source>State of the forces</source>
+        <translation>बलों की अवस्था</translation>
+    </message>
+    <message>
+        <source>How far the hand is pressed in</source>
+        <translation>हाथ कितना भीतर दबा है</translation>
+    </message>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>बल चक्र कैसे चल रहा है</translation>
+    </message>
+    <message>
+        <source>More a&amp;bout the loop…</source>
+        <translation>चक्र के बारे में और (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>More about the force loop</source>
+        <translation>बल चक्र के बारे में और</translation>
+    </message>
+    <message>
+        <source>Wake-ups and computing times as tables, and what the system granted.</source>
+        <translation>जागने और गणना के समय की तालिकाएँ, और प्रणाली ने क्या दिया।</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 mm of hand</source>
+        <translation>हाथ के %1 mm</translation>
+    </message>
+    <message>
+        <source>not touching</source>
+        <translation>स्पर्श नहीं</translation>
+    </message>
+    <message>
+        <source>%1 (not here now)</source>
+        <translation>%1 (अभी यहाँ नहीं)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HapticsPlugin</name>
+    <message>
+        <source>Touch</source>
+        <translation>स्पर्श</translation>
+    </message>
+    <message>
+        <source>%1 The mouse is the hand now.</source>
+        <translation>%1 अब माउस ही हाथ है।</translation>
+    </message>
+    <message>
+        <source>Device: %1.</source>
+        <translation>उपकरण: %1।</translation>
+    </message>
+    <message>
+        <source>Nothing to touch yet. Open a scan first.</source>
+        <translation>छूने को अभी कुछ नहीं। पहले कोई स्कैन खोलें।</translation>
+    </message>
+    <message>
+        <source>Forces on.</source>
+        <translation>बल चालू।</translation>
+    </message>
+    <message>
+        <source>Forces off.</source>
+        <translation>बल बंद।</translation>
+    </message>
+    <message>
+        <source>Strength %1 percent.</source>
+        <translation>प्रबलता %1 प्रतिशत।</translation>
+    </message>
+    <message>
+        <source>Recording to %1</source>
+        <translation>%1 में रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>Forces off: %1.</source>
+        <translation>बल बंद: %1।</translation>
+    </message>
+    <message>
+        <source>Softened to %1 N/mm: hand and surface had begun to swing.</source>
+        <translation>%1 N/mm तक नरम किया: हाथ और सतह काँपने लगे थे।</translation>
+    </message>
+    <message>
+        <source>The last %1 before the fault are kept: %2</source>
+        <translation>गड़बड़ी से पहले के %1 रखे गए हैं: %2</translation>
+    </message>
+    <message>
+        <source>Recording saved: %1, %2 samples in %3</source>
+        <translation>रिकॉर्डिंग सहेजी गई: %1, %3 में %2 नमूने</translation>
+    </message>
+    <message>
+        <source>Forces are off after the sleep. Press F5 to switch them on.</source>
+        <translation>नींद के बाद बल बंद हैं। चालू करने के लिए F5 दबाएँ।</translation>
+    </message>
+    <message>
+        <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
+        <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::HeightHistogram</name>
+    <message>
+        <source>Heights of measured cells</source>
+        <translation>मापे गए सेलों की ऊँचाइयाँ</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 mm</source>
+        <translation>%1 से %2 mm तक</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>ऊँचाई</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ImageDialog</name>
+    <message>
+        <source>Width</source>
+        <translation>चौड़ाई</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>चित्र सहेजें</translation>
+    </message>
+    <message>
+        <source>Picture of</source>
+        <translation>किसका चित्र</translation>
+    </message>
+    <message>
+        <source>What the picture shows</source>
+        <translation>चित्र क्या दिखाता है</translation>
+    </message>
+    <message>
+        <source>Detail view</source>
+        <translation>विवरण दृश्य</translation>
+    </message>
+    <message>
+        <source>Reference view</source>
+        <translation>संदर्भ दृश्य</translation>
+    </message>
+    <message>
+        <source>Whole window</source>
+        <translation>पूरी खिड़की</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Where the picture is saved</source>
+        <translation>चित्र कहाँ सहेजा जाए</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ढूँढें (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>ढूँढें</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>PNG चित्र (*.png)</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of</source>
+        <translation>किसका चित्र (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>आकार (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::KeysSheet</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Stop forces, then cancel, then leave the mode</source>
+        <translation>पहले बल रोकें, फिर रद्द करें, फिर विधा छोड़ें</translation>
+    </message>
+    <message>
+        <source>Detail view: arrows, Shift+arrows</source>
+        <translation>विवरण दृश्य: तीर, Shift+तीर</translation>
+    </message>
+    <message>
+        <source>Move the hand by 1 or by 10 cells</source>
+        <translation>हाथ को 1 या 10 सेल चलाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: Page Down, Page Up</source>
+        <translation>विवरण दृश्य: Page Down, Page Up</translation>
+    </message>
+    <message>
+        <source>Press in, lift</source>
+        <translation>भीतर दबाएँ, उठाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: left button</source>
+        <translation>विवरण दृश्य: बायाँ बटन</translation>
+    </message>
+    <message>
+        <source>Press the hand in</source>
+        <translation>हाथ को भीतर दबाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: Ctrl+wheel</source>
+        <translation>विवरण दृश्य: Ctrl+पहिया</translation>
+    </message>
+    <message>
+        <source>Change the press depth</source>
+        <translation>दबाने की गहराई बदलें</translation>
+    </message>
+    <message>
+        <source>Detail view: wheel</source>
+        <translation>विवरण दृश्य: पहिया</translation>
+    </message>
+    <message>
+        <source>Zoom about the pointer</source>
+        <translation>सूचक के पास लाएँ</translation>
+    </message>
+    <message>
+        <source>Detail view: middle, right button</source>
+        <translation>विवरण दृश्य: बीच का, दायाँ बटन</translation>
+    </message>
+    <message>
+        <source>Turn the view, move the window</source>
+        <translation>दृश्य घुमाएँ, विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>Reference view: drag</source>
+        <translation>संदर्भ दृश्य: खींचना</translation>
+    </message>
+    <message>
+        <source>Draw, move or resize the window</source>
+        <translation>विंडो बनाएँ, खिसकाएँ या आकार बदलें</translation>
+    </message>
+    <message>
+        <source>Reference view: arrows, Shift+arrows</source>
+        <translation>संदर्भ दृश्य: तीर, Shift+तीर</translation>
+    </message>
+    <message>
+        <source>Move, resize the window</source>
+        <translation>विंडो खिसकाएँ, आकार बदलें</translation>
+    </message>
+    <message>
+        <source>Reference view: Space, arrows, Enter</source>
+        <translation>संदर्भ दृश्य: Space, तीर, Enter</translation>
+    </message>
+    <message>
+        <source>Draw a window</source>
+        <translation>विंडो बनाएँ</translation>
+    </message>
+    <message>
+        <source>Reference view: +, −, wheel</source>
+        <translation>संदर्भ दृश्य: +, −, पहिया</translation>
+    </message>
+    <message>
+        <source>Finer, coarser</source>
+        <translation>बारीक, मोटा</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>कुंजियाँ</translation>
+    </message>
+    <message>
+        <source>What they do</source>
+        <translation>वे क्या करती हैं</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::LoopDetailsDialog</name>
+    <message>
+        <source>How the force loop runs</source>
+        <translation>बल चक्र कैसे चल रहा है</translation>
+    </message>
+    <message>
+        <source>Counts of the force loop since it began</source>
+        <translation>आरंभ से बल चक्र की गिनती</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MainWindow</name>
+    <message>
+        <source>&amp;Point</source>
+        <translation>बिंदु (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Height of one place</source>
+        <translation>एक जगह की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>दूरी (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Between two places</source>
+        <translation>दो जगहों के बीच</translation>
+    </message>
+    <message>
+        <source>Depth di&amp;fference</source>
+        <translation>गहराई का अंतर (&amp;F)</translation>
+    </message>
+    <message>
+        <source>How much higher the second place lies</source>
+        <translation>दूसरी जगह कितनी ऊँची है</translation>
+    </message>
+    <message>
+        <source>&amp;Angle</source>
+        <translation>कोण (&amp;A)</translation>
+    </message>
+    <message>
+        <source>At the second of three places</source>
+        <translation>तीन में से दूसरी जगह पर</translation>
+    </message>
+    <message>
+        <source>P&amp;rofile</source>
+        <translation>प्रोफ़ाइल (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Heights along a line</source>
+        <translation>रेखा के साथ ऊँचाइयाँ</translation>
+    </message>
+    <message>
+        <source>Area and &amp;volume</source>
+        <translation>क्षेत्रफल और आयतन (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Of a piece of surface above its lowest corner</source>
+        <translation>सतह के टुकड़े का, उसके सबसे नीचे कोने के ऊपर</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>सहेजें (&amp;S)…</translation>
+    </message>
+    <message>
+        <source>The list as CSV, or the selected profile as CSV or SVG</source>
+        <translation>सूची CSV में, या चुनी हुई प्रोफ़ाइल CSV या SVG में</translation>
+    </message>
+    <message>
+        <source>&amp;Lit stone</source>
+        <translation>प्रकाशित पत्थर (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Matt stone under lamps</source>
+        <translation>दीपों के नीचे फीका पत्थर</translation>
+    </message>
+    <message>
+        <source>&amp;Height in colour</source>
+        <translation>रंग में ऊँचाई (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Lit, with a colour for each height</source>
+        <translation>प्रकाशित, हर ऊँचाई का एक रंग</translation>
+    </message>
+    <message>
+        <source>H&amp;illshade</source>
+        <translation>पहाड़ी छाया (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Brightness under one light</source>
+        <translation>एक प्रकाश में उजाला</translation>
+    </message>
+    <message>
+        <source>Hillshade, &amp;four lights</source>
+        <translation>पहाड़ी छाया, चार प्रकाश (&amp;F)</translation>
+    </message>
+    <message>
+        <source>No direction stays in the dark</source>
+        <translation>कोई दिशा अँधेरे में नहीं रहती</translation>
+    </message>
+    <message>
+        <source>&amp;Slope</source>
+        <translation>ढाल (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Steepness in degrees</source>
+        <translation>ढाल का कोण, डिग्री में</translation>
+    </message>
+    <message>
+        <source>Local &amp;relief</source>
+        <translation>स्थानीय उभार (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Worn detail without the broad shape</source>
+        <translation>बड़े आकार के बिना घिसे विवरण</translation>
+    </message>
+    <message>
+        <source>Sky &amp;view</source>
+        <translation>आकाश-दृश्य (&amp;V)</translation>
+    </message>
+    <message>
+        <source>How much of the sky each place sees</source>
+        <translation>हर जगह से आकाश कितना दिखता है</translation>
+    </message>
+    <message>
+        <source>&amp;Openness</source>
+        <translation>खुलापन (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Hollows dark, ridges bright</source>
+        <translation>गड्ढे गहरे, धारियाँ उजली</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>धूसर (&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Viridis</source>
+        <translation>Viridis (&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Cividis</source>
+        <translation>Cividis (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Colours that grow lighter in even steps</source>
+        <translation>रंग जो समान चरणों में उजले होते हैं</translation>
+    </message>
+    <message>
+        <source>Save measurements</source>
+        <translation>माप सहेजें</translation>
+    </message>
+    <message>
+        <source>List of measurements (*.csv)</source>
+        <translation>मापों की सूची (*.csv)</translation>
+    </message>
+    <message>
+        <source>Selected profile (*.csv *.svg)</source>
+        <translation>चुनी हुई प्रोफ़ाइल (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another place.</source>
+        <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजी गई</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>हाल की फ़ाइलें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Files opened before</source>
+        <translation>पहले खोली गई फ़ाइलें</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>संपादन (&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>दृश्य (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;detail view</source>
+        <translation>विवरण दृश्य घुमाएँ (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Turn the detail view</source>
+        <translation>विवरण दृश्य घुमाएँ</translation>
+    </message>
+    <message>
+        <source>Relief ima&amp;ge</source>
+        <translation>उभार का चित्र (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How heights are painted</source>
+        <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
+    </message>
+    <message>
+        <source>R&amp;elief colours</source>
+        <translation>उभार के रंग (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Colours of heights, slopes and other values</source>
+        <translation>ऊँचाइयों, ढालों और दूसरे मानों के रंग</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>सतह (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Depth &amp;engine</source>
+        <translation>गहराई विधि (&amp;E)</translation>
+    </message>
+    <message>
+        <source>How the depth map is made</source>
+        <translation>गहराई मानचित्र कैसे बनता है</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>माप (&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Touch</source>
+        <translation>स्पर्श (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Re&amp;cord</source>
+        <translation>रिकॉर्ड (&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>सहायता (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colours (&amp;h)</source>
+        <translation>रंग (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Light or dark window</source>
+        <translation>हल्की या गहरी खिड़की</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>प्रणाली जैसा (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>हल्का (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>गहरा (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>उच्च कंट्रास्ट (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Colours of the window</source>
+        <translation>खिड़की के रंग</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>औज़ार</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>दृश्य</translation>
+    </message>
+    <message>
+        <source>From which side the object is seen (Alt+1 to Alt+6)</source>
+        <translation>वस्तु किस ओर से देखी जाती है (Alt+1 से Alt+6)</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>विवरण</translation>
+    </message>
+    <message>
+        <source>Which detail feeds the window</source>
+        <translation>विंडो में कौन-सा विवरण है</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>पूरा</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>यह सूची खाली करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Forget these files</source>
+        <translation>ये फ़ाइलें भूल जाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>पूर्ववत (&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>फिर करें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>खोलें</translation>
+    </message>
+    <message>
+        <source>Scans, height maps, projects and figures (%1)</source>
+        <translation>स्कैन, ऊँचाई मानचित्र, परियोजनाएँ और चित्र (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>इतिहास</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>जैसा खोला गया</translation>
+    </message>
+    <message>
+        <source>About relievo</source>
+        <translation>relievo के बारे में</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;See and touch scans of reliefs: a depth map, its pyramid, and a window on it that is shown in stereo and felt.&lt;br&gt;&lt;br&gt;BSD-3-Clause licence.</source>
+        <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;उभारों के स्कैन देखें और छुएँ: गहराई मानचित्र, उसका पिरामिड, और उस पर एक विंडो जो स्टीरियो में दिखती और महसूस होती है।&lt;br&gt;&lt;br&gt;BSD-3-Clause लाइसेंस।</translation>
+    </message>
+    <message>
+        <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
+        <translation>%1 को %2 चाहिए, जो हट गई है। कुछ नहीं बदला। उसे ढूँढें या दूसरी फ़ाइल चुनें। (E501)</translation>
+    </message>
+    <message>
+        <source>&amp;Find it…</source>
+        <translation>ढूँढें (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Find %1</source>
+        <translation>%1 ढूँढें</translation>
+    </message>
+    <message>
+        <source>%1 has changed since this was saved (its checksum differs). It is shown as it is now; results may differ. (E501)</source>
+        <translation>सहेजने के बाद %1 बदल गई है (चेकसम अलग है)। यह अब जैसी है वैसी दिखाई गई है; परिणाम अलग हो सकते हैं। (E501)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>परियोजना सहेजें</translation>
+    </message>
+    <message>
+        <source>Projects (*.relievo.json)</source>
+        <translation>परियोजनाएँ (*.relievo.json)</translation>
+    </message>
+    <message>
+        <source>Na&amp;me this place…</source>
+        <translation>इस जगह को नाम दें (&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Give the window's place a name, to come back to it</source>
+        <translation>विंडो की जगह को नाम दें, ताकि लौट सकें</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt place</source>
+        <translation>अगली जगह (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go to the next place that has a name</source>
+        <translation>नाम वाली अगली जगह पर जाएँ</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious place</source>
+        <translation>पिछली जगह (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go to the place with a name before this one</source>
+        <translation>इससे पहले की नाम वाली जगह पर जाएँ</translation>
+    </message>
+    <message>
+        <source>%1 lies on a finer detail than this map has. The window was not moved.</source>
+        <translation>%1 इस मानचित्र से बारीक विवरण पर है। विंडो नहीं खिसकाई गई।</translation>
+    </message>
+    <message>
+        <source>Go to %1</source>
+        <translation>%1 पर जाएँ</translation>
+    </message>
+    <message>
+        <source>%1. Detail %2 of %3</source>
+        <translation>%1। विवरण %3 में से %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform><numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform></translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>वापस लाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>छोड़ दें (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>खोलें (&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a scan or a height map</source>
+        <translation>स्कैन या ऊँचाई मानचित्र खोलें</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>परियोजना सहेजें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Keep this state: file, depth map, window, measurements</source>
+        <translation>यह स्थिति रखें: फ़ाइल, गहराई मानचित्र, विंडो, माप</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>परियोजना इस रूप में सहेजें (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Keep this state in another file</source>
+        <translation>यह स्थिति दूसरी फ़ाइल में रखें</translation>
+    </message>
+    <message>
+        <source>&amp;Figure…</source>
+        <translation>चित्र (&amp;F)…</translation>
+    </message>
+    <message>
+        <source>A figure for print, with scale bar, legend and caption</source>
+        <translation>छपाई के लिए चित्र, पैमाना पट्टी, संकेत सूची और शीर्षक के साथ</translation>
+    </message>
+    <message>
+        <source>&amp;Image…</source>
+        <translation>तस्वीर (&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Save a picture of a view or of the window</source>
+        <translation>किसी दृश्य या खिड़की की तस्वीर सहेजें</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>बाहर निकलें (&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close relievo</source>
+        <translation>relievo बंद करें</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>पूर्ववत</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>फिर करें</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>कुंजियाँ (&amp;K)</translation>
+    </message>
+    <message>
+        <source>All keys on one sheet</source>
+        <translation>सब कुंजियाँ एक पन्ने पर</translation>
+    </message>
+    <message>
+        <source>&amp;History…</source>
+        <translation>इतिहास (&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Every step so far; choose one to go back to it</source>
+        <translation>अब तक का हर चरण; लौटने के लिए एक चुनें</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>वरीयताएँ (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Colours, text size, language, units, stereo, device</source>
+        <translation>रंग, पाठ का आकार, भाषा, इकाइयाँ, स्टीरियो, उपकरण</translation>
+    </message>
+    <message>
+        <source>&amp;Search commands…</source>
+        <translation>आदेश खोजें (&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Find a command by its words and run it</source>
+        <translation>शब्दों से आदेश खोजें और चलाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;About relievo</source>
+        <translation>relievo के बारे में (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>संस्करण और लाइसेंस</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2</source>
+        <translation>विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>This is the finest detail</source>
+        <translation>यह सबसे बारीक विवरण है</translation>
+    </message>
+    <message>
+        <source>This is the whole object</source>
+        <translation>यह पूरी वस्तु है</translation>
+    </message>
+    <message>
+        <source>&amp;Finer</source>
+        <translation>बारीक (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Finer detail: a smaller window</source>
+        <translation>और बारीक विवरण: छोटी विंडो</translation>
+    </message>
+    <message>
+        <source>&amp;Coarser</source>
+        <translation>मोटा (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Coarser detail: a larger window</source>
+        <translation>और मोटा विवरण: बड़ी विंडो</translation>
+    </message>
+    <message>
+        <source>&amp;Whole object</source>
+        <translation>पूरी वस्तु (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The whole object in the window</source>
+        <translation>पूरी वस्तु विंडो में</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Move &amp;left</source>
+        <translation>बाएँ खिसकाएँ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Move &amp;right</source>
+        <translation>दाएँ खिसकाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>ऊपर खिसकाएँ (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>नीचे खिसकाएँ (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Move the window by a quarter of its side</source>
+        <translation>विंडो को उसकी भुजा के चौथाई से खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>Edge</source>
+        <translation>किनारा</translation>
+    </message>
+    <message>
+        <source>&amp;Type window…</source>
+        <translation>विंडो टाइप करें (&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Type the window's place and size in millimetres</source>
+        <translation>विंडो की जगह और आकार मिलीमीटर में टाइप करें</translation>
+    </message>
+    <message>
+        <source>Depth ma&amp;p…</source>
+        <translation>गहराई मानचित्र (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Everything between the scan and its depth map, with a preview</source>
+        <translation>स्कैन और उसके गहराई मानचित्र के बीच सब कुछ, पूर्वावलोकन के साथ</translation>
+    </message>
+    <message>
+        <source>U&amp;nits…</source>
+        <translation>इकाइयाँ (&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Say which length unit the file's coordinates have; kept for its folder</source>
+        <translation>बताएँ कि फ़ाइल के निर्देशांक किस इकाई में हैं; उसके फ़ोल्डर के लिए याद रहता है</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>सामने (&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>पीछे (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>बाएँ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>दाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>ऊपर (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>नीचे (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Look from this side and make the relief anew</source>
+        <translation>इस ओर से देखें और उभार फिर बनाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>स्वचालित (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Look from the side that shows most</source>
+        <translation>उस ओर से देखें जहाँ से सबसे अधिक दिखे</translation>
+    </message>
+    <message>
+        <source>Turn &amp;left</source>
+        <translation>बाएँ घुमाएँ (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;right</source>
+        <translation>दाएँ घुमाएँ (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;up</source>
+        <translation>ऊपर घुमाएँ (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Turn &amp;down</source>
+        <translation>नीचे घुमाएँ (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Turn the detail view by 15 degrees</source>
+        <translation>विवरण दृश्य को 15 डिग्री घुमाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Use this view</source>
+        <translation>यह दृश्य लें (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Make the relief anew from where the turned detail view looks</source>
+        <translation>घुमाए गए विवरण दृश्य की दिशा से उभार फिर बनाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Processor</source>
+        <translation>प्रोसेसर (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Make the depth map on the processor</source>
+        <translation>गहराई मानचित्र प्रोसेसर से बनाएँ</translation>
+    </message>
+    <message>
+        <source>&amp;Depth buffer</source>
+        <translation>गहराई बफ़र (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Make the depth map by the graphics card's depth buffer</source>
+        <translation>गहराई मानचित्र ग्राफ़िक्स कार्ड के गहराई बफ़र से बनाएँ</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>समाएँ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look straight down on the relief, fitted to the view</source>
+        <translation>उभार को सीधे ऊपर से देखें, दृश्य में समाया हुआ</translation>
+    </message>
+    <message>
+        <source>&amp;Stereo (red/cyan)</source>
+        <translation>स्टीरियो (लाल/सियान) (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Anaglyph for red and cyan glasses</source>
+        <translation>लाल-सियान चश्मे के लिए एनाग्लिफ़</translation>
+    </message>
+    <message>
+        <source>Side &amp;panels</source>
+        <translation>पार्श्व पटल (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show or hide the side panels</source>
+        <translation>पार्श्व पटल दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Refere&amp;nce view</source>
+        <translation>संदर्भ दृश्य (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show or hide the whole object</source>
+        <translation>पूरी वस्तु दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Pl&amp;ots</source>
+        <translation>आलेख (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show or hide the plots of height and force</source>
+        <translation>ऊँचाई और बल के आलेख दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>Full s&amp;creen detail</source>
+        <translation>पूर्ण स्क्रीन विवरण (&amp;C)</translation>
+    </message>
+    <message>
+        <source>The detail view alone on the whole screen</source>
+        <translation>केवल विवरण दृश्य पूरी स्क्रीन पर</translation>
+    </message>
+    <message>
+        <source>Other vie&amp;w</source>
+        <translation>दूसरा दृश्य (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Move the focus between the reference view and the detail view</source>
+        <translation>फ़ोकस को संदर्भ दृश्य और विवरण दृश्य के बीच बदलें</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt part</source>
+        <translation>अगला भाग (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Move the focus to the next part of the window</source>
+        <translation>फ़ोकस खिड़की के अगले भाग पर ले जाएँ</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious part</source>
+        <translation>पिछला भाग (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Move the focus to the part before</source>
+        <translation>फ़ोकस पिछले भाग पर ले जाएँ</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>सतह</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>विंडो</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>माप</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>जगहें</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>रद्द किया गया। कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>%1: %2, points: %3</source>
+        <translation>%1: %2, बिंदु: %3</translation>
+    </message>
+    <message>
+        <source>%1 is open.</source>
+        <translation>%1 खुली है।</translation>
+    </message>
+    <message>
+        <source>%1 Press F5 to switch forces on.</source>
+        <translation>%1 बल चालू करने के लिए F5 दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Press depth %1 mm of hand</source>
+        <translation>दबाने की गहराई हाथ के %1 mm</translation>
+    </message>
+    <message>
+        <source>%1 – relievo</source>
+        <translation>%1 – relievo</translation>
+    </message>
+    <message>
+        <source>REFERENCE</source>
+        <translation>संदर्भ</translation>
+    </message>
+    <message>
+        <source>DETAIL %1 of %2</source>
+        <translation>विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm</source>
+        <translation>हाथ का 1 mm = %1 mm</translation>
+    </message>
+    <message>
+        <source>heights × %1   |   </source>
+        <translation>ऊँचाइयाँ × %1   |   </translation>
+    </message>
+    <message>
+        <source>Detail %1/%2</source>
+        <translation>विवरण %1/%2</translation>
+    </message>
+    <message>
+        <source>Level %1 of the pyramid</source>
+        <translation>पिरामिड का स्तर %1</translation>
+    </message>
+    <message>
+        <source>hand 1 : %1</source>
+        <translation>हाथ 1 : %1</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm on the object</source>
+        <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Load what is there</source>
+        <translation>जो है उसे लोड करें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>चुनें (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>in %1 %2</source>
+        <translation>%1 में %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Which unit?</source>
+        <translation>%1: %2। कौन-सी इकाई?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
+        <translation>बिंदुओं में कोई इकाई नहीं है। %1 – %2। सबसे संभव %3। आपके बताने तक मिलीमीटर माने गए। (E103)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files were dropped. Nothing was opened. Drop one file.</source>
+        <translation>
+            <numerusform>%n फ़ाइल छोड़ी गई। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform><numerusform>%n फ़ाइलें छोड़ी गईं। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform></translation>
+    </message>
+    <message>
+        <source>Only files on this computer can be opened. Nothing was opened.</source>
+        <translation>केवल इस कंप्यूटर की फ़ाइलें खोली जा सकती हैं। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>मापा गया</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>अंतर्वेशित</translation>
+    </message>
+    <message>
+        <source>hole, on base plane</source>
+        <translation>छेद, आधार तल पर</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>तीव्र ढाल</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>बाहर</translation>
+    </message>
+    <message>
+        <source>x %1  y %2  z %3 mm</source>
+        <translation>x %1  y %2  z %3 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2. Detail %3 of %4</source>
+        <translation>%1, %2। विवरण %4 में से %3</translation>
+    </message>
+    <message>
+        <source>%1/%2 N</source>
+        <translation>%1/%2 N</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>बल बंद</translation>
+    </message>
+    <message>
+        <source>Force on the hand and its limit</source>
+        <translation>हाथ पर बल और उसकी सीमा</translation>
+    </message>
+    <message>
+        <source>Press F5 to switch forces on</source>
+        <translation>बल चालू करने के लिए F5 दबाएँ</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>उपकरण: %1</translation>
+    </message>
+    <message>
+        <source>Worst period: %1 ms</source>
+        <translation>सबसे लंबी अवधि: %1 ms</translation>
+    </message>
+    <message>
+        <source>Real-time priority</source>
+        <translation>रीयल-टाइम प्राथमिकता</translation>
+    </message>
+    <message>
+        <source>No real-time priority: %1</source>
+        <translation>रीयल-टाइम प्राथमिकता नहीं: %1</translation>
+    </message>
+    <message>
+        <source>%1/s, late %2</source>
+        <translation>%1/s, देर %2</translation>
+    </message>
+    <message>
+        <source>recording %1</source>
+        <translation>रिकॉर्डिंग %1</translation>
+    </message>
+    <message>
+        <source>Touch is not available: %1 Viewing works.</source>
+        <translation>स्पर्श उपलब्ध नहीं: %1 देखना चलता है।</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Nothing was saved. Choose another place.</source>
+        <translation>%1 लिखी नहीं जा सकी। कुछ नहीं सहेजा गया। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>the haptics plugin was not found.</source>
+        <translation>हैप्टिक प्लगइन नहीं मिला।</translation>
+    </message>
+    <message>
+        <source>Re&amp;play…</source>
+        <translation>पुनः दिखाएँ (&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Show a recording of a touch again; no device is moved</source>
+        <translation>स्पर्श की रिकॉर्डिंग फिर दिखाएँ; कोई उपकरण नहीं हिलता</translation>
+    </message>
+    <message>
+        <source>P&amp;lay or pause</source>
+        <translation>चलाएँ या रोकें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Go on with the replay, or halt it</source>
+        <translation>पुनर्प्रदर्शन जारी रखें या रोकें</translation>
+    </message>
+    <message>
+        <source>&amp;Close replay</source>
+        <translation>पुनर्प्रदर्शन बंद करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Back to the window from before</source>
+        <translation>पहले वाली विंडो पर वापस</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>पुनर्प्रदर्शन</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
+    </message>
+    <message>
+        <source>A recording is running. Nothing was opened. Stop it first (Ctrl+R).</source>
+        <translation>रिकॉर्डिंग चल रही है। कुछ नहीं खोला गया। पहले उसे रोकें (Ctrl+R)।</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>&amp;Open its input</source>
+        <translation>उसका स्रोत खोलें (&amp;O)</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Force when it was recorded</source>
+        <translation>रिकॉर्डिंग के समय का बल</translation>
+    </message>
+    <message>
+        <source>replay %1</source>
+        <translation>पुनर्प्रदर्शन %1</translation>
+    </message>
+    <message>
+        <source>Forces are on: the replay was closed.</source>
+        <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasurePanel</name>
+    <message>
+        <source>Point</source>
+        <translation>बिंदु</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>दूरी</translation>
+    </message>
+    <message>
+        <source>Depth difference</source>
+        <translation>गहराई का अंतर</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>कोण</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>प्रोफ़ाइल</translation>
+    </message>
+    <message>
+        <source>Area and volume</source>
+        <translation>क्षेत्रफल और आयतन</translation>
+    </message>
+    <message>
+        <source>%1 %2 ± %3 %4</source>
+        <translation>%1 %2 ± %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 % of it is not measured</source>
+        <translation>इसका %1 % मापा नहीं गया</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>हटाएँ</translation>
+    </message>
+    <message>
+        <source>Save list…</source>
+        <translation>सूची सहेजें…</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>आगे क्या करना है</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>माप</translation>
+    </message>
+    <message>
+        <source>Names can be changed by a double click or F2</source>
+        <translation>नाम दोहरे क्लिक या F2 से बदलते हैं</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>नाम</translation>
+    </message>
+    <message>
+        <source>Reads</source>
+        <translation>मान</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>सब चुनें</translation>
+    </message>
+    <message>
+        <source>Delete the selected measurement</source>
+        <translation>चुना हुआ माप हटाएँ</translation>
+    </message>
+    <message>
+        <source>Save the list as CSV, or the selected profile as CSV or SVG</source>
+        <translation>सूची CSV में, या चुनी हुई प्रोफ़ाइल CSV या SVG में सहेजें</translation>
+    </message>
+    <message>
+        <source>There is no surface here</source>
+        <translation>यहाँ कोई सतह नहीं है</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+    <message>
+        <source>Choose what to measure from the Measure menu.</source>
+        <translation>माप मेनू से चुनें कि क्या मापना है।</translation>
+    </message>
+    <message>
+        <source>%1: place %2 of %3. Click on the detail view, or move the hand there and press Enter.</source>
+        <translation>%1: जगह %3 में से %2। विवरण दृश्य पर क्लिक करें, या हाथ वहाँ ले जाकर Enter दबाएँ।</translation>
+    </message>
+    <message>
+        <source>A double click or F ends.</source>
+        <translation>दोहरा क्लिक या F समाप्त करता है।</translation>
+    </message>
+    <message>
+        <source>Select a profile in the list first.</source>
+        <translation>पहले सूची में कोई प्रोफ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose another place.</source>
+        <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MessageStrip</name>
+    <message>
+        <source>Message</source>
+        <translation>संदेश</translation>
+    </message>
+    <message>
+        <source>Close this message</source>
+        <translation>यह संदेश बंद करें</translation>
+    </message>
+    <message>
+        <source>Close message</source>
+        <translation>संदेश बंद करें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::OverviewInset</name>
+    <message>
+        <source>Place of the window on the object</source>
+        <translation>वस्तु पर विंडो की जगह</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PlacesPanel</name>
+    <message>
+        <source>With light and view</source>
+        <translation>प्रकाश और दृश्य के साथ</translation>
+    </message>
+    <message>
+        <source>Name this place</source>
+        <translation>इस जगह को नाम दें</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>जाएँ</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>नाम बदलें</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>हटाएँ</translation>
+    </message>
+    <message>
+        <source>Named places</source>
+        <translation>नाम वाली जगहें</translation>
+    </message>
+    <message>
+        <source>Enter goes to a place, F2 renames it, Delete removes it</source>
+        <translation>Enter जगह पर जाता है, F2 नाम बदलता है, Delete हटाता है</translation>
+    </message>
+    <message>
+        <source>A new place also keeps light, relief image, stereo and the turn of the view</source>
+        <translation>नई जगह प्रकाश, उभार का चित्र, स्टीरियो और दृश्य का घुमाव भी रखती है</translation>
+    </message>
+    <message>
+        <source>Give the window's place a name (Ctrl+N)</source>
+        <translation>विंडो की जगह को नाम दें (Ctrl+N)</translation>
+    </message>
+    <message>
+        <source>Move the window to the selected place</source>
+        <translation>विंडो को चुनी हुई जगह पर ले जाएँ</translation>
+    </message>
+    <message>
+        <source>Change the selected place's name (F2)</source>
+        <translation>चुनी हुई जगह का नाम बदलें (F2)</translation>
+    </message>
+    <message>
+        <source>Forget the selected place</source>
+        <translation>चुनी हुई जगह भूल जाएँ</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>जगह %1</translation>
+    </message>
+    <message>
+        <source>No place has a name yet</source>
+        <translation>अभी किसी जगह का नाम नहीं है</translation>
+    </message>
+    <message>
+        <source>%1 is forgotten</source>
+        <translation>%1 भुलाई गई</translation>
+    </message>
+    <message>
+        <source>The place alone</source>
+        <translation>केवल जगह</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PreferencesDialog</name>
+    <message>
+        <source>No setting has these words.</source>
+        <translation>इन शब्दों वाली कोई सेटिंग नहीं है।</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>वरीयताएँ</translation>
+    </message>
+    <message>
+        <source>Search settings</source>
+        <translation>सेटिंग खोजें</translation>
+    </message>
+    <message>
+        <source>Words of a setting's name or explanation</source>
+        <translation>सेटिंग के नाम या व्याख्या के शब्द</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>पन्ने</translation>
+    </message>
+    <message>
+        <source>&amp;Defaults of this page</source>
+        <translation>इस पन्ने के मूल मान (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Defaults of this page</source>
+        <translation>इस पन्ने के मूल मान</translation>
+    </message>
+    <message>
+        <source>Every setting of this page as it was at first</source>
+        <translation>इस पन्ने की हर सेटिंग जैसी पहले थी</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ढूँढें (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Browse for %1</source>
+        <translation>%1 ढूँढें</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>रूप</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>रंग</translation>
+    </message>
+    <message>
+        <source>Light, dark or high contrast window; or as the desktop</source>
+        <translation>हल्की, गहरी या उच्च कंट्रास्ट खिड़की; या डेस्कटॉप जैसी</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>प्रणाली जैसा</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>हल्का</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>गहरा</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>उच्च कंट्रास्ट</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>पाठ का आकार</translation>
+    </message>
+    <message>
+        <source>Of the system's text size; everything grows with it</source>
+        <translation>प्रणाली के पाठ आकार का; सब कुछ साथ बढ़ता है</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>भाषा</translation>
+    </message>
+    <message>
+        <source>Of the window; holds from the next start</source>
+        <translation>खिड़की की; अगली शुरुआत से लागू</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>इकाइयाँ</translation>
+    </message>
+    <message>
+        <source>Ask</source>
+        <translation>पूछें</translation>
+    </message>
+    <message>
+        <source>Files without a unit</source>
+        <translation>बिना इकाई की फ़ाइलें</translation>
+    </message>
+    <message>
+        <source>Which unit is taken where neither the file nor its folder says one</source>
+        <translation>जहाँ न फ़ाइल न उसका फ़ोल्डर इकाई बताए, वहाँ कौन-सी ली जाए</translation>
+    </message>
+    <message>
+        <source>Sizes are shown in</source>
+        <translation>आकार दिखाने की इकाई</translation>
+    </message>
+    <message>
+        <source>Millimetres, and metres for what is larger than 10 m; or always one unit</source>
+        <translation>मिलीमीटर, और 10 m से बड़े के लिए मीटर; या हमेशा एक इकाई</translation>
+    </message>
+    <message>
+        <source>Fitting unit</source>
+        <translation>उपयुक्त इकाई</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>सेंटीमीटर</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>मीटर</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>इंच</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>Kind of anaglyph</source>
+        <translation>एनाग्लिफ़ का प्रकार</translation>
+    </message>
+    <message>
+        <source>What stereo starts with: grey, half colour or Dubois</source>
+        <translation>स्टीरियो किससे शुरू हो: धूसर, अर्ध-रंग या Dubois</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>धूसर</translation>
+    </message>
+    <message>
+        <source>Half colour</source>
+        <translation>अर्ध-रंग</translation>
+    </message>
+    <message>
+        <source>Dubois</source>
+        <translation>Dubois</translation>
+    </message>
+    <message>
+        <source>Eye separation</source>
+        <translation>आँखों की दूरी</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes' directions at the start</source>
+        <translation>शुरू में दोनों आँखों की दिशाओं के बीच का कोण</translation>
+    </message>
+    <message>
+        <source>Keep comfortable</source>
+        <translation>आरामदायक रखें</translation>
+    </message>
+    <message>
+        <source>Less eye separation where it would pass 1 degree of parallax</source>
+        <translation>जहाँ लंबन 1 डिग्री से बढ़े वहाँ आँखों की कम दूरी</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>आँखें बदलें</translation>
+    </message>
+    <message>
+        <source>For glasses whose red filter is at the right eye</source>
+        <translation>उन चश्मों के लिए जिनमें लाल फ़िल्टर दाईं आँख पर है</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>उपकरण</translation>
+    </message>
+    <message>
+        <source>Falcon firmware</source>
+        <translation>Falcon फ़र्मवेयर</translation>
+    </message>
+    <message>
+        <source>File with the Falcon's firmware, or its folder; empty: the usual places. Holds from the next start</source>
+        <translation>Falcon के फ़र्मवेयर की फ़ाइल या उसका फ़ोल्डर; खाली: सामान्य जगहें। अगली शुरुआत से लागू</translation>
+    </message>
+    <message>
+        <source>Keep work for a crash</source>
+        <translation>क्रैश के लिए काम रखें</translation>
+    </message>
+    <message>
+        <source>A copy of unsaved work every two seconds, offered after a crash</source>
+        <translation>हर दो सेकंड में असहेजे काम की प्रति, क्रैश के बाद प्रस्तुत</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReferenceView</name>
+    <message>
+        <source>Draw window</source>
+        <translation>विंडो बनाएँ</translation>
+    </message>
+    <message>
+        <source>Move window</source>
+        <translation>विंडो खिसकाएँ</translation>
+    </message>
+    <message>
+        <source>Resize window</source>
+        <translation>विंडो का आकार बदलें</translation>
+    </message>
+    <message>
+        <source>Reference view</source>
+        <translation>संदर्भ दृश्य</translation>
+    </message>
+    <message>
+        <source>The whole object. The pink window is what the detail view shows: drag inside it to move it, drag its edges to resize it, drag outside to draw a new one. The wheel changes the detail. Keys: arrows, Shift+arrows, + and -; Space, arrows and Enter draw a window.</source>
+        <translation>पूरी वस्तु। गुलाबी विंडो वही है जो विवरण दृश्य दिखाता है: भीतर खींचने से खिसकती है, किनारे खींचने से आकार बदलता है, बाहर खींचने से नई बनती है। पहिया विवरण बदलता है। कुंजियाँ: तीर, Shift+तीर, + और -; Space, तीर और Enter विंडो बनाते हैं।</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5</source>
+        <translation>विवरण %2 में से %1, विंडो %3 चौड़ी, निचला बायाँ कोना x %4, y %5 पर</translation>
+    </message>
+    <message>
+        <source>Drawing a window from x %1, y %2. Arrows carry the other corner, Enter ends, Escape returns</source>
+        <translation>x %1, y %2 से विंडो बन रही है। तीर दूसरा कोना ले जाते हैं, Enter पूरा करता है, Escape लौटाता है</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::RegionPanel</name>
+    <message>
+        <source>Left edge of the pink window</source>
+        <translation>गुलाबी विंडो का बायाँ किनारा</translation>
+    </message>
+    <message>
+        <source>Left edge of the window</source>
+        <translation>विंडो का बायाँ किनारा</translation>
+    </message>
+    <message>
+        <source>Lower edge of the pink window</source>
+        <translation>गुलाबी विंडो का निचला किनारा</translation>
+    </message>
+    <message>
+        <source>Lower edge of the window</source>
+        <translation>विंडो का निचला किनारा</translation>
+    </message>
+    <message>
+        <source>Si&amp;de</source>
+        <translation>भुजा (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Width and height of the pink window</source>
+        <translation>गुलाबी विंडो की चौड़ाई और ऊँचाई</translation>
+    </message>
+    <message>
+        <source>&amp;Level</source>
+        <translation>स्तर (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Which detail feeds the window</source>
+        <translation>विंडो में कौन-सा विवरण है</translation>
+    </message>
+    <message>
+        <source>Gai&amp;n</source>
+        <translation>गुणक (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Heights are multiplied by this; 1 is true to scale</source>
+        <translation>ऊँचाइयाँ इससे गुणा होती हैं; 1 वास्तविक पैमाना है</translation>
+    </message>
+    <message>
+        <source>Height gain</source>
+        <translation>ऊँचाई का गुणक</translation>
+    </message>
+    <message>
+        <source>Heights are multiplied by this; the middle is true to scale</source>
+        <translation>ऊँचाइयाँ इससे गुणा होती हैं; बीच में वास्तविक पैमाना है</translation>
+    </message>
+    <message>
+        <source>Hand scale</source>
+        <translation>हाथ का पैमाना</translation>
+    </message>
+    <message>
+        <source>Detail %1 of %2 (level %3)</source>
+        <translation>विवरण %2 में से %1 (स्तर %3)</translation>
+    </message>
+    <message>
+        <source>1 mm of hand = %1 mm on the object</source>
+        <translation>हाथ का 1 mm = वस्तु पर %1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayControl</name>
+    <message>
+        <source>Playing, %1</source>
+        <translation>चल रहा है, %1</translation>
+    </message>
+    <message>
+        <source>Paused, %1</source>
+        <translation>रुका हुआ, %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The recording does not say where %n window(s) lay; they are shown around what was touched.</source>
+        <translation>
+            <numerusform>रिकॉर्डिंग नहीं बताती कि %n विंडो कहाँ थी; वह छुई जगह के आसपास दिखाई गई है।</numerusform><numerusform>रिकॉर्डिंग नहीं बताती कि %n विंडो कहाँ थीं; वे छुई जगह के आसपास दिखाई गई हैं।</numerusform></translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>रद्द किया गया। कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>%1 does not say what was touched. Open that file first.</source>
+        <translation>%1 नहीं बताती कि क्या छुआ गया था। पहले वह फ़ाइल खोलें।</translation>
+    </message>
+    <message>
+        <source>%1 was recorded on %2, which is not open.</source>
+        <translation>%1, %2 पर रिकॉर्ड हुई, जो खुली नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 was recorded on %2, not on %3.</source>
+        <translation>%1, %2 पर रिकॉर्ड हुई, %3 पर नहीं।</translation>
+    </message>
+    <message>
+        <source>%1 was recorded on another view of %2 or with another unit.</source>
+        <translation>%1, %2 के दूसरे दृश्य पर या दूसरी इकाई में रिकॉर्ड हुई।</translation>
+    </message>
+    <message>
+        <source>%1 does not say what it was recorded on; it is shown on the open map.</source>
+        <translation>%1 नहीं बताती कि किस पर रिकॉर्ड हुई; उसे खुले मानचित्र पर दिखाया गया है।</translation>
+    </message>
+    <message>
+        <source>Replay of %1, %2 s. Forces are off. Space plays.</source>
+        <translation>%1 का पुनर्प्रदर्शन, %2 s। बल बंद हैं। Space चलाता है।</translation>
+    </message>
+    <message>
+        <source>Replay closed</source>
+        <translation>पुनर्प्रदर्शन बंद हुआ</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayPanel</name>
+    <message>
+        <source>Play</source>
+        <translation>चलाएँ</translation>
+    </message>
+    <message>
+        <source>Play or pause (Space)</source>
+        <translation>चलाएँ या रोकें (Space)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>बंद करें</translation>
+    </message>
+    <message>
+        <source>End the replay (Esc)</source>
+        <translation>पुनर्प्रदर्शन समाप्त करें (Esc)</translation>
+    </message>
+    <message>
+        <source>Height of hand and proxy in the recording</source>
+        <translation>रिकॉर्डिंग में हाथ और प्रॉक्सी की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>proxy</source>
+        <translation>प्रॉक्सी</translation>
+    </message>
+    <message>
+        <source>Force in the recording</source>
+        <translation>रिकॉर्डिंग में बल</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>बल (N)</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>बल</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>पुनर्प्रदर्शन</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>रोकें</translation>
+    </message>
+    <message>
+        <source>Place in the recording</source>
+        <translation>रिकॉर्डिंग में जगह</translation>
+    </message>
+    <message>
+        <source>Drag through the recording; left and right by 0.1 s, Page keys by 1 s</source>
+        <translation>रिकॉर्डिंग में खींचें; बाएँ-दाएँ 0.1 s, Page कुंजियाँ 1 s</translation>
+    </message>
+    <message>
+        <source>Time in the recording</source>
+        <translation>रिकॉर्डिंग में समय</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>गति</translation>
+    </message>
+    <message>
+        <source>How fast the recording is shown</source>
+        <translation>रिकॉर्डिंग कितनी तेज़ दिखती है</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 of %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SidePanels</name>
+    <message>
+        <source>Panels</source>
+        <translation>पटल</translation>
+    </message>
+    <message>
+        <source>Show or hide %1</source>
+        <translation>%1 दिखाएँ या छिपाएँ</translation>
+    </message>
+    <message>
+        <source>%1 panel</source>
+        <translation>%1 पटल</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StartPage</name>
+    <message>
+        <source>Acceptance relief: dome, step, ridge, grating</source>
+        <translation>स्वीकृति उभार: गुंबद, सीढ़ी, धार, जाली</translation>
+    </message>
+    <message>
+        <source>Coin, 24 mm across</source>
+        <translation>सिक्का, 24 mm चौड़ा</translation>
+    </message>
+    <message>
+        <source>Carved panel with undercuts</source>
+        <translation>नीचे कटाव वाला नक्काशीदार फलक</translation>
+    </message>
+    <message>
+        <source>Ruin, 400 m across</source>
+        <translation>खंडहर, 400 m चौड़ा</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>शुरू</translation>
+    </message>
+    <message>
+        <source>Open a scan to see and touch it</source>
+        <translation>देखने और छूने के लिए स्कैन खोलें</translation>
+    </message>
+    <message>
+        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). You can also drop a file on this window.</source>
+        <translation>बिंदु-समूह और जाल (PLY, PCD, OBJ, STL, XYZ और दूसरे पाठ) तथा ऊँचाई मानचित्र (TIFF)। फ़ाइल को इस खिड़की पर छोड़ भी सकते हैं।</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>खोलें (&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>खोलें</translation>
+    </message>
+    <message>
+        <source>Open a scan (Ctrl+O)</source>
+        <translation>स्कैन खोलें (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>नमूने</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>हाल के</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StatusFields</name>
+    <message>
+        <source>Message</source>
+        <translation>संदेश</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>स्थिति</translation>
+    </message>
+    <message>
+        <source>Kind of surface</source>
+        <translation>सतह का प्रकार</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>विवरण</translation>
+    </message>
+    <message>
+        <source>Hand scale</source>
+        <translation>हाथ का पैमाना</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>बल</translation>
+    </message>
+    <message>
+        <source>Force rate</source>
+        <translation>बल की दर</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>Running step</source>
+        <translation>चल रहा चरण</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>प्रगति</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>रद्द करें</translation>
+    </message>
+    <message>
+        <source>Stop this work; what is shown stays (Esc)</source>
+        <translation>यह काम रोकें; जो दिख रहा है वह रहता है (Esc)</translation>
+    </message>
+    <message>
+        <source>Working</source>
+        <translation>काम चल रहा है</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StereoPanel</name>
+    <message>
+        <source>Red/cyan &amp;anaglyph</source>
+        <translation>लाल/सियान एनाग्लिफ़ (&amp;A)</translation>
+    </message>
+    <message>
+        <source>At &amp;mid height</source>
+        <translation>बीच की ऊँचाई पर (&amp;M)</translation>
+    </message>
+    <message>
+        <source>S&amp;wap eyes</source>
+        <translation>आँखें बदलें (&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep comfortable</source>
+        <translation>आरामदायक रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Red and cyan anaglyph</source>
+        <translation>लाल-सियान एनाग्लिफ़</translation>
+    </message>
+    <message>
+        <source>For red and cyan glasses (Ctrl+3)</source>
+        <translation>लाल-सियान चश्मे के लिए (Ctrl+3)</translation>
+    </message>
+    <message>
+        <source>Kind of anaglyph</source>
+        <translation>एनाग्लिफ़ का प्रकार</translation>
+    </message>
+    <message>
+        <source>Grey: no colour fights with the glasses. Half colour: some colour. Dubois: least ghosts by the filters of common glasses</source>
+        <translation>धूसर: कोई रंग चश्मे से नहीं टकराता। अर्ध-रंग: कुछ रंग। Dubois: आम चश्मों के फ़िल्टरों से सबसे कम छाया-चित्र</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>धूसर</translation>
+    </message>
+    <message>
+        <source>Half colour</source>
+        <translation>अर्ध-रंग</translation>
+    </message>
+    <message>
+        <source>Dubois</source>
+        <translation>Dubois</translation>
+    </message>
+    <message>
+        <source>Eye separation</source>
+        <translation>आँखों की दूरी</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes' directions; more gives more depth</source>
+        <translation>दोनों आँखों की दिशाओं के बीच का कोण; अधिक कोण से अधिक गहराई</translation>
+    </message>
+    <message>
+        <source>Zero plane at mid height</source>
+        <translation>शून्य तल बीच की ऊँचाई पर</translation>
+    </message>
+    <message>
+        <source>The screen lies halfway between the lowest and the highest point</source>
+        <translation>स्क्रीन सबसे नीचे और सबसे ऊँचे बिंदु के ठीक बीच में है</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>शून्य तल</translation>
+    </message>
+    <message>
+        <source>Height that appears in the plane of the screen</source>
+        <translation>वह ऊँचाई जो स्क्रीन के तल में दिखती है</translation>
+    </message>
+    <message>
+        <source>Swap eyes</source>
+        <translation>आँखें बदलें</translation>
+    </message>
+    <message>
+        <source>For glasses whose red filter is at the right eye</source>
+        <translation>उन चश्मों के लिए जिनमें लाल फ़िल्टर दाईं आँख पर है</translation>
+    </message>
+    <message>
+        <source>Keep comfortable</source>
+        <translation>आरामदायक रखें</translation>
+    </message>
+    <message>
+        <source>Less eye separation where the two pictures would lie farther apart than the eyes like</source>
+        <translation>जहाँ दोनों चित्र आँखों को रास आने से अधिक दूर हों वहाँ आँखों की कम दूरी</translation>
+    </message>
+    <message>
+        <source>Parallax</source>
+        <translation>लंबन</translation>
+    </message>
+    <message>
+        <source>How far apart the eyes see the farthest point, at 60 cm from the screen; above 1 degree many people see double</source>
+        <translation>स्क्रीन से 60 cm पर सबसे दूर का बिंदु आँखों को कितना अलग दिखता है; 1 डिग्री से ऊपर कई लोग दोहरा देखते हैं</translation>
+    </message>
+    <message>
+        <source>&amp;Test glasses…</source>
+        <translation>चश्मा जाँचें (&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Test glasses</source>
+        <translation>चश्मा जाँचें</translation>
+    </message>
+    <message>
+        <source>A picture that says whether the filters are at the right eyes</source>
+        <translation>चित्र जो बताता है कि फ़िल्टर सही आँखों पर हैं या नहीं</translation>
+    </message>
+    <message>
+        <source>K&amp;ind</source>
+        <translation>प्रकार (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Eye sepa&amp;ration</source>
+        <translation>आँखों की दूरी (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Zero &amp;plane</source>
+        <translation>शून्य तल (&amp;P)</translation>
+    </message>
+    <message>
+        <source>%1°, above %2°</source>
+        <translation>%1°, %2° से ऊपर</translation>
+    </message>
+    <message>
+        <source>%1° of %2°</source>
+        <translation>%2° में से %1°</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SurfacePanel</name>
+    <message>
+        <source>File</source>
+        <translation>फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>आकार</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>ग्रिड</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>छेद</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>इकाई (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Length unit of the file's coordinates</source>
+        <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
+    </message>
+    <message>
+        <source>En&amp;gine</source>
+        <translation>विधि (&amp;G)</translation>
+    </message>
+    <message>
+        <source>How the depth map is made from points and triangles</source>
+        <translation>बिंदुओं और त्रिभुजों से गहराई मानचित्र कैसे बनता है</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>प्रोसेसर</translation>
+    </message>
+    <message>
+        <source>Depth buffer</source>
+        <translation>गहराई बफ़र</translation>
+    </message>
+    <message>
+        <source>%1 × %2, %3 apart</source>
+        <translation>%1 × %2, दूरी %3</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>कोई नहीं</translation>
+    </message>
+    <message>
+        <source>%1, on the base plane</source>
+        <translation>%1, आधार तल पर</translation>
+    </message>
+    <message>
+        <source>Length unit of the file's coordinates (%1)</source>
+        <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TimePlot</name>
+    <message>
+        <source>Height of hand and proxy over the last ten seconds</source>
+        <translation>पिछले दस सेकंड में हाथ और प्रॉक्सी की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>proxy</source>
+        <translation>प्रॉक्सी</translation>
+    </message>
+    <message>
+        <source>Force over the last ten seconds</source>
+        <translation>पिछले दस सेकंड में बल</translation>
+    </message>
+    <message>
+        <source>force (N)</source>
+        <translation>बल (N)</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>बल</translation>
+    </message>
+    <message>
+        <source>Plots of height and force</source>
+        <translation>ऊँचाई और बल के आलेख</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ViewPanel</name>
+    <message>
+        <source>Seen from</source>
+        <translation>किस ओर से</translation>
+    </message>
+    <message>
+        <source>Look from this side (Alt+%1)</source>
+        <translation>इस ओर से देखें (Alt+%1)</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>स्वचालित</translation>
+    </message>
+    <message>
+        <source>Look from the side that shows most</source>
+        <translation>उस ओर से देखें जहाँ से सबसे अधिक दिखे</translation>
+    </message>
+    <message>
+        <source>Use this view</source>
+        <translation>यह दृश्य लें</translation>
+    </message>
+    <message>
+        <source>Make the depth map from where the turned detail view looks</source>
+        <translation>घुमाए गए विवरण दृश्य की दिशा से गहराई मानचित्र बनाएँ</translation>
+    </message>
+    <message>
+        <source>Straighten</source>
+        <translation>सीधा करें</translation>
+    </message>
+    <message>
+        <source>Look straight down on the relief again</source>
+        <translation>उभार को फिर सीधे ऊपर से देखें</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>हल्का</translation>
+    </message>
+    <message>
+        <source>Direction of the light</source>
+        <translation>प्रकाश की दिशा</translation>
+    </message>
+    <message>
+        <source>Where the light comes from: 0 is above, clockwise</source>
+        <translation>प्रकाश कहाँ से आता है: 0 ऊपर है, घड़ी की दिशा में</translation>
+    </message>
+    <message>
+        <source>Height of the light</source>
+        <translation>प्रकाश की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Low light brings out worn detail</source>
+        <translation>नीचा प्रकाश घिसे विवरण उभारता है</translation>
+    </message>
+    <message>
+        <source>Light from %1°, %2° high</source>
+        <translation>प्रकाश %1° से, %2° ऊँचा</translation>
+    </message>
+    <message>
+        <source>Seen from: %1</source>
+        <translation>किस ओर से: %1</translation>
+    </message>
+</context>
+</TS>
