@@ -88,6 +88,15 @@ Json lossesJson(const Surface& surface) {
           {"flyers", surface.losses->flyers}};
 }
 
+/// Heights of the planes and exactness of the depth buffer; null from other engines.
+Json depthBufferJson(const Surface& surface) {
+  if (!surface.depth_buffer) return nullptr;
+  const DepthBufferFormat& format = *surface.depth_buffer;
+  return {{"bits", format.bits},         {"type", format.is_float ? "float" : "fixed"},
+          {"near_mm", format.near_z_mm}, {"far_mm", format.far_z_mm},
+          {"step_mm", format.stepMm()},  {"accuracy_mm", format.accuracyMm()}};
+}
+
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   if (a.memory_mb && a.quality) {
     throw ArgumentError("--quality is for maps that are made in memory. Leave out --memory.");
@@ -113,6 +122,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["cells"] = {frame.size.cols, frame.size.rows};
   json["spacing_mm"] = frame.spacing_mm;
   json["engine"] = surface.engine;
+  json["depth_buffer"] = depthBufferJson(surface);
   json["rule"] = surface.rule;
   json["shares"] = sharesJson(surface.map);
   json["view_from_file"] = jsonOf(surface.view_from_file);

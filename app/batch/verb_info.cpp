@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "app/batch/json.h"
 #include "app/batch/verb.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
+#include "core/session/unit_guess.h"
 
 namespace relievo::batch {
 namespace {
@@ -25,6 +28,13 @@ Json jsonOf(const FilePoint& p) {
   return Json{p.x, p.y, p.z};
 }
 
+/// "300 x 200 x 41.3 mm"
+std::string sizeText(const FilePoint& size_mm) {
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), "%.4g x %.4g x %.4g mm", size_mm.x, size_mm.y, size_mm.z);
+  return text.data();
+}
+
 Outcome runInfo(const InfoArguments& a, const Task& task) {
   std::optional<LengthUnit> given;
   if (!a.unit.empty()) {
@@ -39,7 +49,16 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
       given ? UnitSource::given : (info.unit ? UnitSource::file : UnitSource::assumed);
   for (const std::string& warning : info.warnings) tell(warning);
   if (source == UnitSource::assumed) {
-    tell("The file states no unit; one file unit is taken as 1 mm. Give --unit if it is another.");
+    std::string text =
+        "The file states no unit; one file unit is taken as 1 mm. Give --unit if it is another.";
+    if (info.bounds) {
+      const LengthUnit likely = guessedUnit(*info.bounds);
+      text += " From its size " + std::string(name(likely)) + " is likely" +
+              (likely == unit
+                   ? "."
+                   : ": " + sizeText(mmPer(likely) * (info.bounds->max - info.bounds->min)) + ".");
+    }
+    tell(text);
   }
 
   Json json;
@@ -52,9 +71,15 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   if (info.bounds) {
     json["bounds"] = {{"min", jsonOf(info.bounds->min)}, {"max", jsonOf(info.bounds->max)}};
   }
+  json["size_mm"] = nullptr;
+  json["likely_unit"] = nullptr;
   json["unit"] = name(unit);
   json["unit_source"] = name(source);
   json["dropped_faces"] = info.dropped_faces;
+  if (info.bounds) {
+    json["size_mm"] = jsonOf(mmPer(unit) * (info.bounds->max - info.bounds->min));
+    if (source == UnitSource::assumed) json["likely_unit"] = name(guessedUnit(*info.bounds));
+  }
 
   Outcome outcome{.json = json.dump(2), .lines = {}};
   outcome.lines = {a.file + ": " + info.format,
@@ -64,6 +89,9 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   if (info.bounds) {
     outcome.lines.push_back("from " + json["bounds"]["min"].dump() + " to " +
                             json["bounds"]["max"].dump());
+    const FilePoint size_mm = mmPer(unit) * (info.bounds->max - info.bounds->min);
+    outcome.lines.push_back("size " + sizeText(size_mm) +
+                            (source == UnitSource::assumed ? ", if one unit is 1 mm" : ""));
   }
   return outcome;
 }

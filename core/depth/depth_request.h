@@ -13,6 +13,7 @@
 #include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/cloud/scan.h"
+#include "core/depth/depth_buffer_format.h"
 #include "core/depth/quality.h"
 
 namespace relievo {
@@ -68,6 +69,8 @@ struct CapturedDepths {
   bool one_layer = false;  ///< The rule is one for surfaces without a back: nothing shows through.
   std::string rule;        ///< Which rule and why, in words; empty where there was no choice.
   std::size_t flyers = 0;  ///< Points far off all their neighbours (core/depth/flyers.h); left out.
+
+  std::optional<DepthBufferFormat> depth_buffer;  ///< If the depths come from one.
 
   CapturedDepths() = default;
   /// An engine that knows depths only. Implicit, so that it serves as a `DepthEngine`.

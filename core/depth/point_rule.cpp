@@ -24,6 +24,7 @@ namespace {
 
 constexpr float kEmpty = std::numeric_limits<float>::quiet_NaN();
 constexpr float kLowest = -std::numeric_limits<float>::infinity();
+constexpr int kRowsBetweenChecks = 4;           // Of a wide grid, a few milliseconds.
 constexpr double kEnoughToAverage = 4;          // Points a cell.
 constexpr double kTopLayerCells = 1.5;          // Depth of the top layer: slopes up to 56 degrees.
 constexpr double kOtherLayerCells = 4;          // Points this far apart are not one surface.
@@ -220,12 +221,18 @@ double noiseOf(const CellPoints& points, const GridFrame& frame, const Task& tas
 /// Writes the cells of some rows.
 class RowWriter {
  public:
-  RowWriter(const DepthRequest& request, PointRule rule, double noise_mm, CapturedDepths& out)
-      : frame_(request.frame), rule_(rule), fit_(noise_mm, request.frame.spacing_mm), out_(out) {}
+  RowWriter(const DepthRequest& request, PointRule rule, double noise_mm, CapturedDepths& out,
+            const Task& task)
+      : frame_(request.frame),
+        rule_(rule),
+        fit_(noise_mm, request.frame.spacing_mm),
+        out_(out),
+        task_(task) {}
 
   void write(const RowPoints& rows, int first_row, int end_row) {
     if (rule_ == PointRule::splat) splats_.compute(rows, first_row, end_row);
     for (int row = first_row; row < end_row; ++row) {
+      if (row % kRowsBetweenChecks == 0) task_.check();
       if (rule_ == PointRule::quadratic) row_fits_.compute(rows, row, row == first_row);
       for (int col = 0; col < rows.cols; ++col) {
         const std::size_t i = frame_.size.index({.col = col, .row = row});
@@ -300,6 +307,7 @@ class RowWriter {
   RowSplats splats_;
   HiddenSurface hidden_;
   CapturedDepths& out_;
+  const Task& task_;
   std::vector<float> scratch_;
 };
 
@@ -419,7 +427,7 @@ class Scatter {
     const int units = (slab.end - slab.first + rows_at_once - 1) / rows_at_once;
     const int threads = threadsFor(points.count() + out_.front.size(), request_.threads);
     inBands(units, threads, [&](int first_unit, int end_unit) {
-      RowWriter writer(request_, rule_, noise_mm_, out_);
+      RowWriter writer(request_, rule_, noise_mm_, out_, task_);
       RowPoints rows;
       std::size_t flyers = 0;
       std::size_t on_grid = 0;

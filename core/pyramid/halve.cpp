@@ -61,17 +61,33 @@ void RowHalver::operator()(const FiveRows& rows, float* out) {
 
 std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize out_size,
                           int threads, const Task& task) {
-  std::vector<float> out(out_size.count());
-  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
+  const auto halve_row = [&](RowHalver& halve, int j, float* out) {
+    if (j % 64 == 0) task.check();
+    FiveRows rows{};
+    for (int n = 0; n < 5; ++n) {
+      const int from = mirrored(2 * j - 2 + n, size.rows);
+      rows[static_cast<std::size_t>(n)] = in.data() + size.index({.col = 0, .row = from});
+    }
+    halve(rows, out);
+  };
+  std::vector<float> out;
+  const int bands = threadsFor(size.count(), threads);
+  if (bands == 1) {
+    // Appended: setting all to zero first would take a fifth of the time.
+    RowHalver halve(size.cols);
+    std::vector<float> line(static_cast<std::size_t>(out_size.cols));
+    out.reserve(out_size.count());
+    for (int j = 0; j < out_size.rows; ++j) {
+      halve_row(halve, j, line.data());
+      out.insert(out.end(), line.begin(), line.end());
+    }
+    return out;
+  }
+  out.resize(out_size.count());
+  inBands(out_size.rows, bands, [&](int first, int end) {
     RowHalver halve(size.cols);
     for (int j = first; j < end; ++j) {
-      if (j % 64 == 0) task.check();
-      FiveRows rows{};
-      for (int n = 0; n < 5; ++n) {
-        const int from = mirrored(2 * j - 2 + n, size.rows);
-        rows[static_cast<std::size_t>(n)] = in.data() + size.index({.col = 0, .row = from});
-      }
-      halve(rows, out.data() + out_size.index({.col = 0, .row = j}));
+      halve_row(halve, j, out.data() + out_size.index({.col = 0, .row = j}));
     }
   });
   return out;

@@ -125,6 +125,21 @@ std::string percent(double share) {
   return text.data();
 }
 
+std::string significant(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g mm", value);
+  return text.data();
+}
+
+void sayDepthBuffer(Surface& surface) {
+  const DepthBufferFormat& format = *surface.depth_buffer;
+  surface.messages.push_back("Depth buffer of " + std::to_string(format.bits) + " bits" +
+                             (format.is_float ? ", floating point," : "") + " over " +
+                             significant(format.rangeMm()) + ": steps of " +
+                             significant(format.stepMm()) + ", heights exact to " +
+                             significant(format.accuracyMm()) + ".");
+}
+
 /// What was lost on the way, in words; only what somebody should act on or wonder at.
 void sayLosses(Surface& surface, const FilledMap& filled) {
   const DepthLosses& losses = *surface.losses;
@@ -272,6 +287,7 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   const HiddenSurface hidden =
       depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
   const std::size_t flyers = depths.flyers;
+  surface.depth_buffer = depths.depth_buffer;
   surface.seconds.grid = watch.lap();
 
   task.report("Filling gaps", 0.0);
@@ -282,6 +298,11 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   surface.engine = options.engine;
   surface.view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z - filled.base_z_mm);
   surface.map = std::move(filled.map);
+  if (surface.depth_buffer) {
+    surface.depth_buffer->near_z_mm -= filled.base_z_mm;
+    surface.depth_buffer->far_z_mm -= filled.base_z_mm;
+    sayDepthBuffer(surface);
+  }
   surface.quality = std::move(filled.quality);
   surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, surface.map);
   sayLosses(surface, filled);

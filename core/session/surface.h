@@ -50,6 +50,8 @@ struct Surface {
   std::string view_name;  ///< "top", ..., "free"; what automatic chose.
   std::string engine;
   std::string rule;  ///< Which rule and why, in words: "1.6 points per cell: local quadratic".
+  /// How exact the depth buffer was, its planes above the base plane; nothing from other engines.
+  std::optional<DepthBufferFormat> depth_buffer;
   DepthMap map;
   QualityMap quality;                 ///< Points and spread per cell; empty if not known.
   std::optional<DepthLosses> losses;  ///< Nothing for rasters: their points are gone.

@@ -97,6 +97,8 @@ TEST_F(Batch, InfoTellsWhatAFileHolds) {
   EXPECT_EQ(info["bounds"]["max"], json({100, 100, 15}));
   EXPECT_EQ(info["unit"], "mm");
   EXPECT_EQ(info["unit_source"], "assumed");
+  EXPECT_EQ(info["size_mm"], json({100, 100, 10}));
+  EXPECT_EQ(info["likely_unit"], "mm");
   EXPECT_THAT(result.err, HasSubstr("unit"));
 }
 
@@ -105,6 +107,8 @@ TEST_F(Batch, AGivenUnitIsUsedAndNotWarnedAbout) {
   const json info = reportOf(result);
   EXPECT_EQ(info["unit"], "us-ft");
   EXPECT_EQ(info["unit_source"], "given");
+  EXPECT_NEAR(info["size_mm"][0].get<double>(), 100 * 1200.0 / 3937 * 1000, 1e-6);
+  EXPECT_EQ(info["likely_unit"], nullptr);
   EXPECT_EQ(result.err, "");
 }
 
@@ -484,6 +488,13 @@ TEST_F(Batch, TheDepthBufferGivesTheSameMapOfAMesh) {
         runRelievo({"depthmap", mesh, "--unit", "mm", "--view", "top", "--cells", "101", "--engine",
                     engine, "-o", path(std::string(engine) + ".tif"), "--report", "json"}));
     EXPECT_EQ(report["engine"], engine);
+    const json& buffer = report["depth_buffer"];
+    EXPECT_EQ(buffer.is_null(), report["engine"] == "cpu");
+    if (buffer.is_null()) continue;
+    EXPECT_GE(buffer["bits"], 16);
+    EXPECT_NEAR(buffer["near_mm"].get<double>() - buffer["far_mm"].get<double>(), 3, 1e-3);
+    EXPECT_GT(buffer["step_mm"], 0);
+    EXPECT_LT(buffer["accuracy_mm"], 1e-3);
   }
   const RasterMap cpu = readRaster(path("cpu.tif"));
   const RasterMap gl = readRaster(path("depthbuffer.tif"));

@@ -16,7 +16,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "core/depth/rasterize.h"
@@ -111,6 +113,40 @@ void fiftyMillionTo4096(benchmark::State& state) {
   mapOf(state, 50'000'000, 0, 4096, std::nullopt);
 }
 BENCHMARK(fiftyMillionTo4096)->Unit(benchmark::kMillisecond)->Iterations(2);
+
+/// From asking to stop, at moments spread over the work, to its end: `worst_ms`; the bar is 250.
+void cancelOfTenMillion(benchmark::State& state) {
+  constexpr int kMoments = 24;
+  const Scan& scan = reliefN(10'000'000, 0.0005);
+  SurfaceOptions options = relievo::test::topView(static_cast<int>(state.range(0)));
+  const double whole_s =
+      secondsOf([&] { relievo::makeSurface(scan, options, relievo::rasterize); });
+  double worst = 0;
+  for (auto _ : state) {
+    for (int k = 0; k < kMoments; ++k) {
+      std::stop_source stop;
+      std::chrono::steady_clock::time_point asked;
+      std::jthread other([&] {
+        std::this_thread::sleep_for(std::chrono::duration<double>(whole_s * (k + 0.5) / kMoments));
+        asked = std::chrono::steady_clock::now();
+        stop.request_stop();
+      });
+      bool stopped = false;
+      try {
+        relievo::makeSurface(scan, options, relievo::rasterize,
+                             {.stop = stop.get_token(), .progress = {}});
+      } catch (const relievo::Cancelled&) {
+        stopped = true;
+      }
+      const auto end = std::chrono::steady_clock::now();
+      other.join();
+      if (stopped) worst = std::max(worst, std::chrono::duration<double>(end - asked).count());
+    }
+  }
+  state.counters["worst_ms"] = 1e3 * worst;
+  state.counters["whole_s"] = whole_s;
+}
+BENCHMARK(cancelOfTenMillion)->ArgName("cells")->Arg(800)->Arg(2000)->Iterations(1);
 
 /// 158 x 316 nodes: 99 855 triangles over the relief.
 void hundredThousandTriangles(benchmark::State& state) {

@@ -6,11 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include <vtk_glew.h>
 #include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -60,9 +63,7 @@ struct Drawing {
     return (y_mm - frame.first_y_mm) / frame.spacing_mm - 0.5 * (frame.size.rows - 1);
   }
   double w(double z_mm) const { return (z_mm - middle_z_mm) / range_mm; }
-  double zOf(float depth) const {
-    return middle_z_mm + (0.5 - static_cast<double>(depth)) * range_mm;
-  }
+  double zOf(double depth) const { return middle_z_mm + (0.5 - depth) * range_mm; }
 
   void setHeights(double lowest_mm, double highest_mm) {
     middle_z_mm = 0.5 * (lowest_mm + highest_mm);
@@ -217,6 +218,32 @@ class Capture {
 
   int limitPx() const { return limit_px_; }
 
+  /// Of the buffer that was drawn into; ask after drawing.
+  DepthBufferFormat format(const Drawing& drawing) {
+    GLint bits = 0;
+    GLint type = 0;
+    vtkOpenGLFramebufferObject* const buffer =
+        vtkOpenGLRenderWindow::SafeDownCast(window_.get())->GetRenderFramebuffer();
+    buffer->SaveCurrentBindingsAndBuffers();
+    buffer->Bind();
+    const auto ask = [](GLenum what, GLint* value) {
+      glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, what, value);
+    };
+    ask(GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE, &bits);
+    ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
+    buffer->RestorePreviousBindingsAndBuffers();
+    if (bits <= 0) {
+      throw GraphicsError(
+          "The graphics driver does not say how exact its depth buffer is. Use the CPU engine "
+          "instead.");
+    }
+    return {.bits = bits,
+            .is_float = type == GL_FLOAT,
+            .near_z_mm = drawing.zOf(0),
+            .far_z_mm = drawing.zOf(1),
+            .triangles = corners_ == 3};
+  }
+
   /// Depths [0, 1] of a tile's samples; 1 is nothing.
   void draw(const std::vector<std::uint32_t>& indices, GridSize grid, const Tile& tile, Shift shift,
             std::vector<float>& depths, const Task& task) {
@@ -292,7 +319,7 @@ struct DepthPicture {
         any = true;
         float& out = depths[size.index(cell)];
         if (only_empty && !std::isnan(out)) continue;
-        out = static_cast<float>(drawing.zOf(d));
+        out = static_cast<float>(drawing.zOf(static_cast<double>(d)));
       }
     }
     return any;
@@ -301,14 +328,15 @@ struct DepthPicture {
 
 }  // namespace
 
-FrontDepths captureDepths(const DepthRequest& request, const Task& task) {
+CapturedDepths captureDepths(const DepthRequest& request, const Task& task) {
   const GridSize size = request.frame.size;
   if (size.cols < 1 || size.rows < 1 || !(request.frame.spacing_mm > 0)) {
     throw ArgumentError("A depth map needs at least one sample and a spacing above 0.");
   }
-  FrontDepths depths(size.count(), std::numeric_limits<float>::quiet_NaN());
+  CapturedDepths captured(FrontDepths(size.count(), std::numeric_limits<float>::quiet_NaN()));
+  FrontDepths& depths = captured.front;
   task.check();
-  if (request.scan.points.empty()) return depths;
+  if (request.scan.points.empty()) return captured;
   const bool is_mesh = !request.scan.triangles.empty();
   const Drawing drawing = drawingOf(request, task);
   Shape shape;
@@ -343,7 +371,8 @@ FrontDepths captureDepths(const DepthRequest& request, const Task& task) {
         "The graphics driver returned an empty depth buffer. Use the CPU engine instead.");
   }
   task.report("Drawing the depth buffer", 1);
-  return depths;
+  if (any) captured.depth_buffer = capture.format(drawing);
+  return captured;
 }
 
 }  // namespace relievo

@@ -9,6 +9,7 @@ namespace relievo {
 /// MSAA off, tight clipping range, one pixel per sample, independent of windows and screen.
 /// [worker; one at a time] @throw GraphicsError  no display, or grid above the driver's limit
 /// @throw Cancelled
-FrontDepths captureDepths(const DepthRequest& request, const Task& task = {});
+/// @return with the format of the buffer: how exact the depths are
+CapturedDepths captureDepths(const DepthRequest& request, const Task& task = {});
 
 }  // namespace relievo

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <stop_token>
 
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
@@ -179,6 +180,24 @@ TEST(MakeSurface, AnOwnMapIsTakenAsItIs) {
   EXPECT_EQ(surface.map.heights_mm, (std::vector<float>{-1, 2, 3, 0}));
   EXPECT_EQ(surface.map.origins, raster.origins);
   EXPECT_EQ(surface.unit_source, UnitSource::file);
+}
+
+TEST(MakeSurface, StopsAtWhicheverStepItIsAskedTo) {
+  const Scan scan = scanOfF();
+  SurfaceOptions options;
+  options.cells = 400;
+  int reports = 0;
+  makeSurface(scan, options, rasterize, {.stop = {}, .progress = [&](auto, double) { ++reports; }});
+  ASSERT_GE(reports, 3);  // Depth map, filling, pyramid.
+  for (int asked = 0; asked < reports; ++asked) {
+    std::stop_source stop;
+    int now = 0;
+    const Task task{.stop = stop.get_token(), .progress = [&](auto, double) {
+                      if (now++ == asked) stop.request_stop();
+                    }};
+    EXPECT_THROW(makeSurface(scan, options, rasterize, task), Cancelled) << asked;
+    EXPECT_EQ(now, asked + 1) << "went on to another step";
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <numbers>
 #include <random>
 
@@ -66,8 +67,8 @@ Scan ball(double radius, double cx, double cy, double cz, int rings) {
 }
 
 void expectEnginesAgree(const DepthRequest& request, double jump_mm, double at_least_compared) {
-  expectEnginesAgree(rasterize(request).front, captureDepths(request), request.frame.size, jump_mm,
-                     at_least_compared);
+  expectEnginesAgree(rasterize(request).front, captureDepths(request).front, request.frame.size,
+                     jump_mm, at_least_compared);
 }
 
 double waves(double x, double y) {
@@ -78,7 +79,8 @@ TEST(DepthCapture, TiltedPlaneComesBackAsThatPlaneAtEverySampleTheRimIncluded) {
   const auto plane = [](double x, double y) { return 3 + 0.25 * x - 0.5 * y; };
   const Scan mesh = test::latticeMesh(4, 4, 10, plane);
   const GridFrame frame = frameOf(121, 121, 0.25);
-  const FrontDepths depths = captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths =
+      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame}).front;
   for (int row = 0; row < 121; ++row) {
     for (int col = 0; col < 121; ++col) {
       const bool rim = col == 0 || row == 0 || col == 120 || row == 120;
@@ -92,7 +94,8 @@ TEST(DepthCapture, TiltedPlaneComesBackAsThatPlaneAtEverySampleTheRimIncluded) {
 TEST(DepthCapture, AFineMeshComesBackAsItsClosedForm) {
   const Scan mesh = scatteredMesh(600, 60, waves);
   const GridFrame frame = frameOf(301, 301, 0.2);
-  const FrontDepths depths = captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths =
+      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame}).front;
   double largest = 0;
   for (int row = 1; row < 300; ++row) {
     for (int col = 1; col < 300; ++col) {
@@ -122,6 +125,53 @@ TEST(DepthCapture, AgreesWithTheCpuEngineOnABallInFrontOfASheet) {
                      0.7);
 }
 
+TEST(DepthCapture, SaysHowExactItsFormatIsAndKeepsWithinItOfTheCpuEngine) {
+  Scan cloud;
+  std::mt19937 random(12);
+  std::uniform_real_distribution<float> place(0, 60);
+  for (int i = 0; i < 200'000; ++i) cloud.points.push_back({place(random), place(random), 0});
+  for (auto& p : cloud.points) {
+    p[2] = static_cast<float>(waves(static_cast<double>(p[0]), static_cast<double>(p[1])));
+  }
+  const Scan mesh = scatteredMesh(160, 60, waves);
+  for (const Scan* scan : std::initializer_list<const Scan*>{&cloud, &mesh}) {
+    const DepthRequest request{
+        .scan = *scan, .view_from_file = {}, .frame = frameOf(400, 400, 60.0 / 399)};
+    const CapturedDepths captured = captureDepths(request);
+    ASSERT_TRUE(captured.depth_buffer.has_value());
+    const DepthBufferFormat& format = *captured.depth_buffer;
+    EXPECT_EQ(format.triangles, scan == &mesh);
+    EXPECT_GE(format.bits, 16);
+    EXPECT_LE(format.bits, 32);
+    const auto [low, high] =
+        std::minmax_element(scan->points.begin(), scan->points.end(),
+                            [](const auto& a, const auto& b) { return a[2] < b[2]; });
+    EXPECT_GE(format.near_z_mm, static_cast<double>((*high)[2]));
+    EXPECT_LE(format.far_z_mm, static_cast<double>((*low)[2]));
+    EXPECT_LT(format.rangeMm(), 1.001 * static_cast<double>((*high)[2] - (*low)[2]));
+    if (format.bits == 24 && !format.is_float) {
+      EXPECT_DOUBLE_EQ(format.stepMm(), format.rangeMm() / 16'777'215);
+    }
+    // A jump of 1 mm between samples is a silhouette here; the points' front is not continuous.
+    if (scan == &mesh) {
+      const Difference d = compare(rasterize(request).front, captured.front, request.frame.size, 1);
+      EXPECT_GT(d.compared, 100'000U);
+      EXPECT_LE(d.largest_mm, format.accuracyMm());
+      continue;
+    }
+    const FrontDepths exact = rasterize(request).front;
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      ASSERT_EQ(std::isnan(exact[i]), std::isnan(captured.front[i]));
+      if (std::isnan(exact[i])) continue;
+      ++compared;
+      ASSERT_LE(std::abs(static_cast<double>(exact[i]) - static_cast<double>(captured.front[i])),
+                format.accuracyMm() + 1e-6);  // Depths themselves are stored in single precision.
+    }
+    EXPECT_GT(compared, 100'000U);
+  }
+}
+
 TEST(DepthCapture, AgreesWithTheCpuEngineOnAMapLargerThanOneTile) {
   const Scan mesh = scatteredMesh(300, 60, waves);
   expectEnginesAgree(
@@ -148,7 +198,7 @@ TEST(DepthCapture, PointsCountForTheirNearestSampleAndTheFrontMostWins) {
   }
   const GridFrame frame = frameOf(400, 400, 0.15);
   const DepthRequest request{.scan = cloud, .view_from_file = {}, .frame = frame};
-  const FrontDepths cpu = rasterize(request).front, gl = captureDepths(request);
+  const FrontDepths cpu = rasterize(request).front, gl = captureDepths(request).front;
   std::size_t same = 0, hit = 0;
   double largest = 0;
   for (std::size_t i = 0; i < cpu.size(); ++i) {
@@ -166,7 +216,8 @@ TEST(DepthCapture, PointsCountForTheirNearestSampleAndTheFrontMostWins) {
 TEST(DepthCapture, CellsWithNothingInFrontAreNotNumbers) {
   const Scan mesh = test::latticeMesh(2, 2, 10, [](double, double) { return 5.0; });
   const GridFrame frame = frameOf(40, 20, 1);
-  const FrontDepths depths = captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame});
+  const FrontDepths depths =
+      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frame}).front;
   EXPECT_NEAR(depths[frame.size.index({5, 5})], 5, 1e-5);
   EXPECT_TRUE(std::isnan(depths[frame.size.index({15, 5})]));
   EXPECT_TRUE(std::isnan(depths[frame.size.index({5, 15})]));
@@ -175,7 +226,7 @@ TEST(DepthCapture, CellsWithNothingInFrontAreNotNumbers) {
 TEST(DepthCapture, AnEmptyScanGivesNothing) {
   const Scan nothing;
   const FrontDepths depths =
-      captureDepths({.scan = nothing, .view_from_file = {}, .frame = frameOf(3, 2, 1)});
+      captureDepths({.scan = nothing, .view_from_file = {}, .frame = frameOf(3, 2, 1)}).front;
   EXPECT_EQ(depths.size(), 6U);
   EXPECT_TRUE(std::all_of(depths.begin(), depths.end(), [](float z) { return std::isnan(z); }));
 }
@@ -183,7 +234,7 @@ TEST(DepthCapture, AnEmptyScanGivesNothing) {
 TEST(DepthCapture, RepeatsItselfBitByBit) {
   const Scan mesh = scatteredMesh(100, 60, waves);
   const DepthRequest request{.scan = mesh, .view_from_file = {}, .frame = frameOf(301, 301, 0.2)};
-  const FrontDepths once = captureDepths(request), again = captureDepths(request);
+  const FrontDepths once = captureDepths(request).front, again = captureDepths(request).front;
   EXPECT_EQ(std::memcmp(once.data(), again.data(), once.size() * sizeof(float)), 0);
 }
 
@@ -194,7 +245,8 @@ TEST(DepthCapture, StopsWhenAsked) {
   task.stop = stop.get_token();
   task.progress = [&](std::string_view, double) { stop.request_stop(); };
   EXPECT_THROW(
-      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frameOf(301, 301, 0.2)}, task),
+      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frameOf(301, 301, 0.2)}, task)
+          .front,
       Cancelled);
 }
 
@@ -202,8 +254,9 @@ TEST(DepthCapture, WithoutADisplayItSaysSo) {
   const std::string display = std::getenv("DISPLAY") ? std::getenv("DISPLAY") : "";
   unsetenv("DISPLAY");
   const Scan mesh = test::latticeMesh(2, 2, 10, [](double, double) { return 5.0; });
-  EXPECT_THROW(captureDepths({.scan = mesh, .view_from_file = {}, .frame = frameOf(11, 11, 1)}),
-               GraphicsError);
+  EXPECT_THROW(
+      captureDepths({.scan = mesh, .view_from_file = {}, .frame = frameOf(11, 11, 1)}).front,
+      GraphicsError);
   setenv("DISPLAY", display.c_str(), 1);
 }
 

@@ -20,7 +20,7 @@ void expectEnginesAgreeOn(const std::string& name) {
   const DepthEngine both = [&](const DepthRequest& request, const Task& task) {
     frame = request.frame;
     cpu = rasterize(request, task).front;
-    gl = captureDepths(request, task);
+    gl = captureDepths(request, task).front;
     return cpu;
   };
   SurfaceOptions options;
