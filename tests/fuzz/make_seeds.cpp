@@ -162,6 +162,10 @@ void addE57(const Seeds& seeds) {
               pose,
               {}});
   seeds.add("e57", "cartesian", sample.file());
+  // Numbers of 12 bits: one changed digit of the text away from other widths.
+  std::string wide = sample.xml();
+  wide.replace(wide.find("maximum=\"20\""), 12, "maximum=\"4000\"");
+  seeds.add("e57", "wide", sample.fileWith(wide));
   sample.add({"5",
               {{"sphericalRange", real, doubles},
                {"sphericalAzimuth", real, doubles},
@@ -177,6 +181,9 @@ void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
   seeds.add("raster", "grid",
             "ncols 3\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 0.5\nNODATA_value -9\n1 2 3\n4 "
             "-9 6\n");
+  seeds.add("raster", "more_cells",
+            "ncols 2\nnrows 5\nxllcorner 5\nyllcorner 6\ncellsize 0.5\n1 2\n3 4\n5 6\n7 8\n"
+            "9 8\n7 6\n5 4\n3 2\n");
   DepthMap map{.frame = {.size = {3, 2}, .spacing_mm = 0.5},
                .heights_mm = {1, 2, 3, 4, 5, 6},
                .origins = std::vector<Origin>(6, Origin::measured)};
