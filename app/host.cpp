@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "core/region/edges.h"
 #include "core/session/finer_heights.h"
+#include "ui/detail_view.h"
 
 namespace relievo {
 
@@ -66,6 +68,20 @@ std::vector<float> WindowHost::finerHeights(const RegionWindow& window) const {
   const auto surface = window_.document().surface();
   if (!surface || surface->tiles) return {};
   return relievo::finerHeights(*surface, window.region, window.gain);
+}
+
+bool WindowHost::showRegion(const Region& region) {
+  return window_.document().zoomTo(region);
+}
+
+std::uint8_t WindowHost::edges() const {
+  const Document& document = window_.document();
+  return document.isOpen() ? edgesOf(document.surface()->ladder, document.state().region)
+                           : std::uint8_t{0};
+}
+
+void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
+  if (window_.document().isOpen()) window_.detailView().turnBy(azimuth_deg, elevation_deg);
 }
 
 QString WindowHost::recordingHeader() const {

@@ -21,6 +21,9 @@ class WindowHost : public Host {
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;
   std::vector<float> finerHeights(const RegionWindow& window) const override;
+  bool showRegion(const Region& region) override;
+  std::uint8_t edges() const override;
+  void turnView(double azimuth_deg, double elevation_deg) override;
   QString recordingHeader() const override;
 
  private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <QVTKOpenGLNativeWidget.h>
 #include <clocale>
+#include <csignal>
 #include <iostream>
 #include <QApplication>
 #include <QFile>
@@ -83,6 +84,8 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that may not grow is met like a full disk: what is written is completed.
+  std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
   relievo::WindowOptions options;
   try {

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "haptics/device/falcon/falcon_device.h"
-#include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/device/mouse_device.h"
@@ -40,7 +39,7 @@ std::unique_ptr<Device> makeFalcon(const std::string& id) {
     throw DeviceError("There is no Falcon named \"" + id + "\"; one is used at a time, falcon:0.");
   }
   return std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
-                                                falcon::firmwareSource(),
+                                                falcon::storedFirmwareSource(),
                                                 falcon::readSettings(falcon::settingsFile()));
 }
 }  // namespace

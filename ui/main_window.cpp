@@ -25,6 +25,7 @@
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
+#include "ui/path_preview.h"
 #include "ui/places_panel.h"
 #include "ui/reference_view.h"
 #include "ui/relief_picture.h"
@@ -36,6 +37,7 @@
 #include "ui/surface_panel.h"
 #include "ui/text.h"
 #include "ui/time_plot.h"
+#include "ui/video_control.h"
 #include "ui/view_panel.h"
 #include "ui/work_keeper.h"
 
@@ -125,6 +127,8 @@ MainWindow::~MainWindow() {
   document_.disconnect();
   document_.history().disconnect();
   replay_->disconnect();
+  video_->disconnect();
+  path_preview_->disconnect();
   detail_->disconnect();
   reference_->disconnect();
   delete takeCentralWidget();
@@ -178,6 +182,8 @@ void MainWindow::layOut() {
   rows_->addWidget(views_);
   rows_->addWidget(plot_);
   replay_ = new ReplayControl(document_, this);
+  video_ = new VideoControl(this);
+  path_preview_ = new PathPreview(this);
   replay_->panel()->setMinimumHeight(120);
   rows_->addWidget(replay_->panel());
   rows_->setCollapsible(0, false);
@@ -274,6 +280,7 @@ void MainWindow::connectParts() {
   });
   connectPlaces();
   connectReplay();
+  connectVideo();
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }
 
@@ -472,6 +479,14 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (document_.busy()) {
       restoring_.reset();
       document_.cancel();
+      return true;
+    }
+    if (video_->writing()) {
+      video_->cancel();
+      return true;
+    }
+    if (path_preview_->playing()) {
+      path_preview_->stop();
       return true;
     }
     if (replay_->reading()) {

@@ -8,6 +8,7 @@
 
 #include "core/project/project.h"
 #include "core/region/probe.h"
+#include "core/replay/video_request.h"
 #include "ui/document.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
@@ -27,6 +28,7 @@ class DetailView;
 class MeasurePanel;
 class MessageStrip;
 class OverviewInset;
+class PathPreview;
 class PlacesPanel;
 class ReferenceView;
 class RegionPanel;
@@ -36,6 +38,7 @@ class StatusFields;
 class StereoPanel;
 class SurfacePanel;
 class TimePlot;
+class VideoControl;
 class ViewPanel;
 class WorkKeeper;
 
@@ -86,6 +89,10 @@ class MainWindow : public QMainWindow {
   /// Shows a recording on the open map, or offers to open the one it was made on.
   void replay(const QString& file);
   ReplayControl& replayControl() { return *replay_; }
+  /// A video of the replay, or of the camera path, in the background.
+  void writeVideo(VideoProfile profile, const QString& file);
+  VideoControl& videoControl() { return *video_; }
+  QImage videoPicture();  ///< What a video of the view shows now.
   /// Comment lines about input, unit, view and region for a recording's header.
   QString recordingHeader() const;
 
@@ -190,6 +197,18 @@ class MainWindow : public QMainWindow {
   void offerRecordedMap(const QString& sentence);
   void openRecordedMap(const QString& file);
 
+  // main_window_video.cpp
+  void makeVideoCommands();
+  void connectVideo();
+  void enableVideo();
+  bool hasPath() const;
+  void chooseVideo();
+
+  void setLiveVideo(bool on);
+  void addKeyView();
+  void previewPath();
+  void showPathView(const ViewState& view);
+
   // main_window_touch.cpp
   void drawProbe(const Probe& probe);
   void showPosition(const ViewMm& position, std::optional<Origin> known);
@@ -197,6 +216,7 @@ class MainWindow : public QMainWindow {
   /// What is shown, as one line of JSON without places of this computer.
   std::string carriedState() const;
   bool stopForces();
+  QString introduction() const;
 
   Settings settings_;
   Document document_;
@@ -221,6 +241,8 @@ class MainWindow : public QMainWindow {
   WorkKeeper* keeper_ = nullptr;
   TimePlot* plot_ = nullptr;
   ReplayControl* replay_ = nullptr;
+  VideoControl* video_ = nullptr;
+  PathPreview* path_preview_ = nullptr;
   StatusFields* status_ = nullptr;
   QToolBar* tools_ = nullptr;
   QComboBox* detail_choice_ = nullptr;

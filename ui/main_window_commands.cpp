@@ -121,6 +121,12 @@ void MainWindow::makeCommands() {
           search->show();
         },
         {}});
+  make({"introduction",
+        tr("&Introduction"),
+        {},
+        tr("Say what is open and how it is touched"),
+        [this] { announce(introduction()); },
+        {}});
   make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
   makeSurfaceCommands();
   makeWindowCommands();
@@ -128,6 +134,7 @@ void MainWindow::makeCommands() {
   makeMeasureCommands();
   makePlaceCommands();
   makeReplayCommands();
+  makeVideoCommands();
 }
 
 void MainWindow::makeSurfaceCommands() {
@@ -161,22 +168,30 @@ void MainWindow::makeSurfaceCommands() {
         Icon::whole});
   struct Move {
     const char* name;
-    QString text, keys;
+    QString text, keys, moved;
     double dx, dy;
   };
   const std::array<Move, 4> moves{{
-      {"move_left", tr("Move &left"), "Ctrl+Left", -kMoveStep, 0},
-      {"move_right", tr("Move &right"), "Ctrl+Right", kMoveStep, 0},
-      {"move_up", tr("Move &up"), "Ctrl+Up", 0, kMoveStep},
-      {"move_down", tr("Move &down"), "Ctrl+Down", 0, -kMoveStep},
+      {"move_left", tr("Move &left"), "Ctrl+Left", tr("Left"), -kMoveStep, 0},
+      {"move_right", tr("Move &right"), "Ctrl+Right", tr("Right"), kMoveStep, 0},
+      {"move_up", tr("Move &up"), "Ctrl+Up", tr("Up"), 0, kMoveStep},
+      {"move_down", tr("Move &down"), "Ctrl+Down", tr("Down"), 0, -kMoveStep},
   }};
   for (const Move& m : moves) {
     make({m.name,
           m.text,
           {QKeySequence(m.keys)},
           tr("Move the window by a quarter of its side"),
-          [this, dx = m.dx, dy = m.dy] {
-            if (!document_.move(dx, dy)) announce(tr("Edge"));
+          [this, dx = m.dx, dy = m.dy, moved = m.moved] {
+            if (!document_.move(dx, dy)) {
+              announce(tr("Edge"));
+              return;
+            }
+            const Region& region = document_.state().region;
+            announce(tr("%1. Window at %2, %3 mm")
+                         .arg(moved)
+                         .arg(region.x_mm, 0, 'f', 1)
+                         .arg(region.y_mm, 0, 'f', 1));
           },
           {}});
   }

@@ -83,8 +83,11 @@ void MainWindow::makeMenus() {
        "measure_area", "-", "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
-  add(menu(QStringLiteral("record"), tr("Re&cord")), {"replay", "replay_play", "replay_close"});
-  add(menu(QStringLiteral("help"), tr("&Help")), {"search_commands", "keys", "about"});
+  add(menu(QStringLiteral("record"), tr("Re&cord")),
+      {"replay", "replay_play", "replay_close", "-", "video", "video_live", "-", "key_view",
+       "path_play", "path_clear"});
+  add(menu(QStringLiteral("help"), tr("&Help")),
+      {"search_commands", "keys", "introduction", "about"});
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {
@@ -207,6 +210,7 @@ void MainWindow::showHistory() {
 }
 
 void MainWindow::enableCommands() {
+  enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
   for (const char* name :

@@ -184,6 +184,17 @@ bool MainWindow::runCommand(const QString& name) {
   return true;
 }
 
+QString MainWindow::introduction() const {
+  if (!document_.isOpen()) return tr("Nothing is open. Open a scan with Ctrl+O.");
+  const DetailLadder& ladder = document_.surface()->ladder;
+  return tr("%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. "
+            "Plus: finer; Minus: coarser; both for two seconds: help.")
+      .arg(QFileInfo(document_.file()).fileName())
+      .arg(ladder.width_mm, 0, 'f', 0)
+      .arg(ladder.height_mm, 0, 'f', 0)
+      .arg(document_.details());
+}
+
 bool MainWindow::stopForces() {
   if (!touch_.forces_on) return false;
   QAction* forces = command("forcesOff");

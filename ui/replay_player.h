@@ -20,6 +20,7 @@ class ReplayPlayer : public QObject {
   void load(std::shared_ptr<const TouchRecording> recording);  ///< At its start, paused.
   void unload();
   const TouchRecording* recording() const { return recording_.get(); }  ///< Null: none.
+  std::shared_ptr<const TouchRecording> shared() const { return recording_; }
 
   double timeS() const { return time_s_; }  ///< Since the recording's first row.
   double durationS() const;

@@ -23,7 +23,7 @@ namespace {
 std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
   return {infoVerb(),       depthmapVerb(),    fillVerb(),    pyramidVerb(), convertVerb(),
           renderVerb(),     figureVerb(),      measureVerb(), projectVerb(), devicesVerb(),
-          touchVerb(words), recordVerb(words), replayVerb()};
+          touchVerb(words), recordVerb(words), replayVerb(),  videoVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {

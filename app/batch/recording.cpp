@@ -130,6 +130,8 @@ TouchRecording readRecording(const std::filesystem::path& file, const Task& task
   } else {
     takeState(recording);
   }
+  // A recording of the window has its last lines in room that its header kept for them.
+  takeWindowLines(recording, log.header);
   takeWindowLines(recording, log.footer);
   return recording;
 }

@@ -42,6 +42,7 @@ Verb projectVerb();
 Verb touchVerb(std::vector<std::string> words);
 Verb recordVerb(std::vector<std::string> words);
 Verb replayVerb();
+Verb videoVerb();
 
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);

@@ -96,7 +96,8 @@ Outcome list() {
     if (opening.presence == falcon::Presence::forbidden) tell(falcon::udevRule());
   }
   try {
-    json["falcon_firmware"] = jsonOfFirmware(falcon::findFirmware(falcon::firmwarePlaces()));
+    json["falcon_firmware"] = jsonOfFirmware(falcon::findFirmware(
+        falcon::firmwarePlaces(falcon::readSettings(falcon::settingsFile()).firmware)));
     outcome.lines.push_back("Falcon firmware: " +
                             json["falcon_firmware"]["file"].get<std::string>());
   } catch (const FileError& error) {
@@ -128,7 +129,7 @@ Outcome installFirmware(const DevicesArguments& a) {
 }
 
 Outcome selftest(const DevicesArguments& a, const Task& task) {
-  falcon::FalconDevice device(std::make_unique<falcon::UsbBus>(), falcon::firmwareSource(),
+  falcon::FalconDevice device(std::make_unique<falcon::UsbBus>(), falcon::storedFirmwareSource(),
                               falcon::readSettings(falcon::settingsFile()));
   device.open();
   waitUntilReady(device, a.ready_s, task);

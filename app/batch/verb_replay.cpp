@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "app/batch/json.h"
+#include "app/batch/replay_window.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "core/io/file_check.h"
+#include "core/project/package.h"
+#include "core/project/project.h"
 #include "haptics/record/replay.h"
 
 namespace relievo::batch {
@@ -15,6 +21,8 @@ struct ReplayArguments {
   std::string log, input, out;
   bool verify = false;
 };
+
+constexpr int kVerifyMismatch = 5;
 
 /// The command that made a log, from its header's line "parameters {...}".
 std::vector<std::string> commandOf(const LogTable& log, const std::string& file) {
@@ -31,8 +39,9 @@ std::vector<std::string> commandOf(const LogTable& log, const std::string& file)
       return json["command"].get<std::vector<std::string>>();
     }
   }
-  throw FileError("The log \"" + file +
-                  "\" does not say what made it; only logs of touch and record can be replayed.");
+  throw FileError(
+      "The log \"" + file +
+      "\" does not say what made it; only logs of touch, record and the window can be replayed.");
 }
 
 TouchArguments argumentsOf(const std::vector<std::string>& command) {
@@ -53,24 +62,125 @@ TouchArguments argumentsOf(const std::vector<std::string>& command) {
   return arguments;
 }
 
-Outcome runReplay(const ReplayArguments& a, const Task& task) {
-  const LogTable log = readLog(a.log);
-  TouchArguments touch = argumentsOf(commandOf(log, a.log));
-  if (!a.input.empty()) touch.map.file = a.input;
+bool isPackage(const std::string& file) {
+  return readHead(file, 4) == std::string("PK\x03\x04", 4);
+}
+
+/// A folder of its own, gone afterwards.
+class WorkFolder {
+ public:
+  WorkFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "relievo-package-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw WriteError("No folder to unpack the package can be made. Set TMPDIR to another one.");
+    }
+    path_ = name;
+  }
+  ~WorkFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  WorkFolder(const WorkFolder&) = delete;
+  WorkFolder& operator=(const WorkFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// One recording of a package: replayed on the package's input, as far as a recording can be.
+Json replayPacked(const std::filesystem::path& recording, const std::filesystem::path& input,
+                  const Task& task) {
+  const std::string name = recording.filename().string();
+  Json json{{"recording", name}};
+  const LogTable log = readLog(recording, task);
+  std::vector<std::string> command;
+  try {
+    command = commandOf(log, name);
+  } catch (const FileError&) {
+    json["replayed"] = false;  // Of the window: a hand that chose its windows as it went.
+    json["ticks"] = log.rows.size();
+    return json;
+  }
+  TouchArguments touch = argumentsOf(command);
+  touch.map.file = input.string();
   const TouchSetup setup = prepareTouch(touch, task);
-  std::unique_ptr<SampleLog> out;
-  if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
   const ReplayResult result = replay(
-      *setup.space, setup.core, log,
-      [&out](const HapticSample& sample, double t_s) {
-        if (out) out->write(sample, t_s);
-      },
-      task);
+      *setup.space, setup.core, log, [](const HapticSample&, double) {}, task);
+  json["replayed"] = true;
+  json["ticks"] = result.ticks;
+  json["different_ticks"] = result.different;
+  return json;
+}
+
+/// Every file of a package against its checksum, then every recording against its surface.
+Outcome verifyAll(const ReplayArguments& a, const Task& task) {
+  const PackageCheck check = verifyPackage(a.log, task);
+  Json json{{"package", a.log},
+            {"files", check.files},
+            {"problems", check.problems},
+            {"recordings", Json::array()}};
+  for (const std::string& problem : check.problems) tell(problem);
+  Outcome outcome{
+      .json = {},
+      .lines = {a.log + ": " + std::to_string(check.files) + " files are as they were packed"},
+      .exit_code = check.problems.empty() ? 0 : kVerifyMismatch};
+  if (check.problems.empty()) {
+    const WorkFolder folder;
+    unpackPackage(a.log, folder.path(), task);
+    const Project project = readProject(folder.path() / "project.json");
+    const std::string input = a.input.empty() ? project.file : a.input;
+    std::error_code missing;
+    if (!project.recordings.empty() && !std::filesystem::exists(input, missing)) {
+      throw FileError(
+          "The package does not hold its input, so that nothing can be replayed. Give "
+          "the file with --input; its checksum is " +
+          project.sha256 + ".");
+    }
+    for (const InputFile& recording : project.recordings) {
+      const Json one = replayPacked(recording.file, input, task);
+      const bool replayed = one["replayed"].get<bool>();
+      const bool same = !replayed || one["different_ticks"] == 0;
+      if (!same) outcome.exit_code = kVerifyMismatch;
+      outcome.lines.push_back(
+          one["recording"].get<std::string>() + ": " + one["ticks"].dump() +
+          (!replayed ? " rows, recorded in the window: read, not replayed"
+           : same    ? " ticks replayed, all the same to the last bit"
+                     : " ticks replayed, " + one["different_ticks"].dump() + " differ"));
+      json["recordings"].push_back(one);
+    }
+  }
+  json["identical"] = outcome.exit_code == 0;
+  outcome.json = json.dump(2);
+  return outcome;
+}
+
+Outcome runReplay(const ReplayArguments& a, const Task& task) {
+  if (isPackage(a.log)) return verifyAll(a, task);
+  const LogTable log = readLog(a.log);
+  std::unique_ptr<SampleLog> out;
+  const auto each = [&out](const HapticSample& sample, double t_s) {
+    if (out) out->write(sample, t_s);
+  };
+  if (!a.out.empty() && log.footer.find("replay core ") != std::string::npos) {
+    out = openLog(a.out, log.header);
+  }
+  std::string input = a.input;
+  std::optional<ReplayResult> of_window = replayOfWindow(log, a.log, a.input, each, task);
+  if (!of_window) {
+    TouchArguments touch = argumentsOf(commandOf(log, a.log));
+    if (!a.input.empty()) touch.map.file = a.input;
+    input = touch.map.file;
+    const TouchSetup setup = prepareTouch(touch, task);
+    if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
+    of_window = replay(*setup.space, setup.core, log, each, task);
+  }
+  const ReplayResult& result = *of_window;
   if (out) out->close();
 
   Json json;
   json["log"] = a.log;
-  json["input"] = touch.map.file;
+  json["input"] = input;
   json["ticks"] = result.ticks;
   json["different_ticks"] = result.different;
   json["identical"] = result.different == 0;
@@ -87,7 +197,6 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
   } else {
     line += "all the same to the last bit";
   }
-  constexpr int kVerifyMismatch = 5;
   return {.json = json.dump(2),
           .lines = {line},
           .exit_code = a.verify && result.different > 0 ? kVerifyMismatch : 0};
@@ -101,7 +210,9 @@ Verb replayVerb() {
           .help = "Give the hand of a log to the same surface again and compare",
           .declare =
               [arguments](CLI::App& verb) {
-                verb.add_option("log", arguments->log, "LOG.csv or LOG.h5")->required();
+                verb.add_option("log", arguments->log,
+                                "LOG.csv or LOG.h5; or a package for citation: all of it")
+                    ->required();
                 verb.add_option("--input", arguments->input,
                                 "The scan or map, if it is not where the log says");
                 verb.add_option("-o,--output", arguments->out, "Write what came out, too");

@@ -20,8 +20,8 @@ namespace {
 constexpr std::size_t kReadAtOnce = 16384;
 
 [[noreturn]] void refuseSpawn(int error) {
-  throw FileError(std::string("The import cannot start a process of its own: ") +
-                  std::strerror(error) + ". Close other programs and try again.");
+  throw FileError(std::string("Another program cannot be started: ") + std::strerror(error) +
+                  ". Close other programs and try again.");
 }
 
 class SpawnSettings {

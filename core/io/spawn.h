@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <span>
 #include <string>
@@ -60,7 +58,7 @@ class ChildProcess {
   int number() const noexcept;   ///< Exit status or signal.
 
  private:
-  pid_t pid_ = -1;  ///< -1: none, or reaped.
+  int pid_ = -1;  ///< -1: none, or reaped.
   int status_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 #include <zip.h>
 
+#include <fstream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -235,6 +236,34 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   writer.addText(kProject, projectJson(packed));
   writer.addText(kReadme, readmeText(project, contents.with_input));
   writer.close(task);
+}
+
+void unpackPackage(const std::filesystem::path& file, const std::filesystem::path& folder,
+                   const Task& task) {
+  const Zip archive = openZip(file);
+  const auto text = entryText(archive.get(), kManifest, task);
+  const auto manifest = text ? manifestFrom(*text) : std::nullopt;
+  if (!manifest) throw FileError(shownName(file) + " holds no " + kManifest + " of relievo.");
+  for (const auto& [name, sha256] : *manifest) {
+    const std::filesystem::path inside = std::filesystem::path(name).lexically_normal();
+    if (inside.is_absolute() || inside.empty() || *inside.begin() == "..") {
+      throw FileError(shownName(file) + " names a file outside of itself ('" + name +
+                      "'). Nothing was unpacked.");
+    }
+    std::error_code error;
+    std::filesystem::create_directories((folder / inside).parent_path(), error);
+    std::ofstream out(folder / inside, std::ios::binary);
+    const bool whole = readEntry(
+        archive.get(), name,
+        [&](std::string_view piece) {
+          out.write(piece.data(), static_cast<std::streamsize>(piece.size()));
+          return static_cast<bool>(out);
+        },
+        task);
+    out.close();
+    if (!out) throw WriteError("'" + name + "' cannot be unpacked; is the disk full?");
+    if (!whole) throw FileError("'" + name + "' of " + shownName(file) + " is damaged.");
+  }
 }
 
 PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task) {

@@ -31,4 +31,10 @@ struct PackageCheck {
 /// unpacked. [worker] @throw FileError  no zip, or no manifest in it  @throw Cancelled
 PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task = {});
 
+/// Unpacks the files that the manifest names into a folder that exists. Names that lead out of it
+/// are refused. [worker] @throw FileError  as verifyPackage, or a damaged file  @throw WriteError,
+/// Cancelled
+void unpackPackage(const std::filesystem::path& file, const std::filesystem::path& folder,
+                   const Task& task = {});
+
 }  // namespace relievo

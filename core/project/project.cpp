@@ -143,15 +143,35 @@ NamedRegion placeFrom(const Json& json) {
 
 /// Keys that a later version wrote.
 std::string unknownKeys(const Json& json) {
-  constexpr std::array<const char*, 12> kKnown{
-      "relievo_project", "program",      "input",  "depth_map",  "view",    "picture",
-      "figure",          "measurements", "places", "recordings", "history", "undo"};
+  constexpr std::array<const char*, 13> kKnown{
+      "relievo_project", "program", "input",      "depth_map", "view", "picture",     "figure",
+      "measurements",    "places",  "recordings", "history",   "undo", "camera_paths"};
   Json others = Json::object();
   for (const auto& [key, value] : json.items()) {
     if (key == "made") continue;  // Belongs to what was written, not to what will be.
     if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) others[key] = value;
   }
   return others.empty() ? std::string() : others.dump();
+}
+
+Json pathJson(const CameraPath& path) {
+  Json keys = Json::array();
+  for (const KeyView& key : path.keys) {
+    keys.push_back({{"t_s", key.t_s}, {"view", Json::parse(toText(key.view))}});
+  }
+  return {{"name", path.name}, {"keys", keys}};
+}
+
+CameraPath pathFrom(const Json& json) {
+  CameraPath path{json.at("name").get<std::string>(), {}};
+  for (const Json& key : json.at("keys")) {
+    try {
+      path.keys.push_back({key.at("t_s").get<double>(), viewFromText(key.at("view").dump())});
+    } catch (const ArgumentError& error) {
+      throw FileError(error.what());
+    }
+  }
+  return path;
 }
 
 Project projectFrom(Json json) {
@@ -183,6 +203,9 @@ Project projectFrom(Json json) {
   }
   for (const Json& file : json.value("recordings", Json::array())) {
     p.recordings.push_back(inputFrom(file));
+  }
+  for (const Json& path : json.value("camera_paths", Json::array())) {
+    p.paths.push_back(pathFrom(path));
   }
   p.history = json.value("history", std::vector<std::string>());
   for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(placeFrom(step));
@@ -227,6 +250,8 @@ std::string projectJson(const Project& p) {
   for (const Measurement& m : p.measurements) json["measurements"].push_back(measurementJson(m));
   json["recordings"] = Json::array();
   for (const InputFile& file : p.recordings) json["recordings"].push_back(jsonOf(file));
+  if (!p.paths.empty()) json["camera_paths"] = Json::array();
+  for (const CameraPath& path : p.paths) json["camera_paths"].push_back(pathJson(path));
   json["history"] = p.history;
   json["undo"] = Json::array();
   for (const NamedRegion& step : p.undo) json["undo"].push_back(placeJson(step));

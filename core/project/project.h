@@ -12,6 +12,7 @@
 #include "core/provenance/provenance.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
+#include "core/replay/camera_path.h"
 #include "core/session/surface.h"
 
 namespace relievo {
@@ -49,6 +50,7 @@ struct Project {
   std::vector<Measurement> measurements;
   /// Logs of touches; found like `file`, each with its checksum.
   std::vector<InputFile> recordings;
+  std::vector<CameraPath> paths;     ///< The first is the window's.
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
   /// The last of these that can be undone without making the surface anew: where each began.
   std::vector<NamedRegion> undo;

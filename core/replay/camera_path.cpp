@@ -73,19 +73,19 @@ ViewState viewAt(const CameraPath& path, const DetailLadder& ladder, double t_s)
     const double before = values[k - first - 1][kAzimuth];
     azimuth = before + std::remainder(azimuth - before, 360.0);
   }
-  const auto stepS = [&](std::size_t k) { return keys[k + 1].t_s - keys[k].t_s; };
+  const auto gap_after = [&](std::size_t k) { return keys[k + 1].t_s - keys[k].t_s; };
   const auto steepness = [&](std::size_t k, std::size_t v) {
-    return (values[k + 1 - first][v] - values[k - first][v]) / stepS(k);
+    return (values[k + 1 - first][v] - values[k - first][v]) / gap_after(k);
   };
   const auto slope = [&](std::size_t k, std::size_t v) {
     if (k == 0 || k + 1 == keys.size()) return 0.0;
-    return slopeBetween(steepness(k - 1, v), stepS(k - 1), steepness(k, v), stepS(k));
+    return slopeBetween(steepness(k - 1, v), gap_after(k - 1), steepness(k, v), gap_after(k));
   };
-  const double part = (t - keys[i].t_s) / stepS(i);
+  const double part = (t - keys[i].t_s) / gap_after(i);
   Values now{};
   for (std::size_t v = 0; v < kValues; ++v) {
     now[v] = cubic(values[i - first][v], values[i + 1 - first][v], slope(i, v), slope(i + 1, v),
-                   stepS(i), part);
+                   gap_after(i), part);
   }
   ViewState view = part < 1 ? keys[i].view : keys[i + 1].view;
   const double side = std::exp(now[2]);

@@ -26,12 +26,12 @@ constexpr std::array<Word, 20> kWords{{{"", "Nothing"},
                                        {"moveMode", "Move mode"},
                                        {"moveDone", "Moved"},
                                        {"moveBack", "Back to the old window"},
-                                       {"moveLeft", "Left"},
-                                       {"moveRight", "Right"},
-                                       {"moveUp", "Up"},
-                                       {"moveDown", "Down"},
-                                       {"nextPlace", "Next place"},
-                                       {"previousPlace", "Previous place"},
+                                       {"move_left", "Left"},
+                                       {"move_right", "Right"},
+                                       {"move_up", "Up"},
+                                       {"move_down", "Down"},
+                                       {"next_place", "Next place"},
+                                       {"previous_place", "Previous place"},
                                        {"beacon", "Beacon"},
                                        {"buttonHelp", "Help"},
                                        {"introduction", "Introduction"}}};
@@ -40,6 +40,10 @@ constexpr std::array<Word, 20> kWords{{{"", "Nothing"},
 constexpr std::array<ButtonCommand, 5> kScan{ButtonCommand::where_am_i, ButtonCommand::finer,
                                              ButtonCommand::coarser, ButtonCommand::begin_move,
                                              ButtonCommand::toggle_forces};
+/// The same in Move mode.
+constexpr std::array<ButtonCommand, 5> kScanMoving{
+    ButtonCommand::confirm_move, ButtonCommand::next_place, ButtonCommand::previous_place,
+    ButtonCommand::cancel_move, ButtonCommand::toggle_forces};
 }  // namespace
 
 std::string_view commandName(ButtonCommand command) noexcept {
@@ -52,6 +56,26 @@ std::string_view commandWords(ButtonCommand command) noexcept {
 
 ButtonCommands::ButtonCommands(ButtonOptions options) : options_(options) {
   options_.scan_s = std::clamp(options_.scan_s, 0.5, 5.0);
+}
+
+void ButtonCommands::setOptions(const ButtonOptions& options) {
+  if (options.one_button != options_.one_button) {
+    for (Button& button : buttons_) button.used = true;
+    offered_ = -1;
+  }
+  options_ = ButtonCommands(options).options_;
+}
+
+void ButtonCommands::toggleMoving() {
+  moving_ = !moving_;
+  move_from_.reset();
+  run(moving_ ? ButtonCommand::begin_move : ButtonCommand::confirm_move);
+}
+
+void ButtonCommands::cancelMoving() {
+  if (!moving_) return;
+  moving_ = false;
+  run(ButtonCommand::cancel_move);
 }
 
 void ButtonCommands::press(std::uint8_t button, bool down, double time_s) {
@@ -100,14 +124,11 @@ void ButtonCommands::shortPress(std::size_t index, double time_s) {
       run(moving_ ? ButtonCommand::previous_place : ButtonCommand::coarser);
       break;
     case kForward:
-      moving_ = !moving_;
-      move_from_.reset();
-      run(moving_ ? ButtonCommand::begin_move : ButtonCommand::confirm_move);
+      toggleMoving();
       break;
     case kCentre:
       if (moving_) {
-        moving_ = false;
-        run(ButtonCommand::cancel_move);
+        cancelMoving();
         break;
       }
       run(time_s - asked_where_s_ <= kAgainS ? ButtonCommand::where_am_i_long
@@ -149,22 +170,25 @@ void ButtonCommands::heldTogether(double held_s) {
   }
 }
 
+ButtonCommand ButtonCommands::offer(int index) const {
+  return (moving_ ? kScanMoving : kScan)[static_cast<std::size_t>(index)];
+}
+
 void ButtonCommands::scan(double time_s) {
-  if (offered_ >= 0) {
-    const ButtonCommand chosen = kScan[static_cast<std::size_t>(offered_)];
-    offered_ = -1;
-    if (chosen == ButtonCommand::begin_move) {
-      moving_ = !moving_;
-      move_from_.reset();
-      run(moving_ ? ButtonCommand::begin_move : ButtonCommand::confirm_move);
-      return;
-    }
-    run(chosen);
+  if (offered_ < 0) {
+    offered_ = 0;
+    offered_s_ = time_s;
+    outcomes_.push_back({ButtonOutcome::Kind::offer, offer(0)});
     return;
   }
-  offered_ = 0;
-  offered_s_ = time_s;
-  outcomes_.push_back({ButtonOutcome::Kind::offer, kScan[0]});
+  const ButtonCommand chosen = offer(std::exchange(offered_, -1));
+  if (chosen == ButtonCommand::begin_move || chosen == ButtonCommand::confirm_move) {
+    toggleMoving();
+  } else if (chosen == ButtonCommand::cancel_move) {
+    cancelMoving();
+  } else {
+    run(chosen);
+  }
 }
 
 void ButtonCommands::hand(DeviceMm position) {
@@ -201,7 +225,7 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
     if (offered_ == static_cast<int>(kScan.size())) {
       offered_ = -1;  // Once round: the scan ends by itself.
     } else {
-      outcomes_.push_back({ButtonOutcome::Kind::offer, kScan[static_cast<std::size_t>(offered_)]});
+      outcomes_.push_back({ButtonOutcome::Kind::offer, offer(offered_)});
     }
   }
   return std::exchange(outcomes_, {});
@@ -209,8 +233,10 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
 
 std::string_view ButtonCommands::help() const noexcept {
   if (options_.one_button) {
-    return "One button. Press: I offer where am I, finer, coarser, move, forces. Press again to "
-           "take what I said last.";
+    return moving_ ? "Move mode. Push the grip to a side to go there. Press: I offer done, next "
+                     "place, previous place, back, forces. Press again to take it."
+                   : "One button. Press: I offer where am I, finer, coarser, move, forces. Press "
+                     "again to take what I said last.";
   }
   if (moving_) {
     return "Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous "

@@ -70,6 +70,13 @@ class ButtonCommands {
   /// What has to be done by now, oldest first. Call it at least ten times a second.
   std::vector<ButtonOutcome> take(double now_s);
 
+  /// Another way of pressing from now on; what is held now does nothing any more.
+  void setOptions(const ButtonOptions& options);
+  const ButtonOptions& options() const noexcept { return options_; }
+  /// As the button Forward: begins Move mode, or confirms and leaves it.
+  void toggleMoving();
+  /// As Centre in Move mode. Does nothing outside of it.
+  void cancelMoving();
   bool moving() const noexcept { return moving_; }
   /// What the buttons do now, in a sentence, for help.
   std::string_view help() const noexcept;
@@ -90,6 +97,7 @@ class ButtonCommands {
   void shortPress(std::size_t index, double time_s);
   void longPress(std::size_t index);
   void scan(double time_s);
+  ButtonCommand offer(int index) const;
   void run(ButtonCommand command);
 
   ButtonOptions options_;

@@ -139,6 +139,25 @@ HapticSample HapticCore::describeTick(const HapticSpace& space,
   return sample;
 }
 
+ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input,
+                                   ForceOptions& options) const RELIEVO_REALTIME {
+  // A gate is softer than any surface and its own potential: no spring's energy to watch.
+  options.passivity.on = false;
+  options.damping_n_s_per_mm = 0;
+  const DeviceN pull = gateForce(gate, hip_);
+  ForceInput gated;
+  gated.hip = hip_;
+  // The spring's force from there is the gate's.
+  gated.proxy = hip_ + (1 / options.stiffness_n_per_mm) * DeviceMm{pull.x, pull.y, pull.z};
+  gated.contact = true;
+  gated.velocity = input.velocity;
+  gated.moved = input.moved;
+  gated.fault = input.fault;
+  gated.resumed = input.resumed;
+  gated.age_s = input.age_s;
+  return gated;
+}
+
 void HapticCore::check(const ForceOptions& options, const ForceInput& input, bool paused,
                        DeviceN before, DeviceN sent) RELIEVO_REALTIME {
   if (!options.safety) return;
@@ -170,6 +189,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   if (paused) force_ = resumed(force_);
   resume_ = false;
   last_ns_ = now_ns;
+  if (options.gate.on != gated_) force_ = refade(force_);  // What was felt goes, what comes rises.
+  gated_ = options.gate.on;
   follow(space, previous, options);
 
   HapticSample sample = describeTick(space, previous);
@@ -203,6 +224,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   input.fault = fault != DeviceFault::none;
   input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
+  if (options.gate.on) input = throughGate(options.gate, input, force_options);
   const DeviceN before = force_.last;
   const ForceResult result = force(force_options, input, force_);
   force_ = result.state;

@@ -8,6 +8,7 @@
 #include "haptics/device/device.h"
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
+#include "haptics/force/move_gate.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
 #include "haptics/loop/surface_fields.h"
@@ -28,6 +29,7 @@ struct HapticOptions {
   /// samples the surface goes on as a constant.
   bool frame = false;
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
+  MoveGate gate;  ///< While on, felt in place of the surface.
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 
@@ -87,6 +89,8 @@ class HapticCore {
   /// The next tick counts as the first after a pause, as when a watchdog cut the force.
   void resume() RELIEVO_REALTIME { resume_ = true; }
 
+  /// Ticks so far; the next one has this number.
+  std::uint64_t ticks() const RELIEVO_REALTIME { return tick_; }
   /// What was sent against what may be sent, since the core was made.
   const ForceAudit& audit() const RELIEVO_REALTIME { return audit_; }
 
@@ -108,6 +112,8 @@ class HapticCore {
   HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
                       const HapticOptions& options, const DeviceReading& reading,
                       std::int64_t now_ns) RELIEVO_REALTIME;
+  ForceInput throughGate(const MoveGate& gate, const ForceInput& input,
+                         ForceOptions& options) const RELIEVO_REALTIME;
   HapticSample describeTick(const HapticSpace& space,
                             const HapticSpace* previous) const RELIEVO_REALTIME;
 
@@ -130,9 +136,12 @@ class HapticCore {
   std::uint64_t window_id_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;
   std::int64_t last_ns_ = 0;  // Of the last tick.
+  bool gated_ = false;        // In the last tick.
   bool placed_ = false;
   bool resume_ = false;
 };
+
+static_assert(std::is_trivially_copyable_v<HapticCore>);
 
 /// What is asked for, within what the device can do: its largest force caps, its encoders and its
 /// delay are made known to the passivity stage.

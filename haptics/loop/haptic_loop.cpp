@@ -38,6 +38,8 @@ struct HapticLoop::Impl {
   TripleBuffer<LoopStats> stats;
   SampleRing samples;
   ButtonRing buttons;
+  SnapshotRing snapshots;
+  std::atomic<bool> snapshot_wanted{false};
 
   HapticCore core;  // [haptic loop], as all that follows.
   LoopMeter meter;
@@ -64,7 +66,10 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   if (!core.changing()) spaces.update();  // One change at a time; the newest window waits.
   options.update();
   HapticOptions now_options = options.front();
-  now_options.force.forces_on = now_options.force.forces_on && forces_allowed;
+  if (!forces_allowed) {
+    now_options.force.forces_on = false;
+    now_options.id |= kLeavingBit;
+  }
   now_options = withinDevice(now_options, device->info());
   if (watchdog->beat(now_ns)) core.resume();
   if (core.pausedUntil(now_ns)) {
@@ -75,6 +80,11 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   const std::int64_t before_ns = monotonicNs();
   // A device that cannot push back is shown the new surface at once.
   const bool gradual = device->info().max_force_n > 0;
+  if (snapshot_wanted.load(std::memory_order_relaxed)) {
+    snapshot_wanted.store(false, std::memory_order_relaxed);
+    snapshots.push(
+        {core.ticks(), core, spaces.front().scene_id, spaces.previous().scene_id, gradual});
+  }
   HapticSample sample =
       gradual ? core.tick(spaces.front(), spaces.previous(), now_options, reading, now_ns)
               : core.tick(spaces.front(), now_options, reading, now_ns);
@@ -170,6 +180,12 @@ SampleRing& HapticLoop::samples() noexcept {
 }
 ButtonRing& HapticLoop::buttons() noexcept {
   return impl_->buttons;
+}
+void HapticLoop::wantSnapshot() noexcept {
+  impl_->snapshot_wanted.store(true, std::memory_order_relaxed);
+}
+SnapshotRing& HapticLoop::snapshots() noexcept {
+  return impl_->snapshots;
 }
 
 }  // namespace relievo

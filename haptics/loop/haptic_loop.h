@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "haptics/device/device.h"
+#include "haptics/loop/core_snapshot.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/loop_meter.h"
 #include "haptics/loop/scene_buffer.h"
@@ -53,6 +54,9 @@ class HapticLoop {
   TripleBuffer<LoopStats>& stats() noexcept;        ///< [GUI thread reads]
   SampleRing& samples() noexcept;                   ///< [drain thread reads]
   ButtonRing& buttons() noexcept;                   ///< [GUI thread reads]
+  /// [any thread] Asks for a snapshot before one of the next ticks; it is there before its sample.
+  void wantSnapshot() noexcept;
+  SnapshotRing& snapshots() noexcept;  ///< [drain thread reads]
 
  private:
   struct Impl;

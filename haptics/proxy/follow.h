@@ -30,10 +30,12 @@ class Follower {
     int spent = 0;
     if (length > 1) {
       const double sub_steps = std::min(std::ceil(length), kMostSubSteps);
+      last_step_ = kPassingStepCells;
       for (double i = 1; i < sub_steps && spent < kMostPerTick; ++i) {
         spent += settle(from + (i / sub_steps) * way);
       }
     }
+    last_step_ = kLastStepCells;
     settle(hip);
     return state_;
   }
@@ -42,6 +44,8 @@ class Follower {
   static constexpr int kMostIterations = 256;   // Of one sub-step.
   static constexpr int kMostPerTick = 4096;     // Of all sub-steps: bounds the work of a tick.
   static constexpr double kMostSubSteps = 256;  // One cell each, unless the hand jumped farther.
+  /// On the way to a far hand it is enough to end so near: Newton's next step were its square.
+  static constexpr double kPassingStepCells = 0.02;
   enum class Step : std::uint8_t { go_on, at_rest };
 
   const Surface& surface_;
@@ -49,6 +53,7 @@ class Follower {
   const ProxyOptions& options_;
   Patch patch_;  // Around state_.position, if have_patch_.
   bool have_patch_ = false;
+  double last_step_ = kLastStepCells;  // A trusted Newton step shorter than this is the last one.
 
   /// @return iterations spent
   int settle(GridPoint hip) RELIEVO_REALTIME {
@@ -96,7 +101,7 @@ class Follower {
     const double length = std::abs(way.dx) + std::abs(way.dy);
     if (length <= kConvergedCells) return Step::at_rest;
     if (runs(way, length)) {
-      return way.trusted && length < kLastStepCells ? Step::at_rest : Step::go_on;
+      return way.trusted && length < last_step_ ? Step::at_rest : Step::go_on;
     }
     const Descent down = steepest(patch_.box, p, slope);
     if (down.rate <= kConvergedCells + 1e-14 * norm(e)) return Step::at_rest;

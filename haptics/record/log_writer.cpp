@@ -43,6 +43,22 @@ void appendQuoted(std::string& to, std::string_view text) {
   to += '"';
 }
 
+/// How the loop ran; and lines of which there may be any number.
+struct Footer {
+  std::string loop, windows;
+};
+Footer splitFooter(std::string_view text) {
+  Footer parts;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = text.substr(0, end);
+    const bool many = line.starts_with("window ") || line.starts_with("replay ");
+    (many ? parts.windows : parts.loop).append(line).append("\n");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return parts;
+}
+
 std::string commented(std::string_view header) {
   std::string text;
   while (!header.empty()) {
@@ -172,10 +188,15 @@ bool LogWriter::writeIntoRoom(std::string text) {
 void LogWriter::close(std::string_view footer) {
   if (descriptor_ < 0) return;
   flush();
-  if (!footer.empty() && !writeIntoRoom(commented(footer))) {
+  const Footer parts = splitFooter(footer);
+  std::string after = commented(parts.windows);
+  if (!parts.loop.empty() && !writeIntoRoom(commented(parts.loop))) {
+    after = commented(parts.loop) + after;
+  }
+  if (!after.empty()) {
     // The rows are safe: a footer that does not fit is left out.
     const std::int64_t before = bytes_on_disk_;
-    if (!writeOut(commented(footer)) && ::ftruncate(descriptor_, before) != 0) giveUp(errno);
+    if (!writeOut(after) && ::ftruncate(descriptor_, before) != 0) giveUp(errno);
   }
   const int descriptor = std::exchange(descriptor_, -1);
   // Some file systems report a full disk only here.

@@ -31,8 +31,8 @@ class LogWriter : public SampleLog {
   void write(const HapticSample& sample, double t_s, std::string_view event = {}) override;
   /// Writes out what is buffered. @throw WriteError (E401)  as above
   void flush();
-  /// Footer lines, each with "# " before it: of a recording in the header, of a stroke, or if they
-  /// do not fit there, after the rows.
+  /// Footer lines, each with "# " before it. In a recording's header, but for lines "window ..."
+  /// and "replay ...": those, and a stroke's, follow the rows.
   void close(std::string_view footer = {}) override;
 
   std::uint64_t rows() const noexcept override { return rows_; }

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "haptics/record/events.h"
+#include "haptics/record/recorded_loop.h"
 
 namespace relievo {
 
@@ -49,11 +50,23 @@ std::optional<RecordingEnd> Recorder::ended() {
   return std::move(*end);
 }
 
+void Recorder::beginAt(SnapshotRing& snapshots, std::string build) {
+  snapshots_ = &snapshots;
+  build_ = std::move(build);
+}
+
 void Recorder::take(std::span<const HapticSample> batch) {
   switchOver();
+  if (snapshots_ != nullptr) {
+    CoreSnapshot newest;
+    while (snapshots_->pop(newest)) {
+      if (writer_ && !begins_) begins_ = newest;
+    }
+  }
   for (const HapticSample& sample : batch) {
     if (!writer_) return;
-    write(sample);
+    const bool waits = snapshots_ != nullptr && (!begins_ || sample.tick < begins_->tick);
+    if (!waits) write(sample);
   }
   if (writer_) counts_.write(writer_->rows());
 }
@@ -64,12 +77,18 @@ void Recorder::switchOver() {
     if (writer_) finish({});
     writer_.reset(command);
     first_ = true;
+    begins_.reset();
+    replay_lines_.clear();
     counts_.write(0);
   }
 }
 
 void Recorder::write(const HapticSample& sample) {
   if (first_) start_ns_ = sample.time_ns;
+  if (begins_) {
+    if (first_) replay_lines_ = snapshotLine(*begins_, start_ns_, build_);
+    replay_lines_ += changeLine(first_ ? nullptr : &last_, sample);
+  }
   const std::string event = first_ ? eventAtStart(sample) : eventBetween(last_, sample);
   first_ = false;
   last_ = sample;
@@ -86,7 +105,7 @@ void Recorder::finish(std::string error) {
       std::string* footer = nullptr;
       std::unique_ptr<std::string> last;
       while (footers_.pop(footer)) last.reset(footer);
-      writer_->close(last ? *last : std::string());
+      writer_->close((last ? *last : std::string()) + replay_lines_);
     } catch (const WriteError& late) {
       error = late.what();
     }

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "haptics/loop/core_snapshot.h"
 #include "haptics/loop/haptic_core.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/rt/spsc_ring.h"
@@ -37,6 +38,9 @@ class Recorder {
   /// @throw Error       a recording is running
   void start(const std::filesystem::path& file, std::string_view header,
              const HapticSpace* surface = nullptr);
+  /// Before the drain starts: recordings begin at a snapshot from there, which whoever calls
+  /// start() has to ask for, and end with lines that let them be replayed. @param build  names it
+  void beginAt(SnapshotRing& snapshots, std::string build);
   /// [GUI thread] Ends with the drain's next batch; see ended(). Footer lines end the file.
   void stop(const std::string& footer = {});
   bool running() const noexcept { return running_; }  ///< [GUI thread] start() until ended().
@@ -60,6 +64,10 @@ class Recorder {
   // [drain thread]
   std::unique_ptr<SampleLog> writer_;
   HapticSample last_;
+  SnapshotRing* snapshots_ = nullptr;
+  std::string build_;
+  std::optional<CoreSnapshot> begins_;  // Of the running recording.
+  std::string replay_lines_;
   std::int64_t start_ns_ = 0;
   bool first_ = true;
 };

@@ -14,7 +14,14 @@
 namespace relievo {
 
 namespace {
-enum Column : std::size_t { kTime = 0, kButtons = 21, kRate = 22, kHandX = 23, kAge = 29 };
+enum Column : std::size_t {
+  kTime = 0,
+  kTick = 1,
+  kButtons = 21,
+  kRate = 22,
+  kHandX = 23,
+  kAge = 29
+};
 static_assert(kLogColumns[kButtons].name == "buttons" && kLogColumns[kRate].name == "rate_Hz");
 static_assert(kLogColumns[kHandX].name == "dev_hip_x_mm" && kLogColumns[kAge].name == "age_s");
 
@@ -79,33 +86,49 @@ LogTable readLog(const std::filesystem::path& file, const Task& task) {
   return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file, task) : readCsvLog(file, task);
 }
 
+std::uint64_t tickOf(const LogRow& row) {
+  return static_cast<std::uint64_t>(row[kTick]);
+}
+
+std::int64_t nanosecondsOf(const LogRow& row) {
+  return nanoseconds(row[kTime]);
+}
+
+DeviceReading readingOf(const LogRow& row, std::int64_t first_ns) {
+  DeviceReading reading;
+  reading.position = {row[kHandX], row[kHandX + 1], row[kHandX + 2]};
+  reading.buttons = static_cast<std::uint32_t>(row[kButtons]);
+  reading.time_ns = first_ns + nanosecondsOf(row) - nanoseconds(row[kAge]);
+  return reading;
+}
+
+void compare(HapticSample& sample, const LogRow& row, ReplayResult& result,
+             const std::function<void(const HapticSample&, double t_s)>& each) {
+  sample.rate_hz = row[kRate];  // Measured, not computed.
+  each(sample, row[kTime]);
+  const auto values = logValues(sample, row[kTime]);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (sameBits(values[i], row[i])) continue;
+    ++result.different;
+    if (!result.first) {
+      result.first =
+          ReplayDifference{sample.tick, std::string(kLogColumns[i].name), row[i], values[i]};
+    }
+    return;
+  }
+}
+
 ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
                     const LogTable& log,
                     const std::function<void(const HapticSample&, double t_s)>& each,
                     const Task& task) {
   ReplayResult result;
   HapticCore core;
-  for (const auto& row : log.rows) {
+  for (const LogRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
-    const std::int64_t now_ns = nanoseconds(row[kTime]);
-    DeviceReading reading;
-    reading.position = {row[kHandX], row[kHandX + 1], row[kHandX + 2]};
-    reading.buttons = static_cast<std::uint32_t>(row[kButtons]);
-    reading.time_ns = now_ns - nanoseconds(row[kAge]);
-    HapticSample sample = core.tick(space, core_options, reading, now_ns);
-    sample.rate_hz = row[kRate];  // Measured, not computed.
-    each(sample, row[kTime]);
-    const auto values = logValues(sample, row[kTime]);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (sameBits(values[i], row[i])) continue;
-      ++result.different;
-      if (!result.first) {
-        result.first =
-            ReplayDifference{sample.tick, std::string(kLogColumns[i].name), row[i], values[i]};
-      }
-      break;
-    }
+    HapticSample sample = core.tick(space, core_options, readingOf(row, 0), nanosecondsOf(row));
+    compare(sample, row, result, each);
   }
   return result;
 }

@@ -14,11 +14,14 @@
 
 namespace relievo {
 
+/// One row's numbers, as logValues() gives them.
+using LogRow = std::array<double, kLogColumns.size()>;
+
 /// A log that was read back.
 struct LogTable {
   std::string header;  ///< Comment lines before the rows, without "# ".
   std::string footer;  ///< Those after the first row: how the loop ran, where windows lay.
-  std::vector<std::array<double, kLogColumns.size()>> rows;
+  std::vector<LogRow> rows;
 };
 
 /// Reads a log of `openLog`, CSV or HDF5.
@@ -45,5 +48,14 @@ struct ReplayResult {
 ReplayResult replay(const HapticSpace& space, const HapticOptions& core, const LogTable& log,
                     const std::function<void(const HapticSample&, double t_s)>& each,
                     const Task& task = {});
+
+// For replays: what a row says, and what is made of it.
+std::uint64_t tickOf(const LogRow& row);
+std::int64_t nanosecondsOf(const LogRow& row);  ///< Since the first row.
+/// @param first_ns  time of the first row
+DeviceReading readingOf(const LogRow& row, std::int64_t first_ns);
+/// Counts the row if the sample has another bit, and hands the sample on.
+void compare(HapticSample& sample, const LogRow& row, ReplayResult& result,
+             const std::function<void(const HapticSample&, double t_s)>& each);
 
 }  // namespace relievo

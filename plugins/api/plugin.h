@@ -64,6 +64,13 @@ class Host : public QObject {
   /// What the next finer level says about a shown window, 400 x 400 heights with its gain
   /// (core/session/finer_heights.h). Empty: nothing, or it would have to be read from disk.
   virtual std::vector<float> finerHeights(const RegionWindow& /*window*/) const { return {}; }
+  /// Goes back to a region that was shown. @return false: nothing is open, or it is shown already
+  virtual bool showRegion(const Region& region) = 0;
+  /// Sides on which the shown window is at the object's edge, as edgesOf() says; 0 while there is
+  /// no window.
+  virtual std::uint8_t edges() const = 0;
+  /// Turns the detail view, as the commands "turn_left" and "turn_up" do in steps.
+  virtual void turnView(double azimuth_deg, double elevation_deg) = 0;
   /// Comment lines for a recording's header: input, hash, unit, view, region (conventions.md 5.5).
   virtual QString recordingHeader() const = 0;
 

@@ -6,12 +6,14 @@
 
 #include "core/base/error.h"
 #include "core/region/hand.h"
+#include "haptics/rt/realtime_thread.h"
 
 namespace relievo {
 
 namespace {
 constexpr double kRescanSeconds = 1;
-constexpr double kFullPushMmPerS = 60;  // Of the hand, at full deflection of the cap.
+// At full deflection of the cap: of the hand, or of the view.
+constexpr double kFullPushMmPerS = 60, kFullTurnDegPerS = 60;
 
 QString text(std::string_view words) {
   return QString::fromUtf8(words.data(), static_cast<int>(words.size()));
@@ -42,14 +44,37 @@ void DeviceButtons::readHid(double now_s) {
   for (const hid::ButtonEdge& edge : news.edges) commands_.press(edge.button, edge.down, now_s);
   const double dt_s = std::clamp(now_s - polled_s_, 0.0, 0.1);
   polled_s_ = now_s;
+  pushCap(news.motion, dt_s);
+}
+
+void DeviceButtons::pushCap(const hid::CapMotion& motion, double dt_s) {
+  if (settings_.space_mouse == SpaceMouseMoves::view) {
+    const double deg = kFullTurnDegPerS * dt_s;
+    // As the turning commands: the near side goes where the cap goes.
+    if (motion.right != 0 || motion.up != 0) {
+      host_.turnView(-deg * motion.right, -deg * motion.up);
+    }
+    return;
+  }
   const double mm = kFullPushMmPerS * dt_s;
-  const DeviceMm by{mm * news.motion.right, mm * news.motion.up, mm * news.motion.toward};
+  const DeviceMm by{mm * motion.right, mm * motion.up, mm * motion.toward};
   if (by != DeviceMm{}) Q_EMIT handPushed(by);
 }
 
+void DeviceButtons::setSettings(const ButtonSettings& settings) {
+  settings_ = settings;
+  commands_.setOptions({.one_button = settings.one_button, .scan_s = settings.scan_s});
+}
+
 void DeviceButtons::frame(const HapticSample& sample, double now_s) {
+  sample_ = sample;
   readHid(now_s);
+  if (gate_.on && !host_.shownWindow()) cancelMoving();
   commands_.hand(sample.hip);
+  takeOutcomes(now_s);
+}
+
+void DeviceButtons::takeOutcomes(double now_s) {
   for (const ButtonOutcome& outcome : commands_.take(now_s)) {
     switch (outcome.kind) {
       case ButtonOutcome::Kind::offer:
@@ -58,41 +83,98 @@ void DeviceButtons::frame(const HapticSample& sample, double now_s) {
       case ButtonOutcome::Kind::tick:
         break;  // Heard, not said.
       case ButtonOutcome::Kind::run:
-        carryOut(outcome.command, sample);
+        carryOut(outcome.command);
         break;
     }
   }
 }
 
-void DeviceButtons::carryOut(ButtonCommand command, const HapticSample& sample) {
+void DeviceButtons::carryOut(ButtonCommand command) {
   switch (command) {
     case ButtonCommand::where_am_i:
     case ButtonCommand::where_am_i_long:
-      host_.announce(whereAmI(sample, command == ButtonCommand::where_am_i_long));
+      whereAmI(command == ButtonCommand::where_am_i_long);
       return;
     case ButtonCommand::say_detail:
-      host_.announce(detailText());
+      sayDetail();
       return;
     case ButtonCommand::help:
-      host_.announce(text(commands_.help()));
-      return;
-    case ButtonCommand::begin_move:
-      host_.announce(tr("Move mode. Push the grip to a side; Forward when you are there."));
-      return;
-    case ButtonCommand::confirm_move:
-      host_.announce(tr("Moved. %1").arg(detailText()));
+      sayHelp();
       return;
     default:
       break;
   }
+  if (carryOutMove(command)) return;
   // The window's own command, as by key or menu; it announces its result.
   if (!host_.run(text(commandName(command)))) {
     host_.announce(tr("%1 is not possible here.").arg(text(commandWords(command))));
   }
+  if (!gate_.on) return;
+  MoveGate gate = gate_;
+  gate.blocked = host_.edges();
+  setGate(gate);
 }
 
-QString DeviceButtons::whereAmI(const HapticSample& sample, bool in_full) const {
+bool DeviceButtons::carryOutMove(ButtonCommand command) {
+  switch (command) {
+    case ButtonCommand::begin_move: {
+      const std::shared_ptr<const RegionWindow> window = host_.shownWindow();
+      if (!window) {
+        commands_.cancelMoving();
+        host_.announce(tr("Nothing is open."));
+        return true;
+      }
+      moved_from_ = window->region;
+      setGate({.on = true, .centre = sample_.hip, .blocked = host_.edges()});
+      host_.announce(tr("Move mode. Push the grip to a side; Forward when you are there."));
+      return true;
+    }
+    case ButtonCommand::confirm_move:
+      setGate({});
+      host_.announce(tr("Moved. %1").arg(detailText()));
+      return true;
+    case ButtonCommand::cancel_move:
+      if (!gate_.on) return true;  // It never began.
+      setGate({});
+      host_.showRegion(moved_from_);
+      host_.announce(tr("Back at the old window. %1").arg(detailText()));
+      return true;
+    default:
+      return false;
+  }
+}
+
+void DeviceButtons::setGate(const MoveGate& gate) {
+  if (gate == gate_) return;
+  gate_ = gate;
+  Q_EMIT gateChanged();
+}
+
+void DeviceButtons::whereAmI(bool in_full) {
+  host_.announce(placeText(in_full));
+}
+
+void DeviceButtons::sayDetail() {
+  host_.announce(detailText());
+}
+
+void DeviceButtons::sayHelp() {
+  host_.announce(text(commands_.help()));
+}
+
+void DeviceButtons::toggleMoving() {
+  commands_.toggleMoving();
+  takeOutcomes(1e-9 * static_cast<double>(monotonicNs()));
+}
+
+void DeviceButtons::cancelMoving() {
+  commands_.cancelMoving();
+  takeOutcomes(1e-9 * static_cast<double>(monotonicNs()));
+}
+
+QString DeviceButtons::placeText(bool in_full) const {
   if (!host_.shownWindow()) return tr("Nothing is open.");
+  const HapticSample& sample = sample_;
   const ViewMm at = sample.contact ? sample.proxy_view : sample.hip_view;
   QString said = sample.contact ? tr("Touching. ") : tr("In the air. ");
   said += tr("%1 right, %2 up, height %3 millimetres.")

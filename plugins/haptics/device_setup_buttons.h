@@ -9,6 +9,7 @@
 #include "haptics/device/hid/hid_devices.h"
 #include "haptics/loop/haptic_core.h"
 #include "plugins/api/plugin.h"
+#include "plugins/haptics/button_settings.h"
 
 namespace relievo {
 
@@ -24,19 +25,40 @@ class DeviceButtons : public QObject {
   void press(std::uint8_t button, bool down, double time_s);
   /// Once a frame.
   void frame(const HapticSample& sample, double now_s);
+  void setSettings(const ButtonSettings& settings);
+  /// What the hand feels in Move mode; off outside of it.
+  const MoveGate& gate() const { return gate_; }
+  bool moving() const { return gate_.on; }
+
+  // The commands that menus and keys share with the buttons. Each says its result.
+  void whereAmI(bool in_full);
+  void sayDetail();
+  void sayHelp();
+  void toggleMoving();
+  void cancelMoving();
 
  Q_SIGNALS:
   /// A SpaceMouse pushes the hand by so much, mm of hand.
   void handPushed(relievo::DeviceMm by);
+  /// Move mode began, moved or ended: gate() is another one.
+  void gateChanged();
 
  private:
   void readHid(double now_s);
-  void carryOut(ButtonCommand command, const HapticSample& sample);
-  QString whereAmI(const HapticSample& sample, bool in_full) const;
+  void pushCap(const hid::CapMotion& motion, double dt_s);
+  void takeOutcomes(double now_s);
+  void carryOut(ButtonCommand command);
+  bool carryOutMove(ButtonCommand command);
+  void setGate(const MoveGate& gate);
+  QString placeText(bool in_full) const;
   QString detailText() const;
 
   Host& host_;
   ButtonCommands commands_;
+  ButtonSettings settings_;
+  HapticSample sample_;  // The newest.
+  MoveGate gate_;
+  Region moved_from_;  // Where Move mode began.
   std::unique_ptr<hid::HidDevices> hid_;
   double scanned_s_ = -10, polled_s_ = 0;
 };

@@ -94,7 +94,7 @@ void DeviceSetupDialog::build() {
   auto* buttons = new QDialogButtonBox;
   save_ = buttons->addButton(tr("&Save and use the Falcon"), QDialogButtonBox::AcceptRole);
   named(save_, "setupSave", tr("Save and use the Falcon"));
-  named(buttons->addButton(QDialogButtonBox::Close), "setupClose", tr("Close"));
+  close_ = named(buttons->addButton(QDialogButtonBox::Close), "setupClose", tr("Close"));
   connect(buttons, &QDialogButtonBox::accepted, this, &DeviceSetupDialog::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   column->addWidget(buttons);
@@ -110,6 +110,11 @@ QWidget* DeviceSetupDialog::buildStart() {
   for (QPushButton* button : {retry_, browse_, copy_rule_}) row->addWidget(button);
   row->addStretch(1);
   column->addLayout(row);
+  firmware_ = named(new QLabel, "setupFirmwareFile", tr("Firmware file in use"));
+  firmware_->setWordWrap(true);
+  firmware_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  column->addWidget(firmware_);
+  showFirmware();
   upload_ = named(new QProgressBar, "setupUpload", tr("Firmware loaded"));
   upload_->setRange(0, 1);
   upload_->setValue(0);
@@ -242,6 +247,13 @@ void DeviceSetupDialog::showStatus() {
   calibrate_->setText(waits ? tr("Continue (&a)") : tr("C&alibrate"));
   weight_->setEnabled(!calibrating);
   save_->setEnabled(ready && !testing && !calibrating);
+  const bool under_way = status.state == LinkState::starting || status.state == LinkState::homing ||
+                         status.state == LinkState::pull_out;
+  const QString leave = under_way ? tr("Cancel") : tr("Close");
+  if (close_->text() != leave) {
+    close_->setText(leave);
+    close_->setAccessibleName(leave);
+  }
   if (!testing && !calibrating) say(QString::fromStdString(message.spoken));
 }
 
@@ -285,6 +297,23 @@ void DeviceSetupDialog::browse() {
   if (!file.isEmpty()) installFirmware(file, false);
 }
 
+void DeviceSetupDialog::showFirmware() {
+  QString text;
+  try {
+    const falcon::Firmware found = falcon::findFirmware(falcon::firmwarePlaces(settings_.firmware));
+    const QString name = QString::fromStdString(found.file.string());
+    text = found.known_as.empty()
+               ? tr("Firmware: %1, accepted by you").arg(name)
+               : tr("Firmware: %1, %2").arg(name, QString::fromStdString(found.known_as));
+  } catch (const Error&) {
+    // Why, the state says once it is needed: one that runs already needs no file.
+    text = settings_.firmware.empty()
+               ? tr("Firmware: no file found yet")
+               : tr("Firmware: %1 cannot be used").arg(QString::fromStdString(settings_.firmware));
+  }
+  setTextIfNew(firmware_, text);
+}
+
 bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown) {
   try {
     const falcon::Firmware firmware = falcon::readFirmware(QFile::encodeName(file).toStdString());
@@ -297,7 +326,11 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
                                                     .arg(QString::fromStdString(firmware.sha256)));
       if (answer != QMessageBox::Yes) return false;
     }
-    falcon::installFirmware(firmware, places);
+    settings_.firmware = falcon::installFirmware(firmware, places).string();
+    falcon::FalconSettings stored = falcon::readSettings(falcon::settingsFile());
+    stored.firmware = settings_.firmware;  // The rest is kept by Save.
+    falcon::writeSettings(stored, falcon::settingsFile());
+    showFirmware();
   } catch (const Error& error) {
     notice_ = QString::fromStdString(error.what());
     say(notice_);
@@ -326,7 +359,7 @@ DeviceSetupDialog* makeDeviceSetup(QWidget* parent) {
   const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   auto* dialog = new DeviceSetupDialog(
       std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
-                                             falcon::firmwareSource(), settings),
+                                             falcon::storedFirmwareSource(), settings),
       settings, parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   return dialog;

@@ -53,6 +53,7 @@ class DeviceSetupDialog : public QDialog {
   void calibrate();
   void showTest();
   void browse();
+  void showFirmware();
   void save();
   void say(const QString& text);
 
@@ -64,7 +65,7 @@ class DeviceSetupDialog : public QDialog {
   QString last_said_, notice_;
   int frames_ = 0;
 
-  QLabel* state_ = nullptr;
+  QLabel *state_ = nullptr, *firmware_ = nullptr;
   QPushButton* retry_ = nullptr;
   QPlainTextEdit* rule_ = nullptr;
   QPushButton* copy_rule_ = nullptr;
@@ -78,7 +79,7 @@ class DeviceSetupDialog : public QDialog {
   QPushButton* calibrate_ = nullptr;
   QLabel* gain_ = nullptr;
   QCheckBox* left_handed_ = nullptr;
-  QPushButton* save_ = nullptr;
+  QPushButton *save_ = nullptr, *close_ = nullptr;
 };
 
 /// On the Falcon that is or will be plugged in, with the settings of this user.

@@ -137,6 +137,7 @@ QFormLayout* HapticsPanel::rows() {
   labelled(tr("&Device"), device_, device_);
   form->addRow(tr("Force loop"), health_);
   form->addRow(QString(), details_);
+  form->addRow(QString(), scope_);
   return form;
 }
 
@@ -243,6 +244,7 @@ void HapticsPanel::connectControls() {
   }
   connect(preset_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &HapticsPanel::takePreset);
+  connect(scope_, &QPushButton::clicked, this, &HapticsPanel::showScope);
   connect(details_, &QPushButton::clicked, this, &HapticsPanel::showDetails);
 }
 
@@ -278,6 +280,9 @@ void HapticsPanel::buildReadouts() {
   health_ = readout("loopHealth", tr("How the force loop runs"));
   details_ = named(new QPushButton(tr("More a&bout the loop…")), "loopDetailsButton",
                    tr("More about the force loop"));
+  scope_ = named(new QPushButton(tr("Plots &with a cursor…")), "scopeButton",
+                 tr("Plots of height and force with a cursor"));
+  scope_->setToolTip(tr("Pause, zoom, read values, and save as SVG or CSV."));
   details_->setToolTip(tr("Wake-ups and computing times as tables, and what the system granted."));
 }
 
@@ -381,6 +386,20 @@ void HapticsPanel::showDetails() {
   open_details_->show();
   open_details_->raise();
   open_details_->activateWindow();
+}
+
+void HapticsPanel::showScope() {
+  if (!open_scope_) {
+    open_scope_ = new ScopeDialog(this);
+    open_scope_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  open_scope_->show();
+  open_scope_->raise();
+  open_scope_->activateWindow();
+}
+
+void HapticsPanel::plot(std::span<const PlotSample> samples) {
+  if (open_scope_) open_scope_->add(samples);
 }
 
 void HapticsPanel::setForcesAsked(bool on) {

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "plugins/haptics/loop_health.h"
+#include "plugins/haptics/scope.h"
 #include "plugins/haptics/touch_settings.h"
 
 class QCheckBox;
@@ -30,6 +31,7 @@ class HapticsPanel : public QWidget {
   void listDevices();
   void show(const LoopReport& report);  ///< A few times a second.
   using QWidget::show;
+  void plot(std::span<const PlotSample> samples);  ///< For the scope, if it is open.
 
  Q_SIGNALS:
   void forcesAsked(bool on);
@@ -50,6 +52,7 @@ class HapticsPanel : public QWidget {
   void buildReadouts();
   QFormLayout* rows();
   void showDetails();
+  void showScope();
   void changed();
 
   QCheckBox* forces_ = nullptr;
@@ -73,6 +76,8 @@ class HapticsPanel : public QWidget {
   QLabel* health_ = nullptr;
   QPushButton* details_ = nullptr;
   QPointer<LoopDetailsDialog> open_details_;
+  QPushButton* scope_ = nullptr;
+  QPointer<ScopeDialog> open_scope_;
   LoopReport report_;  // The last one shown.
   DetailStiffness detail_stiffness_ = kDetailStiffness;
   double fixed_stiffness_ = 0;  // The same at every level.

@@ -14,6 +14,10 @@
 
 namespace relievo {
 
+namespace {
+constexpr const char* kMouse = "mouse";  // Always there.
+}
+
 HapticsPlugin::~HapticsPlugin() {
   detach();
 }
@@ -26,6 +30,10 @@ void HapticsPlugin::attach(Host& host) {
   host.addPanel(tr("Touch"), panel_);
   actions_ = addTouchActions(host);
   buttons_ = makeDeviceButtons(host);
+  buttons_panel_ = new ButtonsPanel;  // The host owns it from addPanel on.
+  buttons_panel_->setSettings(button_settings_);
+  host.addPanel(tr("Buttons"), buttons_panel_);
+  connectButtons();
   connectControls();
   connectHost();
   applySettings();
@@ -45,17 +53,17 @@ void HapticsPlugin::openDevice() {
   try {
     session_ = std::make_unique<LoopSession>(settings_.device);
   } catch (const DeviceError& error) {
-    constexpr const char* kAlwaysThere = "mouse";
-    if (settings_.device == kAlwaysThere) throw;
+    if (settings_.device == kMouse) throw;
     host_->announce(tr("%1 The mouse is the hand now.").arg(QString::fromUtf8(error.what())));
-    settings_.device = opened_ = kAlwaysThere;
-    session_ = std::make_unique<LoopSession>(kAlwaysThere);
+    settings_.device = opened_ = kMouse;
+    session_ = std::make_unique<LoopSession>(kMouse);
     if (panel_) panel_->setSettings(settings_);
   }
 }
 
 void HapticsPlugin::changeDevice() {
   setForces(false);
+  if (buttons_) buttons_->cancelMoving();
   shown_ = {};
   fault_ = DeviceFault::none;
   openDevice();
@@ -119,13 +127,6 @@ void HapticsPlugin::connectControls() {
   connect(actions_.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
   connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
   connect(actions_.setup, &QAction::triggered, this, &HapticsPlugin::setUpDevice);
-  connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
-    const auto window = host_->shownWindow();
-    if (!window || !session_) return;
-    const double scale = handMapping(*window).device_per_view;
-    const ViewMm at = session_->update().hip_view;
-    session_->moveHand({at.x + by.x / scale, at.y + by.y / scale, at.z + by.z / scale});
-  });
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
@@ -136,6 +137,37 @@ void HapticsPlugin::connectControls() {
     applySettings();
     applySurface();
   });
+}
+
+void HapticsPlugin::connectButtons() {
+  buttons_->setSettings(button_settings_);
+  connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
+    const auto window = host_->shownWindow();
+    if (!window || !session_) return;
+    const double scale = handMapping(*window).device_per_view;
+    const ViewMm at = session_->update().hip_view;
+    session_->moveHand({at.x + by.x / scale, at.y + by.y / scale, at.z + by.z / scale});
+  });
+  connect(buttons_.get(), &DeviceButtons::gateChanged, this, [this] {
+    const bool moving = buttons_->moving();
+    actions_.move_mode->setChecked(moving);
+    actions_.move_back->setEnabled(moving);
+    if (session_) session_->setMoving(moving);
+    applySettings();
+  });
+  connect(buttons_panel_, &ButtonsPanel::settingsChanged, this, [this] {
+    button_settings_ = buttons_panel_->settings();
+    buttons_->setSettings(button_settings_);
+  });
+  connect(actions_.use_mouse, &QAction::triggered, this, [this] { chooseDevice(kMouse); });
+  connect(actions_.move_mode, &QAction::triggered, this, [this] {
+    buttons_->toggleMoving();
+    actions_.move_mode->setChecked(buttons_->moving());
+  });
+  connect(actions_.move_back, &QAction::triggered, this, [this] { buttons_->cancelMoving(); });
+  connect(actions_.where_am_i, &QAction::triggered, this, [this] { buttons_->whereAmI(false); });
+  connect(actions_.say_detail, &QAction::triggered, this, [this] { buttons_->sayDetail(); });
+  connect(actions_.button_help, &QAction::triggered, this, [this] { buttons_->sayHelp(); });
 }
 
 void HapticsPlugin::setForces(bool on) {
@@ -167,7 +199,9 @@ void HapticsPlugin::changeStrength(int percent) {
 
 void HapticsPlugin::applySettings() {
   if (!session_) return;
-  session_->setOptions(hapticOptions(settings_, forces_asked_));
+  HapticOptions options = hapticOptions(settings_, forces_asked_);
+  if (buttons_) options.gate = buttons_->gate();
+  session_->setOptions(options);
 }
 
 void HapticsPlugin::applySurface() {
@@ -179,7 +213,7 @@ void HapticsPlugin::applySurface() {
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
-    session_->recorder().stop(loopLines(session_->stats()) + recorded_windows_.toStdString());
+    session_->stopRecording(loopLines(session_->stats()) + recorded_windows_.toStdString());
     return;
   }
   try {
@@ -189,7 +223,7 @@ void HapticsPlugin::setRecording(bool on) {
     const QString header = recordingHeaderLines(
         host_->recordingHeader(), QString::fromStdString(device.name),
         withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
-    session_->recorder().start(file.toStdString(), header.toStdString());
+    session_->startRecording(file.toStdString(), header.toStdString());
     const auto window = host_->shownWindow();
     recorded_windows_ = window ? windowLine(*window) : QString();
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
@@ -210,7 +244,10 @@ void HapticsPlugin::frame() {
     }
   }
   const std::vector<PlotSample> plot = session_->takePlot();
-  if (!plot.empty()) host_->plot(plot);
+  if (!plot.empty()) {
+    host_->plot(plot);
+    if (panel_) panel_->plot(plot);
+  }
   watchFault(sample);
   watchSoftening(sample);
   watchRecording();
@@ -345,7 +382,7 @@ void HapticsPlugin::setUpDevice() {
   const std::string before = wish_;
   setForces(false);
   if (opened_.starts_with("falcon")) {  // The dialog holds it now.
-    settings_.device = "mouse";
+    settings_.device = kMouse;
     changeDevice();
   }
   setup_ = makeDeviceSetup(panel_ ? panel_->window() : nullptr);
@@ -362,12 +399,15 @@ void HapticsPlugin::setUpDevice() {
 QByteArray HapticsPlugin::saveState() const {
   TouchSettings kept = settings_;
   kept.device = wish_;
-  return toJson(kept);
+  return withButtons(toJson(kept), button_settings_);
 }
 
 void HapticsPlugin::restoreState(const QByteArray& state) {
   settings_ = touchSettingsFromJson(state);
   wish_ = settings_.device;
+  button_settings_ = buttonSettingsFromJson(state);
+  if (buttons_panel_) buttons_panel_->setSettings(button_settings_);
+  if (buttons_) buttons_->setSettings(button_settings_);
   if (panel_) panel_->setSettings(settings_);
   if (session_ && settings_.device != opened_) changeDevice();
   applySettings();

@@ -9,6 +9,7 @@
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/sleep_watch.h"
 #include "plugins/api/plugin.h"
+#include "plugins/haptics/buttons_panel.h"
 #include "plugins/haptics/device_setup_buttons.h"
 #include "plugins/haptics/device_setup_dialog.h"
 #include "plugins/haptics/haptics_panel.h"
@@ -41,6 +42,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void chooseDevice(const std::string& id);
   void connectHost();
   void connectControls();
+  void connectButtons();
   void showWindow(const RegionWindow& window);
   void setForces(bool on);
   void changeStrength(int percent);
@@ -70,6 +72,8 @@ class HapticsPlugin : public QObject, public Plugin {
   std::unique_ptr<SleepWatch> sleep_;
   int frames_at_zero_ = -1;  // Since sleep was announced; -1: it was not.
   TouchActions actions_;
+  ButtonSettings button_settings_;
+  QPointer<ButtonsPanel> buttons_panel_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
   QString recorded_windows_;  // Lines for the running recording's end.

@@ -6,6 +6,8 @@
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
 #include "haptics/proxy/texture.h"
+#include "haptics/record/recorded_loop.h"
+#include "haptics/rt/build_id.h"
 #include "plugins/haptics/recording_file.h"
 
 namespace relievo {
@@ -24,6 +26,7 @@ LoopSession::LoopSession(const std::string& device_id)
   falcon_ = dynamic_cast<falcon::FalconDevice*>(device.get());
   loop_ = std::make_unique<HapticLoop>(std::move(device));
   loop_->start();
+  recorder_.beginAt(loop_->snapshots(), buildId());
   drain_ = std::make_unique<SampleDrain>(
       loop_->samples(), std::vector<SampleSink>{
                             [this](std::span<const HapticSample> batch) { recorder_.take(batch); },
@@ -48,10 +51,17 @@ void LoopSession::show(const RegionWindow& window, SurfaceKind kind,
                        std::span<const float> finer_mm) {
   const HapticSample& last = update();
   std::optional<Anchor> touched;  // Stays under the hand.
-  if (has_window_ && last.contact) touched = Anchor{last.proxy_view, last.proxy};
+  if (has_window_ && last.contact && !moving_) touched = Anchor{last.proxy_view, last.proxy};
   HapticSpace& space = loop_->spaces().back();
   fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched);
   fillTexture(space, finer_mm);
+  space.scene_id = ++scene_id_;
+  constexpr std::size_t kScenesInUse = 4;  // Of the loop, its change, the mailbox and this one.
+  if (!recorder_.running() && scene_lines_.size() >= kScenesInUse) {
+    scene_lines_.erase(scene_lines_.begin());
+  }
+  scene_lines_.push_back(sceneLine({scene_id_, window.id, window.region, window.gain, kind, touched,
+                                    space.texture.present, sceneChecksum(space)}));
   loop_->spaces().publish();
   mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);
@@ -68,7 +78,27 @@ void LoopSession::moveHand(ViewMm target) {
 }
 
 void LoopSession::setOptions(const HapticOptions& options) {
-  loop_->options().write(options);
+  HapticOptions named = withinDevice(options, loop_->device());
+  named.id = ++options_id_;
+  // The loop may still work with the last but one.
+  if (!recorder_.running() && options_lines_.size() >= 3) {
+    options_lines_.erase(options_lines_.begin());
+  }
+  options_lines_.push_back(optionsLine(named));
+  loop_->options().write(named);
+}
+
+void LoopSession::startRecording(const std::string& file, const std::string& header) {
+  recorder_.start(file, header);
+  loop_->wantSnapshot();
+}
+
+void LoopSession::stopRecording(const std::string& footer) {
+  std::string lines = footer;
+  for (const auto* list : {&scene_lines_, &options_lines_}) {
+    for (const std::string& line : *list) lines += line;
+  }
+  recorder_.stop(lines);
 }
 
 const HapticSample& LoopSession::update() {

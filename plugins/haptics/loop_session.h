@@ -37,6 +37,12 @@ class LoopSession {
   /// does not care.
   void moveHand(ViewMm target);
   void setOptions(const HapticOptions& options);
+  /// Begins with one of the next ticks. @throw as Recorder::start
+  void startRecording(const std::string& file, const std::string& header);
+  /// @param footer  lines that end the file, with what a replay needs after them
+  void stopRecording(const std::string& footer);
+  /// In Move mode the window goes on below the hand: what is touched does not come along.
+  void setMoving(bool moving) { moving_ = moving; }
 
   const HapticSample& update();  ///< The newest sample.
   const LoopStats& stats();
@@ -63,7 +69,10 @@ class LoopSession {
   falcon::FalconDevice* falcon_ = nullptr;
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
-  bool has_window_ = false;
+  // What a replay needs: since a recording began, or of the present and the last scene.
+  std::uint64_t scene_id_ = 0, options_id_ = 0;
+  std::vector<std::string> scene_lines_, options_lines_;
+  bool has_window_ = false, moving_ = false;
 };
 
 /// Would a picture of the two differ? A hand at rest costs no frames.

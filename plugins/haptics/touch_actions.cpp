@@ -31,6 +31,33 @@ QAction* made(const Words& words, const QList<QKeySequence>& keys, bool checkabl
   action->setWhatsThis(text(words.whats_this));
   return action;
 }
+
+/// What the buttons of a device ask for, for keys and menus.
+void makeButtonActions(TouchActions& actions) {
+  actions.use_mouse =
+      made({"useMouse", "&Use the mouse", "Let the mouse be the hand",
+            "Lets go of a Falcon, whether it is ready or still starting or homing."},
+           {}, false);
+  actions.move_mode =
+      made({"moveMode", "&Move mode", "Begin Move mode, or confirm and leave it (Ctrl+Shift+M)",
+            "Pushing the grip to a side moves the window there, one click per quarter."},
+           {QKeySequence(QStringLiteral("Ctrl+Shift+M"))}, true);
+  actions.move_back =
+      made({"moveBack", "&Back to the old window", "Leave Move mode and go back to where it began",
+            "The device's button Centre does the same in Move mode."},
+           {}, false);
+  actions.move_back->setEnabled(false);
+  actions.where_am_i = made({"whereAmI", "Where am &I", "Say where the hand is (Ctrl+I)",
+                             "Place and height under the hand, and whether it was measured."},
+                            {QKeySequence(QStringLiteral("Ctrl+I"))}, false);
+  actions.say_detail =
+      made({"sayDetail", "&Detail and scale", "Say detail, window and hand scale (Ctrl+Shift+I)",
+            "How large the window is and what one millimetre of hand is."},
+           {QKeySequence(QStringLiteral("Ctrl+Shift+I"))}, false);
+  actions.button_help = made({"buttonHelp", "Button &help", "Say what the device's buttons do now",
+                              "It differs in Move mode and while scanning with one button."},
+                             {}, false);
+}
 }  // namespace
 
 TouchActions addTouchActions(Host& host) {
@@ -74,8 +101,10 @@ TouchActions addTouchActions(Host& host) {
                          "Writes hand, proxy and force, 1000 times a second, to a table in your "
                          "documents folder.")},
       {QKeySequence(QStringLiteral("Ctrl+R"))}, true);
-  for (QAction* action :
-       {actions.forces, actions.forces_off, actions.stronger, actions.weaker, actions.setup}) {
+  makeButtonActions(actions);
+  for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker,
+                          actions.setup, actions.use_mouse, actions.move_mode, actions.move_back,
+                          actions.where_am_i, actions.say_detail, actions.button_help}) {
     host.addAction(touch, action);
   }
   host.addAction(record, actions.record);

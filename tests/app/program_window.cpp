@@ -98,6 +98,10 @@ bool ProgramWindow::runs() {
   return !impl_->ended;
 }
 
+int ProgramWindow::process() const {
+  return impl_->process;
+}
+
 int ProgramWindow::exitCode() const {
   return WIFEXITED(impl_->status) ? WEXITSTATUS(impl_->status) : 128 + WTERMSIG(impl_->status);
 }

@@ -18,6 +18,7 @@ class ProgramWindow {
   ProgramWindow& operator=(const ProgramWindow&) = delete;
 
   bool runs();
+  int process() const;   ///< Its number.
   int exitCode() const;  ///< Once it does not run; 128 + signal if it was killed.
   std::string title();   ///< Of its main window; empty: it has none yet.
   /// A press and release, "F5" or "r", into the main window.

@@ -2,8 +2,11 @@
 // The whole of it: window, host, loader and the haptics plugin that was built beside them.
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QProcess>
 #include <QtTest/QTest>
 
 #include "app/host.h"
@@ -62,6 +65,52 @@ TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
   EXPECT_TRUE(waitFor([this] { return forceShown() == 0; }));
   release(view, middle);
   plugins.detachAll();
+}
+
+TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
+  qputenv("HOME", path("home").toLocal8Bit());
+  qputenv("XDG_CONFIG_HOME", path("home/config").toLocal8Bit());
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_TRUE(plugins.has("haptics"));
+  openRelief();
+  auto& view = window().detailView();
+  const QPointF middle = QRectF(view.rect()).center();
+  move(view, middle);
+  QTest::keyClick(&view, Qt::Key_F5);
+  ASSERT_TRUE(
+      waitFor([&] { return view.sceneState().probe && view.sceneState().probe->forces_on; }));
+  press(view, middle);
+  ASSERT_TRUE(waitFor([this] { return forceShown() > 0.1; }));
+  // It begins while the hand touches; then window, level and feel change.
+  action("record")->trigger();
+  QTest::qWait(300);
+  ASSERT_TRUE(window().runCommand("finer"));
+  QTest::qWait(600);
+  child<QComboBox>("surfacePreset")->setCurrentIndex(1);  // Another shape, too.
+  move(view, middle + QPointF(30, 10));
+  QTest::qWait(300);
+  window().runCommand("coarser");
+  QTest::qWait(600);
+  QStringList files;
+  action("record")->trigger();
+  const QDir folder(path("home/Documents/relievo"));
+  ASSERT_TRUE(waitFor([&] {
+    files = folder.entryList({"touch-*.csv"}, QDir::Files, QDir::Time);
+    QFile file(folder.filePath(files.value(0)));
+    return file.open(QIODevice::ReadOnly) && file.readAll().contains("# replay core ");
+  }));
+  release(view, middle);
+  plugins.detachAll();
+  QProcess replay;
+  replay.start(QStringLiteral(RELIEVO_BINARY_DIR "/bin/relievo"),
+               {"replay", folder.filePath(files.front()), "--verify", "--input",
+                window().document().file()});
+  ASSERT_TRUE(replay.waitForFinished(60'000));
+  EXPECT_EQ(replay.exitCode(), 0) << replay.readAllStandardError().toStdString()
+                                  << replay.readAllStandardOutput().toStdString();
+  EXPECT_TRUE(replay.readAllStandardOutput().contains("to the last bit"));
 }
 
 }  // namespace

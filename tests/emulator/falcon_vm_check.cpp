@@ -59,7 +59,7 @@ class Plugged {
   std::jthread thread_;
 };
 
-bool eventually(const std::function<bool()>& holds, int seconds = 60) {
+bool eventually(const std::function<bool()>& holds, int seconds = 120) {
   const std::int64_t give_up = monotonicNs() + seconds * 1000 * kMs;
   while (!holds()) {
     if (monotonicNs() > give_up) return false;
@@ -123,7 +123,7 @@ void check() {
   }),
          "force is shown");
 
-  plugged->unplug();
+  plugged.reset();
   expect(becomes(device, LinkState::absent), "unplugged in contact");
   expect(device.exchange({0, 0, 1.5}, monotonicNs()).fault != DeviceFault::none,
          "and the loop is told");

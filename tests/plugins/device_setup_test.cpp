@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDeadlineTimer>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -19,6 +20,7 @@
 
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/settings_file.h"
+#include "plugins/haptics/buttons_panel.h"
 #include "plugins/haptics/device_setup_buttons.h"
 #include "tests/emulator/in_process.h"
 #include "tests/emulator/made_image.h"
@@ -55,7 +57,7 @@ class DeviceSetupTest : public ::testing::Test {
         emulated_, std::make_shared<emulator::TestClock>(emulator::TestClock::Kind::real));
     bus->pretend = presence;
     dialog_ = std::make_unique<DeviceSetupDialog>(
-        std::make_unique<falcon::FalconDevice>(std::move(bus), falcon::firmwareSource()),
+        std::make_unique<falcon::FalconDevice>(std::move(bus), falcon::storedFirmwareSource()),
         falcon::FalconSettings{});
     QObject::connect(dialog_.get(), &DeviceSetupDialog::said,
                      [this](const QString& text) { said_ << text; });
@@ -97,6 +99,7 @@ TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
   ASSERT_TRUE(eventually([this] {
     return child<QLabel>("setupState")->text().contains("nvent_firmware.bin (8492 bytes)");
   }));
+  EXPECT_EQ(child<QLabel>("setupFirmwareFile")->text(), "Firmware: no file found yet");
   EXPECT_FALSE(dialog_->installFirmware(written({1, 2, 3}), true));
   EXPECT_TRUE(said_.last().contains("3 bytes"));
   picture("setup_firmware");
@@ -106,6 +109,11 @@ TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
       eventually([this] { return child<QLabel>("setupState")->text().startsWith("E308"); }));
   EXPECT_TRUE(child<QProgressBar>("setupUpload")->text().startsWith("attempt 1 of 10"));
   EXPECT_FALSE(child<QPushButton>("setupSave")->isEnabled()) << "nothing to use yet";
+  EXPECT_EQ(child<QPushButton>("setupClose")->text(), "Cancel") << "homing can be left";
+  const std::string stored = falcon::readSettings(falcon::settingsFile()).firmware;
+  EXPECT_EQ(stored, folder_.filePath("data/relievo/falcon/nvent_firmware.bin").toStdString());
+  EXPECT_EQ(child<QLabel>("setupFirmwareFile")->text(),
+            QString("Firmware: %1, accepted by you").arg(QString::fromStdString(stored)));
   picture("setup_homing");
   hold(172);
   hold(90);
@@ -121,7 +129,34 @@ TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
   QTest::keyClick(child<QPushButton>("setupSave"), Qt::Key_Space);
   EXPECT_FALSE(dialog_->isVisible());
   EXPECT_TRUE(falcon::readSettings(falcon::settingsFile()).left_handed);
+  EXPECT_EQ(falcon::readSettings(falcon::settingsFile()).firmware, stored) << "kept by Save";
   emulated_->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });
+}
+
+TEST_F(DeviceSetupTest, CancellingHomingLeavesTheFalconAtRest) {
+  open({.firmware_loaded = true});
+  ASSERT_TRUE(becomes(LinkState::homing));
+  auto* leave = child<QPushButton>("setupClose");
+  ASSERT_TRUE(eventually([&] { return leave->text() == "Cancel"; }));
+  QTest::keyClick(leave, Qt::Key_Space);
+  EXPECT_FALSE(dialog_->isVisible());
+  EXPECT_EQ(dialog_->result(), QDialog::Rejected);
+  dialog_.reset();
+  emulated_->with([](auto& f) {
+    EXPECT_TRUE(f.commands().back().neutral());
+    EXPECT_EQ(f.commands().back().lights, 0);
+  });
+}
+
+TEST_F(DeviceSetupTest, AFirmwareFileThatIsSetAndMissingIsSaid) {
+  falcon::FalconSettings settings;
+  settings.firmware = "/nowhere/image.bin";
+  falcon::writeSettings(settings, falcon::settingsFile());
+  open({});
+  ASSERT_TRUE(becomes(LinkState::no_firmware));
+  EXPECT_TRUE(eventually([this] {
+    return child<QLabel>("setupState")->text().contains("/nowhere/image.bin");
+  })) << child<QLabel>("setupState")->text().toStdString();
 }
 
 TEST_F(DeviceSetupTest, ShowsTheRuleWhenAccessIsForbidden) {
@@ -199,30 +234,138 @@ HapticSample sampleAt(double x, double y) {
   return sample;
 }
 
-TEST(DeviceButtons, RunTheWindowsCommandsAndSayWhatTheyFind) {
-  test::TestHost host;
-  host.window = std::make_shared<RegionWindow>(test::windowOf(
-      80, [](double, double) { return 5.0; }, 3));
-  DeviceButtons buttons(host, nullptr);
-  const auto press = [&](std::uint8_t button, double at, double held) {
-    buttons.press(button, true, at);
-    for (double t = at; t < at + held; t += 0.02) buttons.frame(sampleAt(0, 0), t);
-    buttons.press(button, false, at + held);
-    buttons.frame(sampleAt(0, 0), at + held + 0.1);
-  };
-  press(0, 1, 0.2);
-  press(3, 2, 0.2);
-  press(3, 3, 1.0);
-  press(2, 5, 1.6);
-  EXPECT_EQ(host.commands, (QStringList{"finer", "coarser", "whole", "forces"}));
-  press(2, 10, 0.2);
-  EXPECT_EQ(host.announcements.last(), "Touching. 12 right, 34 up, height 5.5 millimetres.");
-  press(0, 12, 1.0);
-  EXPECT_TRUE(host.announcements.last().startsWith("Detail 1 of 1, window 80 millimetres"));
-  press(1, 14, 0.2);
-  EXPECT_TRUE(host.announcements.last().startsWith("Move mode."));
-  buttons.frame(sampleAt(25, 0), 14.5);
-  EXPECT_EQ(host.commands.last(), "moveRight");
+class DeviceButtonsTest : public ::testing::Test {
+ protected:
+  DeviceButtonsTest() {
+    host_.window = std::make_shared<RegionWindow>(test::windowOf(
+        80, [](double, double) { return 5.0; }, 3));
+  }
+  void press(std::uint8_t button, double held_s) {
+    buttons_.press(button, true, now_s_);
+    pass(held_s);
+    buttons_.press(button, false, now_s_);
+    pass(0.1);
+  }
+  void pass(double seconds) {
+    for (const double end = now_s_ + seconds; now_s_ < end; now_s_ += 0.02) {
+      buttons_.frame(sampleAt(x_, y_), now_s_);
+    }
+  }
+  QString last() const {
+    return host_.announcements.isEmpty() ? QString() : host_.announcements.last();
+  }
+
+  static constexpr std::uint8_t kPlus = 0, kForward = 1, kCentre = 2, kMinus = 3;
+  test::TestHost host_;
+  DeviceButtons buttons_{host_, nullptr};
+  double now_s_ = 1, x_ = 0, y_ = 0;
+};
+
+TEST_F(DeviceButtonsTest, RunTheWindowsCommandsAndSayWhatTheyFind) {
+  press(kPlus, 0.2);
+  press(kMinus, 0.2);
+  press(kMinus, 1.0);
+  press(kCentre, 1.6);
+  press(kForward, 1.0);
+  EXPECT_EQ(host_.commands, (QStringList{"finer", "coarser", "whole", "forces", "beacon"}));
+  press(kCentre, 0.2);
+  EXPECT_EQ(last(), "Touching. 12 right, 34 up, height 5.5 millimetres.");
+  press(kPlus, 1.0);
+  EXPECT_TRUE(last().startsWith("Detail 1 of 1, window 80 millimetres"));
+}
+
+TEST_F(DeviceButtonsTest, MoveModePutsAGateUnderTheHandAndStepsTheWindow) {
+  x_ = 4;
+  press(kForward, 0.2);
+  EXPECT_TRUE(last().startsWith("Move mode."));
+  EXPECT_TRUE(buttons_.gate().on);
+  EXPECT_EQ(buttons_.gate().centre.x, 4) << "where the hand was";
+  EXPECT_EQ(buttons_.gate().blocked, 0);
+  x_ = 25;
+  host_.at_edges = 2;
+  pass(0.1);
+  EXPECT_EQ(host_.commands, QStringList{"move_right"});
+  EXPECT_EQ(buttons_.gate().blocked, 2) << "the next push to the right meets a wall";
+  x_ = 4;
+  pass(0.1);
+  y_ = -25;
+  pass(0.1);
+  press(kPlus, 0.2);
+  press(kMinus, 0.2);
+  EXPECT_EQ(host_.commands,
+            (QStringList{"move_right", "move_down", "next_place", "previous_place"}));
+  press(kForward, 0.2);
+  EXPECT_TRUE(last().startsWith("Moved. Detail 1 of 1"));
+  EXPECT_FALSE(buttons_.gate().on);
+  EXPECT_TRUE(host_.regions.empty());
+}
+
+TEST_F(DeviceButtonsTest, CentreLeavesMoveModeToTheOldWindow) {
+  const Region before = host_.window->region;
+  buttons_.toggleMoving();  // By key or menu: the same.
+  EXPECT_TRUE(buttons_.moving());
+  auto moved = std::make_shared<RegionWindow>(*host_.window);
+  moved->region.x_mm += 20;
+  host_.window = moved;
+  press(kCentre, 0.2);
+  ASSERT_EQ(host_.regions.size(), 1U);
+  EXPECT_EQ(host_.regions[0], before);
+  EXPECT_TRUE(last().startsWith("Back at the old window."));
+  EXPECT_FALSE(buttons_.moving());
+  buttons_.cancelMoving();
+  EXPECT_EQ(host_.regions.size(), 1U) << "there is nothing to cancel";
+}
+
+TEST_F(DeviceButtonsTest, WithoutAWindowThereIsNothingToMove) {
+  host_.window = nullptr;
+  press(kForward, 0.2);
+  EXPECT_EQ(last(), "Nothing is open.");
+  EXPECT_FALSE(buttons_.moving());
+  pass(0.1);
+  EXPECT_TRUE(host_.regions.empty());
+}
+
+TEST_F(DeviceButtonsTest, OneButtonScansThroughTheCommands) {
+  buttons_.setSettings({.one_button = true, .scan_s = 1});
+  press(kMinus, 0.1);
+  EXPECT_EQ(last(), "Where am I?");
+  pass(1);
+  EXPECT_EQ(last(), "Finer detail?");
+  press(kMinus, 0.1);
+  EXPECT_EQ(host_.commands, QStringList{"finer"});
+  press(kMinus, 0.1);
+  pass(3);
+  EXPECT_EQ(last(), "Move mode?");
+  press(kMinus, 0.1);
+  EXPECT_TRUE(buttons_.moving());
+  press(kMinus, 0.1);
+  EXPECT_EQ(last(), "Moved?") << "in Move mode other things are offered";
+  press(kMinus, 0.1);
+  EXPECT_FALSE(buttons_.moving());
+  buttons_.setSettings({});
+  press(kMinus, 0.1);
+  EXPECT_EQ(host_.commands.last(), "coarser") << "a button is a button again";
+}
+
+TEST_F(DeviceButtonsTest, ThePanelsSettingsAreKept) {
+  ButtonsPanel panel;
+  int changes = 0;
+  QObject::connect(&panel, &ButtonsPanel::settingsChanged, [&changes] { ++changes; });
+  auto* scan = panel.findChild<QDoubleSpinBox*>("scanTime");
+  EXPECT_FALSE(scan->isEnabled());
+  panel.findChild<QCheckBox*>("oneButton")->setChecked(true);
+  EXPECT_TRUE(scan->isEnabled());
+  scan->setValue(3);
+  panel.findChild<QComboBox*>("spaceMouse")->setCurrentIndex(1);
+  EXPECT_EQ(changes, 3);
+  const ButtonSettings chosen = panel.settings();
+  EXPECT_EQ(chosen, (ButtonSettings{
+                        .one_button = true, .scan_s = 3, .space_mouse = SpaceMouseMoves::view}));
+  const QByteArray json = withButtons(R"({"device": "mouse"})", chosen);
+  EXPECT_TRUE(json.contains("\"device\":\"mouse\"")) << "beside the others";
+  EXPECT_EQ(buttonSettingsFromJson(json), chosen);
+  EXPECT_EQ(buttonSettingsFromJson(R"({"scan_s": 99})").scan_s, 5);
+  EXPECT_EQ(buttonSettingsFromJson("no json"), ButtonSettings{});
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <QPluginLoader>
 #include <QTemporaryDir>
 
+#include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/plugins/test_host.h"
@@ -157,6 +158,63 @@ TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
   logind_->tell(false);
   EXPECT_TRUE(said("Forces are off after the sleep. Press F5 to switch them on."));
   EXPECT_TRUE(eventually([this] { return logind_->isDelayed(); })) << "the next sleep waits, too";
+}
+
+/// The plugin and a SpaceMouse, through the real hidapi.
+class SpaceMousePluginTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
+    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
+    plugin_ = qobject_cast<Plugin*>(loader_.instance());
+    host_.window = std::make_shared<RegionWindow>(test::windowOf(
+        80, [](double, double) { return 5.0; }, 7));
+    plugin_->attach(host_);
+    const std::vector<std::uint8_t> multi_axis{0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0x85,
+                                               0x01, 0x75, 0x10, 0x95, 0x03, 0x09, 0x30,
+                                               0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0};
+    hid_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", multi_axis);
+    ASSERT_TRUE(eventually(
+        [this] { return host_.announcements.contains("SpaceMouse Compact connected."); }));
+    ASSERT_TRUE(eventually([this] { return !host_.probes.empty(); }));
+  }
+  void TearDown() override {
+    if (plugin_ != nullptr) plugin_->detach();
+    loader_.unload();
+  }
+  /// Full deflection: to the right, and up (the cap's z points down).
+  void pushRight() { hid_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0}); }
+  void letGo() { hid_.send(0, {1, 0, 0, 0, 0, 0, 0}); }
+
+  emulator::MockHid hid_;
+  TestHost host_;
+  QPluginLoader loader_{QStringLiteral(RELIEVO_BINARY_DIR "/plugins/haptics_plugin.so")};
+  Plugin* plugin_ = nullptr;
+};
+
+TEST_F(SpaceMousePluginTest, MovesTheHandAsLongAsItIsPushed) {
+  const double from = host_.probes.back().hip.x;
+  pushRight();
+  EXPECT_TRUE(eventually([&] { return host_.probes.back().hip.x > from + 10; }));
+  letGo();
+  EXPECT_EQ(host_.turned_az_deg, 0);
+  hid_.send(0, {3, 2, 0});
+  hid_.send(0, {3, 0, 0});
+  EXPECT_TRUE(eventually([this] { return host_.commands.contains("finer"); })) << "its button";
+}
+
+TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
+  auto* choice = host_.panels.at("Buttons")->findChild<QComboBox*>("spaceMouse");
+  ASSERT_NE(choice, nullptr);
+  choice->setCurrentIndex(1);
+  const double from = host_.probes.back().hip.x;
+  pushRight();
+  EXPECT_TRUE(eventually([this] { return host_.turned_az_deg < -20; }))
+      << "the near side follows the cap, as with the command turn_right";
+  letGo();
+  EXPECT_EQ(host_.turned_el_deg, 0);
+  EXPECT_NEAR(host_.probes.back().hip.x, from, 1e-6) << "the hand stays";
+  EXPECT_TRUE(plugin_->saveState().contains(R"("space_mouse":"view")"));
 }
 
 }  // namespace

@@ -18,6 +18,8 @@
 #include <QTest>
 
 #include "core/region/hand.h"
+#include "haptics/record/replay.h"
+#include "haptics/rt/realtime_thread.h"
 #include "plugins/haptics/touch_settings.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/plugins/test_host.h"
@@ -329,6 +331,73 @@ TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {
   for (std::size_t i = before; i < host_.probes.size(); ++i) {
     EXPECT_TRUE(host_.probes[i].touching) << "never let go";
   }
+}
+
+TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
+  QTemporaryDir home;
+  qputenv("HOME", home.path().toUtf8());
+  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
+  host_.window = flatWindow(5, 33);
+  attach();
+  QAction* record = host_.actions.at("record");
+  record->trigger();
+  ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 100; }));
+  // Not one event of Qt's is handled meanwhile.
+  constexpr std::int64_t kHangNs = 10'000'000'000;
+  sleepUntil(monotonicNs() + kHangNs);
+  record->trigger();
+  ASSERT_TRUE(
+      eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
+  const QDir folder(home.path() + "/Documents/relievo");
+  const LogTable log =
+      readLog(folder.filePath(folder.entryList({"touch-*.csv"}).value(0)).toStdString());
+  ASSERT_GT(log.rows.size(), 1000U);
+  for (std::size_t i = 0; i < log.rows.size(); ++i) {
+    // A dropped tick would be a consumer that the hang has stopped.
+    ASSERT_EQ(tickOf(log.rows[i]), tickOf(log.rows[0]) + i);
+  }
+  // Positions had no age, and no force was cut for the GUI: the audit in the header tells.
+  EXPECT_NE(log.header.find("watchdog cuts 0"), std::string::npos) << log.header;
+  EXPECT_NE(log.header.find("zero violations 0, limit violations 0, step violations 0"),
+            std::string::npos);
+  // Ticks went on during the whole hang; what the whole computer missed is not made up for.
+  const double seconds = 1e-9 * static_cast<double>(nanosecondsOf(log.rows.back()));
+  EXPECT_GT(seconds, 9);
+  EXPECT_GT(static_cast<double>(log.rows.size()), 100 * seconds);
+}
+
+TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
+  host_.window = flatWindow(5, 35);
+  attach();
+  auto* device = inPanel<QComboBox>("deviceList");
+  device->setCurrentIndex(device->findData("virtual:relaxed"));
+  hover();
+  host_.actions.at("forces")->trigger();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on && !p.touching; }));
+  press(10);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 1; }));
+  QAction* move = host_.actions.at("moveMode");
+  move->trigger();
+  EXPECT_TRUE(move->isChecked());
+  EXPECT_TRUE(host_.announcements.last().startsWith("Move mode."));
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z < 0.5; })) << "no surface";
+  // Far to the right: over the click, one step, and the gate pulls back.
+  Q_EMIT host_.handMoved({handOver(*host_.window, 75, 40, false, 0), true});
+  ASSERT_TRUE(eventually([this] { return host_.commands.contains("move_right"); }));
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.force.x < -0.1; }));
+  EXPECT_TRUE(host_.actions.at("moveBack")->isEnabled());
+  host_.actions.at("moveBack")->trigger();
+  EXPECT_FALSE(move->isChecked());
+  ASSERT_EQ(host_.regions.size(), 1U);
+  EXPECT_EQ(host_.regions[0], host_.window->region);
+  host_.actions.at("whereAmI")->trigger();
+  EXPECT_TRUE(host_.announcements.last().contains("millimetres"));
+  host_.actions.at("sayDetail")->trigger();
+  EXPECT_TRUE(host_.announcements.last().startsWith("Detail 1 of"));
+  host_.actions.at("buttonHelp")->trigger();
+  EXPECT_TRUE(host_.announcements.last().startsWith("Plus: finer."));
+  host_.actions.at("useMouse")->trigger();
+  EXPECT_EQ(device->currentData().toString(), "mouse");
 }
 
 TEST_F(HapticsPluginTest, GivesEveryControlANameForSpeech) {

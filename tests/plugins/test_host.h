@@ -36,6 +36,15 @@ class TestHost : public Host {
     return true;
   }
   std::shared_ptr<const RegionWindow> shownWindow() const override { return window; }
+  bool showRegion(const Region& region) override {
+    regions.push_back(region);
+    return true;
+  }
+  std::uint8_t edges() const override { return at_edges; }
+  void turnView(double azimuth_deg, double elevation_deg) override {
+    turned_az_deg += azimuth_deg;
+    turned_el_deg += elevation_deg;
+  }
   QString recordingHeader() const override { return QStringLiteral("input relief.ply\nunit mm"); }
 
   void showWindow(std::shared_ptr<const RegionWindow> shown) {
@@ -50,6 +59,9 @@ class TestHost : public Host {
   std::vector<PlotSample> plotted;
   TouchStatus status;
   QStringList announcements, commands;
+  std::vector<Region> regions;  ///< Asked to be shown.
+  std::uint8_t at_edges = 0;
+  double turned_az_deg = 0, turned_el_deg = 0;
   std::shared_ptr<const RegionWindow> window;
 };
 

@@ -16,7 +16,8 @@ class MessageBus {
  public:
   MessageBus() {
     // Its number comes first, so that this one process can be ended.
-    pipe_ = ::popen("sh -c 'echo $$; exec dbus-daemon --session --nofork --print-address=1'", "r");
+    pipe_ = ::popen(
+        "sh -c 'echo $$; exec dbus-daemon --session --nofork --print-address=1 2>/dev/null'", "r");
     std::array<char, 512> line{};
     if (std::fgets(line.data(), line.size(), pipe_) != nullptr) process_ = std::atoi(line.data());
     if (std::fgets(line.data(), line.size(), pipe_) != nullptr) address_ = line.data();

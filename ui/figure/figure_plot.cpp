@@ -84,8 +84,8 @@ class Plot {
     const double y = box_.top() + (lines_down + 0.9) * ink_.lineHeight();
     const double right = box_.right() - ink_.pt(4);
     const double left = right - ink_.width(words);
-    ink_.painter().fillRect(QRectF(left - ink_.pt(24), y - ink_.lineHeight(),
-                                   right - left + ink_.pt(26), 1.25 * ink_.lineHeight()),
+    ink_.painter().fillRect(QRectF(left - ink_.pt(24), y - 0.75 * ink_.lineHeight(),
+                                   right - left + ink_.pt(26), ink_.lineHeight()),
                             kPlate);
     ink_.text({left, y}, words);
     ink_.painter().setPen(pen);

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "haptics/device/device.h"
@@ -15,6 +16,7 @@ struct FalconSettings {
   /// Motor counts for one N mm. Half of the nominal value until a weight was hung on.
   double counts_per_n_mm = kNominalCountsPerNmm / 2;
   bool left_handed = false;  ///< Plus and minus change sides.
+  std::string firmware;      ///< The file to load; empty: it is searched for.
 };
 inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
 inline constexpr double kMostCountsPerNmm = kNominalCountsPerNmm;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "haptics/device/falcon/firmware.h"
 
 namespace relievo::falcon {
 
@@ -26,6 +27,7 @@ FalconSettings readSettings(const fs::path& file) {
     const std::size_t space = line.find(' ');
     if (space == std::string::npos) continue;
     const std::string name = line.substr(0, space), text = line.substr(space + 1);
+    if (name == "firmware") settings.firmware = text;
     double value = 0;  // from_chars: a locale may write numbers with a comma.
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) continue;
@@ -51,10 +53,15 @@ void writeSettings(const FalconSettings& settings, const fs::path& file) {
   std::ofstream stream(part, std::ios::trunc);
   stream << "counts_per_n_mm " << std::string(number.data(), end) << "\nleft_handed "
          << (settings.left_handed ? 1 : 0) << '\n';
+  if (!settings.firmware.empty()) stream << "firmware " << settings.firmware << '\n';
   stream.close();
   if (!stream) refuse();
   fs::rename(part, file, error);
   if (error) refuse();
+}
+
+FirmwareSource storedFirmwareSource() {
+  return [] { return findFirmware(firmwarePlaces(readSettings(settingsFile()).firmware)).bytes; };
 }
 
 }  // namespace relievo::falcon

@@ -13,6 +13,10 @@ std::filesystem::path settingsFile();
 /// One "name value" per line. What is missing, unknown or impossible keeps its default.
 FalconSettings readSettings(const std::filesystem::path& file);
 
+/// For the driver: the file that the settings name, or the one that is found without them. Both are
+/// looked at anew each time it is asked.
+FirmwareSource storedFirmwareSource();
+
 /// Whole or not at all. @throw WriteError
 void writeSettings(const FalconSettings& settings, const std::filesystem::path& file);
 

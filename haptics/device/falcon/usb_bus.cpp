@@ -279,6 +279,17 @@ UsbBus::~UsbBus() {
 }
 
 Opening UsbBus::open() {
+  Opening opening = openSeen();
+  // Where no udev service tells of plugs (containers, small systems), a libusb goes on seeing what
+  // it saw first; a new one looks anew.
+  if (opening.presence == Presence::absent && !seenFalcons().empty()) {
+    impl_->end();
+    if (impl_->begin() == 0) opening = openSeen();
+  }
+  return opening;
+}
+
+Opening UsbBus::openSeen() {
   const DeviceList list(impl_->context);
   Opening opening;
   for (libusb_device* device : list.devices()) {

@@ -31,7 +31,7 @@ class PlugWatch {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Falcons on USB through libusb. Made by one thread, then used by one.
+/// Falcons on USB through libusb. Made by one thread, then used by one; one port at a time is open.
 class UsbBus : public Bus {
  public:
   UsbBus();  ///< @throw DeviceError  USB cannot be used at all
@@ -42,6 +42,8 @@ class UsbBus : public Bus {
   std::int64_t slept() override;
 
  private:
+  Opening openSeen();
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

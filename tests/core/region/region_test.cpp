@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/region/edges.h"
 #include "core/region/window.h"
 
 namespace relievo {
@@ -148,6 +149,15 @@ TEST(Region, RefusesWhatIsNoRegion) {
   EXPECT_THROW(
       regionFromRect(ladder, {.x_mm = 0, .y_mm = 0, .width_mm = 5, .height_mm = 5}, Level{4}),
       ArgumentError);
+}
+
+TEST(Region, EdgesAreWhereNoStepIsLeft) {
+  const DetailLadder ladder = ladderOfF();
+  EXPECT_EQ(edgesOf(ladder, wholeRegion(ladder)), 15);
+  EXPECT_EQ(edgesOf(ladder, {.x_mm = 100, .y_mm = 80, .side_mm = 50, .level = {0}}), 0);
+  EXPECT_EQ(edgesOf(ladder, {.x_mm = 0, .y_mm = 80, .side_mm = 50, .level = {0}}), 1);
+  EXPECT_EQ(edgesOf(ladder, {.x_mm = 250, .y_mm = 150, .side_mm = 50, .level = {0}}), 2 + 8);
+  EXPECT_EQ(edgesOf(ladder, {.x_mm = 100, .y_mm = 0, .side_mm = 50, .level = {0}}), 4);
 }
 
 TEST(Region, AnotherLevelKeepsTheSquare) {

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/batch/json.h"
+#include "app/batch/recording.h"
+#include "app/batch/state.h"
+#include "app/batch/verb.h"
+#include "core/base/error.h"
+#include "core/project/carried_state.h"
+#include "core/session/tiled_surface.h"
+#include "core/tiles/tiled_map.h"
+#include "ui/figure/figure.h"
+#include "ui/video/video.h"
+#include "ui/video/video_frames.h"
+#include "ui/vtk/picture_file.h"
+
+namespace relievo::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct VideoArguments {
+  std::string path;
+  std::string recording, input, out, profile = "talk", size = "1280x720", stereo, relief = "lit",
+                                     colours = "viridis", light;
+  std::vector<std::string> without;
+  VideoRequest request;
+  std::optional<std::uint64_t> frame;
+  bool changed_input = false;
+};
+
+template <class T>
+T chosen(const char* option, const std::string& word, const std::optional<T>& value) {
+  if (value) return *value;
+  throw ArgumentError(std::string(option) + ": '" + word + "' is not one of its words.");
+}
+
+VideoRequest requestOf(const VideoArguments& a) {
+  VideoRequest v = a.request;
+  v.profile = chosen("--profile", a.profile, videoProfile(a.profile));
+  const std::size_t x = a.size.find('x');
+  if (x == std::string::npos) throw ArgumentError("--size must be WIDTHxHEIGHT, like 1280x720.");
+  const std::vector<double> size =
+      numberList("--size", a.size.substr(0, x) + "," + a.size.substr(x + 1), 2);
+  v.width_px = static_cast<int>(size[0]);
+  v.height_px = static_cast<int>(size[1]);
+  const bool grey = a.stereo.empty() && v.profile == VideoProfile::anaglyph;
+  if (grey) v.stereo = StereoPrint::grey;
+  if (!a.stereo.empty()) v.stereo = chosen("--stereo", a.stereo, stereoPrint(a.stereo));
+  v.look.kind = chosen("--relief", a.relief, reliefKind(a.relief));
+  v.look.colours = chosen("--colours", a.colours, colourMap(a.colours));
+  if (!a.light.empty()) {
+    const std::vector<double> light = numberList("--light", a.light, 2);
+    v.look.light = {light[0], light[1]};
+  }
+  for (const std::string& part : a.without) {
+    if (part == "plots") v.plots = false;
+    if (part == "overview") v.overview = false;
+    if (part == "scalebar") v.scale_bar = false;
+  }
+  check(v);
+  return v;
+}
+
+/// The map that a recording was made on, and where it came from.
+struct Recorded {
+  Surface surface;
+  Provenance provenance;
+};
+Recorded loadRecorded(const TouchRecording& recording, const VideoArguments& a, const Task& task) {
+  if (recording.state.empty()) {
+    throw FileError("The recording \"" + recording.name +
+                    "\" does not say how its map was made; an older version wrote it. Nothing was "
+                    "made. Replay it in the window on the open map.");
+  }
+  Provenance made;
+  if (isProject(recording.state)) {
+    const Project project = projectFromState(recording.state, recording.name);
+    made.input = {project.file, project.sha256, 0};
+    made.options = project.options;
+  } else {
+    made = provenanceFromJson(recording.state, recording.name);
+  }
+  const FoundInput input = findInput(a.recording, made.input, a.input, a.changed_input, task);
+  ImportOptions import;
+  import.accept_incomplete = made.accept_incomplete;
+  Recorded recorded{TiledMap::isOne(input.file)
+                        ? openTiledSurface(input.file)
+                        : loadForVerb(input.file.string(), made.options, import, task),
+                    {}};
+  recorded.provenance = provenanceOf(recorded.surface, made.options);
+  recorded.provenance.accept_incomplete = made.accept_incomplete;
+  const fs::path folder = fs::absolute(a.out).parent_path();
+  recorded.provenance.input = inputFile(input.file, folder, task);
+  return recorded;
+}
+
+Outcome drawOne(const Surface& surface, const TouchRecording* recording,
+                const VideoRequest& request, const VideoArguments& a, const std::string& state) {
+  VideoFrames frames(surface, recording, request);
+  if (*a.frame >= frames.times().frames) {
+    throw ArgumentError("--frame: there are " + std::to_string(frames.times().frames) +
+                        " frames, counted from 0. Nothing was drawn.");
+  }
+  constexpr double kScreenDpi = 96;
+  writePng(a.out, frames.draw(*a.frame), kScreenDpi,
+           {{"Software", std::string("relievo ") + RELIEVO_VERSION_STRING}, {kStateEntry, state}});
+  return {.json = Json{{"file", a.out}, {"time_s", frames.times().ofFrame(*a.frame)}}.dump(2),
+          .lines = {a.out + ": one frame"}};
+}
+
+/// The map of a project, for its camera path alone.
+Recorded loadOfProject(const Project& project, const VideoArguments& a, const Task& task) {
+  Recorded loaded{loadStored(project, task).surface, {}};
+  loaded.provenance = provenanceOf(loaded.surface, project.options);
+  loaded.provenance.input = inputFile(project.file, fs::absolute(a.out).parent_path(), task);
+  return loaded;
+}
+
+Outcome runVideo(const VideoArguments& a, const Task& task) {
+  VideoRequest request = requestOf(a);
+  std::optional<Project> project;
+  if (!a.path.empty()) {
+    project = readProject(a.path);
+    if (project->paths.empty()) {
+      throw FileError("The project \"" + a.path +
+                      "\" has no camera path. Nothing was made. Add key views in the window.");
+    }
+    request.path = project->paths.front();
+    if (a.recording.empty()) request.overview = false;
+    check(request);
+  } else if (a.recording.empty()) {
+    throw ArgumentError("Give a recording, or a project with --path. Nothing was made.");
+  }
+  TouchRecording recording;
+  if (!a.recording.empty()) recording = readRecording(a.recording, task);
+  const TouchRecording* const shown = a.recording.empty() ? nullptr : &recording;
+  const Recorded recorded =
+      shown != nullptr ? loadRecorded(recording, a, task) : loadOfProject(*project, a, task);
+  const Surface& surface = recorded.surface;
+  const int placed = placeUnknownWindows(recording, surface.ladder);
+  if (placed > 0) {
+    tell("The recording does not say where " + std::to_string(placed) +
+         " windows lay; they are shown around what was touched.");
+  }
+  const fs::path folder = fs::absolute(a.out).parent_path();
+  const std::string state =
+      videoState(recorded.provenance, request,
+                 shown != nullptr ? inputFile(a.recording, folder, task) : InputFile{});
+  const DisplayGuard display;
+  const FigureSession session;
+  if (a.frame) return drawOne(surface, shown, request, a, state);
+  const VideoFacts facts = writeVideo(surface, shown, request, state, a.out, task);
+  Json json;
+  json["file"] = a.out;
+  json["profile"] = name(request.profile);
+  json["pixels"] = {request.width_px, request.height_px};
+  json["frames"] = facts.frames;
+  json["seconds"] = facts.seconds;
+  json["bytes"] = facts.bytes;
+  json["drawing_s"] = facts.drawing_s;
+  json["packing_s"] = facts.packing_s;
+  return {
+      .json = json.dump(2),
+      .lines = {a.out + ": " + std::to_string(facts.frames) + " frames, " +
+                Json(facts.seconds).dump() + " s, " + std::to_string(facts.bytes / 1024) + " kB"}};
+}
+
+void declareVideo(CLI::App& verb, VideoArguments& a) {
+  verb.add_option("recording", a.recording, "LOG.csv or LOG.h5 of the window, touch or record");
+  verb.add_option("--path", a.path, "PROJECT.json whose key views the camera passes");
+  verb.add_option("-o,--output", a.out, "VIDEO.mp4; for images a folder")->required();
+  verb.add_option("--input", a.input, "The scan or map, if it is not where the log says");
+  verb.add_flag("--changed-input", a.changed_input, "Use it although its checksum differs");
+  verb.add_option("--profile", a.profile,
+                  "talk: plays everywhere; archive: without loss; anaglyph: full colour "
+                  "resolution; images: PNG files, without ffmpeg");
+  verb.add_option("--size", a.size, "WIDTHxHEIGHT in pixels, even; 1280x720");
+  verb.add_option("--fps", a.request.fps, "Frames per second; 30");
+  verb.add_option("--speed", a.request.speed, "1 as it was; 0.25 four times slower");
+  verb.add_option("--from", a.request.from_s, "Seconds since the recording's start");
+  verb.add_option("--to", a.request.to_s, "Likewise");
+  verb.add_option("--without", a.without, "plots, overview, scalebar")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"plots", "overview", "scalebar"}));
+  verb.add_option("--stereo", a.stereo, "off, grey, half or dubois; anaglyph: grey");
+  verb.add_option("--eye-angle", a.request.eye_angle_deg, "Degrees between the eyes; 4");
+  verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");
+  verb.add_option("--relief", a.relief, "How heights are painted, as for figure");
+  verb.add_option("--colours", a.colours, "grey, viridis or cividis");
+  verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
+  verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG");
+}
+
+}  // namespace
+
+Verb videoVerb() {
+  auto arguments = std::make_shared<VideoArguments>();
+  return {.name = "video",
+          .help = "Video of a recording: detail, whole object and plots, frame by frame",
+          .declare = [arguments](CLI::App& verb) { declareVideo(verb, *arguments); },
+          .run = [arguments](const Task& task) { return runVideo(*arguments, task); }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/recorded_loop.h"
+
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <span>
+#include <sstream>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+namespace {
+constexpr std::string_view kDigits = "0123456789abcdef";
+
+/// The bytes of a value as text, and back.
+template <class T>
+std::string hexOf(const T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  std::array<unsigned char, sizeof(T)> bytes{};
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  std::string text;
+  text.reserve(2 * sizeof(T));
+  for (const unsigned char byte : bytes) {
+    text += kDigits[byte >> 4U];
+    text += kDigits[byte & 15U];
+  }
+  return text;
+}
+
+template <class T>
+bool fromHex(std::string_view text, T& value) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (text.size() != 2 * sizeof(T)) return false;
+  std::array<unsigned char, sizeof(T)> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::size_t high = kDigits.find(text[2 * i]), low = kDigits.find(text[2 * i + 1]);
+    if (high == std::string_view::npos || low == std::string_view::npos) return false;
+    bytes[i] = static_cast<unsigned char>(16 * high + low);
+  }
+  std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof(T));
+  return true;
+}
+
+/// FNV-1a, 64 bits.
+class Checksum {
+ public:
+  void add(const void* data, std::size_t bytes) {
+    const std::span<const unsigned char> all(static_cast<const unsigned char*>(data), bytes);
+    for (const unsigned char byte : all) sum_ = (sum_ ^ byte) * 1099511628211ULL;
+  }
+  std::uint64_t sum() const { return sum_; }
+
+ private:
+  std::uint64_t sum_ = 14695981039346656037ULL;
+};
+
+std::vector<std::string_view> wordsOf(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find(' '), line.size());
+    if (end > 0) words.push_back(line.substr(0, end));
+    line.remove_prefix(std::min(end + 1, line.size()));
+  }
+  return words;
+}
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw FileError("This recording cannot be replayed: " + why + ".");
+}
+
+template <class Number>
+Number numberOf(std::string_view word) {
+  Number value{};
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    refuse("\"" + std::string(word) + "\" stands where a number is expected");
+  }
+  return value;
+}
+
+std::string textOf(double value) {
+  std::array<char, 40> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() ? std::string(text.data(), end) : std::string("0");
+}
+
+RecordedScene sceneOf(const std::vector<std::string_view>& words) {
+  constexpr std::size_t kPlain = 12, kAnchored = 18;
+  if (words.size() != kPlain && words.size() != kAnchored) refuse("a surface is not told in full");
+  const auto real = [&](std::size_t i) { return numberOf<double>(words[i]); };
+  RecordedScene scene;
+  scene.id = numberOf<std::uint64_t>(words[2]);
+  scene.window_id = numberOf<std::uint64_t>(words[3]);
+  scene.region = {real(4), real(5), real(6), Level{numberOf<int>(words[7])}};
+  scene.gain = real(8);
+  const int kind = numberOf<int>(words[9]);
+  if (kind < 0 || kind > 2) refuse("a surface is of no known kind");
+  scene.kind = static_cast<SurfaceKind>(kind);
+  scene.textured = numberOf<int>(words[10]) != 0;
+  scene.checksum = numberOf<std::uint64_t>(words[11]);
+  if (words.size() == kAnchored) {
+    scene.anchor = Anchor{{real(12), real(13), real(14)}, {real(15), real(16), real(17)}};
+  }
+  return scene;
+}
+}  // namespace
+
+std::uint64_t sceneChecksum(const HapticSpace& space) {
+  Checksum sum;
+  sum.add(space.samples.data(), sizeof(space.samples));
+  sum.add(space.marks.data(), sizeof(space.marks));
+  sum.add(space.origins.data(), sizeof(space.origins));
+  sum.add(space.firmness.data(), sizeof(space.firmness));
+  if (space.texture.present) sum.add(space.texture.rise_um.data(), sizeof(space.texture.rise_um));
+  sum.add(&space.device_per_view, sizeof(double));
+  sum.add(&space.device_translation, sizeof(DeviceMm));
+  return sum.sum();
+}
+
+std::string sceneLine(const RecordedScene& s) {
+  std::string line = "replay scene " + std::to_string(s.id) + " " + std::to_string(s.window_id);
+  for (const double v : {s.region.x_mm, s.region.y_mm, s.region.side_mm}) line += " " + textOf(v);
+  line += " " + std::to_string(s.region.level.value) + " " + textOf(s.gain) + " " +
+          std::to_string(static_cast<int>(s.kind)) + (s.textured ? " 1 " : " 0 ") +
+          std::to_string(s.checksum);
+  if (s.anchor) {
+    const ViewMm& p = s.anchor->point;
+    const DeviceMm& at = s.anchor->at;
+    for (const double v : {p.x, p.y, p.z, at.x, at.y, at.z}) line += " " + textOf(v);
+  }
+  return line + "\n";
+}
+
+std::string optionsLine(const HapticOptions& options) {
+  return "replay options " + std::to_string(options.id) + " " + hexOf(options) + "\n";
+}
+
+std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
+                         std::string_view build) {
+  return "replay core " + std::string(build) + " " + std::to_string(first_ns) + " " +
+         hexOf(snapshot) + "\n";
+}
+
+std::string changeLine(const HapticSample* before, const HapticSample& now) {
+  const bool same = before != nullptr && before->scene_id == now.scene_id &&
+                    before->options_id == now.options_id && before->fault == now.fault &&
+                    before->resumed == now.resumed;
+  if (same) return {};
+  return "replay at " + std::to_string(now.tick) + " " + std::to_string(now.scene_id) + " " +
+         std::to_string(now.options_id) + " " + std::to_string(static_cast<int>(now.fault)) +
+         (now.resumed ? " 1\n" : " 0\n");
+}
+
+std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build) {
+  RecordedLoop loop;
+  bool started = false;
+  while (!footer.empty()) {
+    const std::size_t end = std::min(footer.find('\n'), footer.size());
+    const std::vector<std::string_view> words = wordsOf(footer.substr(0, end));
+    footer.remove_prefix(std::min(end + 1, footer.size()));
+    if (words.size() < 4 || words[0] != "replay") continue;
+    if (words[1] == "core") {
+      if (words[2] != build) {
+        refuse("it was made by build " + std::string(words[2]) + ", and this is " +
+               std::string(build));
+      }
+      if (words.size() != 5 || !fromHex(words[4], loop.start)) refuse("its start is damaged");
+      loop.first_ns = numberOf<std::int64_t>(words[3]);
+      started = true;
+    } else if (words[1] == "options") {
+      HapticOptions options;
+      if (!fromHex(words[3], options)) refuse("its options are damaged");
+      loop.options[numberOf<std::uint64_t>(words[2])] = options;
+    } else if (words[1] == "scene") {
+      const RecordedScene scene = sceneOf(words);
+      loop.scenes[scene.id] = scene;
+    } else if (words[1] == "at" && words.size() == 7) {
+      loop.changes[numberOf<std::uint64_t>(words[2])] = {
+          numberOf<std::uint64_t>(words[3]), numberOf<std::uint64_t>(words[4]),
+          static_cast<DeviceFault>(numberOf<std::uint8_t>(words[5])), numberOf<int>(words[6]) != 0};
+    }
+  }
+  if (!started) return std::nullopt;
+  return loop;
+}
+
+namespace {
+const RecordedScene& sceneNamed(const RecordedLoop& loop, std::uint64_t id) {
+  const auto found = loop.scenes.find(id);
+  if (found == loop.scenes.end()) refuse("it does not tell surface " + std::to_string(id));
+  return found->second;
+}
+
+HapticOptions optionsNamed(const RecordedLoop& loop, std::uint64_t id) {
+  const auto found = loop.options.find(id & ~kLeavingBit);
+  if (found == loop.options.end()) refuse("it does not tell options " + std::to_string(id));
+  HapticOptions options = found->second;
+  options.id = id;
+  if ((id & kLeavingBit) != 0) options.force.forces_on = false;
+  return options;
+}
+}  // namespace
+
+ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
+                        const std::function<const HapticSpace&(const RecordedScene&)>& space,
+                        const std::function<void(const HapticSample&, double t_s)>& each,
+                        const Task& task) {
+  if (log.rows.empty()) refuse("it has no rows");
+  ReplayResult result;
+  HapticCore core = loop.start.core;
+  std::uint64_t scene = loop.start.scene_id;
+  const HapticSpace* now = &space(sceneNamed(loop, scene));
+  const HapticSpace* before = now;
+  if (loop.scenes.contains(loop.start.previous_scene_id)) {
+    before = &space(sceneNamed(loop, loop.start.previous_scene_id));
+  }
+  LoopChange state;  // Before the first row: none, as every change is told there.
+  HapticOptions options;
+  std::uint64_t tick = loop.start.tick;
+  for (const LogRow& row : log.rows) {
+    constexpr std::uint64_t kTicksPerCheck = 1024;
+    if (result.ticks++ % kTicksPerCheck == 0) task.check();
+    if (tickOf(row) != tick) refuse("samples were dropped before tick " + std::to_string(tick));
+    bool new_fault = false;
+    if (const auto change = loop.changes.find(tick); change != loop.changes.end()) {
+      new_fault = change->second.fault != state.fault;
+      state = change->second;
+      options = optionsNamed(loop, state.options_id);
+      if (state.scene_id != scene) {
+        scene = state.scene_id;
+        before = now;
+        now = &space(sceneNamed(loop, scene));
+      }
+    }
+    if (state.resumed) core.resume();
+    DeviceReading reading = readingOf(row, loop.first_ns);
+    // The core keeps a fault while forces are on; whether the device still had it is not known, and
+    // need not be: the row has the hand that was used.
+    if (new_fault || !options.force.forces_on) reading.fault = state.fault;
+    const std::int64_t now_ns = loop.first_ns + nanosecondsOf(row);
+    HapticSample sample = loop.start.gradual ? core.tick(*now, *before, options, reading, now_ns)
+                                             : core.tick(*now, options, reading, now_ns);
+    compare(sample, row, result, each);
+    ++tick;
+  }
+  return result;
+}
+
+}  // namespace relievo

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "haptics/loop/core_snapshot.h"
+#include "haptics/record/replay.h"
+
+namespace relievo {
+
+// What a recording that began in a running loop says beyond its rows, as lines "replay ..." at its
+// end: the core's state before the first row and every change of options, surface and fault. States
+// are the bytes of one build: no other can replay them, and none has to.
+
+/// How a surface was prepared.
+struct RecordedScene {
+  std::uint64_t id = 0, window_id = 0;
+  Region region;
+  double gain = 1;
+  SurfaceKind kind = SurfaceKind::gated;
+  std::optional<Anchor> anchor;
+  bool textured = false;
+  std::uint64_t checksum = 0;  ///< sceneChecksum().
+};
+
+/// Of heights, firmness and texture: is this the surface that was touched?
+std::uint64_t sceneChecksum(const HapticSpace& space);
+
+std::string sceneLine(const RecordedScene& scene);
+std::string optionsLine(const HapticOptions& options);
+/// @param build  names the program that wrote it
+std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
+                         std::string_view build);
+/// Empty: the sample goes on as the one before.
+std::string changeLine(const HapticSample* before, const HapticSample& now);
+
+struct LoopChange {
+  std::uint64_t scene_id = 0, options_id = 0;
+  DeviceFault fault = DeviceFault::none;
+  bool resumed = false;
+};
+
+struct RecordedLoop {
+  CoreSnapshot start;
+  std::int64_t first_ns = 0;  ///< Of the first row, on the loop's clock.
+  std::map<std::uint64_t, HapticOptions> options;
+  std::map<std::uint64_t, RecordedScene> scenes;
+  std::map<std::uint64_t, LoopChange> changes;  ///< By tick.
+};
+/// Nothing: the log has no such lines. @throw FileError  another build wrote them; or damaged
+std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build);
+
+/// As replay(), from a running loop.
+/// @param space  the surface of a scene; stays valid
+/// @throw FileError  rows are missing, or name a scene or options that no line tells  @throw
+/// Cancelled
+ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
+                        const std::function<const HapticSpace&(const RecordedScene&)>& space,
+                        const std::function<void(const HapticSample&, double t_s)>& each,
+                        const Task& task = {});
+
+}  // namespace relievo

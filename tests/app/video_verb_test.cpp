@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// relievo video, as a user runs it on a log.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command.h"
+
+namespace relievo {
+namespace {
+
+using nlohmann::json;
+using test::CommandResult;
+using test::runRelievo;
+namespace fs = std::filesystem;
+
+const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
+const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/curved.csv";
+
+class VideoVerb : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = fs::path(::testing::TempDir()) / "relievo_video_verb";
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    for (const char* log : {"log.csv", "log.h5"}) {
+      const CommandResult touch =
+          runRelievo({"touch", kScan, "--unit", "mm", "--view", "top", "--cells", "300", "--region",
+                      "65,75,50,50", "--stroke", kStroke, "-o", path(log)});
+      ASSERT_EQ(touch.exit_code, 0) << touch.err;
+    }
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+  static std::string path(const std::string& name) { return (folder_ / name).string(); }
+  static CommandResult video(const std::vector<std::string>& more) {
+    std::vector<std::string> words{"video", "--size", "320x180", "--fps", "10", "--to", "0.3"};
+    words.insert(words.end(), more.begin(), more.end());
+    return runRelievo(words);
+  }
+  static std::string bytesOf(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  static fs::path folder_;
+};
+fs::path VideoVerb::folder_;
+
+TEST_F(VideoVerb, MakesTheMapOfALogAgainFromBothFormats) {
+  for (const char* log : {"log.csv", "log.h5"}) {
+    const std::string out = path(std::string(log) + ".mp4");
+    const CommandResult made = video({path(log), "-o", out, "--report", "json"});
+    ASSERT_EQ(made.exit_code, 0) << made.err;
+    const json report = json::parse(made.out);
+    EXPECT_EQ(report["frames"], 4);
+    EXPECT_EQ(report["pixels"], json({320, 180}));
+    EXPECT_EQ(report["bytes"], fs::file_size(out));
+    const json beside = json::parse(bytesOf(out + ".json"));
+    EXPECT_EQ(beside["figure"]["recording"]["file"], log);
+    EXPECT_EQ(beside["figure"]["video"]["fps"], 10);
+    EXPECT_EQ(beside["input"]["sha256"].get<std::string>().size(), 64U);
+    EXPECT_NE(bytesOf(out).find("relievo_provenance"), std::string::npos) << "also in the file";
+    const CommandResult frame =
+        video({path(log), "-o", path(std::string(log) + ".png"), "--frame", "2"});
+    EXPECT_EQ(frame.exit_code, 0) << frame.err;
+  }
+}
+
+TEST_F(VideoVerb, FollowsTheCameraPathOfAProjectWithAndWithoutARecording) {
+  ASSERT_EQ(runRelievo({"project", "new", path("log.csv"), "-o", path("p.json")}).exit_code, 0);
+  EXPECT_EQ(video({"--path", path("p.json"), "-o", path("none.mp4")}).exit_code, 2);
+  json project = json::parse(bytesOf(path("p.json")));
+  const auto key = [](double t_s, double x, double side) {
+    return json{
+        {"t_s", t_s},
+        {"view",
+         {{"relievo_view", 1},
+          {"region_mm", {x, 20, side, side}},
+          {"level", 0},
+          {"gain", 1},
+          {"turn_deg", {0, -20}},
+          {"look",
+           {{"kind", "lit"},
+            {"colours", "viridis"},
+            {"light_azimuth_deg", 315},
+            {"light_elevation_deg", 45},
+            {"radius_mm", 0},
+            {"range", nullptr}}},
+          {"stereo", {{"mode", "off"}, {"eye_angle_deg", 4}, {"zero_plane_mm", nullptr}}}}}};
+  };
+  project["camera_paths"] = {{{"name", "walk"}, {"keys", {key(0, 10, 150), key(2, 200, 80)}}}};
+  std::ofstream(path("p.json")) << project;
+  const CommandResult alone =
+      video({"--path", path("p.json"), "-o", path("path.mp4"), "--report", "json"});
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_EQ(json::parse(alone.out)["frames"], 4);
+  const json beside = json::parse(bytesOf(path("path.mp4.json")));
+  EXPECT_EQ(beside["figure"]["video"]["path"]["keys"].size(), 2U);
+  const CommandResult both =
+      video({path("log.csv"), "--path", path("p.json"), "-o", path("both.png"), "--frame", "1"});
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+}
+
+TEST_F(VideoVerb, SaysWhatItCannotMake) {
+  EXPECT_EQ(video({path("log.csv"), "-o", path("x.avi")}).exit_code, 1);
+  EXPECT_EQ(video({path("log.csv"), "-o", path("x.mp4"), "--profile", "film"}).exit_code, 1);
+  EXPECT_EQ(video({path("log.csv"), "-o", path("x.mp4"), "--stereo", "grey"}).exit_code, 1);
+  EXPECT_EQ(video({path("log.csv"), "-o", path("x.png"), "--frame", "9"}).exit_code, 1);
+  EXPECT_EQ(video({path("none.csv"), "-o", path("x.mp4")}).exit_code, 2);
+  const CommandResult moved = video({path("log.csv"), "-o", path("x.mp4"), "--input", kStroke});
+  EXPECT_EQ(moved.exit_code, 2);
+  EXPECT_NE(moved.err.find("E501"), std::string::npos) << moved.err;
+  const CommandResult bare =
+      runRelievo({"video", path("log.csv"), "-o", path("x.mp4")}, {"PATH=/usr/sbin"});
+  EXPECT_NE(bare.exit_code, 0);
+  std::ofstream(path("old.csv"))
+      << "# relievo log, schema 1\n"
+      << bytesOf(path("log.csv")).substr(bytesOf(path("log.csv")).find("t_s,tick"));
+  const CommandResult old = video({path("old.csv"), "-o", path("x.mp4")});
+  EXPECT_EQ(old.exit_code, 2);
+  EXPECT_NE(old.err.find("does not say how its map was made"), std::string::npos) << old.err;
+  EXPECT_FALSE(fs::exists(path("x.mp4")));
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recording that begins while the hand touches, with surface, options and window changed live.
+#include "haptics/record/recorded_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "haptics/device/virtual_hand.h"
+#include "haptics/loop/haptic_loop.h"
+#include "haptics/record/flight_record.h"
+#include "haptics/record/recorder.h"
+#include "haptics/record/sample_drain.h"
+#include "tests/haptics/haptic_fixture.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kScenes = 3;
+constexpr const char* kBuild = "b1";
+
+/// A loop without a thread, as the real one calls the core, that is recorded from tick 1500 on.
+class Recorded {
+ public:
+  Recorded() {
+    for (std::size_t i = 0; i < kScenes; ++i) {
+      const double height = 0.5 + static_cast<double>(i);
+      scenes_[i] = test::spaceOf(
+          80, [=](double x, double y) { return height * std::sin(0.2 * x) * std::cos(0.25 * y); },
+          10 + i, {static_cast<int>(i) + 1, 3}, SurfaceKind::gated);
+      scenes_[i]->scene_id = i + 1;
+      lines_ += sceneLine({.id = i + 1,
+                           .window_id = 10 + i,
+                           .region = scenes_[i]->region,
+                           .anchor = {},
+                           .checksum = sceneChecksum(*scenes_[i])});
+    }
+    recorder_.beginAt(snapshots_, kBuild);
+  }
+
+  LogTable record(const std::filesystem::path& file) {
+    std::size_t now = 0, before = 0;
+    HapticOptions options;
+    options.force.forces_on = true;
+    options.id = 1;
+    lines_ += optionsLine(options);
+    std::vector<HapticSample> batch;
+    for (std::uint64_t tick = 0; tick < 6000; ++tick) {
+      if (tick == 2500 || tick == 4000) {
+        before = std::exchange(now, now + 1);
+      }
+      if (tick == 3000 || tick == 4500) {
+        options.proxy.static_friction = options.proxy.dynamic_friction += 0.1;
+        options.force.strength = 0.8;
+        ++options.id;
+        lines_ += optionsLine(options);
+      }
+      if (tick == 1400) recorder_.start(file, "a recording");
+      if (tick == 1500) {
+        snapshots_.push({tick, core_, scenes_[now]->scene_id, scenes_[before]->scene_id, true});
+      }
+      DeviceReading reading;
+      std::int64_t now_ns = 7'000'000'000 + static_cast<std::int64_t>(tick) * 1'000'000;
+      if (tick >= 5000) now_ns += 60'000'000;  // The computer stood still.
+      reading.time_ns = now_ns - 300'000;
+      const double t = 0.001 * static_cast<double>(tick);
+      reading.position = {12 * std::sin(2 * t), 9 * std::cos(1.3 * t), t < 1.2 ? 8 : -1.5};
+      if (tick >= 5500 && tick < 5600) reading.fault = DeviceFault::timeout;
+      batch.push_back(core_.tick(*scenes_[now], *scenes_[before], options, reading, now_ns));
+      if (batch.size() == 50) {
+        recorder_.take(batch);
+        batch.clear();
+      }
+    }
+    recorder_.stop(lines_);
+    recorder_.take({});
+    EXPECT_TRUE(recorder_.ended().has_value());
+    return readLog(file);
+  }
+
+  ReplayResult replay(const LogTable& log) const {
+    const auto loop = recordedLoop(log.footer, kBuild);
+    EXPECT_TRUE(loop.has_value());
+    return replayLoop(
+        *loop, log,
+        [this](const RecordedScene& scene) -> const HapticSpace& {
+          EXPECT_EQ(sceneChecksum(*scenes_[scene.id - 1]), scene.checksum);
+          return *scenes_[scene.id - 1];
+        },
+        [](const HapticSample&, double) {});
+  }
+
+ private:
+  std::array<std::unique_ptr<HapticSpace>, kScenes> scenes_;
+  SnapshotRing snapshots_;
+  Recorder recorder_;
+  HapticCore core_;
+  std::string lines_;
+};
+
+std::filesystem::path temporary(const char* name) {
+  return std::filesystem::path(::testing::TempDir()) / name;
+}
+
+TEST(RecordedLoop, RepeatsLiveChangesToTheLastBitInEitherFormat) {
+  for (const char* name : {"live.csv", "live.h5"}) {
+    Recorded recorded;
+    const LogTable log = recorded.record(temporary(name));
+    EXPECT_EQ(log.rows.size(), 4500U) << "from the snapshot on";
+    const ReplayResult result = recorded.replay(log);
+    EXPECT_EQ(result.ticks, 4500U);
+    EXPECT_EQ(result.different, 0U) << name << " " << (result.first ? result.first->column : "");
+  }
+}
+
+TEST(RecordedLoop, SeesASingleOtherBit) {
+  Recorded recorded;
+  LogTable log = recorded.record(temporary("bit.csv"));
+  constexpr std::size_t kForceZ = 10;
+  log.rows[2000][kForceZ] = std::nextafter(log.rows[2000][kForceZ], 9);
+  const ReplayResult result = recorded.replay(log);
+  EXPECT_EQ(result.different, 1U);
+  EXPECT_EQ(result.first->tick, 3500U);
+  EXPECT_EQ(result.first->column, "f_z_N");
+}
+
+/// All threads at once: loop, drain with an HDF5 log and the flight record, and this one, which
+/// starts, changes and stops.
+TEST(RecordedLoop, ARunningLoopIsRecordedToHdf5AndRepeated) {
+  const auto file = temporary("running.h5");
+  const auto space = test::spaceOf(80, [](double x, double y) { return 0.02 * x * y / 80; });
+  space->scene_id = 1;
+  std::string lines = sceneLine({.id = 1,
+                                 .window_id = 1,
+                                 .region = space->region,
+                                 .anchor = {},
+                                 .checksum = sceneChecksum(*space)});
+  auto hand = std::make_unique<VirtualHand>(VirtualHandOptions{});
+  hand->placeAt({0, 0, -2});
+  HapticLoop loop(std::move(hand));
+  HapticOptions options = withinDevice({}, loop.device());
+  const auto setOptions = [&](bool on, std::uint64_t id) {
+    options.force.forces_on = on;
+    options.id = id;
+    lines += optionsLine(options);
+    loop.options().write(options);
+  };
+  loop.spaces().write(*space);
+  setOptions(false, 1);
+  Recorder recorder;
+  recorder.beginAt(loop.snapshots(), kBuild);
+  FlightRecord flight(temporary("flights"), "a flight");
+  loop.start();
+  {
+    SampleDrain drain(loop.samples(),
+                      {[&](std::span<const HapticSample> batch) { recorder.take(batch); },
+                       [&](std::span<const HapticSample> batch) { flight.take(batch); }});
+    const auto until = [](const auto& holds) {
+      while (!holds()) sleepUntil(monotonicNs() + 1'000'000);
+    };
+    until([&] {
+      loop.latest().update();
+      return loop.latest().front().tick > 20;
+    });
+    recorder.start(file, "a recording");
+    loop.wantSnapshot();
+    until([&] { return recorder.samples() > 100; });
+    setOptions(true, 2);
+    until([&] { return recorder.samples() > 400; });
+    recorder.stop(lines);
+    until([&] { return recorder.ended().has_value(); });
+    loop.stop();
+  }
+  const LogTable log = readLog(file);
+  EXPECT_GT(log.rows.size(), 400U);
+  const auto recorded = recordedLoop(log.footer, kBuild);
+  ASSERT_TRUE(recorded.has_value());
+  const ReplayResult result = replayLoop(
+      *recorded, log, [&](const RecordedScene&) -> const HapticSpace& { return *space; },
+      [](const HapticSample&, double) {});
+  EXPECT_EQ(result.different, 0U) << (result.first ? result.first->column : "");
+}
+
+TEST(RecordedLoop, SaysWhatCannotBeRepeated) {
+  Recorded recorded;
+  LogTable log = recorded.record(temporary("not.csv"));
+  EXPECT_THROW(recordedLoop(log.footer, "b2"), FileError) << "another build";
+  EXPECT_FALSE(recordedLoop("loop ticks 5\nwindow 3: region_mm 0 0 1\n", kBuild));
+  LogTable gap = log;
+  gap.rows.erase(gap.rows.begin() + 100);
+  EXPECT_THROW(recorded.replay(gap), FileError);
+  LogTable damaged = log;
+  damaged.footer.replace(damaged.footer.find("replay options 2"), 16, "replay options 9");
+  EXPECT_THROW(recorded.replay(damaged), FileError);
+  LogTable broken = log;
+  broken.footer.replace(broken.footer.find("replay core b1 ") + 30, 1, "x");
+  EXPECT_THROW(recordedLoop(broken.footer, kBuild), FileError);
+}
+
+TEST(RecordedLoop, LinesOfASurfaceSayAllThatItIsMadeFrom) {
+  const RecordedScene scene{.id = 4,
+                            .window_id = 77,
+                            .region = {1.25, -2.5, 30.1, Level{2}},
+                            .gain = 1.7,
+                            .kind = SurfaceKind::spline,
+                            .anchor = Anchor{{1, 2, 3}, {0.1, 0.2, -0.3}},
+                            .textured = true,
+                            .checksum = 0xfedcba9876543210ULL};
+  const auto loop = recordedLoop(sceneLine(scene) + snapshotLine({}, 5, kBuild), kBuild);
+  ASSERT_TRUE(loop.has_value());
+  const RecordedScene& back = loop->scenes.at(4);
+  EXPECT_EQ(back.window_id, 77U);
+  EXPECT_EQ(back.region, scene.region);
+  EXPECT_EQ(back.gain, 1.7);
+  EXPECT_EQ(back.kind, SurfaceKind::spline);
+  EXPECT_TRUE(back.textured);
+  EXPECT_EQ(back.checksum, scene.checksum);
+  EXPECT_EQ(back.anchor->at, scene.anchor->at);
+  EXPECT_EQ(loop->first_ns, 5);
+}
+
+}  // namespace
+}  // namespace relievo

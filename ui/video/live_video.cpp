@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/video/live_video.h"
+
+#include <cmath>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+struct LiveVideo::Impl {
+  struct Picture {
+    std::uint64_t frame;
+    RgbaImage image;
+  };
+
+  std::unique_ptr<VideoFile> file;  // [thread] once it runs.
+  double fps = 15;
+  std::int64_t last_offered = -1;  // [owner]
+
+  mutable std::mutex mutex;  // Guards what follows; held for moves only.
+  std::condition_variable_any came;
+  std::deque<Picture> waiting;
+  bool closed = false;
+  Report report;
+
+  std::jthread thread;
+
+  void run(const std::stop_token& stop) {
+    const Task task{stop, {}};
+    std::string error;
+    try {
+      pack(task);
+    } catch (const Cancelled&) {
+      error = "Cancelled.";
+    } catch (const Error& failure) {
+      error = failure.what();
+    }
+    file.reset();  // Whatever is left of it goes or stays before the end is told.
+    const std::lock_guard lock(mutex);
+    report.ended = true;
+    report.error = std::move(error);
+  }
+
+  void pack(const Task& task) {
+    RgbaImage shown;
+    std::uint64_t next = 0;
+    for (;;) {
+      std::unique_lock lock(mutex);
+      came.wait(lock, task.stop, [this] { return closed || !waiting.empty(); });
+      task.check();
+      if (waiting.empty()) break;
+      Picture picture = std::move(waiting.front());
+      waiting.pop_front();
+      lock.unlock();
+      if (next == 0) shown = picture.image;
+      for (; next < picture.frame; ++next) add(shown, task);
+      shown = std::move(picture.image);
+      add(shown, task);
+      ++next;
+    }
+    file->finish(task);
+  }
+
+  void add(const RgbaImage& image, const Task& task) {
+    file->add(image, task);
+    const std::lock_guard lock(mutex);
+    report.frames = file->frames();
+  }
+};
+
+LiveVideo::LiveVideo(const std::filesystem::path& file, const VideoFormat& format)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->file = openVideo(file, format);
+  impl_->fps = format.fps;
+  impl_->thread = std::jthread([this](const std::stop_token& stop) { impl_->run(stop); });
+}
+
+LiveVideo::~LiveVideo() = default;
+
+void LiveVideo::offer(RgbaImage picture, double t_s) {
+  const auto frame = static_cast<std::int64_t>(std::floor(t_s * impl_->fps + 1e-6));
+  if (frame <= impl_->last_offered) return;
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->closed || impl_->report.ended) return;
+  impl_->last_offered = frame;
+  if (impl_->waiting.size() >= kMostWaiting) {
+    ++impl_->report.dropped;
+    return;
+  }
+  impl_->waiting.push_back({static_cast<std::uint64_t>(frame), std::move(picture)});
+  impl_->came.notify_one();
+}
+
+void LiveVideo::finish() {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->closed = true;
+  impl_->came.notify_one();
+}
+
+LiveVideo::Report LiveVideo::report() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->report;
+}
+
+}  // namespace relievo

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/io/spawn.h"
+#include "ui/video/mp4_boxes.h"
+#include "ui/video/video_file.h"
+#include "ui/video/video_formats.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPollMs = 50;
+constexpr std::size_t kWordsKept = 4096;
+
+std::string numberText(double value) {
+  std::array<char, 40> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() ? std::string(text.data(), end) : std::string("0");
+}
+
+/// Never a program of the folder one happens to be in.
+fs::path findFfmpeg() {
+  const char* const path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::string_view folder = rest.substr(0, rest.find(':'));
+    rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
+    if (!folder.starts_with('/')) continue;
+    fs::path program = fs::path(folder) / "ffmpeg";
+    std::error_code missing;
+    if (fs::is_regular_file(program, missing) && ::access(program.c_str(), X_OK) == 0) {
+      return program;
+    }
+  }
+  return {};
+}
+
+std::vector<std::string> packing(VideoProfile profile) {
+  // The pictures' own RGB is that of screens; what is turned into luma and chroma must say so.
+  const std::vector<std::string> colours{"-vf",
+                                         "scale=out_color_matrix=bt709:out_range=tv",
+                                         "-colorspace",
+                                         "bt709",
+                                         "-color_trc",
+                                         "bt709",
+                                         "-color_primaries",
+                                         "bt709",
+                                         "-color_range",
+                                         "tv"};
+  std::vector<std::string> words;
+  switch (profile) {
+    case VideoProfile::archive:
+      return {"-c:v", "libx264rgb", "-qp", "0", "-preset", "medium"};
+    case VideoProfile::anaglyph:
+      words = {"-c:v", "libx264", "-pix_fmt", "yuv444p", "-crf", "14", "-preset", "medium"};
+      break;
+    case VideoProfile::talk:
+    case VideoProfile::images:
+      words = {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "18", "-preset", "medium"};
+      break;
+  }
+  words.insert(words.end(), colours.begin(), colours.end());
+  return words;
+}
+
+/// From raw pictures to fragments of a second each, which can be cut off at any time.
+std::vector<std::string> encoding(const VideoFormat& f) {
+  std::vector<std::string> words{"ffmpeg",
+                                 "-hide_banner",
+                                 "-nostdin",
+                                 "-loglevel",
+                                 "error",
+                                 "-f",
+                                 "rawvideo",
+                                 "-pixel_format",
+                                 "rgb24",
+                                 "-video_size",
+                                 std::to_string(f.width_px) + "x" + std::to_string(f.height_px),
+                                 "-framerate",
+                                 numberText(f.fps),
+                                 "-i",
+                                 "pipe:0",
+                                 "-an"};
+  for (const std::string& word : packing(f.profile)) words.push_back(word);
+  const std::string frames_a_second = std::to_string(std::max(1L, std::lround(f.fps)));
+  for (const std::string& word :
+       {std::string("-g"), frames_a_second, std::string("-fflags"), std::string("+bitexact"),
+        std::string("-flags:v"), std::string("+bitexact"), std::string("-metadata"),
+        "title=" + f.title, std::string("-metadata"), "comment=" + f.state,
+        std::string("-movflags"), std::string("+frag_keyframe+empty_moov+default_base_moof"),
+        std::string("-f"), std::string("mp4"), std::string("pipe:1")}) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+/// The same pictures as an ordinary MP4, whose head stands in front: every player takes it.
+std::vector<std::string> repacking(const fs::path& from, const fs::path& to) {
+  return {"ffmpeg",     "-hide_banner", "-nostdin",    "-loglevel", "error",
+          "-y",         "-i",           from.string(), "-map",      "0",
+          "-c",         "copy",         "-fflags",     "+bitexact", "-movflags",
+          "+faststart", "-f",           "mp4",         to.string()};
+}
+
+/// Pictures go to ffmpeg, what it makes comes back and is written here: so a full disk is met by
+/// somebody who knows where the file can be cut.
+class Mp4File : public VideoFile {
+ public:
+  Mp4File(fs::path file, const VideoFormat& format)
+      : program_(findFfmpeg()), file_(std::move(file)), fps_(format.fps) {
+    if (program_.empty()) {
+      throw WriteError(
+          "The program ffmpeg is not installed, which packs videos. Nothing was written. Install "
+          "the package ffmpeg, or choose the profile images: a folder of pictures.");
+    }
+    part_ = file_;
+    part_ += ".part" + std::to_string(::getpid());
+    out_.reset(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    if (out_.get() < 0) {
+      throw WriteError("The video \"" + file_.string() +
+                       "\" cannot be written: " + std::strerror(errno) + ". Choose another place.");
+    }
+    start(format);
+  }
+
+  ~Mp4File() override {
+    if (kept_) return;
+    std::error_code ignored;
+    fs::remove(part_, ignored);
+  }
+
+  void add(const RgbaImage& frame, const Task& task) override {
+    raw_.clear();
+    for (std::size_t i = 0; i + 3 < frame.rgba.size(); i += 4) {
+      raw_.insert(raw_.end(), {frame.rgba[i], frame.rgba[i + 1], frame.rgba[i + 2]});
+    }
+    std::span<const std::uint8_t> left = raw_;
+    while (!left.empty()) {
+      task.check();
+      exchange(POLLOUT);
+      const ssize_t sent = ::send(in_.get(), left.data(), left.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (sent > 0) left = left.subspan(static_cast<std::size_t>(sent));
+      if (sent < 0 && errno != EAGAIN && errno != EINTR) encoderFailed(task);
+    }
+    ++frames_;
+  }
+
+  void finish(const Task& task) override {
+    in_.reset();
+    while (exchange(0)) task.check();
+    while (!child_.reap(false)) {
+      task.check();
+      ::usleep(1000);
+    }
+    if (!child_.exited() || child_.number() != 0 || boxes_.wholeFrames() != frames_) {
+      encoderFailed(task);
+    }
+    if (::close(::dup(out_.get())) != 0) diskFull(errno);  // Some file systems tell only now.
+    out_.reset();
+    repack(task);
+    kept_ = true;
+  }
+
+  std::uint64_t frames() const noexcept override { return frames_; }
+
+ private:
+  void start(const VideoFormat& format) {
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+      throw WriteError(std::string("The encoder cannot be reached: ") + std::strerror(errno) + ".");
+    }
+    in_.reset(ends[0]);
+    const OwnedFd child_in(raised(ends[1]));
+    OwnedFd child_out, child_words;
+    makePipe(encoded_, child_out);
+    makePipe(words_, child_words);
+    child_.start({.program = program_,
+                  .arguments = encoding(format),
+                  .more_environment = {},
+                  .fds = {{child_in.get(), 0}, {child_out.get(), 1}, {child_words.get(), 2}}});
+  }
+
+  /// Waits for room for pictures or for something to write. @return false: nothing more will come
+  bool exchange(short wanted) {
+    std::array<pollfd, 3> sources{{{encoded_.get(), POLLIN, 0},
+                                   {words_open_ ? words_.get() : -1, POLLIN, 0},
+                                   {in_.get(), wanted, 0}}};
+    ::poll(sources.data(), sources.size(), kPollMs);
+    if (words_open_ && sources[1].revents != 0) {
+      words_open_ = readAvailable(words_.get(), said_);
+      if (said_.size() > kWordsKept) said_.erase(0, said_.size() - kWordsKept);
+    }
+    if (sources[0].revents == 0) return true;
+    std::array<std::uint8_t, 1U << 16U> bytes{};
+    for (;;) {
+      const ssize_t got = ::read(encoded_.get(), bytes.data(), bytes.size());
+      if (got < 0) return errno == EAGAIN || errno == EINTR;
+      if (got == 0) return false;
+      keep(std::span(bytes).first(static_cast<std::size_t>(got)));
+    }
+  }
+
+  void keep(std::span<const std::uint8_t> bytes) {
+    std::span<const std::uint8_t> left = bytes;
+    while (!left.empty()) {
+      const ssize_t written = ::write(out_.get(), left.data(), left.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) diskFull(errno);
+      boxes_.add(left.first(static_cast<std::size_t>(written)));
+      left = left.subspan(static_cast<std::size_t>(written));
+    }
+  }
+
+  [[noreturn]] void diskFull(int error_number) {
+    child_.kill();
+    frames_ = boxes_.wholeFrames();
+    const std::string why = error_number == ENOSPC ? "disk full" : std::strerror(error_number);
+    std::string saved = "Nothing of it could be kept.";
+    const auto whole = static_cast<off_t>(boxes_.wholeBytes());
+    if (frames_ > 0 && ::ftruncate(out_.get(), whole) == 0) {
+      out_.reset();
+      std::error_code error;
+      fs::rename(part_, file_, error);
+      kept_ = !error;
+      saved = numberText(std::round(10 * static_cast<double>(frames_) / fps_) / 10) + " s (" +
+              std::to_string(frames_) + " frames) are saved and complete in \"" +
+              (kept_ ? file_ : part_).string() + "\".";
+      kept_ = true;
+    }
+    throw WriteError("Video stopped: " + why + ". " + saved, "E401");
+  }
+
+  [[noreturn]] void encoderFailed(const Task& task) {
+    in_.reset();
+    for (int i = 0; i < 20 && exchange(0); ++i) task.check();
+    child_.kill();
+    const std::string said = lastPrintableLine(said_);
+    throw WriteError("ffmpeg could not pack the video" +
+                     (said.empty() ? std::string() : " (\"" + said + "\")") +
+                     ". Nothing was kept. Choose another size or profile.");
+  }
+
+  /// Takes as much room again for a moment; where there is none, the fragments are kept as they
+  /// are: most players take them, too.
+  void repack(const Task& task) {
+    fs::path ordinary = part_;
+    ordinary += ".mp4";
+    ChildProcess packer;
+    packer.start({.program = program_,
+                  .arguments = repacking(part_, ordinary),
+                  .more_environment = {},
+                  .fds = {}});
+    std::error_code error;
+    try {
+      while (!packer.reap(false)) {
+        task.check();
+        ::usleep(5000);
+      }
+    } catch (const Cancelled&) {
+      packer.kill();
+      fs::remove(ordinary, error);
+      throw;
+    }
+    const bool done = packer.exited() && packer.number() == 0;
+    fs::remove(done ? part_ : ordinary, error);
+    fs::rename(done ? ordinary : part_, file_, error);
+    if (error) {
+      throw WriteError("The video \"" + file_.string() +
+                       "\" cannot take its place: " + error.message() + ".");
+    }
+  }
+
+  fs::path program_, file_, part_;
+  double fps_;
+  OwnedFd out_, in_, encoded_, words_;  // Ours.
+  bool words_open_ = true, kept_ = false;
+  std::string said_;
+  Mp4Boxes boxes_;
+  std::vector<std::uint8_t> raw_;
+  std::uint64_t frames_ = 0;
+  ChildProcess child_;
+};
+
+}  // namespace
+
+bool haveFfmpeg() {
+  return !findFfmpeg().empty();
+}
+
+std::unique_ptr<VideoFile> openMp4(const fs::path& file, const VideoFormat& format) {
+  if (file.extension() != ".mp4") {
+    throw ArgumentError("A video's name must end in .mp4. Nothing was made.");
+  }
+  return std::make_unique<Mp4File>(file, format);
+}
+
+std::unique_ptr<VideoFile> openVideo(const fs::path& file, const VideoFormat& format) {
+  return format.profile == VideoProfile::images ? openImageSequence(file, format)
+                                                : openMp4(file, format);
+}
+
+}  // namespace relievo

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/base/task.h"
+#include "core/replay/video_request.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+
+/// Is there a program `ffmpeg` on the search path?
+bool haveFfmpeg();
+
+struct VideoFormat {
+  VideoProfile profile = VideoProfile::talk;
+  int width_px = 0, height_px = 0;
+  double fps = 30;
+  std::string state;  ///< What the video was made from, one JSON object; kept in the file.
+  std::string title;
+};
+
+/// A video that is being written, frame by frame. Nothing stands under the final name before
+/// finish(); without it, nothing is left. [one thread]
+class VideoFile {
+ public:
+  VideoFile() = default;
+  virtual ~VideoFile() = default;
+  VideoFile(const VideoFile&) = delete;
+  VideoFile& operator=(const VideoFile&) = delete;
+
+  /// Waits while the encoder is behind, and looks at the task at least every 50 ms.
+  /// @throw WriteError (E401)  the disk is full: what was whole is kept under the final name, and
+  ///                           the sentence says how much; or the encoder refuses
+  /// @throw Cancelled
+  virtual void add(const RgbaImage& frame, const Task& task) = 0;
+  /// @throw WriteError, Cancelled
+  virtual void finish(const Task& task) = 0;
+  virtual std::uint64_t frames() const noexcept = 0;  ///< Added; after an error: saved.
+};
+
+/// By ffmpeg as MP4, or for `images` as frame_000001.png ... in a folder of that name.
+/// @throw WriteError     cannot be written; no ffmpeg; the folder has pictures already
+/// @throw ArgumentError  a file name that does not end in .mp4
+std::unique_ptr<VideoFile> openVideo(const std::filesystem::path& file, const VideoFormat& format);
+
+}  // namespace relievo

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/replay/video_request.h"
+#include "core/session/surface.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo {
+
+/// Draws the frames of a video: the detail, beside it the whole object and the plots. A frame
+/// depends on its number alone, not on those before it: the same number gives the same pixels.
+/// Needs a FigureSession. [one thread that may use OpenGL]
+class VideoFrames {
+ public:
+  /// All three must outlive this. @param recording  null: the camera path alone
+  /// @throw ArgumentError, GraphicsError
+  VideoFrames(const Surface& surface, const TouchRecording* recording, const VideoRequest& request);
+  ~VideoFrames();
+  VideoFrames(const VideoFrames&) = delete;
+  VideoFrames& operator=(const VideoFrames&) = delete;
+
+  const VideoTimes& times() const;
+  /// Valid until the next call. @throw GraphicsError, ArgumentError, FileError (tiles)
+  const RgbaImage& draw(std::uint64_t frame);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace relievo

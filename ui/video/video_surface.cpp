@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/video/video_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/relief/relief_image.h"
+#include "core/session/tiled_surface.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kEnoughSamples = 400;  // Across a picture of video size.
+
+/// The rectangle widened to a raster that depends on its size alone: a camera that moves needs a
+/// new cut only now and then, and a frame does not depend on those before it.
+RectMm widened(const RectMm& rect) {
+  const double longer = std::max(rect.width_mm, rect.height_mm);
+  const double step = 0.5 * std::exp2(std::ceil(std::log2(longer)));
+  const double x = std::floor(rect.x_mm / step) * step;
+  const double y = std::floor(rect.y_mm / step) * step;
+  return {x, y, std::ceil((rect.x_mm + rect.width_mm) / step) * step - x,
+          std::ceil((rect.y_mm + rect.height_mm) / step) * step - y};
+}
+
+/// The coarsest level with enough samples across; the finest if there is none.
+int levelFor(const DetailLadder& ladder, double width_mm) {
+  int level = ladder.levels() - 1;
+  while (level > 0 &&
+         width_mm / ladder.spacings_mm[static_cast<std::size_t>(level)] < kEnoughSamples) {
+    --level;
+  }
+  return level;
+}
+
+/// Samples of a level in a rectangle, heights times `gain`, origins of the nearest finest cells.
+DepthMap cut(const Surface& surface, int level, const RectMm& rect, double gain) {
+  const PyramidLevel& from = surface.pyramid.levels[static_cast<std::size_t>(level)];
+  const GridFrame& f = from.frame;
+  const auto index = [&](double at, double first, int count) {
+    return std::clamp(static_cast<int>(std::lround((at - first) / f.spacing_mm)), 0, count - 1);
+  };
+  const int left = index(rect.x_mm, f.first_x_mm, f.size.cols);
+  const int right = index(rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols);
+  const int bottom = index(rect.y_mm, f.first_y_mm, f.size.rows);
+  const int top = index(rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows);
+  DepthMap map;
+  map.frame = f;
+  map.frame.size = {right - left + 1, top - bottom + 1};
+  map.frame.first_x_mm = f.xMm(left);
+  map.frame.first_y_mm = f.yMm(bottom);
+  const GridFrame& finest = surface.map.frame;
+  const auto nearest = [&](double at, double first, int count) {
+    return std::clamp(static_cast<int>(std::lround((at - first) / finest.spacing_mm)), 0,
+                      count - 1);
+  };
+  const auto factor = static_cast<float>(gain);
+  for (int row = bottom; row <= top; ++row) {
+    const int r = nearest(f.yMm(row), finest.first_y_mm, finest.size.rows);
+    for (int col = left; col <= right; ++col) {
+      const int c = nearest(f.xMm(col), finest.first_x_mm, finest.size.cols);
+      map.heights_mm.push_back(factor * from.heights_mm[f.size.index({col, row})]);
+      map.origins.push_back(surface.map.origin({c, r}));
+    }
+  }
+  return map;
+}
+
+}  // namespace
+
+void VideoSurface::show(ReliefScene& scene, const DepthMap& map) {
+  std::vector<std::uint8_t> colours;
+  if (look_.kind != ReliefKind::lit) colours = reliefColours(reliefValues(map, look_), look_);
+  scene.setSurface({map.frame, &map.heights_mm, &map.origins, colours.empty() ? nullptr : &colours,
+                    isLit(look_.kind)});
+  const HeightRange range = heightRange(map);
+  mid_height_mm_ = 0.5 * (range.min_mm + range.max_mm);
+}
+
+void VideoSurface::showWindow(ReliefScene& scene, const Region& region, double gain) {
+  if (window_ == region && gain_ == gain) return;
+  window_ = region;
+  part_.reset();
+  gain_ = gain;
+  show(scene, windowMap(relievo::windowOf(surface_, region, gain)));
+}
+
+void VideoSurface::showPart(ReliefScene& scene, const RectMm& rect, double gain) {
+  if (surface_.pyramid.levels.empty()) {  // By tiles: their windows are all there is.
+    const double side = std::max(rect.width_mm, rect.height_mm);
+    showWindow(scene, {rect.x_mm, rect.y_mm, side, defaultLevel(surface_.ladder, side)}, gain);
+    return;
+  }
+  const int level = levelFor(surface_.ladder, std::max(rect.width_mm, rect.height_mm));
+  const RectMm part = widened(rect);
+  if (part_ == part && part_level_ == level && gain_ == gain) return;
+  part_ = part;
+  part_level_ = level;
+  gain_ = gain;
+  window_.reset();
+  show(scene, cut(surface_, level, *part_, gain));
+}
+
+}  // namespace relievo

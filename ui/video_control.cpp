@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/video_control.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QPainter>
+
+#include "core/base/error.h"
+#include "ui/figure/figure.h"
+#include "ui/text.h"
+#include "ui/video/live_video.h"
+#include "ui/video/video.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kEndMs = 50;
+
+std::filesystem::path pathOf(const QString& file) {
+  return QFile::encodeName(file).toStdString();
+}
+
+/// Videos need even sides.
+QSize even(const QSize& size) {
+  return {size.width() / 2 * 2, size.height() / 2 * 2};
+}
+
+/// At the first picture's size; another one is fitted into it.
+RgbaImage rgbaOf(const QImage& picture, const QSize& size) {
+  QImage page(size, QImage::Format_RGBA8888);
+  page.fill(Qt::black);
+  QPainter painter(&page);
+  const QSize fitted = picture.size().boundedTo(size) == picture.size()
+                           ? picture.size()
+                           : picture.size().scaled(size, Qt::KeepAspectRatio);
+  painter.drawImage(QRect(QPoint(0, 0), fitted), picture);
+  painter.end();
+  RgbaImage image{size.width(), size.height(), {}};
+  const uchar* const bytes = page.constBits();
+  image.rgba.assign(bytes, bytes + page.sizeInBytes());
+  return image;
+}
+
+}  // namespace
+
+VideoControl::VideoControl(QObject* parent) : QObject(parent) {
+  timer_.setTimerType(Qt::PreciseTimer);
+  timer_.setInterval(static_cast<int>(1000 / kLiveFps));
+  end_timer_.setInterval(kEndMs);
+  connect(&timer_, &QTimer::timeout, this, &VideoControl::takePicture);
+  connect(&end_timer_, &QTimer::timeout, this, &VideoControl::watchEnd);
+  connect(&worker_, &LatestWorker::busyChanged, this, &VideoControl::busyChanged);
+  connect(&worker_, &LatestWorker::progressed, this, &VideoControl::progressed);
+}
+
+VideoControl::~VideoControl() = default;
+
+void VideoControl::write(const Order& order) {
+  struct Outcome {
+    VideoFacts facts;
+    QString error;
+  };
+  auto outcome = std::make_shared<Outcome>();
+  worker_.start(
+      [order, outcome](const Task& task) {
+        try {
+          const std::filesystem::path file = pathOf(order.file);
+          const std::filesystem::path folder = file.parent_path();
+          InputFile recording;
+          if (order.recording && !order.recording_file.isEmpty()) {
+            recording = inputFile(pathOf(order.recording_file), folder, task);
+          }
+          outcome->facts =
+              writeVideo(*order.surface, order.recording.get(), order.request,
+                         videoState(order.provenance, order.request, recording), file, task);
+        } catch (const Cancelled&) {
+          return;
+        } catch (const Error& error) {
+          outcome->error = QString::fromUtf8(error.what());
+        }
+      },
+      [this, outcome, name = QFileInfo(order.file).fileName()] {
+        if (!outcome->error.isEmpty()) {
+          Q_EMIT failed(outcome->error);
+          return;
+        }
+        Q_EMIT said(tr("Video saved: %1 s, %2 frames in %3")
+                        .arg(numberText(outcome->facts.seconds, 1))
+                        .arg(outcome->facts.frames)
+                        .arg(name));
+      });
+}
+
+void VideoControl::cancel() {
+  if (worker_.cancel()) Q_EMIT said(tr("Cancelled. No video was kept."));
+}
+
+bool VideoControl::startLive(const QString& file, VideoProfile profile, const std::string& state,
+                             std::function<QImage()> picture) {
+  if (live()) return false;
+  const QImage first = picture();
+  size_ = even(first.size());
+  try {
+    live_ = std::make_unique<LiveVideo>(
+        pathOf(file), VideoFormat{.profile = profile,
+                                  .width_px = size_.width(),
+                                  .height_px = size_.height(),
+                                  .fps = kLiveFps,
+                                  .state = state,
+                                  .title = QFileInfo(file).completeBaseName().toStdString()});
+  } catch (const Error& error) {
+    Q_EMIT failed(QString::fromUtf8(error.what()));
+    return false;
+  }
+  live_file_ = file;
+  picture_ = std::move(picture);
+  clock_.start();
+  live_->offer(rgbaOf(first, size_), 0);
+  timer_.start();
+  return true;
+}
+
+double VideoControl::liveS() const {
+  return live() ? 1e-3 * static_cast<double>(clock_.elapsed()) : 0;
+}
+
+void VideoControl::takePicture() {
+  const double t_s = 1e-9 * static_cast<double>(clock_.nsecsElapsed());
+  live_->offer(rgbaOf(picture_(), size_), t_s);
+  if (live_->report().ended) stopLive();  // A full disk, or the encoder.
+}
+
+void VideoControl::stopLive() {
+  if (!live() || end_timer_.isActive()) return;
+  timer_.stop();
+  live_->finish();
+  end_timer_.start();
+}
+
+void VideoControl::watchEnd() {
+  const LiveVideo::Report report = live_->report();
+  if (!report.ended) return;
+  end_timer_.stop();
+  live_.reset();
+  picture_ = nullptr;
+  Q_EMIT liveEnded();
+  if (!report.error.empty()) {
+    Q_EMIT failed(QString::fromStdString(report.error));
+    return;
+  }
+  Q_EMIT said(tr("Video saved: %1 s, %2 pictures dropped, in %3")
+                  .arg(numberText(static_cast<double>(report.frames) / kLiveFps, 1))
+                  .arg(report.dropped)
+                  .arg(live_file_));
+}
+
+}  // namespace relievo

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <QElapsedTimer>
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+
+#include "core/project/project.h"
+#include "core/replay/video_request.h"
+#include "ui/latest_worker.h"
+
+namespace relievo {
+
+class LiveVideo;
+
+/// Makes videos for the window: of a recording or camera path in the worker, frame by frame; or of
+/// what the window shows, live, without ever holding it up. [GUI thread]
+class VideoControl : public QObject {
+  Q_OBJECT
+ public:
+  explicit VideoControl(QObject* parent = nullptr);
+  ~VideoControl() override;
+
+  /// What a video in the worker needs; shared values, so that the window may go on.
+  struct Order {
+    std::shared_ptr<const Surface> surface;
+    std::shared_ptr<const TouchRecording> recording;  ///< Null: the request's path alone.
+    QString recording_file;
+    Provenance provenance;
+    VideoRequest request;
+    QString file;
+  };
+  void write(const Order& order);
+  bool writing() const { return worker_.busy(); }
+  void cancel();
+
+  static constexpr double kLiveFps = 15;
+  /// Asks for a picture 15 times a second until stopLive(). The first one decides the size.
+  /// @return false: it cannot be written; failed() says why
+  bool startLive(const QString& file, VideoProfile profile, const std::string& state,
+                 std::function<QImage()> picture);
+  void stopLive();
+  bool live() const { return live_ != nullptr; }
+  double liveS() const;
+
+ Q_SIGNALS:
+  void said(const QString& text);
+  void failed(const QString& message);
+  void liveEnded();
+  void busyChanged(bool busy);
+  void progressed(const QString& step, double fraction);
+
+ private:
+  void takePicture();
+  void watchEnd();
+
+  QString live_file_;
+  std::function<QImage()> picture_;
+  QSize size_;
+  std::unique_ptr<LiveVideo> live_;
+  QElapsedTimer clock_;
+  QTimer timer_, end_timer_;
+  LatestWorker worker_;  ///< Last: its job ends before anything else goes.
+};
+
+}  // namespace relievo
