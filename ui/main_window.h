@@ -159,7 +159,8 @@ class MainWindow : public QMainWindow {
   void showSteps();
   void showAbout();
   QAction* command(const char* name) const;
-  QMenu* menu(const QString& title);
+  /// The menu with this English name; made with the title if there is none.
+  QMenu* menu(const QString& name, const QString& title);
 
   // main_window_project.cpp
   void chooseFigure();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the window is laid out and coloured, and what of it is kept between runs.
 #include <array>
+#include <cmath>
 #include <QAction>
 #include <QApplication>
 #include <QLabel>
@@ -23,6 +24,22 @@
 #include "ui/time_plot.h"
 
 namespace relievo {
+
+void MainWindow::useThisView() {
+  if (!document_.isOpen() || !detail_->isTurned()) return;
+  const auto& m = document_.surface()->view_from_file.m;
+  const double scale = std::hypot(m[0], m[4], m[8]);
+  const Rotation camera = detail_->cameraRotation();
+  Rotation turned{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        turned[3 * i + j] += camera[3 * i + k] * m[4 * k + j] / scale;
+      }
+    }
+  }
+  document_.setView({"free", turned});
+}
 
 void MainWindow::setFullScreenDetail(bool on) {
   if (on == isFullScreen()) return;

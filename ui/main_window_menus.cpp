@@ -23,11 +23,11 @@
 
 namespace relievo {
 
-QMenu* MainWindow::menu(const QString& title) {
-  const QString name = QString(title).remove('&');
-  if (auto* known = findChild<QMenu*>(QLatin1String("menu_") + name.toLower())) return known;
+QMenu* MainWindow::menu(const QString& name, const QString& title) {
+  const QString object = QLatin1String("menu_") + QString(name).remove('&').toLower();
+  if (auto* known = findChild<QMenu*>(object)) return known;
   auto* made = menuBar()->addMenu(title);
-  made->setObjectName(QLatin1String("menu_") + name.toLower());
+  made->setObjectName(object);
   made->setToolTipsVisible(true);
   return made;
 }
@@ -42,14 +42,14 @@ void MainWindow::makeMenus() {
       }
     }
   };
-  QMenu* file = menu(tr("&File"));
+  QMenu* file = menu(QStringLiteral("file"), tr("&File"));
   add(file, {"open"});
   recent_menu_ = file->addMenu(tr("Open &recent"));
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
   add(file, {"save_project", "save_project_as", "-", "figure", "image", "-", "quit"});
-  add(menu(tr("&Edit")), {"undo", "redo", "history", "-", "preferences"});
-  QMenu* view = menu(tr("&View"));
+  add(menu(QStringLiteral("edit"), tr("&Edit")), {"undo", "redo", "history", "-", "preferences"});
+  QMenu* view = menu(QStringLiteral("view"), tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
   QMenu* turn = view->addMenu(tr("Turn &detail view"));
   turn->menuAction()->setToolTip(tr("Turn the detail view"));
@@ -71,20 +71,23 @@ void MainWindow::makeMenus() {
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);
-  QMenu* surface = menu(tr("&Surface"));
+  QMenu* surface = menu(QStringLiteral("surface"), tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
                 "type_window", "-", "name_place", "next_place", "previous_place", "-", "depth_map",
                 "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
-  add(menu(tr("&Measure")), {"measure_point", "measure_distance", "measure_depth", "measure_angle",
-                             "measure_profile", "measure_area", "-", "measure_save_list"});
+  add(menu(QStringLiteral("measure"), tr("&Measure")),
+      {"measure_point", "measure_distance", "measure_depth", "measure_angle", "measure_profile",
+       "measure_area", "-", "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
-  menu(tr("&Touch"))->menuAction()->setVisible(false);
-  add(menu(tr("Re&cord")), {"replay", "replay_play", "replay_close", "-", "video", "video_live",
-                            "-", "key_view", "path_play", "path_clear"});
-  add(menu(tr("&Help")), {"search_commands", "keys", "introduction", "about"});
+  menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
+  add(menu(QStringLiteral("record"), tr("Re&cord")),
+      {"replay", "replay_play", "replay_close", "-", "video", "video_live", "-", "key_view",
+       "path_play", "path_clear"});
+  add(menu(QStringLiteral("help"), tr("&Help")),
+      {"search_commands", "keys", "introduction", "about"});
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {

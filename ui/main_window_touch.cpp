@@ -68,7 +68,7 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
       action->setToolTip(QStringLiteral("%1 (%2)").arg(action->toolTip(), key));
     }
   }
-  QMenu* to = menu(title);
+  QMenu* to = menu(title, title);
   const bool first = action->objectName() == QLatin1String("record");
   to->insertAction(first ? to->actions().value(0) : nullptr, action);
   to->menuAction()->setVisible(true);

@@ -108,16 +108,16 @@ void PreferencesDialog::addChoice(const Field& about, const QVariant& fallback,
                                   const std::vector<std::pair<QString, QVariant>>& choices) {
   auto* box = new QComboBox;
   for (const auto& [text, value] : choices) box->addItem(text, value);
-  const auto showValue = [box](const QVariant& value) {
+  const auto show_value = [box](const QVariant& value) {
     for (int i = 0; i < box->count(); ++i) {
       if (box->itemData(i).toString() == value.toString()) box->setCurrentIndex(i);
     }
   };
-  showValue(settings_.choice(QString::fromLatin1(about.key), fallback));
+  show_value(settings_.choice(QString::fromLatin1(about.key), fallback));
   connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           [this, box, key = about.key] { set(key, box->currentData()); });
   add(about, box);
-  resets_.emplace_back(stack_->count() - 1, [showValue, fallback] { showValue(fallback); });
+  resets_.emplace_back(stack_->count() - 1, [show_value, fallback] { show_value(fallback); });
 }
 
 void PreferencesDialog::addNumber(const Field& about, double fallback, double low, double high,

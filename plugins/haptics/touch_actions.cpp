@@ -64,27 +64,43 @@ TouchActions addTouchActions(Host& host) {
   const QString touch = QStringLiteral("Touch"), record = QStringLiteral("Record");
   TouchActions actions;
   actions.forces =
-      made({"forces", "&Forces on", "Switch forces on or off (F5)",
-            "Forces come on gently, once the hand is clear of the surface."},
+      made({"forces", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Forces on"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Switch forces on or off (F5)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Forces come on gently, once the hand is clear of the surface.")},
            {QKeySequence(QStringLiteral("F5")), QKeySequence(QStringLiteral("Ctrl+T"))}, true);
-  actions.forces_off = made({"forcesOff", "Forces &off now", "Switch forces off (Esc)",
-                             "Escape always stops the forces first."},
-                            {}, false);
+  actions.forces_off =
+      made({"forcesOff", QT_TRANSLATE_NOOP("relievo::TouchActions", "Forces &off now"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Switch forces off (Esc)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Escape always stops the forces first.")},
+           {}, false);
   actions.forces_off->setEnabled(false);
-  actions.stronger = made({"stronger", "&Stronger", "Raise the strength of all forces by 10 %",
-                           "Strength multiplies every force; the limit stays."},
-                          {}, false);
-  actions.weaker = made({"weaker", "&Weaker", "Lower the strength of all forces by 10 %",
-                         "Strength multiplies every force; the limit stays."},
-                        {}, false);
-  actions.setup = made({"deviceSetup", "De&vice set-up…", "Set up, test and calibrate a Falcon",
-                        "From plug to touch: access, firmware, homing, self test, force by a known "
-                        "weight, left or right hand."},
-                       {}, false);
-  actions.record = made({"record", "&Record", "Start or stop recording every sample (Ctrl+R)",
+  actions.stronger =
+      made({"stronger", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Stronger"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Raise the strength of all forces by 10 %"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Strength multiplies every force; the limit stays.")},
+           {}, false);
+  actions.weaker =
+      made({"weaker", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Weaker"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Lower the strength of all forces by 10 %"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Strength multiplies every force; the limit stays.")},
+           {}, false);
+  actions.setup =
+      made({"deviceSetup", QT_TRANSLATE_NOOP("relievo::TouchActions", "De&vice set-up…"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Set up, test and calibrate a Falcon"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "From plug to touch: access, firmware, homing, self test, force by a "
+                              "known weight, left or right hand.")},
+           {}, false);
+  actions.record = made(
+      {"record", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Record"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions", "Start or stop recording every sample (Ctrl+R)"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
                          "Writes hand, proxy and force, 1000 times a second, to a table in your "
-                         "documents folder."},
-                        {QKeySequence(QStringLiteral("Ctrl+R"))}, true);
+                         "documents folder.")},
+      {QKeySequence(QStringLiteral("Ctrl+R"))}, true);
   makeButtonActions(actions);
   for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker,
                           actions.setup, actions.use_mouse, actions.move_mode, actions.move_back,

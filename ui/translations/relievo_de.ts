@@ -361,10 +361,6 @@
         <translation>Rechenzeit, im Mittel und längste: %1 µs, %2 µs</translation>
     </message>
     <message>
-        <source>Page faults of the loop: %1</source>
-        <translation>Seitenfehler der Schleife: %1</translation>
-    </message>
-    <message>
         <source>Real time: everything was granted.</source>
         <translation>Echtzeit: alles wurde erteilt.</translation>
     </message>
@@ -375,6 +371,26 @@
     <message>
         <source>Time spent computing, in ticks:</source>
         <translation>Rechenzeit, in Takten:</translation>
+    </message>
+    <message>
+        <source>Waited for memory in %1 ticks.</source>
+        <translation>In %1 Takten auf Speicher gewartet.</translation>
+    </message>
+    <message>
+        <source>Memory locked.</source>
+        <translation>Speicher gesperrt.</translation>
+    </message>
+    <message>
+        <source>Memory not locked; the tables say why.</source>
+        <translation>Speicher nicht gesperrt; die Tabellen nennen den Grund.</translation>
+    </message>
+    <message>
+        <source>Page faults of the loop: %1, in %2 ticks</source>
+        <translation>Seitenfehler der Schleife: %1, in %2 Takten</translation>
+    </message>
+    <message>
+        <source>Memory locked: %1 kB</source>
+        <translation>Speicher gesperrt: %1 kB</translation>
     </message>
 </context>
 <context>
@@ -1537,10 +1553,6 @@
         <translation>Steifigkeit, wie die Ebene empfiehlt</translation>
     </message>
     <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones.</source>
-        <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren.</translation>
-    </message>
-    <message>
         <source>Stiffness in newtons per millimetre</source>
         <translation>Steifigkeit in Newton je Millimeter</translation>
     </message>
@@ -1691,6 +1703,82 @@
     <message>
         <source>%1 (not here now)</source>
         <translation>%1 (gerade nicht da)</translation>
+    </message>
+    <message>
+        <source>Not &amp;measured</source>
+        <translation>Nicht ge&amp;messen</translation>
+    </message>
+    <message>
+        <source>Tic&amp;k there</source>
+        <translation>Tic&amp;k dort</translation>
+    </message>
+    <message>
+        <source>Text&amp;ure</source>
+        <translation>Text&amp;ur</translation>
+    </message>
+    <message>
+        <source>K&amp;nock</source>
+        <translation>A&amp;nklopfen</translation>
+    </message>
+    <message>
+        <source>Ma&amp;gnet</source>
+        <translation>Ma&amp;gnet</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level's own.</source>
+        <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
+    </message>
+    <message>
+        <source>Stiffness of ground that was not measured, in percent</source>
+        <translation>Steifigkeit nicht gemessener Stellen, in Prozent</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
+        <translation>Wie steif gefüllte Lücken und die Grundebene sind, als Teil der Steifigkeit gemessener Stellen. 100 %: kein Unterschied.</translation>
+    </message>
+    <message>
+        <source>Tick at the border of measured ground, in newtons</source>
+        <translation>Tick am Rand des Gemessenen, in Newton</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
+        <translation>Ein schwacher Tick beim Übergang vom Gemessenen zu anderem und zurück. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>Texture of the next finer level, in micrometres of hand</source>
+        <translation>Textur der nächstfeineren Ebene, in Mikrometern der Hand</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
+        <translation>Wieviel von der nächstfeineren Ebene höchstens zusätzlich zur getasteten zu fühlen ist. 0: nichts.</translation>
+    </message>
+    <message>
+        <source>Knock of a new contact, in newtons at most</source>
+        <translation>Anklopfen bei neuer Berührung, höchstens in Newton</translation>
+    </message>
+    <message>
+        <source>A short knock as hard as the hand comes. 0: none.</source>
+        <translation>Ein kurzer Schlag, so stark wie die Hand kommt. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>Pull toward the surface, in newtons at most</source>
+        <translation>Zug zur Oberfläche, höchstens in Newton</translation>
+    </message>
+    <message>
+        <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
+        <translation>Ein sanfter Zug, der 3 mm über der Oberfläche beginnt und auf ihr endet. 0: keiner.</translation>
     </message>
 </context>
 <context>
@@ -3427,7 +3515,7 @@
     </message>
     <message>
         <source>Detail %1 of %2 (level %3)</source>
-        <translation>Detail %1 von %2 (Ebene %3)</translation>
+        <translation>Detail %1/%2 (Ebene %3)</translation>
     </message>
     <message>
         <source>1 mm of hand = %1 mm on the object</source>
@@ -3901,6 +3989,77 @@
     <message>
         <source>Plots of height and force</source>
         <translation>Kurven von Höhe und Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TouchActions</name>
+    <message>
+        <source>&amp;Forces on</source>
+        <translation>Krä&amp;fte an</translation>
+    </message>
+    <message>
+        <source>Switch forces on or off (F5)</source>
+        <translation>Kräfte ein- oder ausschalten (F5)</translation>
+    </message>
+    <message>
+        <source>Forces come on gently, once the hand is clear of the surface.</source>
+        <translation>Die Kräfte setzen sanft ein, sobald die Hand von der Oberfläche frei ist.</translation>
+    </message>
+    <message>
+        <source>Forces &amp;off now</source>
+        <translation>Kräfte s&amp;ofort aus</translation>
+    </message>
+    <message>
+        <source>Switch forces off (Esc)</source>
+        <translation>Kräfte ausschalten (Esc)</translation>
+    </message>
+    <message>
+        <source>Escape always stops the forces first.</source>
+        <translation>Esc hält immer zuerst die Kräfte an.</translation>
+    </message>
+    <message>
+        <source>&amp;Stronger</source>
+        <translation>&amp;Stärker</translation>
+    </message>
+    <message>
+        <source>Raise the strength of all forces by 10 %</source>
+        <translation>Die Stärke aller Kräfte um 10 % erhöhen</translation>
+    </message>
+    <message>
+        <source>Strength multiplies every force; the limit stays.</source>
+        <translation>Die Stärke vervielfacht jede Kraft; die Grenze bleibt.</translation>
+    </message>
+    <message>
+        <source>&amp;Weaker</source>
+        <translation>Sch&amp;wächer</translation>
+    </message>
+    <message>
+        <source>Lower the strength of all forces by 10 %</source>
+        <translation>Die Stärke aller Kräfte um 10 % senken</translation>
+    </message>
+    <message>
+        <source>De&amp;vice set-up…</source>
+        <translation>Gerät einrichten (&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Set up, test and calibrate a Falcon</source>
+        <translation>Einen Falcon einrichten, prüfen und kalibrieren</translation>
+    </message>
+    <message>
+        <source>From plug to touch: access, firmware, homing, self test, force by a known weight, left or right hand.</source>
+        <translation>Vom Stecker zum Tasten: Zugang, Firmware, Referenzfahrt, Selbsttest, Kraft an einem bekannten Gewicht, linke oder rechte Hand.</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Aufzeichnen (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Start or stop recording every sample (Ctrl+R)</source>
+        <translation>Das Aufzeichnen jedes Werts beginnen oder beenden (Strg+R)</translation>
+    </message>
+    <message>
+        <source>Writes hand, proxy and force, 1000 times a second, to a table in your documents folder.</source>
+        <translation>Schreibt Hand, Proxy und Kraft, 1000-mal je Sekunde, in eine Tabelle in Ihrem Dokumentenordner.</translation>
     </message>
 </context>
 <context>

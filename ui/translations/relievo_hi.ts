@@ -361,10 +361,6 @@
         <translation>गणना समय, औसत और अधिकतम: %1 µs, %2 µs</translation>
     </message>
     <message>
-        <source>Page faults of the loop: %1</source>
-        <translation>चक्र के पेज फ़ॉल्ट: %1</translation>
-    </message>
-    <message>
         <source>Real time: everything was granted.</source>
         <translation>रीयल-टाइम: सब कुछ मिला।</translation>
     </message>
@@ -375,6 +371,26 @@
     <message>
         <source>Time spent computing, in ticks:</source>
         <translation>गणना में लगा समय, चक्रों में:</translation>
+    </message>
+    <message>
+        <source>Waited for memory in %1 ticks.</source>
+        <translation>%1 चक्रों में मेमोरी की प्रतीक्षा की।</translation>
+    </message>
+    <message>
+        <source>Memory locked.</source>
+        <translation>मेमोरी बाँधी गई।</translation>
+    </message>
+    <message>
+        <source>Memory not locked; the tables say why.</source>
+        <translation>मेमोरी नहीं बँधी; कारण तालिकाओं में है।</translation>
+    </message>
+    <message>
+        <source>Page faults of the loop: %1, in %2 ticks</source>
+        <translation>चक्र के पेज फ़ॉल्ट: %1, %2 चक्रों में</translation>
+    </message>
+    <message>
+        <source>Memory locked: %1 kB</source>
+        <translation>बँधी मेमोरी: %1 kB</translation>
     </message>
 </context>
 <context>
@@ -1537,10 +1553,6 @@
         <translation>कठोरता जैसा स्तर सुझाए</translation>
     </message>
     <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones.</source>
-        <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5।</translation>
-    </message>
-    <message>
         <source>Stiffness in newtons per millimetre</source>
         <translation>कठोरता न्यूटन प्रति मिलीमीटर में</translation>
     </message>
@@ -1691,6 +1703,82 @@
     <message>
         <source>%1 (not here now)</source>
         <translation>%1 (अभी यहाँ नहीं)</translation>
+    </message>
+    <message>
+        <source>Not &amp;measured</source>
+        <translation>मापा नहीं गया (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Tic&amp;k there</source>
+        <translation>वहाँ टिक (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Text&amp;ure</source>
+        <translation>बनावट (&amp;U)</translation>
+    </message>
+    <message>
+        <source>K&amp;nock</source>
+        <translation>ठोकर (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ma&amp;gnet</source>
+        <translation>चुंबक (&amp;G)</translation>
+    </message>
+    <message>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level's own.</source>
+        <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5। यहाँ रखा मान फिर दिखाए गए स्तर का अपना होता है।</translation>
+    </message>
+    <message>
+        <source>Stiffness of ground that was not measured, in percent</source>
+        <translation>बिना मापी जगह की कठोरता, प्रतिशत में</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>How stiff filled gaps and the base plane are, as a part of the stiffness of measured ground. 100 %: no difference.</source>
+        <translation>भरे अंतराल और आधार तल कितने कठोर हैं, मापी जगह की कठोरता के अंश में। 100 %: कोई अंतर नहीं।</translation>
+    </message>
+    <message>
+        <source>Tick at the border of measured ground, in newtons</source>
+        <translation>मापी जगह की सीमा पर टिक, न्यूटन में</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>A faint tick on the way from measured ground to other ground, and back. 0: none.</source>
+        <translation>मापी जगह से दूसरी जगह और वापस जाते समय हल्का टिक। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>Texture of the next finer level, in micrometres of hand</source>
+        <translation>अगले बारीक स्तर की बनावट, हाथ के माइक्रोमीटर में</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>How much of the next finer level is felt, at most, on top of the level that is touched. 0: none.</source>
+        <translation>छुए जा रहे स्तर के ऊपर अगला बारीक स्तर अधिकतम कितना महसूस हो। 0: कुछ नहीं।</translation>
+    </message>
+    <message>
+        <source>Knock of a new contact, in newtons at most</source>
+        <translation>नए स्पर्श की ठोकर, अधिकतम न्यूटन में</translation>
+    </message>
+    <message>
+        <source>A short knock as hard as the hand comes. 0: none.</source>
+        <translation>हाथ जितनी ज़ोर से आए उतनी छोटी ठोकर। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>Pull toward the surface, in newtons at most</source>
+        <translation>सतह की ओर खिंचाव, अधिकतम न्यूटन में</translation>
+    </message>
+    <message>
+        <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
+        <translation>हल्का खिंचाव जो सतह से 3 mm ऊपर शुरू होकर उस पर समाप्त होता है। 0: कोई नहीं।</translation>
     </message>
 </context>
 <context>
@@ -3901,6 +3989,77 @@
     <message>
         <source>Plots of height and force</source>
         <translation>ऊँचाई और बल के आलेख</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::TouchActions</name>
+    <message>
+        <source>&amp;Forces on</source>
+        <translation>बल चालू (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Switch forces on or off (F5)</source>
+        <translation>बल चालू या बंद करें (F5)</translation>
+    </message>
+    <message>
+        <source>Forces come on gently, once the hand is clear of the surface.</source>
+        <translation>हाथ के सतह से हटते ही बल धीरे-धीरे आते हैं।</translation>
+    </message>
+    <message>
+        <source>Forces &amp;off now</source>
+        <translation>बल अभी बंद (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Switch forces off (Esc)</source>
+        <translation>बल बंद करें (Esc)</translation>
+    </message>
+    <message>
+        <source>Escape always stops the forces first.</source>
+        <translation>Escape हमेशा पहले बल रोकता है।</translation>
+    </message>
+    <message>
+        <source>&amp;Stronger</source>
+        <translation>और प्रबल (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Raise the strength of all forces by 10 %</source>
+        <translation>सब बलों की प्रबलता 10 % बढ़ाएँ</translation>
+    </message>
+    <message>
+        <source>Strength multiplies every force; the limit stays.</source>
+        <translation>प्रबलता हर बल को गुणा करती है; सीमा वही रहती है।</translation>
+    </message>
+    <message>
+        <source>&amp;Weaker</source>
+        <translation>कम प्रबल (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Lower the strength of all forces by 10 %</source>
+        <translation>सब बलों की प्रबलता 10 % घटाएँ</translation>
+    </message>
+    <message>
+        <source>De&amp;vice set-up…</source>
+        <translation>उपकरण की तैयारी (&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Set up, test and calibrate a Falcon</source>
+        <translation>Falcon को तैयार करें, जाँचें और अंशांकित करें</translation>
+    </message>
+    <message>
+        <source>From plug to touch: access, firmware, homing, self test, force by a known weight, left or right hand.</source>
+        <translation>जोड़ने से छूने तक: पहुँच, फ़र्मवेयर, आरंभ स्थिति, स्व-जाँच, ज्ञात भार से बल, बायाँ या दायाँ हाथ।</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>रिकॉर्ड करें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Start or stop recording every sample (Ctrl+R)</source>
+        <translation>हर नमूने की रिकॉर्डिंग शुरू या बंद करें (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Writes hand, proxy and force, 1000 times a second, to a table in your documents folder.</source>
+        <translation>हाथ, प्रॉक्सी और बल, प्रति सेकंड 1000 बार, आपके दस्तावेज़ फ़ोल्डर की तालिका में लिखता है।</translation>
     </message>
 </context>
 <context>
