@@ -8,9 +8,6 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
-#include "core/project/carried_state.h"
-#include "core/session/tiled_surface.h"
-#include "core/tiles/tiled_map.h"
 #include "ui/figure/figure.h"
 #include "ui/video/video.h"
 #include "ui/video/video_frames.h"
@@ -69,32 +66,23 @@ struct Recorded {
   Surface surface;
   Provenance provenance;
 };
+Recorded recordedOf(Stored stored, const VideoArguments& a, const Task& task) {
+  Provenance made = provenanceOf(stored.surface, stored.project.options);
+  made.accept_incomplete = stored.project.accept_incomplete;
+  made.input = inputFile(stored.project.file, fs::absolute(a.out).parent_path(), task);
+  return {.surface = std::move(stored.surface), .provenance = std::move(made)};
+}
+
 Recorded loadRecorded(const TouchRecording& recording, const VideoArguments& a, const Task& task) {
   if (recording.state.empty()) {
     throw FileError("The recording \"" + recording.name +
                     "\" does not say how its map was made; an older version wrote it. Nothing was "
                     "made. Replay it in the window on the open map.");
   }
-  Provenance made;
-  if (isProject(recording.state)) {
-    const Project project = projectFromState(recording.state, recording.name);
-    made.input = {project.file, project.sha256, 0};
-    made.options = project.options;
-  } else {
-    made = provenanceFromJson(recording.state, recording.name);
-  }
-  const FoundInput input = findInput(a.recording, made.input, a.input, a.changed_input, task);
-  ImportOptions import;
-  import.accept_incomplete = made.accept_incomplete;
-  Recorded recorded{TiledMap::isOne(input.file)
-                        ? openTiledSurface(input.file)
-                        : loadForVerb(input.file.string(), made.options, import, task),
-                    {}};
-  recorded.provenance = provenanceOf(recorded.surface, made.options);
-  recorded.provenance.accept_incomplete = made.accept_incomplete;
-  const fs::path folder = fs::absolute(a.out).parent_path();
-  recorded.provenance.input = inputFile(input.file, folder, task);
-  return recorded;
+  return recordedOf(
+      loadStored({.from_image = a.recording, .project = {}, .changed_input = a.changed_input},
+                 a.input, task),
+      a, task);
 }
 
 Outcome drawOne(const Surface& surface, const TouchRecording* recording,
@@ -112,11 +100,11 @@ Outcome drawOne(const Surface& surface, const TouchRecording* recording,
 }
 
 /// The map of a project, for its camera path alone.
-Recorded loadOfProject(const Project& project, const VideoArguments& a, const Task& task) {
-  Recorded loaded{loadStored(project, task).surface, {}};
-  loaded.provenance = provenanceOf(loaded.surface, project.options);
-  loaded.provenance.input = inputFile(project.file, fs::absolute(a.out).parent_path(), task);
-  return loaded;
+Recorded loadOfProject(const VideoArguments& a, const Task& task) {
+  return recordedOf(
+      loadStored({.from_image = {}, .project = a.path, .changed_input = a.changed_input}, a.input,
+                 task),
+      a, task);
 }
 
 Outcome runVideo(const VideoArguments& a, const Task& task) {
@@ -138,7 +126,7 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
   if (!a.recording.empty()) recording = readRecording(a.recording, task);
   const TouchRecording* const shown = a.recording.empty() ? nullptr : &recording;
   const Recorded recorded =
-      shown != nullptr ? loadRecorded(recording, a, task) : loadOfProject(*project, a, task);
+      shown != nullptr ? loadRecorded(recording, a, task) : loadOfProject(a, task);
   const Surface& surface = recorded.surface;
   const int placed = placeUnknownWindows(recording, surface.ladder);
   if (placed > 0) {
