@@ -34,29 +34,46 @@ QAction* made(const Words& words, const QList<QKeySequence>& keys, bool checkabl
 
 /// What the buttons of a device ask for, for keys and menus.
 void makeButtonActions(TouchActions& actions) {
-  actions.use_mouse =
-      made({"useMouse", "&Use the mouse", "Let the mouse be the hand",
-            "Lets go of a Falcon, whether it is ready or still starting or homing."},
-           {}, false);
+  actions.use_mouse = made(
+      {"useMouse", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Use the mouse"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions", "Let the mouse be the hand"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "Lets go of a Falcon, whether it is ready or still starting or homing.")},
+      {}, false);
   actions.move_mode =
-      made({"moveMode", "&Move mode", "Begin Move mode, or confirm and leave it (Ctrl+Shift+M)",
-            "Pushing the grip to a side moves the window there, one click per quarter."},
+      made({"moveMode", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Move mode"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Begin Move mode, or confirm and leave it (Ctrl+Shift+M)"),
+            QT_TRANSLATE_NOOP(
+                "relievo::TouchActions",
+                "Pushing the grip to a side moves the window there, one click per quarter.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+M"))}, true);
-  actions.move_back =
-      made({"moveBack", "&Back to the old window", "Leave Move mode and go back to where it began",
-            "The device's button Centre does the same in Move mode."},
-           {}, false);
+  actions.move_back = made(
+      {"moveBack", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Back to the old window"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions", "Leave Move mode and go back to where it began"),
+       QT_TRANSLATE_NOOP("relievo::TouchActions",
+                         "The device's button Centre does the same in Move mode.")},
+      {}, false);
   actions.move_back->setEnabled(false);
-  actions.where_am_i = made({"whereAmI", "Where am &I", "Say where the hand is (Ctrl+I)",
-                             "Place and height under the hand, and whether it was measured."},
-                            {QKeySequence(QStringLiteral("Ctrl+I"))}, false);
+  actions.where_am_i =
+      made({"whereAmI", QT_TRANSLATE_NOOP("relievo::TouchActions", "Where am &I"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Say where the hand is (Ctrl+I)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Place and height under the hand, and whether it was measured.")},
+           {QKeySequence(QStringLiteral("Ctrl+I"))}, false);
   actions.say_detail =
-      made({"sayDetail", "&Detail and scale", "Say detail, window and hand scale (Ctrl+Shift+I)",
-            "How large the window is and what one millimetre of hand is."},
+      made({"sayDetail", QT_TRANSLATE_NOOP("relievo::TouchActions", "&Detail and scale"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Say detail, window and hand scale (Ctrl+Shift+I)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "How large the window is and what one millimetre of hand is.")},
            {QKeySequence(QStringLiteral("Ctrl+Shift+I"))}, false);
-  actions.button_help = made({"buttonHelp", "Button &help", "Say what the device's buttons do now",
-                              "It differs in Move mode and while scanning with one button."},
-                             {}, false);
+  actions.button_help =
+      made({"buttonHelp", QT_TRANSLATE_NOOP("relievo::TouchActions", "Button &help"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions", "Say what the device's buttons do now"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "It differs in Move mode and while scanning with one button.")},
+           {}, false);
 }
 }  // namespace
 

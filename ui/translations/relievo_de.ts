@@ -394,6 +394,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::ButtonsPanel</name>
+    <message>
+        <source>Sca&amp;nning with one button</source>
+        <translation>Abtasten mit einer Taste (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Scanning with one button</source>
+        <translation>Abtasten mit einer Taste</translation>
+    </message>
+    <message>
+        <source>Any button: the first press begins to offer where am I, finer, coarser, move, forces; the next one takes what was offered last.</source>
+        <translation>Irgendeine Taste: Der erste Druck beginnt, wo bin ich, feiner, gröber, verschieben und Kräfte anzubieten; der nächste nimmt, was zuletzt angeboten wurde.</translation>
+    </message>
+    <message>
+        <source>How long each command is offered, in seconds</source>
+        <translation>Wie lange jeder Befehl angeboten wird, in Sekunden</translation>
+    </message>
+    <message>
+        <source>How long each command is offered.</source>
+        <translation>Wie lange jeder Befehl angeboten wird.</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>What a SpaceMouse moves</source>
+        <translation>Was eine SpaceMouse bewegt</translation>
+    </message>
+    <message>
+        <source>What pushing the cap of a 3Dconnexion SpaceMouse moves.</source>
+        <translation>Was sich bewegt, wenn man die Kappe einer SpaceMouse von 3Dconnexion drückt.</translation>
+    </message>
+    <message>
+        <source>The hand</source>
+        <translation>Die Hand</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>Die Ansicht</translation>
+    </message>
+    <message>
+        <source>Each offer (&amp;g)</source>
+        <translation>Jedes Angebot (&amp;G)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse moves (&amp;w)</source>
+        <translation>SpaceMouse bewegt (&amp;W)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ColourBar</name>
     <message>
         <source>Bar of colours</source>
@@ -415,7 +466,7 @@
         <translation>Wörter eines Befehls</translation>
     </message>
     <message>
-        <source>Words of a command's name or explanation; Enter runs the first</source>
+        <source>Words of a command&apos;s name or explanation; Enter runs the first</source>
         <translation>Wörter aus Name oder Erklärung eines Befehls; die Eingabetaste führt den ersten aus</translation>
     </message>
     <message>
@@ -561,7 +612,7 @@
         <translation>Einheit der Datei (&amp;U)</translation>
     </message>
     <message>
-        <source>Length unit of the file's coordinates</source>
+        <source>Length unit of the file&apos;s coordinates</source>
         <translation>Längeneinheit der Koordinaten in der Datei</translation>
     </message>
     <message>
@@ -597,7 +648,7 @@
         <translation>Drehung um z (&amp;B)</translation>
     </message>
     <message>
-        <source>Right-handed, about the view's own axes, x first</source>
+        <source>Right-handed, about the view&apos;s own axes, x first</source>
         <translation>Rechtshändig, um die Achsen der Ansicht, zuerst x</translation>
     </message>
     <message>
@@ -605,7 +656,7 @@
         <translation>V&amp;erfahren</translation>
     </message>
     <message>
-        <source>The processor, or the graphics card's depth buffer as in the paper</source>
+        <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
         <translation>Der Prozessor, oder der Tiefenpuffer der Grafikkarte wie im Aufsatz</translation>
     </message>
     <message>
@@ -821,6 +872,10 @@
         <source>Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.</source>
         <translation>Detail %1 von %2, Ausschnitt %3 Millimeter, ein Millimeter der Hand ist %4.</translation>
     </message>
+    <message>
+        <source>Back at the old window. %1</source>
+        <translation>Zurück am alten Ausschnitt. %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -1026,6 +1081,30 @@
         <source>The file has the form of a boot image, but nobody knows this one (sha256 %1). Load it into the Falcon all the same?</source>
         <translation>Die Datei hat die Form eines Startabbilds, aber niemand kennt es (sha256 %1). Trotzdem in den Falcon laden?</translation>
     </message>
+    <message>
+        <source>Firmware file in use</source>
+        <translation>Benutzte Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, accepted by you</source>
+        <translation>Firmware: %1, von Ihnen angenommen</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, %2</source>
+        <translation>Firmware: %1, %2</translation>
+    </message>
+    <message>
+        <source>Firmware: no file found yet</source>
+        <translation>Firmware: noch keine Datei gefunden</translation>
+    </message>
+    <message>
+        <source>Firmware: %1 cannot be used</source>
+        <translation>Firmware: %1 ist nicht verwendbar</translation>
+    </message>
 </context>
 <context>
     <name>relievo::Document</name>
@@ -1157,7 +1236,7 @@
         <translation>Zeiger nach oben (&amp;U)</translation>
     </message>
     <message>
-        <source>Window's &amp;outline</source>
+        <source>Window&apos;s &amp;outline</source>
         <translation>Umriss des Ausschnitts (&amp;O)</translation>
     </message>
     <message>
@@ -1349,7 +1428,7 @@
         <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
     </message>
     <message>
-        <source>Light's height (&amp;j)</source>
+        <source>Light&apos;s height (&amp;j)</source>
         <translation>Lichthöhe (&amp;J)</translation>
     </message>
     <message>
@@ -1381,7 +1460,7 @@
         <translation>Augenabstand (&amp;Y)</translation>
     </message>
     <message>
-        <source>Angle between the two eyes' directions</source>
+        <source>Angle between the two eyes&apos; directions</source>
         <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
     </message>
     <message>
@@ -1446,7 +1525,7 @@
         <translation>Brille prüfen</translation>
     </message>
     <message>
-        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on "Swap eyes". What shines through faintly is a ghost; Dubois has the least.</source>
+        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on &quot;Swap eyes&quot;. What shines through faintly is a ghost; Dubois has the least.</source>
         <translation>Setzen Sie die Brille auf und schließen Sie das rechte Auge: Sie sollten nur das L sehen, hell auf schwarz. Mit geschlossenem linkem Auge nur das R. Ist es umgekehrt, schalten Sie „Augen tauschen“ ein. Was schwach durchscheint, ist ein Geisterbild; Dubois hat davon am wenigsten.</translation>
     </message>
 </context>
@@ -1649,7 +1728,7 @@
         <translation>Haftreibung, 0 bis 1</translation>
     </message>
     <message>
-        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper's proxies know none.</source>
+        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper&apos;s proxies know none.</source>
         <translation>Kraft längs der Oberfläche, die die Hand hält, als Teil der Kraft dagegen; beim Gleiten drei Viertel davon. Die Proxys des Aufsatzes kennen keine.</translation>
     </message>
     <message>
@@ -1725,7 +1804,7 @@
         <translation>Ma&amp;gnet</translation>
     </message>
     <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level's own.</source>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
         <translation>0,8 N/mm bei Detail 1 und 2, 0,6 bei 3, 0,5 bei feineren. Was hier gesetzt wird, gilt dann für die gezeigte Ebene.</translation>
     </message>
     <message>
@@ -1779,6 +1858,18 @@
     <message>
         <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
         <translation>Ein sanfter Zug, der 3 mm über der Oberfläche beginnt und auf ihr endet. 0: keiner.</translation>
+    </message>
+    <message>
+        <source>Plots &amp;with a cursor…</source>
+        <translation>Kurven mit Zeiger (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Plots of height and force with a cursor</source>
+        <translation>Kurven von Höhe und Kraft mit Zeiger</translation>
+    </message>
+    <message>
+        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
+        <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +1929,10 @@
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Tasten, um ihn zu benutzen.</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten am Gerät</translation>
     </message>
 </context>
 <context>
@@ -2407,7 +2502,7 @@
         <translation>Diese Stelle benennen (&amp;M)…</translation>
     </message>
     <message>
-        <source>Give the window's place a name, to come back to it</source>
+        <source>Give the window&apos;s place a name, to come back to it</source>
         <translation>Der Stelle des Ausschnitts einen Namen geben, um zu ihr zurückzukehren</translation>
     </message>
     <message>
@@ -2441,7 +2536,9 @@
     <message numerus="yes">
         <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
         <translation>
-            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform><numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform></translation>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritt).</numerusform>
+            <numerusform>relievo wurde unerwartet beendet. Die Arbeit an %1 von %2 ist aufgehoben (%n Schritte).</numerusform>
+        </translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -2616,7 +2713,7 @@
         <translation>Ausschni&amp;tt eintippen…</translation>
     </message>
     <message>
-        <source>Type the window's place and size in millimetres</source>
+        <source>Type the window&apos;s place and size in millimetres</source>
         <translation>Ort und Größe des Ausschnitts in Millimetern eintippen</translation>
     </message>
     <message>
@@ -2632,7 +2729,7 @@
         <translation>Ei&amp;nheiten…</translation>
     </message>
     <message>
-        <source>Say which length unit the file's coordinates have; kept for its folder</source>
+        <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
         <translation>Angeben, welche Längeneinheit die Koordinaten der Datei haben; gilt für ihren Ordner</translation>
     </message>
     <message>
@@ -2712,7 +2809,7 @@
         <translation>Tiefenpuffer (&amp;D)</translation>
     </message>
     <message>
-        <source>Make the depth map by the graphics card's depth buffer</source>
+        <source>Make the depth map by the graphics card&apos;s depth buffer</source>
         <translation>Die Tiefenkarte mit dem Tiefenpuffer der Grafikkarte machen</translation>
     </message>
     <message>
@@ -2886,7 +2983,9 @@
     <message numerus="yes">
         <source>%n files were dropped. Nothing was opened. Drop one file.</source>
         <translation>
-            <numerusform>%n Datei wurde abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform><numerusform>%n Dateien wurden abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform></translation>
+            <numerusform>%n Datei wurde abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform>
+            <numerusform>%n Dateien wurden abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
@@ -3031,6 +3130,134 @@
     <message>
         <source>Forces are on: the replay was closed.</source>
         <translation>Die Kräfte sind an: die Wiedergabe wurde geschlossen.</translation>
+    </message>
+    <message>
+        <source>&amp;Video…</source>
+        <translation>&amp;Video…</translation>
+    </message>
+    <message>
+        <source>A video of the replay, or of the camera path, frame by frame</source>
+        <translation>Ein Video der Wiedergabe oder des Kamerawegs, Bild für Bild</translation>
+    </message>
+    <message>
+        <source>Video of the vie&amp;w</source>
+        <translation>Video der Ansicht (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Start or stop a video of what the detail view and the plots show</source>
+        <translation>Ein Video dessen, was Detailansicht und Kurven zeigen, beginnen oder beenden</translation>
+    </message>
+    <message>
+        <source>Add &amp;key view</source>
+        <translation>Schlüsselansicht hinzufügen (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Let the camera path pass this view, three seconds after the one before</source>
+        <translation>Den Kameraweg durch diese Ansicht führen, drei Sekunden nach der vorigen</translation>
+    </message>
+    <message>
+        <source>Show camera pa&amp;th</source>
+        <translation>Kameraweg zeigen (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Run along the key views once, or stop</source>
+        <translation>Die Schlüsselansichten einmal durchlaufen, oder anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Forget key views</source>
+        <translation>Schlüsselansichten vergessen (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Begin a new camera path</source>
+        <translation>Einen neuen Kameraweg beginnen</translation>
+    </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>Der Kameraweg ist leer</translation>
+    </message>
+    <message>
+        <source>End of the camera path</source>
+        <translation>Ende des Kamerawegs</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>Talk: plays everywhere (*.mp4)</source>
+        <translation>Vortrag: läuft überall (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Archive: every pixel comes back (*.mp4)</source>
+        <translation>Archiv: jedes Pixel kommt zurück (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Anaglyph: for red and cyan glasses (*.mp4)</source>
+        <translation>Anaglyphe: für rot-cyane Brillen (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Images: a folder of pictures (*)</source>
+        <translation>Bilder: ein Ordner mit Bildern (*)</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
+        <translation>Das Programm ffmpeg ist nicht installiert: ein Ordner mit Bildern ist möglich.</translation>
+    </message>
+    <message>
+        <source>Video to %1</source>
+        <translation>Video in %1</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
+        <translation>Das Programm ffmpeg, das Videos packt, ist nicht installiert. Nichts wurde gemacht. Installieren Sie das Paket ffmpeg, oder behalten Sie einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep pictures</source>
+        <translation>Bilder behalten (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>Kameraweg</translation>
+    </message>
+    <message>
+        <source>Key view %1 at %2 s</source>
+        <translation>Schlüsselansicht %1 bei %2 s</translation>
+    </message>
+    <message>
+        <source>&amp;Introduction</source>
+        <translation>E&amp;inführung</translation>
+    </message>
+    <message>
+        <source>Say what is open and how it is touched</source>
+        <translation>Sagen, was geöffnet ist und wie man es tastet</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>%1. Window at %2, %3 mm</source>
+        <translation>%1. Ausschnitt bei %2, %3 mm</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Open a scan with Ctrl+O.</source>
+        <translation>Nichts ist geöffnet. Öffnen Sie einen Scan mit Strg+O.</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Tasten die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
     </message>
 </context>
 <context>
@@ -3193,7 +3420,7 @@
         <translation>Eine neue Stelle behält auch Licht, Reliefbild, Stereo und die Drehung der Ansicht</translation>
     </message>
     <message>
-        <source>Give the window's place a name (Ctrl+N)</source>
+        <source>Give the window&apos;s place a name (Ctrl+N)</source>
         <translation>Der Stelle des Ausschnitts einen Namen geben (Strg+N)</translation>
     </message>
     <message>
@@ -3201,7 +3428,7 @@
         <translation>Den Ausschnitt zur gewählten Stelle bewegen</translation>
     </message>
     <message>
-        <source>Change the selected place's name (F2)</source>
+        <source>Change the selected place&apos;s name (F2)</source>
         <translation>Den Namen der gewählten Stelle ändern (F2)</translation>
     </message>
     <message>
@@ -3240,7 +3467,7 @@
         <translation>Einstellungen suchen</translation>
     </message>
     <message>
-        <source>Words of a setting's name or explanation</source>
+        <source>Words of a setting&apos;s name or explanation</source>
         <translation>Wörter aus Name oder Erklärung einer Einstellung</translation>
     </message>
     <message>
@@ -3300,7 +3527,7 @@
         <translation>Schriftgröße</translation>
     </message>
     <message>
-        <source>Of the system's text size; everything grows with it</source>
+        <source>Of the system&apos;s text size; everything grows with it</source>
         <translation>Der Schriftgröße des Systems; alles wächst mit</translation>
     </message>
     <message>
@@ -3388,7 +3615,7 @@
         <translation>Augenabstand</translation>
     </message>
     <message>
-        <source>Angle between the two eyes' directions at the start</source>
+        <source>Angle between the two eyes&apos; directions at the start</source>
         <translation>Winkel zwischen den Blickrichtungen beider Augen am Anfang</translation>
     </message>
     <message>
@@ -3416,7 +3643,7 @@
         <translation>Falcon-Firmware</translation>
     </message>
     <message>
-        <source>File with the Falcon's firmware, or its folder; empty: the usual places. Holds from the next start</source>
+        <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds from the next start</source>
         <translation>Datei mit der Firmware des Falcon, oder ihr Ordner; leer: die üblichen Orte. Gilt ab dem nächsten Start</translation>
     </message>
     <message>
@@ -3535,7 +3762,9 @@
     <message numerus="yes">
         <source>The recording does not say where %n window(s) lay; they are shown around what was touched.</source>
         <translation>
-            <numerusform>Die Aufzeichnung sagt nicht, wo %n Ausschnitt lag; er wird um das Getastete gezeigt.</numerusform><numerusform>Die Aufzeichnung sagt nicht, wo %n Ausschnitte lagen; sie werden um das Getastete gezeigt.</numerusform></translation>
+            <numerusform>Die Aufzeichnung sagt nicht, wo %n Ausschnitt lag; er wird um das Getastete gezeigt.</numerusform>
+            <numerusform>Die Aufzeichnung sagt nicht, wo %n Ausschnitte lagen; sie werden um das Getastete gezeigt.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -3647,6 +3876,96 @@
     <message>
         <source>%1 of %2 s</source>
         <translation>%1 of %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ScopeDialog</name>
+    <message>
+        <source>Force and height against time</source>
+        <translation>Kraft und Höhe über der Zeit</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>Werte am Zeiger</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Hold the plots still</source>
+        <translation>Die Kurven anhalten</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Vergrößern (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show a shorter time (plus, wheel)</source>
+        <translation>Eine kürzere Zeit zeigen (Plus, Rad)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Verkleinern (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show a longer time (minus, wheel)</source>
+        <translation>Eine längere Zeit zeigen (Minus, Rad)</translation>
+    </message>
+    <message>
+        <source>&amp;SVG…</source>
+        <translation>&amp;SVG…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a drawing</source>
+        <translation>Das Gezeigte als Zeichnung speichern</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>Zeichnungen (*.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;CSV…</source>
+        <translation>&amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a table</source>
+        <translation>Das Gezeigte als Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Nothing was saved. Choose another place.</source>
+        <translation>%1 konnte nicht geschrieben werden (%2). Nichts wurde gespeichert. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>Die Kurven speichern</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ScopeView</name>
+    <message>
+        <source>Height of hand and proxy, and force</source>
+        <translation>Höhe von Hand und Proxy, und Kraft</translation>
+    </message>
+    <message>
+        <source>Left and Right move the cursor, plus and minus zoom.</source>
+        <translation>Links und Rechts bewegen den Zeiger, Plus und Minus vergrößern und verkleinern.</translation>
+    </message>
+    <message>
+        <source>Nothing measured yet.</source>
+        <translation>Noch nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
+        <translation>Bei %1 s: Hand %2 mm, Proxy %3 mm, Kraft %4 N</translation>
     </message>
 </context>
 <context>
@@ -3821,7 +4140,7 @@
         <translation>Augenabstand</translation>
     </message>
     <message>
-        <source>Angle between the two eyes' directions; more gives more depth</source>
+        <source>Angle between the two eyes&apos; directions; more gives more depth</source>
         <translation>Winkel zwischen den Blickrichtungen beider Augen; mehr gibt mehr Tiefe</translation>
     </message>
     <message>
@@ -3920,7 +4239,7 @@
         <translation>Einheit (&amp;U)</translation>
     </message>
     <message>
-        <source>Length unit of the file's coordinates</source>
+        <source>Length unit of the file&apos;s coordinates</source>
         <translation>Längeneinheit der Koordinaten in der Datei</translation>
     </message>
     <message>
@@ -3952,7 +4271,7 @@
         <translation>%1, auf der Grundebene</translation>
     </message>
     <message>
-        <source>Length unit of the file's coordinates (%1)</source>
+        <source>Length unit of the file&apos;s coordinates (%1)</source>
         <translation>Längeneinheit der Koordinaten in der Datei (%1)</translation>
     </message>
 </context>
@@ -4060,6 +4379,93 @@
     <message>
         <source>Writes hand, proxy and force, 1000 times a second, to a table in your documents folder.</source>
         <translation>Schreibt Hand, Proxy und Kraft, 1000-mal je Sekunde, in eine Tabelle in Ihrem Dokumentenordner.</translation>
+    </message>
+    <message>
+        <source>&amp;Use the mouse</source>
+        <translation>Die Maus benutzen (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Let the mouse be the hand</source>
+        <translation>Die Maus zur Hand machen</translation>
+    </message>
+    <message>
+        <source>Lets go of a Falcon, whether it is ready or still starting or homing.</source>
+        <translation>Lässt einen Falcon los, ob er bereit ist oder noch startet oder seine Referenzfahrt macht.</translation>
+    </message>
+    <message>
+        <source>&amp;Move mode</source>
+        <translation>Verschieben (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Begin Move mode, or confirm and leave it (Ctrl+Shift+M)</source>
+        <translation>Den Modus Verschieben beginnen, oder bestätigen und verlassen (Strg+Umschalt+M)</translation>
+    </message>
+    <message>
+        <source>Pushing the grip to a side moves the window there, one click per quarter.</source>
+        <translation>Wer den Griff zu einer Seite drückt, verschiebt den Ausschnitt dorthin, einen Klick je Viertel.</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old window</source>
+        <translation>Zurück zum alten Ausschnitt (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Leave Move mode and go back to where it began</source>
+        <translation>Den Modus Verschieben verlassen und dorthin zurückgehen, wo er begann</translation>
+    </message>
+    <message>
+        <source>The device&apos;s button Centre does the same in Move mode.</source>
+        <translation>Die mittlere Taste des Geräts tut im Modus Verschieben dasselbe.</translation>
+    </message>
+    <message>
+        <source>Where am &amp;I</source>
+        <translation>Wo b&amp;in ich</translation>
+    </message>
+    <message>
+        <source>Say where the hand is (Ctrl+I)</source>
+        <translation>Sagen, wo die Hand ist (Strg+I)</translation>
+    </message>
+    <message>
+        <source>Place and height under the hand, and whether it was measured.</source>
+        <translation>Ort und Höhe unter der Hand, und ob dort gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Detail and scale</source>
+        <translation>&amp;Detail und Maßstab</translation>
+    </message>
+    <message>
+        <source>Say detail, window and hand scale (Ctrl+Shift+I)</source>
+        <translation>Detail, Ausschnitt und Maßstab der Hand sagen (Strg+Umschalt+I)</translation>
+    </message>
+    <message>
+        <source>How large the window is and what one millimetre of hand is.</source>
+        <translation>Wie groß der Ausschnitt ist und was ein Millimeter der Hand ist.</translation>
+    </message>
+    <message>
+        <source>Button &amp;help</source>
+        <translation>Hilfe zu den Tasten (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Say what the device&apos;s buttons do now</source>
+        <translation>Sagen, was die Tasten des Geräts jetzt tun</translation>
+    </message>
+    <message>
+        <source>It differs in Move mode and while scanning with one button.</source>
+        <translation>Beim Verschieben und beim Abtasten mit einer Taste ist es etwas anderes.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoControl</name>
+    <message>
+        <source>Video saved: %1 s, %2 frames in %3</source>
+        <translation>Video gespeichert: %1 s, %2 Bilder in %3</translation>
+    </message>
+    <message>
+        <source>Cancelled. No video was kept.</source>
+        <translation>Abgebrochen. Kein Video wurde behalten.</translation>
+    </message>
+    <message>
+        <source>Video saved: %1 s, %2 pictures dropped, in %3</source>
+        <translation>Video gespeichert: %1 s, %2 Bilder ausgelassen, in %3</translation>
     </message>
 </context>
 <context>

@@ -394,6 +394,57 @@
     </message>
 </context>
 <context>
+    <name>relievo::ButtonsPanel</name>
+    <message>
+        <source>Sca&amp;nning with one button</source>
+        <translation>एक बटन से क्रमवार चुनाव (&amp;N)</translation>
+    </message>
+    <message>
+        <source>Scanning with one button</source>
+        <translation>एक बटन से क्रमवार चुनाव</translation>
+    </message>
+    <message>
+        <source>Any button: the first press begins to offer where am I, finer, coarser, move, forces; the next one takes what was offered last.</source>
+        <translation>कोई भी बटन: पहली बार दबाने पर मैं कहाँ हूँ, और बारीक, और मोटा, खिसकाना, बल एक-एक करके सुझाए जाते हैं; अगली बार दबाने पर आख़िरी सुझाव लिया जाता है।</translation>
+    </message>
+    <message>
+        <source>How long each command is offered, in seconds</source>
+        <translation>हर आदेश कितनी देर सुझाया जाए, सेकंड में</translation>
+    </message>
+    <message>
+        <source>How long each command is offered.</source>
+        <translation>हर आदेश कितनी देर सुझाया जाए।</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>What a SpaceMouse moves</source>
+        <translation>SpaceMouse क्या चलाए</translation>
+    </message>
+    <message>
+        <source>What pushing the cap of a 3Dconnexion SpaceMouse moves.</source>
+        <translation>3Dconnexion SpaceMouse की टोपी धकेलने से क्या चले।</translation>
+    </message>
+    <message>
+        <source>The hand</source>
+        <translation>हाथ</translation>
+    </message>
+    <message>
+        <source>The view</source>
+        <translation>दृश्य</translation>
+    </message>
+    <message>
+        <source>Each offer (&amp;g)</source>
+        <translation>हर सुझाव (&amp;G)</translation>
+    </message>
+    <message>
+        <source>SpaceMouse moves (&amp;w)</source>
+        <translation>SpaceMouse चलाए (&amp;W)</translation>
+    </message>
+</context>
+<context>
     <name>relievo::ColourBar</name>
     <message>
         <source>Bar of colours</source>
@@ -415,7 +466,7 @@
         <translation>आदेश के शब्द</translation>
     </message>
     <message>
-        <source>Words of a command's name or explanation; Enter runs the first</source>
+        <source>Words of a command&apos;s name or explanation; Enter runs the first</source>
         <translation>आदेश के नाम या व्याख्या के शब्द; Enter पहला चलाता है</translation>
     </message>
     <message>
@@ -561,7 +612,7 @@
         <translation>फ़ाइल की इकाई (&amp;U)</translation>
     </message>
     <message>
-        <source>Length unit of the file's coordinates</source>
+        <source>Length unit of the file&apos;s coordinates</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
     </message>
     <message>
@@ -597,7 +648,7 @@
         <translation>z के चारों ओर घुमाएँ (&amp;B)</translation>
     </message>
     <message>
-        <source>Right-handed, about the view's own axes, x first</source>
+        <source>Right-handed, about the view&apos;s own axes, x first</source>
         <translation>दाहिने हाथ का नियम, दृश्य के अपने अक्षों पर, पहले x</translation>
     </message>
     <message>
@@ -605,7 +656,7 @@
         <translation>विधि (&amp;E)</translation>
     </message>
     <message>
-        <source>The processor, or the graphics card's depth buffer as in the paper</source>
+        <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
         <translation>प्रोसेसर, या लेख की तरह ग्राफ़िक्स कार्ड का गहराई बफ़र</translation>
     </message>
     <message>
@@ -821,6 +872,10 @@
         <source>Detail %1 of %2, window %3 millimetres, one millimetre of hand is %4.</source>
         <translation>विवरण %2 में से %1, विंडो %3 मिलीमीटर, हाथ का एक मिलीमीटर %4 है।</translation>
     </message>
+    <message>
+        <source>Back at the old window. %1</source>
+        <translation>पुरानी विंडो पर वापस। %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -1026,6 +1081,30 @@
         <source>The file has the form of a boot image, but nobody knows this one (sha256 %1). Load it into the Falcon all the same?</source>
         <translation>फ़ाइल बूट इमेज के रूप की है, पर इसे कोई नहीं जानता (sha256 %1)। फिर भी Falcon में लोड करें?</translation>
     </message>
+    <message>
+        <source>Firmware file in use</source>
+        <translation>उपयोग में फ़र्मवेयर फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>रद्द करें</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, accepted by you</source>
+        <translation>फ़र्मवेयर: %1, आपने स्वीकार किया</translation>
+    </message>
+    <message>
+        <source>Firmware: %1, %2</source>
+        <translation>फ़र्मवेयर: %1, %2</translation>
+    </message>
+    <message>
+        <source>Firmware: no file found yet</source>
+        <translation>फ़र्मवेयर: अभी कोई फ़ाइल नहीं मिली</translation>
+    </message>
+    <message>
+        <source>Firmware: %1 cannot be used</source>
+        <translation>फ़र्मवेयर: %1 उपयोग योग्य नहीं</translation>
+    </message>
 </context>
 <context>
     <name>relievo::Document</name>
@@ -1157,7 +1236,7 @@
         <translation>ऊपर का चिह्न (&amp;U)</translation>
     </message>
     <message>
-        <source>Window's &amp;outline</source>
+        <source>Window&apos;s &amp;outline</source>
         <translation>विंडो की रूपरेखा (&amp;O)</translation>
     </message>
     <message>
@@ -1349,7 +1428,7 @@
         <translation>0 ऊपर है, घड़ी की दिशा में; 315 ऊपर बाएँ</translation>
     </message>
     <message>
-        <source>Light's height (&amp;j)</source>
+        <source>Light&apos;s height (&amp;j)</source>
         <translation>प्रकाश की ऊँचाई (&amp;J)</translation>
     </message>
     <message>
@@ -1381,7 +1460,7 @@
         <translation>आँखों की दूरी (&amp;Y)</translation>
     </message>
     <message>
-        <source>Angle between the two eyes' directions</source>
+        <source>Angle between the two eyes&apos; directions</source>
         <translation>दोनों आँखों की दिशाओं के बीच का कोण</translation>
     </message>
     <message>
@@ -1446,7 +1525,7 @@
         <translation>चश्मा जाँचें</translation>
     </message>
     <message>
-        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on "Swap eyes". What shines through faintly is a ghost; Dubois has the least.</source>
+        <source>Put the glasses on and close your right eye: you should see only the L, bright on black. With the left eye closed only the R. If it is the other way round, turn on &quot;Swap eyes&quot;. What shines through faintly is a ghost; Dubois has the least.</source>
         <translation>चश्मा पहनें और दाईं आँख बंद करें: केवल L दिखना चाहिए, काले पर चमकीला। बाईं आँख बंद हो तो केवल R। उलटा हो तो “आँखें बदलें” चालू करें। जो हल्का-सा झलकता है वह छाया-चित्र है; Dubois में वह सबसे कम है।</translation>
     </message>
 </context>
@@ -1649,7 +1728,7 @@
         <translation>स्थिर घर्षण, 0 से 1</translation>
     </message>
     <message>
-        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper's proxies know none.</source>
+        <source>Force along the surface that holds the hand, as a part of the force against it; three quarters of it while sliding. The paper&apos;s proxies know none.</source>
         <translation>सतह के साथ का बल जो हाथ को रोकता है, सतह के विरुद्ध बल के अंश में; फिसलते समय उसका तीन-चौथाई। लेख के प्रॉक्सी में घर्षण नहीं है।</translation>
     </message>
     <message>
@@ -1725,7 +1804,7 @@
         <translation>चुंबक (&amp;G)</translation>
     </message>
     <message>
-        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level's own.</source>
+        <source>0.8 N/mm at Detail 1 and 2, 0.6 at 3, 0.5 at finer ones. What is set here is then the shown level&apos;s own.</source>
         <translation>विवरण 1 और 2 पर 0.8 N/mm, 3 पर 0.6, बारीक पर 0.5। यहाँ रखा मान फिर दिखाए गए स्तर का अपना होता है।</translation>
     </message>
     <message>
@@ -1779,6 +1858,18 @@
     <message>
         <source>A gentle pull that begins 3 mm above the surface and ends on it. 0: none.</source>
         <translation>हल्का खिंचाव जो सतह से 3 mm ऊपर शुरू होकर उस पर समाप्त होता है। 0: कोई नहीं।</translation>
+    </message>
+    <message>
+        <source>Plots &amp;with a cursor…</source>
+        <translation>सूचक वाले आलेख (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Plots of height and force with a cursor</source>
+        <translation>सूचक के साथ ऊँचाई और बल के आलेख</translation>
+    </message>
+    <message>
+        <source>Pause, zoom, read values, and save as SVG or CSV.</source>
+        <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +1929,10 @@
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>बटन</translation>
     </message>
 </context>
 <context>
@@ -2407,7 +2502,7 @@
         <translation>इस जगह को नाम दें (&amp;M)…</translation>
     </message>
     <message>
-        <source>Give the window's place a name, to come back to it</source>
+        <source>Give the window&apos;s place a name, to come back to it</source>
         <translation>विंडो की जगह को नाम दें, ताकि लौट सकें</translation>
     </message>
     <message>
@@ -2441,7 +2536,9 @@
     <message numerus="yes">
         <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
         <translation>
-            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform><numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform></translation>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
+            <numerusform>relievo अप्रत्याशित रूप से बंद हुआ। %2 का %1 पर काम रखा गया है (%n चरण)।</numerusform>
+        </translation>
     </message>
     <message>
         <source>&amp;Restore</source>
@@ -2616,7 +2713,7 @@
         <translation>विंडो टाइप करें (&amp;T)…</translation>
     </message>
     <message>
-        <source>Type the window's place and size in millimetres</source>
+        <source>Type the window&apos;s place and size in millimetres</source>
         <translation>विंडो की जगह और आकार मिलीमीटर में टाइप करें</translation>
     </message>
     <message>
@@ -2632,7 +2729,7 @@
         <translation>इकाइयाँ (&amp;N)…</translation>
     </message>
     <message>
-        <source>Say which length unit the file's coordinates have; kept for its folder</source>
+        <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
         <translation>बताएँ कि फ़ाइल के निर्देशांक किस इकाई में हैं; उसके फ़ोल्डर के लिए याद रहता है</translation>
     </message>
     <message>
@@ -2712,7 +2809,7 @@
         <translation>गहराई बफ़र (&amp;D)</translation>
     </message>
     <message>
-        <source>Make the depth map by the graphics card's depth buffer</source>
+        <source>Make the depth map by the graphics card&apos;s depth buffer</source>
         <translation>गहराई मानचित्र ग्राफ़िक्स कार्ड के गहराई बफ़र से बनाएँ</translation>
     </message>
     <message>
@@ -2886,7 +2983,9 @@
     <message numerus="yes">
         <source>%n files were dropped. Nothing was opened. Drop one file.</source>
         <translation>
-            <numerusform>%n फ़ाइल छोड़ी गई। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform><numerusform>%n फ़ाइलें छोड़ी गईं। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform></translation>
+            <numerusform>%n फ़ाइल छोड़ी गई। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform>
+            <numerusform>%n फ़ाइलें छोड़ी गईं। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform>
+        </translation>
     </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
@@ -3031,6 +3130,134 @@
     <message>
         <source>Forces are on: the replay was closed.</source>
         <translation>बल चालू हैं: पुनर्प्रदर्शन बंद किया गया।</translation>
+    </message>
+    <message>
+        <source>&amp;Video…</source>
+        <translation>वीडियो (&amp;V)…</translation>
+    </message>
+    <message>
+        <source>A video of the replay, or of the camera path, frame by frame</source>
+        <translation>पुनर्प्रदर्शन या कैमरा पथ का वीडियो, फ़्रेम दर फ़्रेम</translation>
+    </message>
+    <message>
+        <source>Video of the vie&amp;w</source>
+        <translation>दृश्य का वीडियो (&amp;W)</translation>
+    </message>
+    <message>
+        <source>Start or stop a video of what the detail view and the plots show</source>
+        <translation>विवरण दृश्य और आलेख जो दिखाते हैं उसका वीडियो शुरू या बंद करें</translation>
+    </message>
+    <message>
+        <source>Add &amp;key view</source>
+        <translation>मुख्य दृश्य जोड़ें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Let the camera path pass this view, three seconds after the one before</source>
+        <translation>कैमरा पथ इस दृश्य से गुज़रे, पिछले के तीन सेकंड बाद</translation>
+    </message>
+    <message>
+        <source>Show camera pa&amp;th</source>
+        <translation>कैमरा पथ दिखाएँ (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Run along the key views once, or stop</source>
+        <translation>मुख्य दृश्यों से एक बार गुज़रें, या रोकें</translation>
+    </message>
+    <message>
+        <source>&amp;Forget key views</source>
+        <translation>मुख्य दृश्य भूलें (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Begin a new camera path</source>
+        <translation>नया कैमरा पथ शुरू करें</translation>
+    </message>
+    <message>
+        <source>The camera path is empty</source>
+        <translation>कैमरा पथ खाली है</translation>
+    </message>
+    <message>
+        <source>End of the camera path</source>
+        <translation>कैमरा पथ का अंत</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>वीडियो</translation>
+    </message>
+    <message>
+        <source>Talk: plays everywhere (*.mp4)</source>
+        <translation>व्याख्यान: हर जगह चलता है (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Archive: every pixel comes back (*.mp4)</source>
+        <translation>अभिलेख: हर पिक्सेल वापस मिलता है (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Anaglyph: for red and cyan glasses (*.mp4)</source>
+        <translation>एनाग्लिफ़: लाल-सियान चश्मे के लिए (*.mp4)</translation>
+    </message>
+    <message>
+        <source>Images: a folder of pictures (*)</source>
+        <translation>चित्र: चित्रों का फ़ोल्डर (*)</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
+        <translation>प्रोग्राम ffmpeg स्थापित नहीं है: चित्रों का फ़ोल्डर बनाया जा सकता है।</translation>
+    </message>
+    <message>
+        <source>Video to %1</source>
+        <translation>%1 में वीडियो</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg, which packs videos, is not installed. Nothing was made. Install the package ffmpeg, or keep a folder of pictures.</source>
+        <translation>वीडियो बनाने वाला प्रोग्राम ffmpeg स्थापित नहीं है। कुछ नहीं बनाया गया। पैकेज ffmpeg स्थापित करें, या चित्रों का फ़ोल्डर रखें।</translation>
+    </message>
+    <message>
+        <source>&amp;Keep pictures</source>
+        <translation>चित्र रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>कैमरा पथ</translation>
+    </message>
+    <message>
+        <source>Key view %1 at %2 s</source>
+        <translation>मुख्य दृश्य %1, %2 s पर</translation>
+    </message>
+    <message>
+        <source>&amp;Introduction</source>
+        <translation>परिचय (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Say what is open and how it is touched</source>
+        <translation>बताएँ कि क्या खुला है और उसे कैसे छुएँ</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>बाएँ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>दाएँ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>%1. Window at %2, %3 mm</source>
+        <translation>%1। विंडो %2, %3 mm पर</translation>
+    </message>
+    <message>
+        <source>Nothing is open. Open a scan with Ctrl+O.</source>
+        <translation>कुछ खुला नहीं है। Ctrl+O से स्कैन खोलें।</translation>
+    </message>
+    <message>
+        <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
+        <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
     </message>
 </context>
 <context>
@@ -3193,7 +3420,7 @@
         <translation>नई जगह प्रकाश, उभार का चित्र, स्टीरियो और दृश्य का घुमाव भी रखती है</translation>
     </message>
     <message>
-        <source>Give the window's place a name (Ctrl+N)</source>
+        <source>Give the window&apos;s place a name (Ctrl+N)</source>
         <translation>विंडो की जगह को नाम दें (Ctrl+N)</translation>
     </message>
     <message>
@@ -3201,7 +3428,7 @@
         <translation>विंडो को चुनी हुई जगह पर ले जाएँ</translation>
     </message>
     <message>
-        <source>Change the selected place's name (F2)</source>
+        <source>Change the selected place&apos;s name (F2)</source>
         <translation>चुनी हुई जगह का नाम बदलें (F2)</translation>
     </message>
     <message>
@@ -3240,7 +3467,7 @@
         <translation>सेटिंग खोजें</translation>
     </message>
     <message>
-        <source>Words of a setting's name or explanation</source>
+        <source>Words of a setting&apos;s name or explanation</source>
         <translation>सेटिंग के नाम या व्याख्या के शब्द</translation>
     </message>
     <message>
@@ -3300,7 +3527,7 @@
         <translation>पाठ का आकार</translation>
     </message>
     <message>
-        <source>Of the system's text size; everything grows with it</source>
+        <source>Of the system&apos;s text size; everything grows with it</source>
         <translation>प्रणाली के पाठ आकार का; सब कुछ साथ बढ़ता है</translation>
     </message>
     <message>
@@ -3388,7 +3615,7 @@
         <translation>आँखों की दूरी</translation>
     </message>
     <message>
-        <source>Angle between the two eyes' directions at the start</source>
+        <source>Angle between the two eyes&apos; directions at the start</source>
         <translation>शुरू में दोनों आँखों की दिशाओं के बीच का कोण</translation>
     </message>
     <message>
@@ -3416,7 +3643,7 @@
         <translation>Falcon फ़र्मवेयर</translation>
     </message>
     <message>
-        <source>File with the Falcon's firmware, or its folder; empty: the usual places. Holds from the next start</source>
+        <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds from the next start</source>
         <translation>Falcon के फ़र्मवेयर की फ़ाइल या उसका फ़ोल्डर; खाली: सामान्य जगहें। अगली शुरुआत से लागू</translation>
     </message>
     <message>
@@ -3535,7 +3762,9 @@
     <message numerus="yes">
         <source>The recording does not say where %n window(s) lay; they are shown around what was touched.</source>
         <translation>
-            <numerusform>रिकॉर्डिंग नहीं बताती कि %n विंडो कहाँ थी; वह छुई जगह के आसपास दिखाई गई है।</numerusform><numerusform>रिकॉर्डिंग नहीं बताती कि %n विंडो कहाँ थीं; वे छुई जगह के आसपास दिखाई गई हैं।</numerusform></translation>
+            <numerusform>रिकॉर्डिंग नहीं बताती कि %n विंडो कहाँ थी; वह छुई जगह के आसपास दिखाई गई है।</numerusform>
+            <numerusform>रिकॉर्डिंग नहीं बताती कि %n विंडो कहाँ थीं; वे छुई जगह के आसपास दिखाई गई हैं।</numerusform>
+        </translation>
     </message>
     <message>
         <source>Cancelled. Nothing was changed.</source>
@@ -3647,6 +3876,96 @@
     <message>
         <source>%1 of %2 s</source>
         <translation>%1 of %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ScopeDialog</name>
+    <message>
+        <source>Force and height against time</source>
+        <translation>समय के साथ बल और ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Values at the cursor</source>
+        <translation>सूचक पर मान</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>ठहराएँ (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Hold the plots still</source>
+        <translation>आलेख स्थिर रखें</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>पास लाएँ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show a shorter time (plus, wheel)</source>
+        <translation>कम समय दिखाएँ (प्लस, पहिया)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>दूर करें (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show a longer time (minus, wheel)</source>
+        <translation>अधिक समय दिखाएँ (माइनस, पहिया)</translation>
+    </message>
+    <message>
+        <source>&amp;SVG…</source>
+        <translation>&amp;SVG…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a drawing</source>
+        <translation>जो दिखता है उसे रेखाचित्र के रूप में सहेजें</translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation>रेखाचित्र (*.svg)</translation>
+    </message>
+    <message>
+        <source>&amp;CSV…</source>
+        <translation>&amp;CSV…</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a table</source>
+        <translation>जो दिखता है उसे तालिका के रूप में सहेजें</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>तालिकाएँ (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written (%2). Nothing was saved. Choose another place.</source>
+        <translation>%1 लिखी नहीं जा सकी (%2)। कुछ नहीं सहेजा गया। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>Save the plots</source>
+        <translation>आलेख सहेजें</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>सहेजा गया: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ScopeView</name>
+    <message>
+        <source>Height of hand and proxy, and force</source>
+        <translation>हाथ और प्रॉक्सी की ऊँचाई, और बल</translation>
+    </message>
+    <message>
+        <source>Left and Right move the cursor, plus and minus zoom.</source>
+        <translation>बायाँ और दायाँ तीर सूचक चलाते हैं, प्लस और माइनस पास लाते और दूर करते हैं।</translation>
+    </message>
+    <message>
+        <source>Nothing measured yet.</source>
+        <translation>अभी कुछ नहीं मापा गया।</translation>
+    </message>
+    <message>
+        <source>At %1 s: hand %2 mm, proxy %3 mm, force %4 N</source>
+        <translation>%1 s पर: हाथ %2 mm, प्रॉक्सी %3 mm, बल %4 N</translation>
     </message>
 </context>
 <context>
@@ -3821,7 +4140,7 @@
         <translation>आँखों की दूरी</translation>
     </message>
     <message>
-        <source>Angle between the two eyes' directions; more gives more depth</source>
+        <source>Angle between the two eyes&apos; directions; more gives more depth</source>
         <translation>दोनों आँखों की दिशाओं के बीच का कोण; अधिक कोण से अधिक गहराई</translation>
     </message>
     <message>
@@ -3920,7 +4239,7 @@
         <translation>इकाई (&amp;U)</translation>
     </message>
     <message>
-        <source>Length unit of the file's coordinates</source>
+        <source>Length unit of the file&apos;s coordinates</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई</translation>
     </message>
     <message>
@@ -3952,7 +4271,7 @@
         <translation>%1, आधार तल पर</translation>
     </message>
     <message>
-        <source>Length unit of the file's coordinates (%1)</source>
+        <source>Length unit of the file&apos;s coordinates (%1)</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई (%1)</translation>
     </message>
 </context>
@@ -4060,6 +4379,93 @@
     <message>
         <source>Writes hand, proxy and force, 1000 times a second, to a table in your documents folder.</source>
         <translation>हाथ, प्रॉक्सी और बल, प्रति सेकंड 1000 बार, आपके दस्तावेज़ फ़ोल्डर की तालिका में लिखता है।</translation>
+    </message>
+    <message>
+        <source>&amp;Use the mouse</source>
+        <translation>माउस का उपयोग करें (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Let the mouse be the hand</source>
+        <translation>माउस को हाथ बनाएँ</translation>
+    </message>
+    <message>
+        <source>Lets go of a Falcon, whether it is ready or still starting or homing.</source>
+        <translation>Falcon को छोड़ देता है, चाहे वह तैयार हो, शुरू हो रहा हो या आरंभ स्थिति खोज रहा हो।</translation>
+    </message>
+    <message>
+        <source>&amp;Move mode</source>
+        <translation>खिसकाने की विधा (&amp;M)</translation>
+    </message>
+    <message>
+        <source>Begin Move mode, or confirm and leave it (Ctrl+Shift+M)</source>
+        <translation>खिसकाने की विधा शुरू करें, या पुष्टि करके छोड़ें (Ctrl+Shift+M)</translation>
+    </message>
+    <message>
+        <source>Pushing the grip to a side moves the window there, one click per quarter.</source>
+        <translation>मूठ को एक ओर धकेलने से विंडो उधर खिसकती है, हर चौथाई पर एक क्लिक।</translation>
+    </message>
+    <message>
+        <source>&amp;Back to the old window</source>
+        <translation>पुरानी विंडो पर वापस (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Leave Move mode and go back to where it began</source>
+        <translation>खिसकाने की विधा छोड़ें और जहाँ शुरू हुई वहाँ लौटें</translation>
+    </message>
+    <message>
+        <source>The device&apos;s button Centre does the same in Move mode.</source>
+        <translation>खिसकाने की विधा में उपकरण का बीच का बटन यही करता है।</translation>
+    </message>
+    <message>
+        <source>Where am &amp;I</source>
+        <translation>मैं कहाँ हूँ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Say where the hand is (Ctrl+I)</source>
+        <translation>बताएँ कि हाथ कहाँ है (Ctrl+I)</translation>
+    </message>
+    <message>
+        <source>Place and height under the hand, and whether it was measured.</source>
+        <translation>हाथ के नीचे की जगह और ऊँचाई, और वह मापी गई थी या नहीं।</translation>
+    </message>
+    <message>
+        <source>&amp;Detail and scale</source>
+        <translation>विवरण और पैमाना (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Say detail, window and hand scale (Ctrl+Shift+I)</source>
+        <translation>विवरण, विंडो और हाथ का पैमाना बताएँ (Ctrl+Shift+I)</translation>
+    </message>
+    <message>
+        <source>How large the window is and what one millimetre of hand is.</source>
+        <translation>विंडो कितनी बड़ी है और हाथ का एक मिलीमीटर क्या है।</translation>
+    </message>
+    <message>
+        <source>Button &amp;help</source>
+        <translation>बटनों की सहायता (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Say what the device&apos;s buttons do now</source>
+        <translation>बताएँ कि उपकरण के बटन अभी क्या करते हैं</translation>
+    </message>
+    <message>
+        <source>It differs in Move mode and while scanning with one button.</source>
+        <translation>खिसकाने की विधा में और एक बटन से चुनाव में यह अलग होता है।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoControl</name>
+    <message>
+        <source>Video saved: %1 s, %2 frames in %3</source>
+        <translation>वीडियो सहेजा गया: %1 s, %3 में %2 फ़्रेम</translation>
+    </message>
+    <message>
+        <source>Cancelled. No video was kept.</source>
+        <translation>रद्द किया गया। कोई वीडियो नहीं रखा गया।</translation>
+    </message>
+    <message>
+        <source>Video saved: %1 s, %2 pictures dropped, in %3</source>
+        <translation>वीडियो सहेजा गया: %1 s, %2 चित्र छूटे, %3 में</translation>
     </message>
 </context>
 <context>
