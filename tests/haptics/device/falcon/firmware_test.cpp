@@ -145,9 +145,10 @@ TEST_F(FirmwareTest, FilesThatAreNoneAreRefusedWithAReason) {
 TEST_F(FirmwareTest, SettingsComeBackAndNonsenseKeepsDefaults) {
   const fs::path file = folder_ / "config/relievo/falcon.conf";
   EXPECT_EQ(readSettings(file).counts_per_n_mm, 5) << "half until it is calibrated";
-  writeSettings({.counts_per_n_mm = 4.237518, .left_handed = true}, file);
+  writeSettings({.counts_per_n_mm = 4.237518, .left_handed = true, .firmware = "fw.bin"}, file);
   EXPECT_EQ(readSettings(file).counts_per_n_mm, 4.237518);
   EXPECT_TRUE(readSettings(file).left_handed);
+  EXPECT_EQ(readSettings(file).firmware, "fw.bin");
   std::ofstream(file) << "counts_per_n_mm 1000\nleft_handed maybe\nnonsense\n\n";
   EXPECT_EQ(readSettings(file).counts_per_n_mm, 5);
   EXPECT_FALSE(readSettings(file).left_handed);
