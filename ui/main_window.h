@@ -178,6 +178,7 @@ class MainWindow : public QMainWindow {
   void connectPlaces();
   void keepWork();
   void namePlace();
+  void toggleBeacon();
   void goToPlace(const NamedRegion& place);
   void showView(const ViewState& view);
   void offerLeftWork();

@@ -73,8 +73,8 @@ void MainWindow::makeMenus() {
   command("show_plots")->setVisible(false);
   QMenu* surface = menu(QStringLiteral("surface"), tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
-                "type_window", "-", "name_place", "next_place", "previous_place", "-", "depth_map",
-                "units"});
+                "type_window", "-", "name_place", "next_place", "previous_place", "beacon", "-",
+                "depth_map", "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
@@ -214,10 +214,10 @@ void MainWindow::enableCommands() {
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
   for (const char* name :
-       {"image",       "finer",      "coarser",       "whole",       "move_left", "move_right",
-        "move_up",     "move_down",  "turn_left",     "turn_right",  "turn_up",   "turn_down",
-        "type_window", "fit",        "stereo",        "full_screen", "depth_map", "units",
-        "name_place",  "next_place", "previous_place"}) {
+       {"image",       "finer",      "coarser",        "whole",       "move_left", "move_right",
+        "move_up",     "move_down",  "turn_left",      "turn_right",  "turn_up",   "turn_down",
+        "type_window", "fit",        "stereo",         "full_screen", "depth_map", "units",
+        "name_place",  "next_place", "previous_place", "beacon"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",

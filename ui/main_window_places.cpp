@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Named places, and work that outlives a crash.
+#include <algorithm>
+#include <cmath>
 #include <QAction>
 #include <QFileInfo>
 
+#include "core/region/window.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
@@ -13,6 +16,33 @@
 #include "ui/work_keeper.h"
 
 namespace relievo {
+namespace {
+
+constexpr int kMostBeacons = 9;
+constexpr double kSameBeaconMm = 5;  // Of hand: nearer than that is the same beacon.
+
+QString beaconName(int number) {
+  return MainWindow::tr("Beacon %1").arg(number);
+}
+
+bool isBeacon(const NamedRegion& place) {
+  for (int n = 1; n <= kMostBeacons; ++n) {
+    if (place.name == beaconName(n).toStdString()) return true;
+  }
+  return false;
+}
+
+/// The first name that is not taken; empty: all are.
+QString freeBeacon(const std::vector<NamedRegion>& places) {
+  for (int n = 1; n <= kMostBeacons; ++n) {
+    const std::string name = beaconName(n).toStdString();
+    const auto has = [&](const NamedRegion& p) { return p.name == name; };
+    if (std::none_of(places.begin(), places.end(), has)) return beaconName(n);
+  }
+  return {};
+}
+
+}  // namespace
 
 void MainWindow::makePlaceCommands() {
   make({"name_place",
@@ -32,6 +62,12 @@ void MainWindow::makePlaceCommands() {
         {QKeySequence("Ctrl+PgUp")},
         tr("Go to the place with a name before this one"),
         [this] { places_panel_->step(-1); },
+        {}});
+  make({"beacon",
+        tr("&Beacon here"),
+        {QKeySequence("Ctrl+B")},
+        tr("Mark the place under the hand, or remove the beacon there"),
+        [this] { toggleBeacon(); },
         {}});
 }
 
@@ -61,6 +97,36 @@ void MainWindow::namePlace() {
   places_panel_->add(std::move(place));
 }
 
+// A beacon's window is centred on the hand wherever that lies; it is put on the map when gone to.
+void MainWindow::toggleBeacon() {
+  const auto window = document_.window();
+  if (!window) return;
+  const StepAbout here = about();
+  const double reach_mm = kSameBeaconMm * handMapping(*window).objectMmPerHandMm();
+  const std::vector<NamedRegion>& places = places_panel_->places();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Region& r = places[i].region;
+    const double away_mm = std::hypot(r.centreX() - here.x_mm, r.centreY() - here.y_mm);
+    if (!isBeacon(places[i]) || away_mm > reach_mm) continue;
+    const QString name = QString::fromStdString(places[i].name);
+    places_panel_->removeAt(i);
+    announce(tr("%1 removed.").arg(name));
+    return;
+  }
+  const QString name = freeBeacon(places);
+  if (name.isEmpty()) {
+    announce(tr("There are %1 beacons already. Remove one first.").arg(kMostBeacons));
+    return;
+  }
+  NamedRegion place{.name = name.toStdString(),
+                    .region = document_.state().region,
+                    .gain = document_.state().gain};
+  place.region.x_mm = here.x_mm - 0.5 * place.region.side_mm;
+  place.region.y_mm = here.y_mm - 0.5 * place.region.side_mm;
+  places_panel_->put(std::move(place));
+  announce(tr("%1 set.").arg(name));
+}
+
 void MainWindow::goToPlace(const NamedRegion& place) {
   const QString name = QString::fromStdString(place.name);
   if (!document_.isOpen()) return;
@@ -69,7 +135,9 @@ void MainWindow::goToPlace(const NamedRegion& place) {
         tr("%1 lies on a finer detail than this map has. The window was not moved.").arg(name));
     return;
   }
-  document_.goTo(place.region, place.gain, tr("Go to %1").arg(name));
+  Region to = place.region;
+  if (isBeacon(place)) to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
+  document_.goTo(to, place.gain, tr("Go to %1").arg(name));
   if (place.view) showView(*place.view);
   announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
 }

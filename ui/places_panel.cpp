@@ -75,10 +75,14 @@ void PlacesPanel::setPlaces(std::vector<NamedRegion> places) {
   showList(places_.empty() ? -1 : 0);
 }
 
-void PlacesPanel::add(NamedRegion place) {
+void PlacesPanel::put(NamedRegion place) {
   places_.push_back(std::move(place));
   showList(static_cast<int>(places_.size()) - 1);
   Q_EMIT changed();
+}
+
+void PlacesPanel::add(NamedRegion place) {
+  put(std::move(place));
   list_->setFocus();
   list_->editItem(list_->currentItem());
 }
@@ -123,9 +127,13 @@ void PlacesPanel::removeSelected() {
   const int row = list_->currentRow();
   if (row < 0) return;
   const QString name = list_->item(row)->text();
-  places_.erase(places_.begin() + row);
-  showList(std::min(row, static_cast<int>(places_.size()) - 1));
+  removeAt(static_cast<std::size_t>(row));
   Q_EMIT said(tr("%1 is forgotten").arg(name));
+}
+
+void PlacesPanel::removeAt(std::size_t row) {
+  places_.erase(places_.begin() + static_cast<std::ptrdiff_t>(row));
+  showList(static_cast<int>(std::min(row + 1, places_.size())) - 1);
   Q_EMIT changed();
 }
 

@@ -24,6 +24,10 @@ class PlacesPanel : public QWidget {
   void setPlaces(std::vector<NamedRegion> places);
   /// Adds one after the others, selects it, and lets its name be typed.
   void add(NamedRegion place);
+  /// Adds one and selects it; its name is final, the keyboard stays where it is.
+  void put(NamedRegion place);
+  /// Forgets the one of this row.
+  void removeAt(std::size_t row);
   /// "Place 3": a name that is not taken.
   QString freeName() const;
   /// Goes to the one after (or before) the selected one, round and round.

@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -79,6 +80,29 @@ TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   list().setFocus();
   QTest::keyClick(&list(), Qt::Key_Delete);
   EXPECT_EQ(places().places().size(), 1U);
+}
+
+TEST_F(WorkTest, ABeaconIsSetAndRemovedUnderTheHandAndGoneTo) {
+  openRelief();
+  window().runCommand("finer");
+  document().setRect({40, 40, 50, 50});
+  const Region there = document().state().region;  // The pointer is elsewhere: its centre counts.
+  QTest::keyClick(&window().detailView(), Qt::Key_B, Qt::ControlModifier);
+  ASSERT_EQ(places().places().size(), 1U);
+  EXPECT_EQ(places().places()[0].name, "Beacon 1");
+  EXPECT_EQ(child<QLabel>("status_message")->text(), "Beacon 1 set.");
+  document().move(1, 0);
+  window().runCommand("beacon");
+  EXPECT_EQ(places().places().size(), 2U);
+  document().move(-0.95, 0);  // 0.05 of the window: 4 mm of hand.
+  window().runCommand("beacon");
+  ASSERT_EQ(places().places().size(), 1U);
+  EXPECT_EQ(child<QLabel>("status_message")->text(), "Beacon 1 removed.");
+  EXPECT_EQ(places().places()[0].name, "Beacon 2");
+  window().runCommand("beacon");
+  EXPECT_EQ(places().places()[1].name, "Beacon 1") << "the first number that is free";
+  window().runCommand("next_place");
+  EXPECT_NEAR(document().state().region.x_mm, there.x_mm + there.side_mm, 1e-9);
 }
 
 TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {

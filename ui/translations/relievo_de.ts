@@ -3259,6 +3259,30 @@
         <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
         <translation>%1, %2 mal %3 mm, in %4 Details. Zum Tasten die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
     </message>
+    <message>
+        <source>Beacon %1</source>
+        <translation>Leuchtfeuer %1</translation>
+    </message>
+    <message>
+        <source>&amp;Beacon here</source>
+        <translation>Leuchtfeuer hier (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Mark the place under the hand, or remove the beacon there</source>
+        <translation>Die Stelle unter der Hand markieren, oder das Leuchtfeuer dort entfernen</translation>
+    </message>
+    <message>
+        <source>%1 removed.</source>
+        <translation>%1 entfernt.</translation>
+    </message>
+    <message>
+        <source>There are %1 beacons already. Remove one first.</source>
+        <translation>Es gibt schon %1 Leuchtfeuer. Entfernen Sie zuerst eines.</translation>
+    </message>
+    <message>
+        <source>%1 set.</source>
+        <translation>%1 gesetzt.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>

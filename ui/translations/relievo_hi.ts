@@ -3259,6 +3259,30 @@
         <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
         <translation>%1, %2 गुणा %3 mm, %4 विवरणों में। छूने के लिए हाथ भीतर दबाएँ; F5 बल चालू करता है। प्लस: और बारीक; माइनस: और मोटा; दोनों दो सेकंड: सहायता।</translation>
     </message>
+    <message>
+        <source>Beacon %1</source>
+        <translation>संकेतक %1</translation>
+    </message>
+    <message>
+        <source>&amp;Beacon here</source>
+        <translation>यहाँ संकेतक (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Mark the place under the hand, or remove the beacon there</source>
+        <translation>हाथ के नीचे की जगह चिह्नित करें, या वहाँ का संकेतक हटाएँ</translation>
+    </message>
+    <message>
+        <source>%1 removed.</source>
+        <translation>%1 हटाया गया।</translation>
+    </message>
+    <message>
+        <source>There are %1 beacons already. Remove one first.</source>
+        <translation>पहले से %1 संकेतक हैं। पहले एक हटाएँ।</translation>
+    </message>
+    <message>
+        <source>%1 set.</source>
+        <translation>%1 लगाया गया।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
