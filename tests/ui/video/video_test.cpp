@@ -20,6 +20,7 @@
 #include "core/base/error.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
+#include "core/provenance/embedded.h"
 #include "ui/figure/figure.h"
 #include "ui/video/live_video.h"
 #include "ui/video/video_file.h"
@@ -215,7 +216,7 @@ TEST_F(VideoTest, ImagesNeedNoOtherProgramAndCarryTheirState) {
   EXPECT_EQ(write("frames").frames, 11U);
   ::setenv("PATH", before.c_str(), 1);
   EXPECT_TRUE(fs::exists(path("frames") / "frame_000011.png"));
-  EXPECT_EQ(pictureState(path("frames") / "frame_000003.png"), R"({"made":"from this"})");
+  EXPECT_EQ(embeddedState(path("frames") / "frame_000003.png"), R"({"made":"from this"})");
   EXPECT_THROW(write("frames"), WriteError) << "nothing is written over";
 }
 
