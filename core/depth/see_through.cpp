@@ -82,6 +82,7 @@ constexpr double kExponent = -43.0 / 18;  // Of the mean cluster size below it.
 constexpr double kNeckShare = 0.7;        // Of a groove one cell wide it is 6 of 8, ...
 constexpr double kOpenShare = 0.5;        // ... at a straight edge 3 of 8.
 constexpr double kChanceOfSquare = 9.2;   // -log of 1e-4, as for sampling gaps.
+constexpr int kClimbSteps = 3;
 
 /// Around one cell, as far as is looked: which cells could hold no front.
 class GapWindow {
@@ -106,6 +107,32 @@ class GapWindow {
         }
         ways += step > kGapReach ? 1 : 0;
         if (ways == 3) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Does the surface climb from the cell to the front in a few steps without a jump? The low
+  /// corner of a steep plane does; the back does not.
+  bool climbsToFront() const {
+    const float jump = limit_ - depths_[frame_.size.index(middle_)];
+    std::vector<Cell> reached{middle_};
+    std::size_t first = 0;
+    for (int step = 0; step < kClimbSteps; ++step) {
+      const std::size_t end = reached.size();
+      for (; first < end; ++first) {
+        const Cell from = reached[first];
+        const float z = depths_[frame_.size.index(from)];
+        for (int row = from.row - 1; row <= from.row + 1; ++row) {
+          for (int col = from.col - 1; col <= from.col + 1; ++col) {
+            const Cell to{.col = col, .row = row};
+            if (!frame_.size.contains(to)) continue;
+            const float rise = depths_[frame_.size.index(to)] - z;
+            if (!(rise > 0 && rise <= jump)) continue;  // Upward only: never back; NaN: no way.
+            if (isFront(to)) return true;
+            reached.push_back(to);
+          }
+        }
       }
     }
     return false;
@@ -258,7 +285,8 @@ std::size_t dropSeenThrough(FrontDepths& depths, const GridFrame& frame, int rad
           const GapWindow around(depths, frame, cell);
           if (around.isOpen()) return false;
           const std::optional<bool> is_gap = around.isGap();
-          return is_gap ? *is_gap : isSeenThrough(depths, frame, cell, radius);
+          const bool dropped_here = is_gap ? *is_gap : isSeenThrough(depths, frame, cell, radius);
+          return dropped_here && !around.climbsToFront();
         });
     if (now == 0) break;
     dropped += now;

@@ -109,7 +109,7 @@ TEST_F(VideoVerb, SaysWhatItCannotMake) {
   EXPECT_EQ(video({path("log.csv"), "-o", path("x.png"), "--frame", "9"}).exit_code, 1);
   EXPECT_EQ(video({path("none.csv"), "-o", path("x.mp4")}).exit_code, 2);
   const CommandResult moved = video({path("log.csv"), "-o", path("x.mp4"), "--input", kStroke});
-  EXPECT_EQ(moved.exit_code, 2);
+  EXPECT_EQ(moved.exit_code, 5);
   EXPECT_NE(moved.err.find("E501"), std::string::npos) << moved.err;
   const CommandResult bare =
       runRelievo({"video", path("log.csv"), "-o", path("x.mp4")}, {"PATH=/usr/sbin"});

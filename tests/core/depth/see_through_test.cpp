@@ -202,5 +202,16 @@ TEST(DropSeenThrough, WallsAndTheirFeetStayWhereTheyAre) {
   }
 }
 
+TEST(DropSeenThrough, TheLowCornerOfASteepPlaneIsNoBack) {
+  const GridFrame small{.size = {.cols = 20, .rows = 20}, .spacing_mm = 1};
+  FrontDepths depths;
+  for (int row = 0; row < small.size.rows; ++row) {
+    for (int col = 0; col < small.size.cols; ++col) {
+      depths.push_back(static_cast<float>(col + 2 * row));
+    }
+  }
+  EXPECT_EQ(dropSeenThrough(depths, small, 1), 0U);
+}
+
 }  // namespace
 }  // namespace relievo
