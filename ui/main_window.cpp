@@ -123,14 +123,16 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
 
 MainWindow::~MainWindow() {
   qApp->removeEventFilter(this);
-  // Views that vanish under the pointer still speak; nobody must be half gone when they do.
+  // Views that vanish under the pointer still speak; nobody must be half gone when they do. Only to
+  // us: Qt itself must hear that a view is gone, or a screen reader is given it in the next one's
+  // place.
   document_.disconnect();
   document_.history().disconnect();
-  replay_->disconnect();
-  video_->disconnect();
-  path_preview_->disconnect();
-  detail_->disconnect();
-  reference_->disconnect();
+  disconnect(replay_, nullptr, this, nullptr);
+  disconnect(video_, nullptr, this, nullptr);
+  disconnect(path_preview_, nullptr, this, nullptr);
+  disconnect(detail_, nullptr, this, nullptr);
+  disconnect(reference_, nullptr, this, nullptr);
   delete takeCentralWidget();
 }
 
