@@ -29,7 +29,7 @@ struct HapticOptions {
   /// samples the surface goes on as a constant.
   bool frame = false;
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
-  MoveGate gate;  ///< While on, felt in place of the surface.
+  MoveGate gate;         ///< While on, felt in place of the surface.
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 

@@ -16,7 +16,6 @@
 namespace relievo {
 namespace {
 
-
 /// Largest stable stiffness of one scene, per grip, without and with the passivity stage.
 struct Row {
   std::string scene;
