@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/session/level_cut.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -58,8 +59,7 @@ DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int mar
   if (level.value < 0 || level.value >= static_cast<int>(surface.pyramid.levels.size())) {
     throw ArgumentError("There is no level " + std::to_string(level.value) + ".");
   }
-  const PyramidLevel& from = surface.pyramid.levels[static_cast<std::size_t>(level.value)];
-  const GridFrame& f = from.frame;
+  const GridFrame& f = surface.pyramid.levels[static_cast<std::size_t>(level.value)].frame;
   const auto range = [&](double low, double high, double first, int count) {
     const int a = static_cast<int>(std::floor((low - first) / f.spacing_mm)) - margin;
     const int b = static_cast<int>(std::ceil((high - first) / f.spacing_mm)) + margin;
@@ -68,34 +68,18 @@ DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int mar
   const auto [left, right] = range(rect.x_mm, rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols);
   const auto [bottom, top] =
       range(rect.y_mm, rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows);
-  DepthMap cut;
-  cut.frame = f;
-  cut.frame.size = {right - left + 1, top - bottom + 1};
-  cut.frame.first_x_mm = f.xMm(left);
-  cut.frame.first_y_mm = f.yMm(bottom);
-  if (cut.frame.size.cols < 2 || cut.frame.size.rows < 2) {
+  const int cols = right - left + 1;
+  const int rows = top - bottom + 1;
+  if (cols < 2 || rows < 2) {
     throw ArgumentError("There is nothing of the object in this region. Choose another.");
   }
-  if (std::max(cut.frame.size.cols, cut.frame.size.rows) > kMostSamples) {
+  if (std::max(cols, rows) > kMostSamples) {
     throw ArgumentError("Level " + std::to_string(level.value) + " has more than " +
                         std::to_string(kMostSamples) +
                         " samples across this region. Choose a coarser level.");
   }
-  const GridFrame& finest = surface.map.frame;
-  const auto nearest = [&](double at, double first, int count) {
-    return std::clamp(static_cast<int>(std::lround((at - first) / finest.spacing_mm)), 0,
-                      count - 1);
-  };
-  const auto factor = static_cast<float>(gain);
-  for (int row = bottom; row <= top; ++row) {
-    const int r = nearest(f.yMm(row), finest.first_y_mm, finest.size.rows);
-    for (int col = left; col <= right; ++col) {
-      const int c = nearest(f.xMm(col), finest.first_x_mm, finest.size.cols);
-      cut.heights_mm.push_back(factor * from.heights_mm[f.size.index({col, row})]);
-      cut.origins.push_back(surface.map.origin({c, r}));
-    }
-  }
-  return cut;
+  return levelCut(surface, level, {.left = left, .right = right, .bottom = bottom, .top = top},
+                  gain);
 }
 
 PanelPicture drawPanel(const Surface& surface, const Project& project, const FigurePanel& panel,

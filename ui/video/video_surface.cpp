@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/relief/relief_image.h"
+#include "core/session/level_cut.h"
 #include "core/session/tiled_surface.h"
 
 namespace relievo {
@@ -33,37 +34,18 @@ int levelFor(const DetailLadder& ladder, double width_mm) {
   return level;
 }
 
-/// Samples of a level in a rectangle, heights times `gain`, origins of the nearest finest cells.
+/// Samples of a level in a rectangle.
 DepthMap cut(const Surface& surface, int level, const RectMm& rect, double gain) {
-  const PyramidLevel& from = surface.pyramid.levels[static_cast<std::size_t>(level)];
-  const GridFrame& f = from.frame;
+  const GridFrame& f = surface.pyramid.levels[static_cast<std::size_t>(level)].frame;
   const auto index = [&](double at, double first, int count) {
     return std::clamp(static_cast<int>(std::lround((at - first) / f.spacing_mm)), 0, count - 1);
   };
-  const int left = index(rect.x_mm, f.first_x_mm, f.size.cols);
-  const int right = index(rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols);
-  const int bottom = index(rect.y_mm, f.first_y_mm, f.size.rows);
-  const int top = index(rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows);
-  DepthMap map;
-  map.frame = f;
-  map.frame.size = {right - left + 1, top - bottom + 1};
-  map.frame.first_x_mm = f.xMm(left);
-  map.frame.first_y_mm = f.yMm(bottom);
-  const GridFrame& finest = surface.map.frame;
-  const auto nearest = [&](double at, double first, int count) {
-    return std::clamp(static_cast<int>(std::lround((at - first) / finest.spacing_mm)), 0,
-                      count - 1);
-  };
-  const auto factor = static_cast<float>(gain);
-  for (int row = bottom; row <= top; ++row) {
-    const int r = nearest(f.yMm(row), finest.first_y_mm, finest.size.rows);
-    for (int col = left; col <= right; ++col) {
-      const int c = nearest(f.xMm(col), finest.first_x_mm, finest.size.cols);
-      map.heights_mm.push_back(factor * from.heights_mm[f.size.index({col, row})]);
-      map.origins.push_back(surface.map.origin({c, r}));
-    }
-  }
-  return map;
+  return levelCut(surface, {level},
+                  {.left = index(rect.x_mm, f.first_x_mm, f.size.cols),
+                   .right = index(rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols),
+                   .bottom = index(rect.y_mm, f.first_y_mm, f.size.rows),
+                   .top = index(rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows)},
+                  gain);
 }
 
 }  // namespace
