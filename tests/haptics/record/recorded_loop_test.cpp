@@ -57,6 +57,11 @@ class Recorded {
         ++options.id;
         lines_ += optionsLine(options);
       }
+      if (tick == 4700 || tick == 4900) {  // Move mode for a while.
+        options.gate = {.on = tick == 4700, .centre = {3, 0, 0}};
+        ++options.id;
+        lines_ += optionsLine(options);
+      }
       if (tick == 1400) recorder_.start(file, "a recording");
       if (tick == 1500) {
         snapshots_.push({tick, core_, scenes_[now]->scene_id, scenes_[before]->scene_id, true});
