@@ -188,6 +188,11 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   const bool paused = pausedUntil(now_ns);
   if (paused) force_ = resumed(force_);
   resume_ = false;
+  if (input.age_s > options.stale_after_s) {
+    const double fading_s = options.stale_zero_s - options.stale_after_s;
+    const double faded = (input.age_s - options.stale_after_s) / fading_s;
+    bounds.most_n *= std::max(0.0, 1 - faded);
+  }
   last_ns_ = now_ns;
   if (options.gate.on != gated_) force_ = refade(force_);  // What was felt goes, what comes rises.
   gated_ = options.gate.on;
