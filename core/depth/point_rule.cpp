@@ -349,6 +349,12 @@ bool isForOneLayer(PointRule rule) {
   return rule == PointRule::quadratic || rule == PointRule::median;
 }
 
+std::vector<RowRange> rowsLookedAt(GridSize size) {
+  std::vector<RowRange> ranges = sampledRows(size);
+  for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
+  return ranges;
+}
+
 RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
   std::vector<RowRange> ranges = sampledRows(request.frame.size);
   for (RowRange& range : ranges) range = widened(range, kFlyerReach);
@@ -356,9 +362,7 @@ RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
 }
 
 double pointNoise(const DepthRequest& request, const Task& task) {
-  std::vector<RowRange> ranges = sampledRows(request.frame.size);
-  for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
-  return noiseOf(CellPoints(request, ranges, task), request.frame, task);
+  return noiseOf(CellPoints(request, rowsLookedAt(request.frame.size), task), request.frame, task);
 }
 
 namespace {
@@ -384,9 +388,7 @@ class Scatter {
       points.emplace(request_, std::array{RowRange{.first = 0, .end = size.rows}}, task_);
       chooseRule(*points);
     } else {
-      std::vector<RowRange> ranges = sampledRows(size);
-      for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
-      chooseRule(CellPoints(request_, ranges, task_));
+      chooseRule(CellPoints(request_, rowsLookedAt(size), task_));
     }
     const int rows_at_once = rowsAtOnce(size);
     const int units = (size.rows + rows_at_once - 1) / rows_at_once;
