@@ -120,15 +120,26 @@ void splineSlopes(const Line& f, std::size_t first, std::size_t last, bool first
   }
 }
 
-/// Slopes along one line; at a break the mean of the two sides.
-Line slopesAlong(const Line& f, const Flags& breaks) {
+/// Where a slope at a break comes from.
+enum class Side : std::uint8_t { both, before, after, none };
+using SidesOfLine = std::array<Side, kCount>;
+
+/// Slopes along one line; at a break the mean of the two sides, or what `sides` says.
+Line slopesAlong(const Line& f, const Flags& breaks, const SidesOfLine& sides) {
   Line slope{};
   double before_break = 0;
   std::size_t first = 0;
   for (std::size_t last = 1; last < kCount; ++last) {
     if (!breaks[last] && last + 1 < kCount) continue;
     splineSlopes(f, first, last, breaks[first], breaks[last], slope);
-    if (breaks[first]) slope[first] = 0.5 * (slope[first] + before_break);
+    if (breaks[first]) {
+      const double after = slope[first], before = before_break;
+      constexpr double kHalf = 0.5;
+      slope[first] = sides[first] == Side::both     ? kHalf * (after + before)
+                     : sides[first] == Side::before ? before
+                     : sides[first] == Side::after  ? after
+                                                    : 0;
+    }
     before_break = slope[last];
     first = last;
   }
@@ -168,15 +179,45 @@ void markBreaks(HapticSpace& space, const std::vector<double>& heights, Directio
   }
 }
 
-/// Derivatives of `values` along a direction.
-std::vector<double> derivative(const HapticSpace& space, const std::vector<double>& values,
-                               Direction d) {
+/// Values along one line.
+Line lineOf(const std::vector<double>& values, Direction d, std::size_t line) {
+  Line f{};
+  for (std::size_t i = 0; i < kCount; ++i) f[i] = values[line * d.across + i * d.step];
+  return f;
+}
+
+void keep(const Line& slope, Direction d, std::size_t line, std::vector<double>& result) {
+  for (std::size_t i = 0; i < kCount; ++i) result[line * d.across + i * d.step] = slope[i];
+}
+
+/// Derivatives of the heights along a direction.
+std::vector<double> slopes(const HapticSpace& space, const std::vector<double>& heights,
+                           Direction d) {
   std::vector<double> result(kWindowCount);
   for (std::size_t line = 0; line < kCount; ++line) {
-    Line f{};
-    for (std::size_t i = 0; i < kCount; ++i) f[i] = values[line * d.across + i * d.step];
-    const Line slope = slopesAlong(f, breaksOf(space, d, line));
-    for (std::size_t i = 0; i < kCount; ++i) result[line * d.across + i * d.step] = slope[i];
+    keep(slopesAlong(lineOf(heights, d, line), breaksOf(space, d, line), {}), d, line, result);
+  }
+  return result;
+}
+
+/// Derivatives along x of the slopes in y. Where a wall ends, samples that break in y stand beside
+/// others: their slopes are means of two sides, and a line through both would ring. It ends there
+/// on either side.
+std::vector<double> twists(const HapticSpace& space, const std::vector<double>& slope_y) {
+  std::vector<double> result(kWindowCount);
+  for (std::size_t row = 0; row < kCount; ++row) {
+    Flags breaks = breaksOf(space, kAlongX, row);
+    SidesOfLine sides{};
+    const auto wall = [&](std::size_t i) {
+      return (space.marks[row * kAlongX.across + i] & kBreakY) != 0;
+    };
+    for (std::size_t i = 1; i + 1 < kCount; ++i) {
+      const bool before = wall(i - 1), after = wall(i + 1);
+      breaks[i] = breaks[i] || wall(i) || before || after;
+      if (before) sides[i] = after ? Side::none : Side::after;
+      if (after && !before) sides[i] = Side::before;
+    }
+    keep(slopesAlong(lineOf(slope_y, kAlongX, row), breaks, sides), kAlongX, row, result);
   }
   return result;
 }
@@ -246,9 +287,9 @@ void fitSurface(HapticSpace& space, SurfaceKind kind) {
     markBreaks(space, heights, kAlongY);
   }
   markSmoothCells(space);
-  const std::vector<double> slope_x = derivative(space, heights, kAlongX);
-  const std::vector<double> slope_y = derivative(space, heights, kAlongY);
-  const std::vector<double> twist = derivative(space, slope_y, kAlongX);
+  const std::vector<double> slope_x = slopes(space, heights, kAlongX);
+  const std::vector<double> slope_y = slopes(space, heights, kAlongY);
+  const std::vector<double> twist = twists(space, slope_y);
   for (std::size_t i = 0; i < kWindowCount; ++i) {
     SurfaceSample& sample = space.samples[i];
     sample.slope_x = static_cast<float>(slope_x[i]);
