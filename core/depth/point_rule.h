@@ -4,10 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "core/base/grid.h"
-#include "core/depth/cell_points.h"
 #include "core/depth/depth_request.h"
 
 namespace relievo {
@@ -25,10 +22,6 @@ struct RuleProposal {
   PointRule rule = PointRule::front;
   std::string reason;  ///< "2.5 points per cell"
 };
-
-/// Rows of a grid that proposeRule and pointNoise look at, with what they need around them; may
-/// reach beyond the grid. All rows of a small grid, evenly spaced ones of a large one.
-std::vector<RowRange> rowsLookedAt(GridSize size);
 
 /// From the cells the points fall into, in the rows looked at. One point at every
 /// sample: that point. Several layers (an object and its back): the mean of the top layer, so that

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/depth/grid_points.h"
+#include "core/depth/rule_choice.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {
@@ -189,19 +190,19 @@ void depthsFromStates(const Gridding& gridding, const TileStore& store, int tile
 }
 
 /// The points of the rows that core/depth looks at before it knows the rule, on the map's own grid.
-struct RowSample {
+struct MapSample {
   Scan scan;
   GridFrame frame;
 
   DepthRequest request() const { return {.scan = scan, .view_from_file = {}, .frame = frame}; }
 };
 
-RowSample sampledRows(const TileStore& store, double spacing_mm, const Task& task) {
+MapSample sampledRows(const TileStore& store, double spacing_mm, const Task& task) {
   const TileLayout& layout = store.layout();
-  RowSample sample;
+  MapSample sample;
   sample.frame = {.size = layout.map, .spacing_mm = spacing_mm, .first_x_mm = 0, .first_y_mm = 0};
   std::vector<char> wanted(static_cast<std::size_t>(layout.map.rows), 0);
-  for (const RowRange& range : rowsLookedAt(layout.map)) {
+  for (const RowRange& range : rowsOfSamples(layout.map)) {
     const auto first = wanted.begin() + std::max(range.first, 0);
     const auto end = wanted.begin() + std::min(range.end, layout.map.rows);
     std::fill(first, end, char{1});
