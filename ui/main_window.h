@@ -25,6 +25,7 @@ class QToolBar;
 namespace relievo {
 
 class DetailView;
+class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
 class OverviewInset;
@@ -223,6 +224,7 @@ class MainWindow : public QMainWindow {
   Document document_;
   MessageStrip* strip_ = nullptr;
   QStackedWidget* pages_ = nullptr;
+  FirstViewCard* first_view_ = nullptr;
   StartPage* start_ = nullptr;
   QSplitter* views_ = nullptr;
   QSplitter* rows_ = nullptr;
