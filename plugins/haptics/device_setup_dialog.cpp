@@ -24,6 +24,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -254,7 +255,7 @@ void DeviceSetupDialog::showStatus() {
     close_->setText(leave);
     close_->setAccessibleName(leave);
   }
-  if (!testing && !calibrating) say(QString::fromStdString(message.spoken));
+  if (!testing && !calibrating) say(spokenText(message.spoken));
 }
 
 void DeviceSetupDialog::showTest() {
