@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/device_setup_dialog.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -16,6 +17,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -85,13 +87,28 @@ void DeviceSetupDialog::build() {
   state_->setMinimumHeight(3 * state_->fontMetrics().lineSpacing());
   state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   column->addWidget(state_);
-  column->addWidget(buildStart());
-  column->addWidget(buildHoming());
-  column->addWidget(buildTests(), 1);
+  // What it does and how to leave stay in sight when large text leaves no room for the rest.
+  auto* rest = new QWidget;
+  auto* parts = new QVBoxLayout(rest);
+  parts->setContentsMargins(0, 0, 0, 0);
+  parts->addWidget(buildStart());
+  parts->addWidget(buildHoming());
+  parts->addWidget(buildTests(), 1);
   left_handed_ = named(new QCheckBox(tr("&Left-handed: plus and minus change sides")), "leftHanded",
                        tr("Left-handed"));
   left_handed_->setChecked(settings_.left_handed);
-  column->addWidget(left_handed_);
+  parts->addWidget(left_handed_);
+  auto* scroll = named(new QScrollArea, "setupParts", tr("Device set-up"));
+  scroll->setWidget(rest);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  // Qt does it only for steps within the area.
+  connect(qApp, &QApplication::focusChanged, scroll, [scroll, rest](QWidget*, QWidget* now) {
+    if (now != nullptr && rest->isAncestorOf(now)) scroll->ensureWidgetVisible(now);
+  });
+  column->addWidget(scroll, 1);
   auto* buttons = new QDialogButtonBox;
   save_ = buttons->addButton(tr("&Save and use the Falcon"), QDialogButtonBox::AcceptRole);
   named(save_, "setupSave", tr("Save and use the Falcon"));
@@ -146,6 +163,7 @@ QWidget* DeviceSetupDialog::buildHoming() {
     form->addRow(names[i], arms_[i]);
   }
   hand_ = named(new QLabel, "setupHand", tr("Place of the hand"));
+  hand_->setWordWrap(true);
   form->addRow(tr("Hand"), hand_);
   return group;
 }
@@ -164,13 +182,13 @@ QWidget* DeviceSetupDialog::buildTests() {
   label->setBuddy(weight_);
   calibrate_ = named(new QPushButton(tr("C&alibrate")), "setupCalibrate", tr("Calibrate"));
   gain_ = named(new QLabel, "setupGain", tr("Force gain"));
-  row->addWidget(self_test_);
-  row->addStretch(1);
+  column->addWidget(self_test_, 0, Qt::AlignLeft);
   row->addWidget(label);
   row->addWidget(weight_);
   row->addWidget(calibrate_);
-  row->addWidget(gain_);
+  row->addStretch(1);
   column->addLayout(row);
+  column->addWidget(gain_);
   results_ = page("setupResults", tr("Results"), 8);
   column->addWidget(results_);
   connect(self_test_, &QPushButton::clicked, this, &DeviceSetupDialog::startSelfTest);
