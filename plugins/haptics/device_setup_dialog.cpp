@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/device_setup_dialog.h"
 
+#include <cmath>
 #include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
@@ -17,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <utility>
@@ -52,6 +54,11 @@ void setTextIfNew(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
 
+/// With one decimal, "-0.0" looks like a place.
+double withoutMinusZero(double mm) {
+  return std::abs(mm) < 0.05 ? 0 : mm;
+}
+
 constexpr std::array<const char*, 3> kResults{
     QT_TRANSLATE_NOOP("relievo::DeviceSetupDialog", "passed"),
     QT_TRANSLATE_NOOP("relievo::DeviceSetupDialog", "failed"),
@@ -64,6 +71,9 @@ DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> devic
   setObjectName(QStringLiteral("deviceSetup"));
   setWindowTitle(tr("Device set-up"));
   build();
+  // Whole where there is room; Qt would take two thirds of the screen at most.
+  constexpr double kOfScreen = 0.9;
+  resize(sizeHint().boundedTo(kOfScreen * QGuiApplication::primaryScreen()->availableSize()));
   device_->openWhenPlugged();
   connect(&timer_, &QTimer::timeout, this, &DeviceSetupDialog::frame);
   // Tests play the loop's part from here. A frame that comes late costs force, never adds it: the
@@ -98,7 +108,7 @@ void DeviceSetupDialog::build() {
                        tr("Left-handed"));
   left_handed_->setChecked(settings_.left_handed);
   parts->addWidget(left_handed_);
-  auto* scroll = named(new QScrollArea, "setupParts", tr("Device set-up"));
+  auto* scroll = parts_ = named(new QScrollArea, "setupParts", tr("Device set-up"));
   scroll->setWidget(rest);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -250,9 +260,9 @@ void DeviceSetupDialog::showStatus() {
   }
   const bool ready = status.state == LinkState::ready;
   setTextIfNew(hand_, ready ? tr("%1 right, %2 up, %3 out, in millimetres; %4 answers per second")
-                                  .arg(status.position.x, 0, 'f', 1)
-                                  .arg(status.position.y, 0, 'f', 1)
-                                  .arg(status.position.z, 0, 'f', 1)
+                                  .arg(withoutMinusZero(status.position.x), 0, 'f', 1)
+                                  .arg(withoutMinusZero(status.position.y), 0, 'f', 1)
+                                  .arg(withoutMinusZero(status.position.z), 0, 'f', 1)
                                   .arg(status.rate_hz, 0, 'f', 0)
                             : tr("not known before homing"));
   setTextIfNew(gain_, tr("%1 counts per N mm").arg(settings_.counts_per_n_mm, 0, 'f', 2));
@@ -297,6 +307,7 @@ void DeviceSetupDialog::startSelfTest() {
   constexpr double kWaitForPersonSeconds = 20;
   notice_.clear();
   calibration_.reset();
+  parts_->ensureWidgetVisible(results_);
   test_.emplace(*device_, falcon::SelfTestOptions{.nudges = true,
                                                   .wait_for_person_s = kWaitForPersonSeconds});
 }
@@ -307,6 +318,7 @@ void DeviceSetupDialog::calibrate() {
     return;
   }
   test_.reset();
+  parts_->ensureWidgetVisible(results_);
   calibration_.emplace(*device_, settings_.counts_per_n_mm, weight_->value());
 }
 
