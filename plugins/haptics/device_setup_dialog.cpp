@@ -300,7 +300,9 @@ void DeviceSetupDialog::showTest() {
     text = QString::fromStdString(calibration_->prompt());
     say(text);
   }
-  if (results_->toPlainText() != text) results_->setPlainText(text);
+  if (results_->toPlainText() == text) return;
+  results_->setPlainText(text);
+  results_->moveCursor(QTextCursor::End);  // What is asked for now stands last.
 }
 
 void DeviceSetupDialog::startSelfTest() {
