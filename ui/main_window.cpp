@@ -22,6 +22,7 @@
 
 #include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
+#include "ui/first_view.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
@@ -209,6 +210,7 @@ void MainWindow::layOut() {
   panels_->add(tr("Places"), places_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
+  first_view_ = new FirstViewCard(document_, pages_);
   setCentralWidget(centre);
 }
 
@@ -223,6 +225,7 @@ void MainWindow::connectParts() {
   connect(&document_, &Document::cancelled, this,
           [this] { announce(tr("Cancelled. Nothing was changed.")); });
   connect(&document_, &Document::progressed, status_, &StatusFields::showWork);
+  connect(first_view_, &FirstViewCard::said, this, &MainWindow::announce);
   // Said before the surface is made, while there is still time to stop.
   connect(&document_, &Document::scanRead, this,
           [this](const QString& file, double w, double h, double d, quint64 points) {

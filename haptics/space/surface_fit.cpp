@@ -19,6 +19,27 @@ using Flags = std::array<bool, kCount>;
 enum class Bend : std::uint8_t { none, of_a_line, sharp };
 using Bends = std::array<Bend, kCount>;
 
+/// Where all else is straight, too weak bends for the rules below are edges: on either side of this
+/// one lie two samples without bend, or one and a crease, or a crease. Some bend must be missing.
+void markFaintEdges(const Line& d2, Bends& bends) {
+  const Bends first = bends;
+  for (std::size_t i = 1; i + 1 < kCount; ++i) {
+    const double size = std::abs(d2[i]);
+    if (first[i] != Bend::none || size < kLeastFaint) continue;
+    int quiet_samples = 0;
+    // At the window's border a line goes on as it ends.
+    const auto straight = [&](std::size_t next, std::size_t after) {
+      if (first[next] != Bend::none) return true;
+      if (std::abs(d2[next]) > kQuiet * size) return false;
+      ++quiet_samples;
+      return first[after] != Bend::none || std::abs(d2[after]) <= kQuiet * size;
+    };
+    const bool low = straight(i - 1, i > 1 ? i - 2 : 0);
+    const bool high = straight(i + 1, std::min(i + 2, kCount - 1));
+    if (low && high && quiet_samples > 0) bends[i] = Bend::of_a_line;
+  }
+}
+
 /// Second differences measure a bend, fourth differences how far it stands out from its neighbours:
 /// |d4| / 2 = |d2 - mean of both|.
 Bends bendsOf(const Line& f) {
@@ -51,6 +72,7 @@ Bends bendsOf(const Line& f) {
       bends[i] = Bend::sharp;
     }
   }
+  markFaintEdges(d2, bends);
   return bends;
 }
 

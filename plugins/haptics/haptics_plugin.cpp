@@ -221,7 +221,7 @@ void HapticsPlugin::setRecording(bool on) {
     const QString file = proposedRecording(now);
     const DeviceInfo& device = session_->loop().device();
     const QString header = recordingHeaderLines(
-        host_->recordingHeader(), QString::fromStdString(device.name),
+        host_->recordingHeader(file), QString::fromStdString(device.name),
         withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
     session_->startRecording(file.toStdString(), header.toStdString());
     const auto window = host_->shownWindow();

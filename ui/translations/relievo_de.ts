@@ -1501,6 +1501,25 @@
     </message>
 </context>
 <context>
+    <name>relievo::FirstViewCard</name>
+    <message>
+        <source>First view of the file that is being read</source>
+        <translation>Erste Ansicht der Datei, die gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1: first view from %2 of %3 points. The whole is being read.</source>
+        <translation>%1: erste Ansicht aus %2 von %3 Punkten. Das Ganze wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Until then the views and the hand stay with the object before.</source>
+        <translation>Bis dahin bleiben Ansichten und Hand beim bisherigen Objekt.</translation>
+    </message>
+    <message>
+        <source>It can be touched then.</source>
+        <translation>Dann kann es ertastet werden.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::GlassesDialog</name>
     <message>
         <source>Test picture</source>

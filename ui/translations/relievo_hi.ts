@@ -1501,6 +1501,25 @@
     </message>
 </context>
 <context>
+    <name>relievo::FirstViewCard</name>
+    <message>
+        <source>First view of the file that is being read</source>
+        <translation>पढ़ी जा रही फ़ाइल का पहला दृश्य</translation>
+    </message>
+    <message>
+        <source>%1: first view from %2 of %3 points. The whole is being read.</source>
+        <translation>%1: %3 में से %2 बिंदुओं से पहला दृश्य। पूरी फ़ाइल पढ़ी जा रही है।</translation>
+    </message>
+    <message>
+        <source>Until then the views and the hand stay with the object before.</source>
+        <translation>तब तक दृश्य और हाथ पिछली वस्तु पर ही रहेंगे।</translation>
+    </message>
+    <message>
+        <source>It can be touched then.</source>
+        <translation>तब इसे छुआ जा सकेगा।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::GlassesDialog</name>
     <message>
         <source>Test picture</source>
