@@ -62,7 +62,7 @@ void sumAlongRow(const float* __restrict even, const float* __restrict odd, int 
 }  // namespace
 
 RowHalver::RowHalver(int cols) : cols_(cols) {
-  const auto pairs = static_cast<std::size_t>((cols + 1) / 2 + 2);
+  const auto pairs = (static_cast<std::size_t>(cols) + 1) / 2 + 2;
   padded_.resize(2 * pairs);
   even_.resize(pairs);
   odd_.resize(pairs);
@@ -87,7 +87,7 @@ void appendHalved(const std::vector<float>& in, GridSize size, int first, int en
     return in.data() + size.index({.col = 0, .row = mirrored(row, size.rows)});
   };
   RowHalver halve(size.cols);
-  std::vector<float> line(static_cast<std::size_t>(size.cols + 1) / 2);
+  std::vector<float> line((static_cast<std::size_t>(size.cols) + 1) / 2);
   for (int j = first; j < end; ++j) {
     if (j % 64 == 0) task.check();
     FiveRows rows{};
@@ -101,7 +101,7 @@ void appendHalved(const std::vector<float>& in, GridSize size, int first, int en
 class RowShares {
  public:
   explicit RowShares(int cols)
-      : cols_(cols), sums_(2 * (static_cast<std::size_t>(cols + 1) / 2 + 2)) {}
+      : cols_(cols), sums_(2 * ((static_cast<std::size_t>(cols) + 1) / 2 + 2)) {}
 
   void operator()(const std::array<const Origin*, 5>& rows, float* out) {
     std::uint8_t* const row = sums_.data() + 2;

@@ -107,6 +107,7 @@ void mixPicked(const float* heights, const Axis& columns, double* out) {
   const double* part = columns.part.data();
   const int* low = columns.low.data();
   int i = 0;
+#if defined(__GNUC__) && !defined(__clang__)  // Which knows no shuffle by a variable.
   for (; columns.to_high == 1 && i + kAtOnce <= kWindowSamples; i += kAtOnce) {
     const int from = low[i] - columns.first_node;
     if (low[i + kAtOnce - 1] + 1 - low[i] >= 2 * kAtOnce || from + 2 * kAtOnce > columns.nodes) {
@@ -131,6 +132,7 @@ void mixPicked(const float* heights, const Axis& columns, double* out) {
     *reinterpret_cast<DoublesInArray*>(out + i + kAtOnce / 2) =
         (1 - p_high) * before_high + p_high * after_high;
   }
+#endif
   for (; i < kWindowSamples; ++i) {
     const float* node = heights + (low[i] - columns.first_node);
     out[i] = (1 - part[i]) * static_cast<double>(node[0]) +
