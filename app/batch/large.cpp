@@ -8,6 +8,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/state.h"
+#include "core/project/caption.h"
 #include "core/session/large_map.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/level_files.h"
@@ -47,8 +48,8 @@ void sayView(const Surface& view) {
   const HeightRange range = heightRange(view.map);
   const GridSize size = view.map.frame.size;
   tell(view.messages.back() + " " + std::to_string(size.cols) + " x " + std::to_string(size.rows) +
-       " cells of " + Json(view.map.frame.spacing_mm).dump() + " mm, heights " +
-       Json(range.min_mm).dump() + " to " + Json(range.max_mm).dump() + " mm.");
+       " cells of " + shortNumber(view.map.frame.spacing_mm) + " mm, heights " +
+       shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) + " mm.");
 }
 
 Json levelsJson(const LargeMap& map) {
@@ -140,7 +141,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +
                             " x " + level["cells"][1].dump());
   }
-  outcome.lines.push_back("shares " + json["shares"].dump());
+  outcome.lines.push_back("cells: " + sharesText(map.shares));
   return outcome;
 }
 

@@ -8,6 +8,7 @@
 #include "core/io/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
+#include "core/project/caption.h"
 
 namespace relievo::batch {
 namespace {
@@ -77,8 +78,8 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   json["heights"] = heights;
   return {.json = json.dump(2),
           .lines = {a.out + ": " + std::to_string(grid.size.cols) + " x " +
-                    std::to_string(grid.size.rows) + " cells of " + json["spacing"].dump() + " " +
-                    grid.unit + ", " + std::to_string(heights) + " with a height, frame " +
+                    std::to_string(grid.size.rows) + " cells of " + shortNumber(grid.spacing, 9) +
+                    " " + grid.unit + ", " + std::to_string(heights) + " with a height, frame " +
                     json["frame"].get<std::string>()},
           .exit_code = exitCodeAfter(surface)};
 }

@@ -7,6 +7,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
+#include "core/project/caption.h"
 
 namespace relievo::batch {
 namespace {
@@ -88,6 +89,15 @@ Json lossesJson(const Surface& surface) {
           {"flyers", surface.losses->flyers}};
 }
 
+std::string lossesText(const Surface& surface) {
+  if (!surface.losses) return "losses: not known of a map that was read";
+  const auto percent = [](double share) { return shortNumber(100 * share, 3) + " % "; };
+  return "losses: " + percent(surface.losses->hidden_share) + "of the scan hidden, " +
+         percent(surface.losses->undercut_share) + "of the cells with an undercut, " +
+         percent(surface.losses->steep_share) + "too steep, " +
+         std::to_string(surface.losses->flyers) + " flyers";
+}
+
 /// Heights of the planes and exactness of the depth buffer; null from other engines.
 Json depthBufferJson(const Surface& surface) {
   if (!surface.depth_buffer) return nullptr;
@@ -138,13 +148,15 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["quality"] = qualityJson(surface);
   json["losses"] = lossesJson(surface);
   json["not_done"] = surface.not_done;
-  return {.json = json.dump(2),
-          .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +
-                        std::to_string(frame.size.rows) + " cells of " + json["spacing_mm"].dump() +
-                        " mm, view " + surface.view_name + ", engine " + surface.engine,
-                    "heights: " + surface.rule, "shares " + json["shares"].dump(),
-                    "losses " + json["losses"].dump()},
-          .exit_code = exitCodeAfter(surface)};
+  return {
+      .json = json.dump(2),
+      .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +
+                    std::to_string(frame.size.rows) + " cells of " + shortNumber(frame.spacing_mm) +
+                    " mm, view " + surface.view_name + ", engine " + surface.engine,
+                "heights: " + shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) +
+                    " mm, " + surface.rule,
+                "cells: " + sharesText(originShares(surface.map)), lossesText(surface)},
+      .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/project/caption.h"
 #include "ui/figure/figure.h"
 #include "ui/vtk/picture_file.h"
 
@@ -99,12 +100,13 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   }
   if (!a.heights.empty()) writeHeightsTiff(surface, project, a.heights);
   if (!a.caption.empty()) writeText(a.caption, facts.caption);
-  return {.json = json.dump(2),
-          .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
-                        std::to_string(facts.height_px) + " pixels, " + json["paper_mm"].dump() +
-                        " mm on paper",
-                    facts.caption},
-          .exit_code = exitCodeAfter(surface)};
+  return {
+      .json = json.dump(2),
+      .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                    std::to_string(facts.height_px) + " pixels, " + shortNumber(facts.width_mm) +
+                    " x " + shortNumber(facts.height_mm) + " mm on paper",
+                facts.caption},
+      .exit_code = exitCodeAfter(surface)};
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   Outcome outcome{
       .json = json.dump(2),
       .lines = {a.out + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                " pixels, " + json["mm_per_pixel"].dump() + " mm each, level " +
+                " pixels, " + shortNumber(json["mm_per_pixel"]) + " mm each, level " +
                 std::to_string(p.region.level.value)},
       .exit_code = exitCodeAfter(surface)};
   writeCaptionIfAsked(a, text, outcome);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "core/provenance/program.h"
@@ -125,20 +126,13 @@ std::string scaleText(const CaptionFacts& facts) {
 }
 
 /// Of the picture, not of the whole map: what the reader sees.
-std::string sharesText(const RegionWindow& window) {
-  constexpr std::array<const char*, kOriginCount> kWords{
-      "measured", "interpolated", "holes on the base plane", "too steep to trust",
-      "outside the object"};
-  std::array<std::size_t, kOriginCount> counts{};
-  for (const Origin origin : window.origins) ++counts.at(static_cast<std::size_t>(origin));
-  std::string text;
-  for (std::size_t i = 0; i < kOriginCount; ++i) {
-    if (counts[i] == 0 && i > 0) continue;
-    const double percent = 100.0 * static_cast<double>(counts[i]) /
-                           static_cast<double>(std::max<std::size_t>(window.origins.size(), 1));
-    text += (text.empty() ? "" : ", ") + shortNumber(percent, 3) + " % " + kWords.at(i);
+std::string windowSharesText(const RegionWindow& window) {
+  std::array<double, kOriginCount> shares{};
+  for (const Origin origin : window.origins) shares.at(static_cast<std::size_t>(origin)) += 1;
+  for (double& share : shares) {
+    share /= static_cast<double>(std::max<std::size_t>(window.origins.size(), 1));
   }
-  return "Of the cells of this region " + text + ".";
+  return "Of the cells of this region " + sharesText(shares) + ".";
 }
 
 std::string sourceText(const Project& p) {
@@ -152,9 +146,26 @@ std::string sourceText(const Project& p) {
 
 std::string shortNumber(double value, int digits) {
   std::array<char, 64> text{};
+  // Kilometres in millimetres are still read more easily than an exponent.
+  constexpr double kExponentFrom = 1e15;
+  const bool is_whole =
+      std::abs(value) >= std::pow(10.0, digits) - 0.5 && std::abs(value) < kExponentFrom;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0 : value,
-                                 std::chars_format::general, digits);
+                                 is_whole ? std::chars_format::fixed : std::chars_format::general,
+                                 is_whole ? 0 : digits);
   return {text.data(), end.ptr};
+}
+
+std::string sharesText(const std::array<double, kOriginCount>& shares) {
+  constexpr std::array<const char*, kOriginCount> kWords{
+      "measured", "interpolated", "holes on the base plane", "too steep to trust",
+      "outside the object"};
+  std::string text;
+  for (std::size_t i = 0; i < kOriginCount; ++i) {
+    if (shares.at(i) == 0 && i > 0) continue;
+    text += (text.empty() ? "" : ", ") + shortNumber(100 * shares.at(i), 3) + " % " + kWords.at(i);
+  }
+  return text;
 }
 
 CaptionFacts pictureFacts(const Project& p, double mm_per_pixel) {
@@ -168,7 +179,8 @@ CaptionFacts pictureFacts(const Project& p, double mm_per_pixel) {
 std::string captionOf(const Project& p, const Surface& surface, const RegionWindow& window,
                       const CaptionFacts& facts) {
   return objectText(p, surface) + " " + mapText(p, surface) + " " + regionText(p, surface) + " " +
-         seenText(p, facts) + scaleText(facts) + " " + sharesText(window) + " " + sourceText(p);
+         seenText(p, facts) + scaleText(facts) + " " + windowSharesText(window) + " " +
+         sourceText(p);
 }
 
 }  // namespace relievo

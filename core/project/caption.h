@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
+#include "core/base/origin.h"
 #include "core/project/project.h"
 #include "core/region/window.h"
 #include "core/relief/stereo.h"
@@ -29,7 +31,12 @@ CaptionFacts pictureFacts(const Project& project, double mm_per_pixel);
 std::string captionOf(const Project& project, const Surface& surface, const RegionWindow& window,
                       const CaptionFacts& facts);
 
-/// A number with at most `digits` significant digits and no trailing zeros.
+/// A number with at most `digits` significant digits and no trailing zeros; a larger one to the
+/// next integer, without an exponent.
 std::string shortNumber(double value, int digits = 4);
+
+/// "87.2 % measured, 1 % interpolated": measured ones always, others where there are any.
+/// @param shares  of all cells by origin, 0 to 1
+std::string sharesText(const std::array<double, kOriginCount>& shares);
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fuzz_seeds FOLDER: writes FOLDER/<target>/<name>, small good files for the fuzzers to start from.
 #include <fcntl.h>
+#include <ogr_spatialref.h>
 
 #include <array>
 #include <cstdio>
@@ -9,6 +10,8 @@
 #include <limits>
 #include <string>
 
+#include "core/base/error.h"
+#include "core/io/gdal_session.h"
 #include "core/io/raster.h"
 #include "core/io/scan_transport.h"
 #include "tests/core/io/e57_sample.h"
@@ -177,6 +180,55 @@ void addE57(const Seeds& seeds) {
   seeds.add("e57", "two_scans", sample.file());
 }
 
+/// 4 x 3 whole numbers of another program, some of them no heights.
+void addForeign(const std::filesystem::path& file, GDALDataType type, const char* driver,
+                bool scaled) {
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  const Dataset cells(drivers.GetDriverByName("MEM")->Create("", 4, 3, 1, type, nullptr));
+  std::array<std::int16_t, 12> numbers{1, 2, 3, 9, 5, 6, 7, 8, 9, 10, 11, 12};
+  GDALRasterBand& band = *cells->GetRasterBand(1);
+  const CPLErr written =
+      band.RasterIO(GF_Write, 0, 0, 4, 3, numbers.data(), 4, 3, GDT_Int16, 0, 0, nullptr);
+  if (written != CE_None) throw WriteError("a seed's cells");
+  if (scaled) {
+    band.SetScale(2);
+    band.SetOffset(1);
+  } else {
+    band.SetNoDataValue(9);
+  }
+  const Dataset copy(drivers.GetDriverByName(driver)->CreateCopy(file.c_str(), cells.get(), 0,
+                                                                 nullptr, nullptr, nullptr));
+  if (!copy) throw WriteError("a seed");
+}
+
+/// Metres in a projected system, heights in metres too.
+void addProjected(const std::filesystem::path& file) {
+  addForeign(file, GDT_Int16, "GTiff", false);
+  const Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+  if (!dataset) throw WriteError("a seed");
+  OGRSpatialReference system;
+  system.SetProjCS("seed");
+  system.SetWellKnownGeogCS("WGS84");
+  system.SetUTM(33);
+  dataset->SetSpatialRef(&system);
+  std::array<double, 6> transform{500'000, 2, 0, 4'000'000, 0, -2};
+  dataset->SetGeoTransform(transform.data());
+  dataset->GetRasterBand(1)->SetUnitType("m");
+}
+
+void addForeignRasters(const std::filesystem::path& folder) {
+  GDALRegister_MEM();
+  addProjected(folder / "projected.tif");
+  addForeign(folder / "nodata.tif", GDT_Int16, "GTiff", false);
+  addForeign(folder / "scaled.tif", GDT_Int16, "GTiff", true);
+  addForeign(folder / "bytes.png", GDT_Byte, "PNG", false);
+  addForeign(folder / "words.png", GDT_UInt16, "PNG", false);
+  // What GDAL keeps beside a PNG is no seed.
+  for (const char* name : {"bytes.png.aux.xml", "words.png.aux.xml"}) {
+    std::filesystem::remove(folder / name);
+  }
+}
+
 void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
   seeds.add("raster", "grid",
             "ncols 3\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 0.5\nNODATA_value -9\n1 2 3\n4 "
@@ -190,6 +242,7 @@ void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
   map.origins[2] = Origin::outside;
   std::filesystem::create_directories(folder / "raster");
   writeMap(folder / "raster" / "map.tif", map, {});
+  addForeignRasters(folder / "raster");
 }
 
 void addAnswers(const Seeds& seeds) {

@@ -52,5 +52,18 @@ TEST(Caption, SaysEverythingThatDecidesThePicture) {
   EXPECT_THAT(text, HasSubstr(surface.rule));
 }
 
+TEST(Caption, NumbersAreShortAndWithoutExponents) {
+  EXPECT_EQ(shortNumber(0.0022526303), "0.002253");
+  EXPECT_EQ(shortNumber(-0.0), "0");
+  EXPECT_EQ(shortNumber(12.0), "12");
+  EXPECT_EQ(shortNumber(9999.6), "10000");
+  EXPECT_EQ(shortNumber(-1025399.44), "-1025399");
+}
+
+TEST(Caption, SharesNameTheMeasuredCellsAlways) {
+  EXPECT_EQ(sharesText({0, 0, 0, 0, 1}), "0 % measured, 100 % outside the object");
+  EXPECT_EQ(sharesText({0.875, 0.125, 0, 0, 0}), "87.5 % measured, 12.5 % interpolated");
+}
+
 }  // namespace
 }  // namespace relievo
