@@ -98,7 +98,7 @@ using Places [[gnu::vector_size(64)]] = int;
 using PlacesInArray [[gnu::vector_size(64), gnu::aligned(4), gnu::may_alias]] = int;
 using Doubles [[gnu::vector_size(64)]] = double;
 using DoublesInArray [[gnu::vector_size(64), gnu::aligned(8), gnu::may_alias]] = double;
-constexpr int kAtOnce = 16;
+[[maybe_unused]] constexpr int kAtOnce = 16;
 
 /// As below, where the samples do not have the nodes in turn. Sixteen samples that lie among 32
 /// nodes are picked from these at once, which takes half the time of reading each by itself.
