@@ -11,7 +11,7 @@ namespace relievo {
 namespace {
 
 // For lupdate; core has no Qt. What is missing here is shown in English.
-[[maybe_unused]] constexpr std::array<const char*, 51> kWords{
+[[maybe_unused]] constexpr std::array<const char*, 52> kWords{
     // Steps of work.
     QT_TRANSLATE_NOOP("Core", "Checksum"), QT_TRANSLATE_NOOP("Core", "Depth map"),
     QT_TRANSLATE_NOOP("Core", "Drawing the depth buffer"),
@@ -45,9 +45,9 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "viridis"), QT_TRANSLATE_NOOP("Core", "cividis"),
     // Buttons.
     QT_TRANSLATE_NOOP("Core", "Close"), QT_TRANSLATE_NOOP("Core", "Cancel"),
-    QT_TRANSLATE_NOOP("Core", "Save"), QT_TRANSLATE_NOOP("Core", "OK"),
-    QT_TRANSLATE_NOOP("Core", "hillshade, four lights"), QT_TRANSLATE_NOOP("Core", "Figure"),
-    QT_TRANSLATE_NOOP("Core", "Caption")};
+    QT_TRANSLATE_NOOP("Core", "Discard"), QT_TRANSLATE_NOOP("Core", "Save"),
+    QT_TRANSLATE_NOOP("Core", "OK"), QT_TRANSLATE_NOOP("Core", "hillshade, four lights"),
+    QT_TRANSLATE_NOOP("Core", "Figure"), QT_TRANSLATE_NOOP("Core", "Caption")};
 
 }  // namespace
 
@@ -66,7 +66,8 @@ void nameButtons(QDialogButtonBox& buttons) {
   };
   for (const Name& name :
        {Name{QDialogButtonBox::Close, "Close"}, Name{QDialogButtonBox::Cancel, "Cancel"},
-        Name{QDialogButtonBox::Save, "Save"}, Name{QDialogButtonBox::Ok, "OK"}}) {
+        Name{QDialogButtonBox::Save, "Save"}, Name{QDialogButtonBox::Discard, "Discard"},
+        Name{QDialogButtonBox::Ok, "OK"}}) {
     if (QPushButton* button = buttons.button(name.button)) {
       button->setText(QCoreApplication::translate("Core", name.text));
     }

@@ -10,7 +10,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kWheelStep = 120;  // One notch, in eighths of a degree.
+constexpr int kWheelStep = 120;       // One notch, in eighths of a degree.
 constexpr int kAppearsAfterMs = 100;  // The reference goes first.
 constexpr double kZoomStep = 1.25;
 constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.

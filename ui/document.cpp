@@ -10,6 +10,7 @@
 #include "core/provenance/sha256.h"
 #include "ui/depth_map_preview.h"
 #include "ui/relief_picture.h"
+#include "ui/spoken_error.h"
 
 namespace relievo {
 namespace {
@@ -249,7 +250,7 @@ void Document::showOpened(const Work& work) {
       next.region = relievo::finer(ladder, next.region, about).value_or(next.region);
     }
   } catch (const ArgumentError& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()), {}, file_);
+    Q_EMIT failed(spokenError(error), {}, file_);
   }
   restoreSteps(work, next);
   Q_EMIT opened(file_);
@@ -363,7 +364,7 @@ bool Document::setRect(const RectMm& rect) {
     go(next, tr("Choose window"));
     return true;
   } catch (const ArgumentError& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()), {}, {});
+    Q_EMIT failed(spokenError(error), {}, {});
     return false;
   }
 }

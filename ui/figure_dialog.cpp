@@ -26,6 +26,7 @@
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
 #include "ui/core_words.h"
+#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -95,7 +96,7 @@ QString errorOf(const Work& work) {
   } catch (const Cancelled&) {
     return {};
   } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
+    return spokenError(error);
   } catch (const std::bad_alloc&) {
     return FigureDialog::tr("There is not enough memory for this figure. Nothing was written.");
   }
@@ -402,6 +403,7 @@ void FigureDialog::changed() {
 }
 
 void FigureDialog::preview() {
+  if (writing_) return;
   const auto drawn = std::make_shared<Drawn>();
   worker_.start(
       [drawn, surface = surface_, project = wanted()](const Task& task) {
@@ -446,6 +448,7 @@ void FigureDialog::write() {
   QDir().mkpath(QFileInfo(target).absolutePath());
   const auto drawn = std::make_shared<Drawn>();
   const auto stopped = std::make_shared<bool>(true);
+  writing_ = true;
   worker_.start(
       [drawn, stopped, surface = surface_, project = wanted(), target](const Task& task) {
         drawn->error = errorOf([&] {
@@ -464,6 +467,7 @@ void FigureDialog::write() {
 }
 
 void FigureDialog::showBusy(bool busy) {
+  if (!busy) writing_ = false;
   bar_->setVisible(busy);
   stop_->setVisible(busy);
 }

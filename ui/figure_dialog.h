@@ -70,6 +70,7 @@ class FigureDialog : public QDialog {
   QPushButton *save_ = nullptr, *stop_ = nullptr;
   QTimer* delay_;
   bool complete_ = false;  ///< All fields are there; before, their signals mean nothing.
+  bool writing_ = false;   ///< No preview may stop it.
   LatestWorker worker_;    ///< Last: its job ends before anything else goes.
 };
 

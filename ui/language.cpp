@@ -38,6 +38,7 @@ std::vector<Language> languageList() {
   std::vector<Language> languages{{QStringLiteral("en"), QStringLiteral("English")}};
   for (const QString& file : QDir(folder()).entryList({QStringLiteral("relievo_*.qm")})) {
     const QString code = file.section('_', 1).section('.', 0, 0);
+    if (code == QLatin1String("en")) continue;  // The plurals of the sources' own language.
     languages.push_back({code, QLocale(code).nativeLanguageName()});
   }
   return languages;
@@ -47,7 +48,10 @@ void applyLanguage(QCoreApplication& app, const QString& code) {
   initTranslations();
   const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
   if (!code.isEmpty()) QLocale::setDefault(locale);
-  if (locale.language() == QLocale::English || locale.language() == QLocale::C) return;
+  if (locale.language() == QLocale::English || locale.language() == QLocale::C) {
+    install(app, QLocale(QLocale::English), QStringLiteral("relievo"), folder());
+    return;
+  }
   // Qt's own dialogs, where the system has them in this language.
   install(app, locale, QStringLiteral("qtbase"),
           QLibraryInfo::location(QLibraryInfo::TranslationsPath));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -31,6 +30,7 @@
 #include "ui/reference_view.h"
 #include "ui/replay_panel.h"
 #include "ui/side_panels.h"
+#include "ui/spoken_error.h"
 #include "ui/start_page.h"
 #include "ui/status_fields.h"
 #include "ui/stereo_panel.h"
@@ -288,12 +288,14 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::open(const QString& file) {
-  restoring_.reset();
-  replay_->forgetWaiting();
-  if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
-  OpenRequest request;
-  request.file = file;
-  open(request);
+  whenNothingIsUnsaved([this, file] {
+    restoring_.reset();
+    replay_->forgetWaiting();
+    if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
+    OpenRequest request;
+    request.file = file;
+    open(request);
+  });
 }
 
 void MainWindow::open(const OpenRequest& request) {
@@ -367,7 +369,7 @@ void MainWindow::showBusy(bool busy) {
 }
 
 void MainWindow::showMessage(const QString& text) {
-  strip_->show(text);
+  strip_->show(spokenError(text));  // A touch module passes on what core says.
 }
 
 QString MainWindow::message() const {
@@ -427,13 +429,6 @@ void MainWindow::chooseUnit(LengthUnit unit) {
   settings_.rememberUnit(document_.file(), unit);
   strip_->close();
   document_.setUnit(unit);
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  saveLayout();
-  document_.cancel();
-  Q_EMIT closing();
-  QMainWindow::closeEvent(event);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -67,6 +67,8 @@ class MainWindow : public QMainWindow {
   /// Brings a state back; `from` is the project or picture it came from.
   void restore(const Project& project, const QString& from);
   void saveProject(const QString& file);
+  /// Places, measurements, camera paths or, in a project, settings that no file holds.
+  bool hasUnsavedWork();
   /// PNG of a view or the window, exactly `pixels` large.
   /// @throw WriteError, GraphicsError
   void writeImage(ImageSource source, const QSize& pixels, const QString& file);
@@ -91,7 +93,8 @@ class MainWindow : public QMainWindow {
   void replay(const QString& file);
   ReplayControl& replayControl() { return *replay_; }
   /// A video of the replay, or of the camera path, in the background.
-  void writeVideo(VideoProfile profile, const QString& file);
+  /// @param chosen  profile, size and rate; the rest is as the window shows it
+  void writeVideo(const VideoRequest& chosen, const QString& file);
   VideoControl& videoControl() { return *video_; }
   QImage videoPicture();  ///< What a video of the view shows now.
   /// Comment lines about input, unit, view and region for the header of a recording in `file`.
@@ -166,13 +169,20 @@ class MainWindow : public QMainWindow {
   // main_window_project.cpp
   void chooseFigure();
   void saveProject();
-  void saveProjectAs();
+  /// @param then  once it is saved
+  void saveProjectAs(const std::function<void()>& then = {});
   void relink(const Project& project, const QString& from);
   void showRestored();
   bool restoreFromFile(const QString& file);
   void showLook(const ReliefLook& look);
   void showStereo(const StereoOptions& stereo);
   void showParallax();
+
+  // main_window_unsaved.cpp
+  void noteSaved();
+  /// Asks whether to save, if there is something; `then` comes after Save and Discard.
+  void whenNothingIsUnsaved(const std::function<void()>& then);
+  void restart();
 
   // main_window_places.cpp
   void makePlaceCommands();
@@ -205,6 +215,7 @@ class MainWindow : public QMainWindow {
   void enableVideo();
   bool hasPath() const;
   void chooseVideo();
+  void chooseVideoFile(const VideoRequest& chosen);
 
   void setLiveVideo(bool on);
   void addKeyView();
@@ -254,6 +265,8 @@ class MainWindow : public QMainWindow {
   Project project_;                   ///< What of the state no other part holds.
   std::optional<Project> restoring_;  ///< Until its file is open.
   QString project_file_;
+  std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.
+  bool closes_anyway_ = false;
   QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;
   TouchReadout touch_;

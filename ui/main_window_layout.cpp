@@ -112,6 +112,8 @@ void MainWindow::showPreferences() {
   auto* dialog = new PreferencesDialog(settings_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PreferencesDialog::changed, this, &MainWindow::applyPreference);
+  connect(dialog, &PreferencesDialog::restartAsked, this,
+          [this] { whenNothingIsUnsaved([this] { restart(); }); });
   dialog->show();
 }
 

@@ -16,6 +16,7 @@
 #include "ui/message_strip.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
+#include "ui/spoken_error.h"
 #include "ui/stereo_panel.h"
 #include "ui/view_panel.h"
 
@@ -135,7 +136,7 @@ void MainWindow::saveMeasurements() {
       }
       announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
     } catch (const Error& error) {
-      strip_->show(QString::fromUtf8(error.what()));
+      strip_->show(spokenError(error));
     }
   });
   dialog->open();

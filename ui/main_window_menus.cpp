@@ -19,6 +19,7 @@
 #include "ui/keys_sheet.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
+#include "ui/spoken_error.h"
 #include "ui/start_page.h"
 
 namespace relievo {
@@ -270,7 +271,7 @@ void MainWindow::chooseImage() {
       writeImage(choice.source, choice.pixels, choice.file);
       announce(tr("%1 is saved").arg(QFileInfo(choice.file).fileName()));
     } catch (const Error& error) {
-      strip_->show(QString::fromUtf8(error.what()));
+      strip_->show(spokenError(error));
     }
   });
   dialog->open();

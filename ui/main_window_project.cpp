@@ -18,6 +18,7 @@
 #include "ui/places_panel.h"
 #include "ui/reference_view.h"
 #include "ui/replay_control.h"
+#include "ui/spoken_error.h"
 #include "ui/work_keeper.h"
 
 namespace relievo {
@@ -111,6 +112,7 @@ void MainWindow::showRestored() {
     measure_panel_->setMeasurements({});
     places_panel_->setPlaces({});
     keeper_->forget();
+    noteSaved();
     return;
   }
   const Project stored = *std::exchange(restoring_, std::nullopt);
@@ -119,8 +121,10 @@ void MainWindow::showRestored() {
   places_panel_->setPlaces(stored.places);
   showView(viewOf(stored));
   keeper_->forget();
+  noteSaved();
   if (!recovered_copy_.isEmpty()) {
     WorkKeeper::discard(std::exchange(recovered_copy_, QString()));
+    saved_work_.clear();
     keeper_->changed();  // It is still in no file of the user's.
   }
   if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {
@@ -148,7 +152,7 @@ bool MainWindow::restoreFromFile(const QString& file) {
     return true;
   } catch (const Error& error) {
     if (!endsIn(file, {".json"})) return false;  // The readers say what is wrong.
-    strip_->show(QString::fromUtf8(error.what()));
+    strip_->show(spokenError(error));
     return true;
   }
 }
@@ -161,7 +165,7 @@ void MainWindow::saveProject() {
   }
 }
 
-void MainWindow::saveProjectAs() {
+void MainWindow::saveProjectAs(const std::function<void()>& then) {
   const QFileInfo input(document_.file());
   auto* dialog = new QFileDialog(this, tr("Save project"), input.absolutePath(),
                                  tr("Projects (*.relievo.json)"));
@@ -169,8 +173,9 @@ void MainWindow::saveProjectAs() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->selectFile(input.completeBaseName() + QLatin1String(".relievo.json"));
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& file) {
     saveProject(endsIn(file, {".json"}) ? file : file + QLatin1String(".relievo.json"));
+    if (then && !hasUnsavedWork()) then();
   });
   dialog->open();
 }
@@ -179,12 +184,13 @@ void MainWindow::saveProject(const QString& file) {
   try {
     writeProject(pathOf(file), project());
     project_file_ = file;
+    noteSaved();
     keeper_->forget();
     settings_.addRecentFile(file);
     showRecent();
     announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
   } catch (const Error& error) {
-    strip_->show(QString::fromUtf8(error.what()));
+    strip_->show(spokenError(error));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "ui/message_strip.h"
 #include "ui/replay_control.h"
 #include "ui/replay_panel.h"
+#include "ui/spoken_error.h"
 #include "ui/status_fields.h"
 #include "ui/time_plot.h"
 
@@ -124,7 +125,7 @@ void MainWindow::openRecordedMap(const QString& file) {
     }
   } catch (const Error& error) {
     replay_->forgetWaiting();
-    strip_->show(QString::fromUtf8(error.what()));
+    strip_->show(spokenError(error));
     return;
   }
   // Empty: not there; restoring says so and lets it be found by hand.

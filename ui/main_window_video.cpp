@@ -16,11 +16,13 @@
 #include "ui/message_strip.h"
 #include "ui/path_preview.h"
 #include "ui/replay_panel.h"
+#include "ui/spoken_error.h"
 #include "ui/status_fields.h"
 #include "ui/text.h"
 #include "ui/time_plot.h"
 #include "ui/video/video_file.h"
 #include "ui/video_control.h"
+#include "ui/video_dialog.h"
 
 namespace relievo {
 namespace {
@@ -110,39 +112,39 @@ void MainWindow::enableVideo() {
 }
 
 void MainWindow::chooseVideo() {
+  const bool can_pack = haveFfmpeg();
+  if (!can_pack) {
+    announce(tr("The program ffmpeg is not installed: a folder of pictures can be made."));
+  }
+  auto* dialog = new VideoDialog(detail_->size() * devicePixelRatioF(), can_pack, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { chooseVideoFile(dialog->request()); });
+  dialog->open();
+}
+
+void MainWindow::chooseVideoFile(const VideoRequest& chosen) {
   auto* dialog = new QFileDialog(this, tr("Video"), videoFolder());
   dialog->setObjectName(QStringLiteral("video_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  // In the order of VideoProfile.
-  const QStringList filters{
-      tr("Talk: plays everywhere (*.mp4)"), tr("Archive: every pixel comes back (*.mp4)"),
-      tr("Anaglyph: for red and cyan glasses (*.mp4)"), tr("Images: a folder of pictures (*)")};
-  dialog->setNameFilters(filters);
-  if (!haveFfmpeg()) {
-    dialog->setNameFilters({filters.back()});
-    announce(tr("The program ffmpeg is not installed: a folder of pictures can be made."));
-  }
-  const QString stem =
-      QFileInfo(replay_->showing() ? replay_->file() : document_.file()).completeBaseName();
-  dialog->selectFile(stem);
-  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, filters](const QString& file) {
-    const auto profile = static_cast<VideoProfile>(filters.indexOf(dialog->selectedNameFilter()));
-    const bool folder = profile == VideoProfile::images;
-    writeVideo(profile, folder || file.endsWith(QLatin1String(".mp4"))
-                            ? file
-                            : file + QLatin1String(".mp4"));
+  const bool folder = chosen.profile == VideoProfile::images;
+  dialog->setNameFilter(folder ? tr("A folder of pictures (*)") : tr("Videos (*.mp4)"));
+  dialog->selectFile(
+      QFileInfo(replay_->showing() ? replay_->file() : document_.file()).completeBaseName());
+  connect(dialog, &QFileDialog::fileSelected, this, [this, chosen, folder](const QString& file) {
+    const bool whole = folder || file.endsWith(QLatin1String(".mp4"));
+    writeVideo(chosen, whole ? file : file + QLatin1String(".mp4"));
   });
   dialog->open();
 }
 
-void MainWindow::writeVideo(VideoProfile profile, const QString& file) {
+void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
   VideoControl::Order order;
   order.surface = document_.surface();
-  order.request.profile = profile;
+  order.request = chosen;
   order.request.look = detail_->sceneState().look;
   order.request.look.light = detail_->sceneState().light;
-  if (profile == VideoProfile::anaglyph) order.request.stereo = StereoPrint::grey;
+  if (chosen.profile == VideoProfile::anaglyph) order.request.stereo = StereoPrint::grey;
   order.request.eye_angle_deg = detail_->sceneState().stereo.eye_angle_deg;
   if (replay_->showing()) {
     order.recording = replay_->player().shared();
@@ -228,7 +230,7 @@ void MainWindow::previewPath() {
   try {
     path_preview_->play(project_.paths.front(), document_.surface()->ladder);
   } catch (const Error& error) {
-    strip_->show(QString::fromUtf8(error.what()));
+    strip_->show(spokenError(error));
   }
 }
 

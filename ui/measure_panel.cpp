@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "ui/core_words.h"
 #include "ui/figure/profile_plot.h"
+#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -65,7 +66,7 @@ QString readingText(const DepthMap& map, const Measurement& m) {
     }
     return lines.join('\n');
   } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
+    return spokenError(error);
   }
 }
 
@@ -281,8 +282,7 @@ QString MeasurePanel::csv() const {
                     .join(',');
       }
     } catch (const Error& error) {
-      rows << QStringLiteral("# %1: %2")
-                  .arg(QString::fromStdString(m.name), QString::fromUtf8(error.what()));
+      rows << QStringLiteral("# %1: %2").arg(QString::fromStdString(m.name), spokenError(error));
     }
   }
   return rows.join('\n') + '\n';

@@ -198,6 +198,13 @@ void PreferencesDialog::makeAppearance() {
     languages.emplace_back(language.name, language.code);
   addChoice({"language", tr("Language"), tr("Of the window; holds from the next start")}, QString(),
             languages);
+  auto* now = new QPushButton(tr("Restart no&w"));
+  now->setAutoDefault(false);
+  add({"restart", tr("For another language"),
+       tr("End and start again with the same file; asks first if something is not saved")},
+      now);
+  now->setAccessibleName(tr("Restart now"));
+  connect(now, &QPushButton::clicked, this, &PreferencesDialog::restartAsked);
 }
 
 void PreferencesDialog::makeUnits() {

@@ -25,6 +25,7 @@ class PreferencesDialog : public QDialog {
  Q_SIGNALS:
   /// A setting has another value; the key is that of Settings::choice.
   void changed(const QString& key);
+  void restartAsked();
 
  private:
   struct Row {

@@ -9,6 +9,7 @@
 #include "core/provenance/sha256.h"
 #include "ui/document.h"
 #include "ui/replay_panel.h"
+#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -52,7 +53,7 @@ void ReplayControl::open(const QString& file) {
         } catch (const Cancelled&) {
           return;
         } catch (const Error& error) {
-          read->error = QString::fromUtf8(error.what());
+          read->error = spokenError(error);
         }
       },
       [this, read, file] {

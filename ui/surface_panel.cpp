@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/surface_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -67,6 +68,28 @@ QDoubleSpinBox* mmField(QFormLayout* layout, const QString& title, const QString
   return box;
 }
 
+/// What became of the holes: "3, on the base plane"; "3: 1 on the base plane, 2 interpolated".
+QString holesText(const std::vector<Hole>& holes, HoleRule rule) {
+  if (holes.empty()) return SurfacePanel::tr("none");
+  const auto count = [&](Origin origin) {
+    return std::count_if(holes.begin(), holes.end(),
+                         [&](const Hole& hole) { return originOfHole(hole, rule) == origin; });
+  };
+  QStringList kinds, parts;
+  const auto name = [&](Origin origin, const QString& what) {
+    const auto here = count(origin);
+    if (here == 0) return;
+    kinds << what;
+    parts << QStringLiteral("%1 %2").arg(here).arg(what);
+  };
+  name(Origin::base_plane, SurfacePanel::tr("on the base plane"));
+  name(Origin::interpolated, SurfacePanel::tr("interpolated"));
+  name(Origin::outside, SurfacePanel::tr("left open"));
+  return kinds.size() == 1
+             ? QStringLiteral("%1, %2").arg(holes.size()).arg(kinds.front())
+             : QStringLiteral("%1: %2").arg(holes.size()).arg(parts.join(QStringLiteral(", ")));
+}
+
 }  // namespace
 
 SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
@@ -111,7 +134,7 @@ void SurfacePanel::showSurface() {
   QStringList notes;
   for (const std::string& message : s.messages) notes << QString::fromStdString(message);
   cells_->setToolTip(notes.join('\n'));
-  holes_->setText(s.holes.empty() ? tr("none") : tr("%1, on the base plane").arg(s.holes.size()));
+  holes_->setText(holesText(s.holes, document_.state().options.holes.rule));
   const QSignalBlocker quiet_unit(unit_);
   const QSignalBlocker quiet_engine(engine_);
   unit_->setCurrentIndex(unit_->findData(static_cast<int>(s.unit)));

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/depth/rasterize.h"
+#include "ui/spoken_error.h"
 
 namespace relievo {
 namespace {
@@ -23,15 +24,14 @@ SurfaceOutcome outcomeOf(const std::function<std::shared_ptr<const Surface>()>& 
   } catch (const Cancelled&) {
     out.cancelled = true;
   } catch (const Error& error) {
-    out.error = QString::fromUtf8(error.what());
+    out.error = spokenError(error);
     out.code = QString::fromStdString(error.code);
   } catch (const std::bad_alloc&) {
     out.error =
         tr("There is not enough memory for this. Nothing was changed. Close other programs "
            "or choose a smaller file.");
   } catch (const std::exception& error) {
-    out.error = tr("This failed unexpectedly: %1. Nothing was changed.")
-                    .arg(QString::fromUtf8(error.what()));
+    out.error = tr("This failed unexpectedly: %1. Nothing was changed.").arg(spokenError(error));
   }
   return out;
 }

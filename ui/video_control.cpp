@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "ui/figure/figure.h"
+#include "ui/spoken_error.h"
 #include "ui/text.h"
 #include "ui/video/live_video.h"
 #include "ui/video/video.h"
@@ -76,7 +77,7 @@ void VideoControl::write(const Order& order) {
         } catch (const Cancelled&) {
           return;
         } catch (const Error& error) {
-          outcome->error = QString::fromUtf8(error.what());
+          outcome->error = spokenError(error);
         }
       },
       [this, outcome, name = QFileInfo(order.file).fileName()] {
@@ -109,7 +110,7 @@ bool VideoControl::startLive(const QString& file, VideoProfile profile, const st
                                   .state = state,
                                   .title = QFileInfo(file).completeBaseName().toStdString()});
   } catch (const Error& error) {
-    Q_EMIT failed(QString::fromUtf8(error.what()));
+    Q_EMIT failed(spokenError(error));
     return false;
   }
   live_file_ = file;

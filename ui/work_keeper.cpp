@@ -7,6 +7,7 @@
 #include <QLocale>
 
 #include "core/base/error.h"
+#include "ui/spoken_error.h"
 
 namespace relievo {
 namespace {
@@ -49,7 +50,7 @@ void WorkKeeper::save() {
     copy->autosave = autosave_;
     copy->work = work_();
   } catch (const Error& error) {
-    if (!std::exchange(told_, true)) Q_EMIT failed(QString::fromUtf8(error.what()));
+    if (!std::exchange(told_, true)) Q_EMIT failed(spokenError(error));
     return;
   }
   worker_.start(
@@ -57,7 +58,7 @@ void WorkKeeper::save() {
         try {
           copy->autosave->save(copy->work);
         } catch (const Error& error) {
-          copy->problem = QString::fromUtf8(error.what());
+          copy->problem = spokenError(error);
         }
         copy->autosave.reset();
       },

@@ -186,6 +186,8 @@ TEST_F(JourneyU1, FromThePlugToAProjectThatOpensElsewhere) {
     return originShares(document().surface()->map)[static_cast<std::size_t>(origin)];
   };
   EXPECT_GT(share(Origin::interpolated), 0);
+  EXPECT_EQ(window().findChild<QLabel*>("surface_holes")->text(),
+            "3: 1 on the base plane, 2 interpolated");
   EXPECT_NEAR(share(Origin::base_plane), 314.0 / 60'000, 0.03 * 314 / 60'000);
   window().runCommand("undo");
   EXPECT_EQ(share(Origin::interpolated), 0) << "Ctrl+Z brings all holes back";

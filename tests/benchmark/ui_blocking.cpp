@@ -141,7 +141,14 @@ void run(const QString& scan) {
       "| Work | seconds | longest block, ms | of the thread's own, ms |\n|---|---|---|---|\n");
   measured(
       "load", [&] { window.open(scan); },
-      [&] { return window.document().isOpen() && !window.document().busy(); });
+      [&] {
+        return !window.message().isEmpty() ||
+               (window.document().isOpen() && !window.document().busy());
+      });
+  if (!window.document().isOpen()) {
+    std::printf("%s\n", window.message().toLocal8Bit().constData());
+    return;
+  }
   measured(
       "finer", [&] { window.runCommand("finer"); }, [] { return true; });
   measured(
@@ -165,7 +172,7 @@ void run(const QString& scan) {
       [&] { return window.replayControl().showing(); });
   measured(
       "video of the replay, 2 s",
-      [&] { window.writeVideo(VideoProfile::talk, folder.filePath("replay.mp4")); },
+      [&] { window.writeVideo(VideoRequest{}, folder.filePath("replay.mp4")); },
       [&] { return !window.videoControl().writing(); });
   window.replayControl().close();
   measured(

@@ -17,9 +17,12 @@
 #include <QtTest/QTest>
 #include <QXmlStreamReader>
 
+#include "core/base/error.h"
+#include "core/session/memory_guard.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/language.h"
 #include "ui/palette.h"
+#include "ui/spoken_error.h"
 
 namespace relievo {
 namespace {
@@ -113,6 +116,47 @@ TEST_F(PseudoTest, TheWindowShowsNothingUntranslated) {
   openRelief();
   window().setWindowTitle({});
   EXPECT_EQ(untranslated(window()).join('\n').toStdString(), "");
+}
+
+/// Errors as core says them: the files that cause them are real.
+TEST_F(PseudoTest, FrequentErrorsOfFilesAreTranslated) {
+  QFile(path("empty.ply")).open(QIODevice::WriteOnly);
+  QFile headless(path("headless.ply")), pointless(path("pointless.xyz"));
+  ASSERT_TRUE(headless.open(QIODevice::WriteOnly) && pointless.open(QIODevice::WriteOnly));
+  headless.write("ply\nformat ascii 1.0\n");
+  pointless.write("hello\n");
+  QFile picture(path("picture.jpg"));
+  ASSERT_TRUE(picture.open(QIODevice::WriteOnly));
+  picture.write("\xff\xd8\xff\xe0 a photograph");
+  picture.close();
+  headless.close();
+  pointless.close();
+  QFile whole(writeRelief("cut.ply"));
+  ASSERT_TRUE(whole.resize(whole.size() / 2));
+  for (const char* name : {"missing.ply", "empty.ply", "headless.ply", "pointless.xyz", "cut.ply",
+                           "picture.jpg", ""}) {
+    window().open(path(name));
+    ASSERT_TRUE(waitFor([&] { return !window().message().isEmpty() && !document().busy(); }));
+    const QString said = window().message();
+    EXPECT_TRUE(said.startsWith(QString::fromUtf8("⟦Cánnót réád ")) &&
+                said.contains(QString::fromLatin1(name)))
+        << name << ": " << said.toStdString();
+  }
+}
+
+TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {
+  std::string memory;
+  try {
+    requireMemory({{100000, 100000}, 0.1, 0, 0}, 1'000'000'000);
+  } catch (const Error& error) {
+    memory = error.what();
+  }
+  EXPECT_TRUE(spokenError(QString::fromStdString(memory)).contains(QString::fromUtf8("ábóüt")))
+      << memory;
+  const QString full = "Recording stopped: disk full. 12 samples are saved and complete in \"%1\".";
+  EXPECT_TRUE(spokenError(full).contains("\"%1\".")) << "a name is not filled in again";
+  EXPECT_NE(spokenError(full), full);
+  EXPECT_EQ(spokenError(QStringLiteral("This is new.")), "This is new.");
 }
 
 TEST_F(PseudoTest, DialogsShowNothingUntranslated) {
@@ -228,6 +272,14 @@ TEST(Translations, AreInTheProgramAndTheWindowSpeaksThem) {
   ASSERT_TRUE(hindi.load(":/translations/relievo_hi.qm"));
   EXPECT_EQ(german.translate("relievo::MainWindow", "Surface"), QString("Oberfläche"));
   EXPECT_EQ(hindi.translate("relievo::MainWindow", "Surface"), QString("सतह"));
+  QTranslator english;
+  ASSERT_TRUE(english.load(":/translations/relievo_en.qm"));
+  for (const int n : {1, 2}) {
+    const QString text = english.translate(
+        "relievo::MainWindow",
+        "relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).", nullptr, n);
+    EXPECT_TRUE(text.endsWith(n == 1 ? "(%n step)." : "(%n steps).")) << text.toStdString();
+  }
 }
 
 }  // namespace

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Videos and camera paths by the window's commands.
 #include <QAction>
+#include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
+#include <QPushButton>
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
@@ -27,6 +31,12 @@ TouchRecording shortTouch(double seconds) {
   }
   recording.windows = {{1, {50, 50, 100, {1}}, 1, true}};
   return recording;
+}
+
+VideoRequest pictures() {
+  VideoRequest request;
+  request.profile = VideoProfile::images;
+  return request;
 }
 
 class VideoWindowTest : public GuiTest {
@@ -75,7 +85,7 @@ TEST_F(VideoWindowTest, AReplayBecomesAVideoInTheBackgroundAndEscapeEndsIt) {
   ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
   EXPECT_TRUE(action("video")->isEnabled());
   QFile(path("touch.csv")).open(QIODevice::WriteOnly);
-  window().writeVideo(VideoProfile::images, path("frames"));
+  window().writeVideo(pictures(), path("frames"));
   EXPECT_TRUE(video().writing());
   EXPECT_FALSE(action("video")->isEnabled()) << "one at a time";
   ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
@@ -86,12 +96,41 @@ TEST_F(VideoWindowTest, AReplayBecomesAVideoInTheBackgroundAndEscapeEndsIt) {
   window().replay(path("long.csv"));
   ASSERT_TRUE(waitFor([this] { return window().replayControl().player().durationS() > 1; }));
   QFile(path("long.csv")).open(QIODevice::WriteOnly);
-  window().writeVideo(VideoProfile::images, path("long"));
+  window().writeVideo(pictures(), path("long"));
   ASSERT_TRUE(waitFor([this] { return QFile::exists(path("long/frame_000001.png")); }));
   QTest::keyClick(&window().detailView(), Qt::Key_Escape);
   EXPECT_FALSE(video().writing());
   EXPECT_TRUE(window().replayControl().showing()) << "Escape ended the work first";
   EXPECT_TRUE(waitFor([this] { return !QFile::exists(path("long")); })) << "nothing is left";
+}
+
+TEST_F(VideoWindowTest, SizeAndRateAreChosenInTheDialog) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(0.5); });
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  QFile(path("touch.csv")).open(QIODevice::WriteOnly);
+  window().runCommand("video");
+  auto* dialog = child<QDialog>("video_options_dialog");
+  ASSERT_NE(dialog, nullptr);
+  auto* size = dialog->findChild<QComboBox*>("video_size");
+  auto* profile = dialog->findChild<QComboBox*>("video_profile");
+  EXPECT_EQ(size->itemText(2), QString::fromUtf8("3840 × 2160"));
+  size->setCurrentIndex(size->count() - 1);  // As the detail view.
+  const QSize chosen = size->currentData().toSize();
+  EXPECT_LE(std::abs(chosen.width() - window().detailView().width()), 1);
+  EXPECT_EQ(chosen.width() % 2, 0);
+  profile->setCurrentIndex(profile->count() - 1);
+  dialog->findChild<QDoubleSpinBox*>("video_fps")->setValue(8);
+  QTest::mouseClick(dialog->findChild<QPushButton*>("video_next"), Qt::LeftButton);
+  auto* file = child<QFileDialog>("video_dialog");
+  ASSERT_NE(file, nullptr);
+  Q_EMIT file->fileSelected(path("chosen"));
+  ASSERT_TRUE(video().writing());
+  ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
+  const QStringList frames = QDir(path("chosen")).entryList({"*.png"});
+  EXPECT_EQ(frames.size(), 5) << "half a second, both ends, at 8 a second";
+  EXPECT_EQ(QImage(path("chosen/" + frames.front())).size(), chosen);
 }
 
 TEST_F(VideoWindowTest, KeyViewsMakeAPathThatIsShownAndKept) {

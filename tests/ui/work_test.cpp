@@ -4,9 +4,11 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QtTest/QTest>
 
@@ -198,6 +200,84 @@ TEST_F(WorkTest, WorkThatIsRefusedIsForgotten) {
   ASSERT_TRUE(lock.open(QIODevice::WriteOnly));
   restart();
   EXPECT_TRUE(window().message().isEmpty()) << "what the crash cut is not offered";
+}
+
+class UnsavedTest : public WorkTest {
+ protected:
+  QMessageBox* question() { return window().findChild<QMessageBox*>("unsaved_dialog"); }
+  void answer(QMessageBox::StandardButton with) {
+    ASSERT_NE(question(), nullptr);
+    QTest::mouseClick(question()->button(with), Qt::LeftButton);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  void nameOne() {
+    window().runCommand("name_place");
+    QTest::keyClick(list().findChild<QLineEdit*>(), Qt::Key_Escape);
+  }
+};
+
+TEST_F(UnsavedTest, LookingAboutIsNotAskedAbout) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  window().runCommand("relief_slope");
+  EXPECT_FALSE(window().hasUnsavedWork());
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(question(), nullptr);
+}
+
+TEST_F(UnsavedTest, ClosingAsksAndCancelKeepsTheWindow) {
+  openRelief();
+  nameOne();
+  EXPECT_FALSE(window().close());
+  ASSERT_NE(question(), nullptr);
+  EXPECT_TRUE(question()->text().contains("relief.ply")) << question()->text().toStdString();
+  QTest::keyClick(question(), Qt::Key_Escape);
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_EQ(question(), nullptr) << "Escape is Cancel";
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_EQ(places().places().size(), 1U);
+  EXPECT_FALSE(window().close());
+  answer(QMessageBox::Discard);
+  EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(UnsavedTest, SaveWritesTheProjectAndThenCloses) {
+  openRelief();
+  window().saveProject(path("p.relievo.json"));
+  EXPECT_FALSE(window().hasUnsavedWork());
+  nameOne();
+  EXPECT_TRUE(window().hasUnsavedWork());
+  EXPECT_FALSE(window().close());
+  answer(QMessageBox::Save);
+  EXPECT_FALSE(window().isVisible());
+  EXPECT_EQ(readProject(path("p.relievo.json").toStdString()).places.size(), 1U);
+}
+
+TEST_F(UnsavedTest, SaveWithoutAProjectAsksWhereAndAnotherScanWaitsForIt) {
+  openRelief();
+  nameOne();
+  const QString other = writeRelief("other.ply");
+  window().open(other);
+  EXPECT_FALSE(document().busy()) << "nothing is opened before the answer";
+  answer(QMessageBox::Save);
+  auto* dialog = window().findChild<QFileDialog*>("project_dialog");
+  ASSERT_NE(dialog, nullptr);
+  Q_EMIT dialog->fileSelected(path("named.relievo.json"));
+  EXPECT_TRUE(waitFor([&] { return document().file() == other && !document().busy(); }));
+  EXPECT_EQ(readProject(path("named.relievo.json").toStdString()).places.size(), 1U);
+  EXPECT_TRUE(places().places().empty());
+  EXPECT_FALSE(window().hasUnsavedWork());
+}
+
+TEST_F(UnsavedTest, SettingsOfAProjectChangedByHandAreWork) {
+  openRelief();
+  window().saveProject(path("p.relievo.json"));
+  document().whole();
+  EXPECT_FALSE(window().hasUnsavedWork());
+  window().runCommand("relief_slope");
+  EXPECT_TRUE(window().hasUnsavedWork());
+  window().runCommand("relief_lit");
+  EXPECT_FALSE(window().hasUnsavedWork()) << "it is as it is in the file again";
 }
 
 TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {

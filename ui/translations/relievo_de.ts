@@ -207,6 +207,66 @@
         <source>hillshade, four lights</source>
         <translation>Schummerung, vier Lichter</translation>
     </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
+        <translation>%1 kann nicht gelesen werden: Es gibt keine solche Datei. Prüfen Sie Name und Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: this account may not read it. Change its permissions, or copy it.</source>
+        <translation>%1 kann nicht gelesen werden: Dieses Konto darf es nicht. Ändern Sie die Rechte oder kopieren Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist ein Ordner. Wählen Sie eine der Dateien darin.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist leer (0 Bytes). Kopieren oder exportieren Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat %2 Punkte, keiner ist endlich. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header has no end (%2). Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf hat kein Ende (%2). Kopieren oder exportieren Sie die Datei erneut.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Laden Sie die %4 vollständigen Punkte oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
+        <translation>%1 kann nicht gelesen werden: Das System hat das Lesen beendet, wahrscheinlich aus Speichermangel. Schließen Sie andere Programme oder dünnen Sie den Scan vorher aus.</translation>
+    </message>
+    <message>
+        <source>This needs about %1; %2 are free. Nothing was made. Choose cells of at least %3 (%4), or close other programs.</source>
+        <translation>Das braucht etwa %1; frei sind %2. Nichts wurde erzeugt. Wählen Sie Zellen von mindestens %3 (%4) oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. Check the folder, its permissions and the free space.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Prüfen Sie den Ordner, seine Rechte und den freien Platz.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>Aufnahme beendet: Datenträger voll. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
+    </message>
+    <message>
+        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
+        <translation>Video beendet: Datenträger voll. %1 s (%2 Bilder) sind gespeichert und vollständig in „%3“.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is %2; this version reads %3. Convert it to one of these, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest %3. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -3203,22 +3263,6 @@
         <translation>Video</translation>
     </message>
     <message>
-        <source>Talk: plays everywhere (*.mp4)</source>
-        <translation>Vortrag: läuft überall (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Archive: every pixel comes back (*.mp4)</source>
-        <translation>Archiv: jedes Pixel kommt zurück (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Anaglyph: for red and cyan glasses (*.mp4)</source>
-        <translation>Anaglyphe: für rot-cyane Brillen (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Images: a folder of pictures (*)</source>
-        <translation>Bilder: ein Ordner mit Bildern (*)</translation>
-    </message>
-    <message>
         <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
         <translation>Das Programm ffmpeg ist nicht installiert: ein Ordner mit Bildern ist möglich.</translation>
     </message>
@@ -3301,6 +3345,30 @@
     <message>
         <source>%1 set.</source>
         <translation>%1 gesetzt.</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
+        <translation>Arbeit an %1 steht noch in keiner Datei: Orte, Messungen, Kamerawege oder Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Save it as a project?</source>
+        <translation>Als Projekt speichern?</translation>
+    </message>
+    <message>
+        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
+        <translation>relievo konnte nicht neu gestartet werden. Nichts wurde geändert. Beenden Sie es und starten Sie es selbst.</translation>
+    </message>
+    <message>
+        <source>A folder of pictures (*)</source>
+        <translation>Ein Ordner mit Bildern (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>Videos (*.mp4)</translation>
     </message>
 </context>
 <context>
@@ -3696,6 +3764,22 @@
     <message>
         <source>A copy of unsaved work every two seconds, offered after a crash</source>
         <translation>Alle zwei Sekunden eine Kopie ungespeicherter Arbeit, nach einem Absturz angeboten</translation>
+    </message>
+    <message>
+        <source>Restart no&amp;w</source>
+        <translation>Jetzt neu &amp;starten</translation>
+    </message>
+    <message>
+        <source>For another language</source>
+        <translation>Für eine andere Sprache</translation>
+    </message>
+    <message>
+        <source>End and start again with the same file; asks first if something is not saved</source>
+        <translation>Beenden und mit derselben Datei neu starten; fragt vorher, wenn etwas nicht gespeichert ist</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>Jetzt neu starten</translation>
     </message>
 </context>
 <context>
@@ -4509,12 +4593,20 @@
         <translation>keine</translation>
     </message>
     <message>
-        <source>%1, on the base plane</source>
-        <translation>%1, auf der Grundebene</translation>
-    </message>
-    <message>
         <source>Length unit of the file&apos;s coordinates (%1)</source>
         <translation>Längeneinheit der Koordinaten in der Datei (%1)</translation>
+    </message>
+    <message>
+        <source>on the base plane</source>
+        <translation>auf der Grundebene</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>left open</source>
+        <translation>offen gelassen</translation>
     </message>
 </context>
 <context>
@@ -4708,6 +4800,61 @@
     <message>
         <source>Video saved: %1 s, %2 pictures dropped, in %3</source>
         <translation>Video gespeichert: %1 s, %2 Bilder ausgelassen, in %3</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoDialog</name>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>&amp;For</source>
+        <translation>&amp;Für</translation>
+    </message>
+    <message>
+        <source>How the pictures are packed: small, or without loss</source>
+        <translation>Wie die Bilder gepackt werden: klein oder ohne Verlust</translation>
+    </message>
+    <message>
+        <source>Talk: plays everywhere</source>
+        <translation>Vortrag: läuft überall</translation>
+    </message>
+    <message>
+        <source>Archive: every pixel comes back</source>
+        <translation>Archiv: jedes Pixel kommt zurück</translation>
+    </message>
+    <message>
+        <source>Anaglyph: for red and cyan glasses</source>
+        <translation>Anaglyphe: für rot-cyane Brillen</translation>
+    </message>
+    <message>
+        <source>Images: a folder of pictures</source>
+        <translation>Bilder: ein Ordner mit Bildern</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>Of each picture, in pixels</source>
+        <translation>Jedes Bildes, in Pixeln</translation>
+    </message>
+    <message>
+        <source>As the detail view: %1 × %2</source>
+        <translation>Wie die Detailansicht: %1 × %2</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures a second</source>
+        <translation>&amp;Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>30 look smooth; 24 to 60 are usual</source>
+        <translation>30 wirken flüssig; üblich sind 24 bis 60</translation>
+    </message>
+    <message>
+        <source>&amp;Choose file…</source>
+        <translation>&amp;Datei wählen…</translation>
     </message>
 </context>
 <context>

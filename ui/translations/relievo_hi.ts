@@ -207,6 +207,66 @@
         <source>hillshade, four lights</source>
         <translation>पहाड़ी छाया, चार प्रकाश</translation>
     </message>
+    <message>
+        <source>Discard</source>
+        <translation>छोड़ दें</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: ऐसी कोई फ़ाइल नहीं है। नाम और फ़ोल्डर जाँचें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: this account may not read it. Change its permissions, or copy it.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इस खाते को अनुमति नहीं है। अनुमति बदलें या फ़ाइल की प्रति बनाएँ।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
+        <translation>%1 पढ़ा नहीं जा सकता: यह फ़ोल्डर है। इसकी कोई फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह खाली है (0 बाइट)। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 बिंदु हैं, कोई भी परिमित नहीं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header has no end (%2). Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके शीर्ष का अंत नहीं है (%2)। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। %4 पूरे बिंदु खोलें या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: सिस्टम ने पढ़ना रोक दिया, संभवतः स्मृति की कमी से। दूसरे प्रोग्राम बंद करें या पहले स्कैन को विरल करें।</translation>
+    </message>
+    <message>
+        <source>This needs about %1; %2 are free. Nothing was made. Choose cells of at least %3 (%4), or close other programs.</source>
+        <translation>इसके लिए लगभग %1 चाहिए; %2 खाली है। कुछ नहीं बनाया गया। कम से कम %3 के खाने चुनें (%4), या दूसरे प्रोग्राम बंद करें।</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. Check the folder, its permissions and the free space.</source>
+        <translation>%1 लिखी नहीं जा सकती: %2। फ़ोल्डर, उसकी अनुमति और खाली जगह जाँचें।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: डिस्क भर गई। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
+        <translation>वीडियो रुका: डिस्क भर गई। %1 s (%2 फ़्रेम) &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is %2; this version reads %3. Convert it to one of these, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण %3 पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -3203,22 +3263,6 @@
         <translation>वीडियो</translation>
     </message>
     <message>
-        <source>Talk: plays everywhere (*.mp4)</source>
-        <translation>व्याख्यान: हर जगह चलता है (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Archive: every pixel comes back (*.mp4)</source>
-        <translation>अभिलेख: हर पिक्सेल वापस मिलता है (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Anaglyph: for red and cyan glasses (*.mp4)</source>
-        <translation>एनाग्लिफ़: लाल-सियान चश्मे के लिए (*.mp4)</translation>
-    </message>
-    <message>
-        <source>Images: a folder of pictures (*)</source>
-        <translation>चित्र: चित्रों का फ़ोल्डर (*)</translation>
-    </message>
-    <message>
         <source>The program ffmpeg is not installed: a folder of pictures can be made.</source>
         <translation>प्रोग्राम ffmpeg स्थापित नहीं है: चित्रों का फ़ोल्डर बनाया जा सकता है।</translation>
     </message>
@@ -3301,6 +3345,30 @@
     <message>
         <source>%1 set.</source>
         <translation>%1 लगाया गया।</translation>
+    </message>
+    <message>
+        <source>Unsaved work</source>
+        <translation>सहेजा नहीं गया काम</translation>
+    </message>
+    <message>
+        <source>Work on %1 is in no file yet: places, measurements, camera paths or settings.</source>
+        <translation>%1 पर किया काम अभी किसी फ़ाइल में नहीं है: स्थान, माप, कैमरा पथ या सेटिंग।</translation>
+    </message>
+    <message>
+        <source>Save it as a project?</source>
+        <translation>क्या इसे परियोजना के रूप में सहेजें?</translation>
+    </message>
+    <message>
+        <source>relievo could not be started again. Nothing was changed. Close it and start it yourself.</source>
+        <translation>relievo दोबारा शुरू नहीं हो सका। कुछ नहीं बदला गया। इसे बंद करके स्वयं शुरू करें।</translation>
+    </message>
+    <message>
+        <source>A folder of pictures (*)</source>
+        <translation>चित्रों का फ़ोल्डर (*)</translation>
+    </message>
+    <message>
+        <source>Videos (*.mp4)</source>
+        <translation>वीडियो (*.mp4)</translation>
     </message>
 </context>
 <context>
@@ -3696,6 +3764,22 @@
     <message>
         <source>A copy of unsaved work every two seconds, offered after a crash</source>
         <translation>हर दो सेकंड में असहेजे काम की प्रति, क्रैश के बाद प्रस्तुत</translation>
+    </message>
+    <message>
+        <source>Restart no&amp;w</source>
+        <translation>अभी पुनः आरंभ करें (&amp;W)</translation>
+    </message>
+    <message>
+        <source>For another language</source>
+        <translation>दूसरी भाषा के लिए</translation>
+    </message>
+    <message>
+        <source>End and start again with the same file; asks first if something is not saved</source>
+        <translation>बंद करके उसी फ़ाइल के साथ फिर शुरू करें; कुछ सहेजा न हो तो पहले पूछता है</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>अभी पुनः आरंभ करें</translation>
     </message>
 </context>
 <context>
@@ -4509,12 +4593,20 @@
         <translation>कोई नहीं</translation>
     </message>
     <message>
-        <source>%1, on the base plane</source>
-        <translation>%1, आधार तल पर</translation>
-    </message>
-    <message>
         <source>Length unit of the file&apos;s coordinates (%1)</source>
         <translation>फ़ाइल के निर्देशांकों की लंबाई इकाई (%1)</translation>
+    </message>
+    <message>
+        <source>on the base plane</source>
+        <translation>आधार तल पर</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>अंतर्वेशित</translation>
+    </message>
+    <message>
+        <source>left open</source>
+        <translation>खुला छोड़ा</translation>
     </message>
 </context>
 <context>
@@ -4708,6 +4800,61 @@
     <message>
         <source>Video saved: %1 s, %2 pictures dropped, in %3</source>
         <translation>वीडियो सहेजा गया: %1 s, %2 चित्र छूटे, %3 में</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::VideoDialog</name>
+    <message>
+        <source>Video</source>
+        <translation>वीडियो</translation>
+    </message>
+    <message>
+        <source>&amp;For</source>
+        <translation>किसके लिए (&amp;F)</translation>
+    </message>
+    <message>
+        <source>How the pictures are packed: small, or without loss</source>
+        <translation>चित्र कैसे संपीडित हों: छोटे, या बिना हानि के</translation>
+    </message>
+    <message>
+        <source>Talk: plays everywhere</source>
+        <translation>व्याख्यान: हर जगह चलता है</translation>
+    </message>
+    <message>
+        <source>Archive: every pixel comes back</source>
+        <translation>संग्रह: हर पिक्सेल वापस मिलता है</translation>
+    </message>
+    <message>
+        <source>Anaglyph: for red and cyan glasses</source>
+        <translation>एनाग्लिफ़: लाल-सियान चश्मे के लिए</translation>
+    </message>
+    <message>
+        <source>Images: a folder of pictures</source>
+        <translation>चित्र: चित्रों का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>आकार (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Of each picture, in pixels</source>
+        <translation>हर चित्र का, पिक्सेल में</translation>
+    </message>
+    <message>
+        <source>As the detail view: %1 × %2</source>
+        <translation>विवरण दृश्य जैसा: %1 × %2</translation>
+    </message>
+    <message>
+        <source>&amp;Pictures a second</source>
+        <translation>प्रति सेकंड चित्र (&amp;P)</translation>
+    </message>
+    <message>
+        <source>30 look smooth; 24 to 60 are usual</source>
+        <translation>30 सहज लगते हैं; 24 से 60 सामान्य हैं</translation>
+    </message>
+    <message>
+        <source>&amp;Choose file…</source>
+        <translation>फ़ाइल चुनें… (&amp;C)</translation>
     </message>
 </context>
 <context>

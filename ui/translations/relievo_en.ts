@@ -1,0 +1,31 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_GB">
+<context>
+    <name>relievo::MainWindow</name>
+    <message numerus="yes">
+        <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
+        <translation>
+            <numerusform>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step).</numerusform>
+            <numerusform>relievo ended unexpectedly. Work on %1 of %2 was kept (%n steps).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files were dropped. Nothing was opened. Drop one file.</source>
+        <translation>
+            <numerusform>%n file was dropped. Nothing was opened. Drop one file.</numerusform>
+            <numerusform>%n files were dropped. Nothing was opened. Drop one file.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ReplayControl</name>
+    <message numerus="yes">
+        <source>The recording does not say where %n window(s) lay; they are shown around what was touched.</source>
+        <translation>
+            <numerusform>The recording does not say where %n window lay; it is shown around what was touched.</numerusform>
+            <numerusform>The recording does not say where %n windows lay; they are shown around what was touched.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
