@@ -9,6 +9,7 @@
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
 #include "ui/depth_map_preview.h"
+#include "ui/relief_picture.h"
 
 namespace relievo {
 namespace {
@@ -154,7 +155,10 @@ void Document::start(Work work) {
           if (w.reads) showFirstViews(shared, task);
           if (w.reads) read(w, task);
           task.check();
-          return makeSurface(w.source, w.options, depth_buffer_, task);
+          auto surface = makeSurface(w.source, w.options, depth_buffer_, task);
+          // For the start page.
+          if (w.reads) ReliefPictures::keep(w.open.file, reliefPicture(*surface, kPicturePx));
+          return surface;
         });
       },
       [this, shared] { finish(*shared); });

@@ -29,7 +29,6 @@
 #include "ui/path_preview.h"
 #include "ui/places_panel.h"
 #include "ui/reference_view.h"
-#include "ui/relief_picture.h"
 #include "ui/replay_panel.h"
 #include "ui/side_panels.h"
 #include "ui/start_page.h"
@@ -236,7 +235,6 @@ void MainWindow::connectParts() {
           });
   connect(&document_, &Document::opened, this, [this](const QString& file) {
     settings_.addRecentFile(file);
-    ReliefPictures::keep(file, reliefPicture(*document_.surface(), kPicturePx));
     showRecent();
     const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
     announce(command("forces") == nullptr ? open_now

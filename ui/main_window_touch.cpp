@@ -260,6 +260,10 @@ void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QStri
       image = detail_->image(pixels);
       break;
     case ImageSource::window:
+      for (SurfaceView* view :
+           {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
+        view->appear();
+      }
       image = grab().toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
       image.setDevicePixelRatio(1);
       break;

@@ -10,13 +10,15 @@
 namespace relievo {
 
 using FiveRows = std::array<const float*, 5>;
+using TwoRows = std::array<const float*, 2>;
 
 /// One row of the step below: from the finer rows 2j - 2 ... 2j + 2, mirrored at the border.
 class RowHalver {
  public:
   explicit RowHalver(int cols);
+  /// @param next  the two rows beyond them, if they are needed next; any rows do
   /// @param out  (cols + 1) / 2 values. One thread at a time
-  void operator()(const FiveRows& rows, float* out);
+  void operator()(const FiveRows& rows, const TwoRows& next, float* out);
 
  private:
   int cols_;

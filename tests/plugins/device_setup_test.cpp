@@ -15,6 +15,9 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -207,6 +210,36 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
       << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
   const double gain = child<QLabel>("setupGain")->text().section(' ', 0, 0).toDouble();
   EXPECT_NEAR(gain, 6, 0.3);
+}
+
+TEST_F(DeviceSetupTest, WithTextTwiceAsLargeEverythingIsReachedByKeyOnASmallScreen) {
+  const QFont usual = QApplication::font();
+  QFont large = usual;
+  large.setPointSizeF(2 * usual.pointSizeF());
+  QApplication::setFont(large);
+  open({.firmware_loaded = true, .homed = true});
+  ASSERT_TRUE(becomes(LinkState::ready));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSave")->isEnabled(); }));
+  constexpr QSize kSmall(800, 600);
+  dialog_->resize(kSmall);
+  EXPECT_EQ(dialog_->size(), kSmall) << "it needs more";
+  QCoreApplication::processEvents();
+  EXPECT_EQ(child<QScrollArea>("setupParts")->horizontalScrollBar()->maximum(), 0);
+  picture("setup_large_text");
+  QSet<QString> reached;
+  QWidget* const first = dialog_->focusWidget();
+  do {
+    QTest::keyClick(dialog_->focusWidget(), Qt::Key_Tab);
+    QWidget* const at = dialog_->focusWidget();
+    reached << at->objectName();
+    EXPECT_FALSE(at->visibleRegion().isEmpty()) << at->objectName().toStdString();
+  } while (dialog_->focusWidget() != first && reached.size() < 50);
+  for (const char* name : {"setupFirmware", "setupSelfTest", "setupWeight", "setupCalibrate",
+                           "setupResults", "leftHanded", "setupSave", "setupClose"}) {
+    EXPECT_TRUE(reached.contains(name)) << name;
+  }
+  picture("setup_large_text_end");
+  QApplication::setFont(usual);
 }
 
 TEST_F(DeviceSetupTest, EveryControlHasANameAndALetterOfItsOwn) {
