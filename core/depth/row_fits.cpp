@@ -327,8 +327,8 @@ void RowFits::compute(const RowPoints& rows, int row, int first_col, int end_col
     sumCells(rows, r, end_col);
   }
   CellRows cells{};
-  for (int e = -kReach; e <= kReach; ++e) {
-    cells[static_cast<std::size_t>(e + kReach)] = cells_[placeOf(row + e)].data();
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    cells[k] = cells_[placeOf(row - kReach + static_cast<int>(k))].data();
   }
   const auto stride = static_cast<std::ptrdiff_t>(stride_);
   sumColumns(cells, stride, columns_.data());

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/grid.h"
+#include "core/base/origin.h"
 #include "core/base/task.h"
 
 namespace relievo {
@@ -24,6 +25,12 @@ class RowHalver {
   int cols_;
   std::vector<float> padded_, even_, odd_;
 };
+
+/// The same step for the share of measured cells, from the origins of the finest level: whole
+/// numbers up to 256 at a quarter of the bytes, so exactly what `halved` makes of 0 and 1. [worker]
+/// @throw Cancelled
+std::vector<float> halvedShares(const std::vector<Origin>& origins, GridSize size,
+                                GridSize out_size, int threads, const Task& task);
 
 /// One step of the pyramid for M = 2 in single precision, at memory speed: the paper's equation
 ///   g_l(i, j) = sum_m sum_n w(m, n) g_{l-1}(2i + m, 2j + n)

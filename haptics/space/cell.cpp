@@ -41,8 +41,8 @@ Corners brokenCorners(const HapticSpace& space, int col, int row) RELIEVO_REALTI
   const auto height = [&](const SurfaceSample& sample) RELIEVO_REALTIME {
     return (static_cast<double>(sample.height_mm) - space.mid_mm) * space.cells_per_mm;
   };
-  const auto colOf = [&](std::size_t i) RELIEVO_REALTIME { return col + static_cast<int>(i % 2); };
-  const auto rowOf = [&](std::size_t i) RELIEVO_REALTIME { return row + static_cast<int>(i / 2); };
+  const auto col_of = [&](std::size_t i) RELIEVO_REALTIME { return col + static_cast<int>(i % 2); };
+  const auto row_of = [&](std::size_t i) RELIEVO_REALTIME { return row + static_cast<int>(i / 2); };
   // Slopes along the four edges.
   for (const std::size_t low : {0U, 2U}) {
     const std::size_t high = low + 1, broken = break_x[low] ? low : high;
@@ -50,7 +50,7 @@ Corners brokenCorners(const HapticSpace& space, int col, int row) RELIEVO_REALTI
     EdgeBeyond past;
     if (break_x[low] != break_x[high]) {
       const SurfaceSample* far =
-          sampleBeyond(space, colOf(broken), rowOf(broken), kX, sign, kBreakX);
+          sampleBeyond(space, col_of(broken), row_of(broken), kX, sign, kBreakX);
       if (far != nullptr) past = beyond(c[broken ^ 1U].f, height(*far), far->slope_x, sign);
     }
     const EdgeSlopes e = edgeSlopes(c[high].f - c[low].f, {c[low].fx, c[high].fx}, break_x[low],
@@ -64,7 +64,7 @@ Corners brokenCorners(const HapticSpace& space, int col, int row) RELIEVO_REALTI
     EdgeBeyond past;
     if (break_y[low] != break_y[high]) {
       const SurfaceSample* far =
-          sampleBeyond(space, colOf(broken), rowOf(broken), kY, sign, kBreakY);
+          sampleBeyond(space, col_of(broken), row_of(broken), kY, sign, kBreakY);
       if (far != nullptr) past = beyond(c[broken ^ 2U].f, height(*far), far->slope_y, sign);
     }
     const EdgeSlopes e = edgeSlopes(c[high].f - c[low].f, {c[low].fy, c[high].fy}, break_y[low],
@@ -86,7 +86,7 @@ Corners brokenCorners(const HapticSpace& space, int col, int row) RELIEVO_REALTI
       const bool straight = break_x[beside] || break_y[beside];
       const int sign = i % 2 == 0 ? 1 : -1;
       const SurfaceSample* far =
-          sampleBeyond(space, colOf(i), rowOf(i), kX, sign, kBreakX | kBreakY);
+          sampleBeyond(space, col_of(i), row_of(i), kX, sign, kBreakX | kBreakY);
       EdgeBeyond past;
       if (far != nullptr) past = beyond(edges[beside].fy, far->slope_y, far->twist, sign);
       const EdgeSlopes e =
@@ -96,7 +96,7 @@ Corners brokenCorners(const HapticSpace& space, int col, int row) RELIEVO_REALTI
       const bool straight = break_y[across] || break_x[across];
       const int sign = i / 2 == 0 ? 1 : -1;
       const SurfaceSample* far =
-          sampleBeyond(space, colOf(i), rowOf(i), kY, sign, kBreakX | kBreakY);
+          sampleBeyond(space, col_of(i), row_of(i), kY, sign, kBreakX | kBreakY);
       EdgeBeyond past;
       if (far != nullptr) past = beyond(edges[across].fx, far->slope_x, far->twist, sign);
       const EdgeSlopes e =

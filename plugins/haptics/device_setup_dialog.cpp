@@ -81,7 +81,8 @@ DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> devic
   constexpr int kStepMs = 2;
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.start(kStepMs);
-  showStatus();
+  // Not here: nobody could hear yet what it says.
+  QTimer::singleShot(0, this, &DeviceSetupDialog::showStatus);
 }
 
 DeviceSetupDialog::~DeviceSetupDialog() {

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/io/gdal_session.h"
@@ -17,6 +19,7 @@
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/sample_files.h"
+#include "tests/emulator/made_image.h"
 
 namespace {
 
@@ -274,6 +277,23 @@ void addAnswers(const Seeds& seeds) {
   answer.finish(raster);
 }
 
+void addDevices(const Seeds& seeds) {
+  // Line status, an answer, status alone, half an answer.
+  seeds.add("protocol", "answers", "\x01`<IODAIBMPPPPAqA>\x01`\x01`<PPPACEP<AAAAAAAAAAAAAA>");
+  for (const auto& [name, blocks] :
+       {std::pair("blocks", std::vector<std::uint16_t>{900, 200, 4, 1}),
+        std::pair("one", std::vector<std::uint16_t>{1100})}) {
+    const std::vector<std::uint8_t> image = test::madeImage(blocks);
+    seeds.add("image", name, {reinterpret_cast<const char*>(image.data()), image.size()});
+  }
+  // A gamepad of four buttons and two axes, and one of its reports.
+  constexpr std::array<std::uint8_t, 43> kGamepad{
+      39,   0x05, 0x01, 0x09, 0x05, 0xa1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29, 0x04,
+      0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x04, 0x81, 0x02, 0x95, 0x04, 0x81, 0x03, 0x05,
+      0x01, 0x09, 0x30, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xc0, 0x01, 0x05, 0x80};
+  seeds.add("hid", "gamepad", {reinterpret_cast<const char*>(kGamepad.data()), kGamepad.size()});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -291,5 +311,6 @@ int main(int argc, char** argv) {
   addE57(seeds);
   addRasters(seeds, folder);
   addAnswers(seeds);
+  addDevices(seeds);
   return 0;
 }

@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDeadlineTimer>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -18,7 +17,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "haptics/device/falcon/firmware.h"
@@ -27,32 +25,17 @@
 #include "plugins/haptics/device_setup_buttons.h"
 #include "tests/emulator/in_process.h"
 #include "tests/emulator/made_image.h"
-#include "tests/haptics/haptic_fixture.h"
-#include "tests/plugins/test_host.h"
+#include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
 namespace {
 
 using emulator::SharedFalcon;
 using falcon::LinkState;
-
-bool eventually(const std::function<bool()>& holds) {
-  const QDeadlineTimer give_up(90'000);
-  while (!holds()) {
-    if (give_up.hasExpired()) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-    QTest::qWait(1);
-  }
-  return true;
-}
+using test::eventually;
 
 class DeviceSetupTest : public ::testing::Test {
  protected:
-  DeviceSetupTest() {
-    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
-    qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
-    qunsetenv("RELIEVO_FALCON_FIRMWARE");
-  }
   void open(emulator::EmulatorOptions options,
             falcon::Presence presence = falcon::Presence::present) {
     emulated_ = std::make_shared<SharedFalcon>(options);
@@ -84,13 +67,13 @@ class DeviceSetupTest : public ::testing::Test {
     dialog_->grab().save(QStringLiteral(RELIEVO_BINARY_DIR "/screenshots/%1.png").arg(name));
   }
   QString written(const std::vector<std::uint8_t>& bytes) {
-    QFile file(folder_.filePath("image.bin"));
+    QFile file(home_.file("image.bin"));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<qint64>(bytes.size()));
     return file.fileName();
   }
 
-  QTemporaryDir folder_;
+  test::PrivateHome home_;
   std::shared_ptr<SharedFalcon> emulated_;
   std::unique_ptr<DeviceSetupDialog> dialog_;
   QStringList said_;
@@ -114,7 +97,7 @@ TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
   EXPECT_FALSE(child<QPushButton>("setupSave")->isEnabled()) << "nothing to use yet";
   EXPECT_EQ(child<QPushButton>("setupClose")->text(), "Cancel") << "homing can be left";
   const std::string stored = falcon::readSettings(falcon::settingsFile()).firmware;
-  EXPECT_EQ(stored, folder_.filePath("data/relievo/falcon/nvent_firmware.bin").toStdString());
+  EXPECT_EQ(stored, home_.file("data/relievo/falcon/nvent_firmware.bin").toStdString());
   EXPECT_EQ(child<QLabel>("setupFirmwareFile")->text(),
             QString("Firmware: %1, accepted by you").arg(QString::fromStdString(stored)));
   picture("setup_homing");
