@@ -104,7 +104,7 @@ Json reportOf(const LargeMap& map) {
 
 void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
   verb.add_option("--memory", memory_mb,
-                  "Make the map by tiles within so many MB (LAS, binary PLY, rasters); all levels "
+                  "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all levels "
                   "are written");
 }
 

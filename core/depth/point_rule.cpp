@@ -255,6 +255,10 @@ bool isForOneLayer(PointRule rule) {
   return rule == PointRule::quadratic || rule == PointRule::median;
 }
 
+bool mixesLayers(PointRule rule) {
+  return isForOneLayer(rule) || rule == PointRule::mean || rule == PointRule::splat;
+}
+
 namespace {
 
 /// Scatters with one rule, a slab of the grid at a time, so that the points sorted by cell never

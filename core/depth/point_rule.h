@@ -17,6 +17,9 @@ std::string_view describe(PointRule rule);
 /// Proposed only where the points lie in one layer, so that nothing shows through.
 bool isForOneLayer(PointRule rule);
 
+/// Makes one height of all points of a cell, also where they lie on the object's front and back.
+bool mixesLayers(PointRule rule);
+
 /// A rule and why, in words for people.
 struct RuleProposal {
   PointRule rule = PointRule::front;

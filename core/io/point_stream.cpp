@@ -21,6 +21,7 @@
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/system_unit.h"
+#include "core/io/unpack_las.h"
 
 namespace relievo {
 namespace {
@@ -51,28 +52,42 @@ std::optional<std::uint64_t> bytesBeforePoints(const PlyHeader& header) {
 
 bool PointStream::canStream(const std::filesystem::path& file) {
   const FileFormat format = formatOf(file);
-  if (format == FileFormat::las) return true;
+  if (format == FileFormat::las || format == FileFormat::laz) return true;
   if (format != FileFormat::ply) return false;
   return bytesBeforePoints(parsePlyHeader(readHead(file, kMaxHeaderBytes), file)).has_value();
 }
 
-PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options) {
+bool PointStream::isPacked(const std::filesystem::path& file) {
+  return formatOf(file) == FileFormat::laz;
+}
+
+PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
+                         const Task& task) {
   info_.file = file;
-  const FileFormat format = formatOf(file);
-  file_bytes_ = checkedFileSize(file);
-  fd_.reset(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  FileFormat format = formatOf(file);
+  std::filesystem::path read = file;
+  if (format == FileFormat::laz) {
+    unpacked_ = std::make_shared<const UnpackedLas>(file, task);
+    read = unpacked_->file();
+    format = formatOf(read);
+    if (format != FileFormat::las) refuseScan(file, "what it was unpacked to is no LAS file.");
+  }
+  file_bytes_ = checkedFileSize(read);
+  fd_.reset(::open(read.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (fd_.get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
   if (format == FileFormat::las) {
-    openLas(options);
+    openLas(read, options);
+    if (unpacked_) info_.format.replace(0, 3, "LAZ");
   } else if (format == FileFormat::ply) {
     openPly(options);
   } else {
-    refuseScan(file, "only LAS and binary PLY files are read in blocks. Convert it to LAS first.");
+    refuseScan(file,
+               "only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.");
   }
 }
 
-void PointStream::openLas(const ImportOptions& options) {
-  const std::string head = readHead(info_.file, kLasHeadBytes);
+void PointStream::openLas(const std::filesystem::path& las, const ImportOptions& options) {
+  const std::string head = readHead(las, kLasHeadBytes);
   const LasHeader header = parseLasHeader(head, info_.file);
   info_.format = "LAS 1." + std::to_string(header.minor) + " point format " +
                  std::to_string(header.point_format);

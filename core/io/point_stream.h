@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 
+#include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
 #include "core/io/owned_fd.h"
@@ -14,17 +16,26 @@
 
 namespace relievo {
 
+class UnpackedLas;
+
 /// The points of a large file, block by block, without the file or the points in memory: LAS, and
-/// binary PLY whose points have fixed places. importScan reads the same points of the same files
-/// at once, and everything else.
+/// binary PLY whose points have fixed places; LAZ and COPC after they were unpacked to the disk.
+/// importScan reads the same points of the same files at once, and everything else.
 class PointStream {
  public:
   /// Can these files' points be read in blocks? By content. @throw FileError  missing, empty ...
   static bool canStream(const std::filesystem::path& file);
 
-  /// Reads the header only. Of `options` max_points does not apply.
-  /// @throw FileError  malformed, or incomplete (E101) unless accepted
-  explicit PointStream(const std::filesystem::path& file, const ImportOptions& options = {});
+  /// Is this a LAZ or COPC file, whose points are nowhere before all of it is unpacked?
+  /// @throw FileError  missing, empty ...
+  static bool isPacked(const std::filesystem::path& file);
+
+  /// Reads the header only; unpacks LAZ and COPC by an installed program to where TMPDIR says,
+  /// until this object ends (core/io/unpack_las.h). Of `options` max_points does not apply.
+  /// [worker]
+  /// @throw FileError  malformed, or incomplete (E101) unless accepted; Cancelled
+  explicit PointStream(const std::filesystem::path& file, const ImportOptions& options = {},
+                       const Task& task = {});
 
   /// What the header says. `points` are those that can be read; `finite_points` and `bounds` are
   /// not known before they are, and stay empty.
@@ -47,7 +58,7 @@ class PointStream {
     double scale = 1, shift = 0;
   };
 
-  void openLas(const ImportOptions& options);
+  void openLas(const std::filesystem::path& las, const ImportOptions& options);
   void openPly(const ImportOptions& options);
   void setFound(std::uint64_t promised, const ImportOptions& options);
   void readBytes(std::uint64_t at, std::span<char> bytes) const;
@@ -55,6 +66,7 @@ class PointStream {
 
   ScanInfo info_;
   std::optional<FileBounds> stated_bounds_;
+  std::shared_ptr<const UnpackedLas> unpacked_;  ///< Of LAZ and COPC.
   OwnedFd fd_;
   std::uint64_t file_bytes_ = 0;
   std::uint64_t points_at_ = 0;

@@ -52,8 +52,8 @@ void refuseMesh(const std::filesystem::path& file) {
 void requireStreamable(const std::filesystem::path& file) {
   if (!PointStream::canStream(file)) {
     throw FileError(shownName(file) +
-                    ": only LAS and binary PLY clouds and rasters are read in blocks. Nothing was "
-                    "made. Convert it to LAS, or leave out --memory.");
+                    ": only LAS, LAZ and binary PLY clouds and rasters are read in blocks. Nothing "
+                    "was made. Convert it to LAS, or leave out --memory.");
   }
   refuseMesh(file);
 }
@@ -281,7 +281,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   if (options.engine != "cpu") {
     throw ArgumentError("Maps by tiles are made by the cpu engine. Nothing was made.");
   }
-  const PointStream stream(file, import);
+  const PointStream stream(file, import, task);
   LargeMap map;
   if (large.on_view) {
     const Scan sample = sampleOf(stream, kFirstSample, task);
@@ -423,7 +423,7 @@ LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& o
 Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& options,
                       std::uint64_t points, const ImportOptions& import, const Task& task) {
   requireStreamable(file);
-  const PointStream stream(file, import);
+  const PointStream stream(file, import, task);
   return viewOf(sampleOf(stream, points, task), options, kSecondViewCells, task);
 }
 

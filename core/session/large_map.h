@@ -48,8 +48,8 @@ struct LargeMap {
   std::uint64_t spilled_bytes = 0;
 };
 
-/// Makes the map of a LAS or binary PLY cloud or of a raster by tiles, within a memory budget, and
-/// writes all levels (core/tiles/level_files.h): grid, rule, holes, base plane and levels as
+/// Makes the map of a LAS, LAZ or binary PLY cloud or of a raster by tiles, within a memory budget,
+/// and writes all levels (core/tiles/level_files.h): grid, rule, holes, base plane and levels as
 /// makeSurface chooses them, for any budget the same bytes. [worker]
 /// @throw FileError  also for meshes and files that cannot be read in blocks
 /// @throw ArgumentError  E102 if the budget is too small for this map; WriteError, Cancelled

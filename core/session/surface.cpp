@@ -166,6 +166,20 @@ void sayLosses(Surface& surface, const FilledMap& filled) {
   }
 }
 
+/// Rules for one layer are proposed for nothing else; by hand they can be chosen for anything.
+void sayMixedLayers(Surface& surface, const HiddenSurface& hidden, const SurfaceOptions& options) {
+  constexpr double kMixedWorthSaying = 0.01;
+  if (!options.rule || !mixesLayers(*options.rule)) return;
+  const double outside = originShares(surface.map)[static_cast<std::size_t>(Origin::outside)];
+  const double inside = (1 - outside) * static_cast<double>(surface.map.origins.size());
+  const double share = inside > 0 ? static_cast<double>(hidden.cells) / inside : 0;
+  if (share < kMixedWorthSaying) return;
+  surface.messages.push_back("In " + percent(share) +
+                             " of the cells the points lie in several layers, front and back, and "
+                             "the chosen rule makes one height of them. Choose the mean of the top "
+                             "layer (topmean) to keep them apart.");
+}
+
 /// Holes and what could not be done about them.
 void takeHoles(Surface& surface, std::vector<Hole> holes, const HoleChoice& choice) {
   surface.holes = std::move(holes);
@@ -306,6 +320,7 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   surface.quality = std::move(filled.quality);
   surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, surface.map);
   sayLosses(surface, filled);
+  if (scan.triangles.empty()) sayMixedLayers(surface, hidden, options);
   takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);
   return surface;

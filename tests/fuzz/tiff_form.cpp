@@ -123,6 +123,7 @@ KnownTag knownTag(Chance& chance) {
   constexpr std::uint16_t kPixelScale = 33550, kTiePoints = 33922, kTransformation = 34264;
   constexpr std::uint16_t kGeoKeys = 34735, kMetadata = 42112, kNoData = 42113;
   constexpr std::uint16_t kPhotometric = 262, kSampleFormat = 339;
+  constexpr std::array<std::string_view, 6> kUnits{"m", "mm", "ft", "us-ft", "fathom", ""};
   switch (chance.below(9)) {
     case 0:
       return {kPixelScale, kDouble, doubles({2, 2, 0})};
@@ -131,15 +132,21 @@ KnownTag knownTag(Chance& chance) {
     case 2:
       return {kTransformation, kDouble,
               doubles({2, 0, 0, 100, 0, -2, 0, 200, 0, 0, 0, 0, 0, 0, 0, 1})};
-    case 3:  // A projected system in metres, and so are the heights.
-      return {kGeoKeys, kShort, shorts({1,    1, 0, 5,     1024, 0, 1, 1,    1025, 0, 1, 1,
-                                        3072, 0, 1, 32633, 3076, 0, 1, 9001, 4099, 0, 1, 9001})};
+    case 3:  // A projected system in metres; heights in one of eight units.
+      return {
+          kGeoKeys, kShort,
+          shorts(
+              {1,    1, 0, 5,    1024, 0, 1, 1,
+               1025, 0, 1, 1,    3072, 0, 1, 32633,
+               3076, 0, 1, 9001, 4099, 0, 1, static_cast<std::uint16_t>(9001 + chance.below(8))})};
     case 4:
       return {kGeoKeys, kShort, shorts({1, 1, 0, 2, 1024, 0, 1, 2, 2048, 0, 1, 4326})};
     case 5:
       return {kMetadata, kAscii,
               "<GDALMetadata>\n<Item name=\"OFFSET\" sample=\"0\" role=\"offset\">1</Item>\n"
-              "<Item name=\"SCALE\" sample=\"0\" role=\"scale\">2</Item>\n</GDALMetadata>\0"s};
+              "<Item name=\"SCALE\" sample=\"0\" role=\"scale\">2</Item>\n"
+              "<Item name=\"UNITTYPE\" sample=\"0\" role=\"unittype\">" +
+                  std::string(kUnits[chance.below(kUnits.size())]) + "</Item>\n</GDALMetadata>\0"s};
     case 6:
       return {kNoData, kAscii, std::to_string(chance.below(10)) + "\0"s};
     case 7:

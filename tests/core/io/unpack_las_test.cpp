@@ -13,9 +13,11 @@
 #include <fstream>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "core/io/point_stream.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/refusal.h"
 #include "tests/core/io/temporary_folder.h"
@@ -127,6 +129,46 @@ TEST_F(UnpackLas, CancelEndsTheProgramAndAllItStarted) {
   std::string word;
   if (stat >> word >> word) stat >> state;
   EXPECT_TRUE(state == "gone" || state == "Z" || state == "X") << state;
+}
+
+TEST_F(UnpackLas, APointStreamReadsWhatWasUnpackedAndRemovesIt) {
+  ASSERT_TRUE(PointStream::canStream(packed_));
+  EXPECT_TRUE(PointStream::isPacked(packed_));
+  EXPECT_FALSE(PointStream::isPacked(plain_));
+  EXPECT_THAT(refusalOf([&] { const PointStream stream(packed_); }).words,
+              HasSubstr("Install laszip or pdal"));
+  install("laszip", "cat " + quoted(plain_) + " > \"$4\"");
+  const PointStream stream(packed_);
+  EXPECT_EQ(stream.info().format, "LAZ 1.2 point format 0");
+  EXPECT_EQ(stream.info().file, packed_);
+  ASSERT_EQ(stream.info().points, 10U);
+  std::vector<FilePoint> block(3);
+  ASSERT_EQ(stream.read(7, block), 3U);
+  EXPECT_EQ(block[2], (FilePoint{9, 4.5, 2.25}));
+}
+
+TEST_F(UnpackLas, APointStreamStopsTheProgramWhenAsked) {
+  const auto running = folder_.path() / "running";
+  install("laszip", "echo part > \"$4\"\n: > " + quoted(running) + "\nsleep 600");
+  std::stop_source stop;
+  std::atomic<bool> cancelled{false};
+  std::jthread open([&] {
+    try {
+      const PointStream stream(packed_, {}, {.stop = stop.get_token(), .progress = {}});
+    } catch (const Cancelled&) {
+      cancelled = true;
+    }
+  });
+  while (!std::filesystem::exists(running)) std::this_thread::yield();
+  stop.request_stop();
+  open.join();
+  EXPECT_TRUE(cancelled);
+}
+
+TEST_F(UnpackLas, APointStreamOfWhatIsNoLasIsRefused) {
+  install("laszip", "echo 'no LAS file' > \"$4\"");
+  EXPECT_THAT(refusalOf([&] { const PointStream stream(packed_); }).words,
+              HasSubstr("Cannot read scan.laz: what it was unpacked to is no LAS file."));
 }
 
 TEST_F(UnpackLas, RelativeFoldersOfPathAreNotTrusted) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
@@ -69,6 +71,21 @@ TEST(FirstView, IsNotMadeOfWhatIsReadSoonerOrCannotBeReadInParts) {
       "mesh.ply", test::plyHeader("binary_little_endian", "5", "float", test::kPlyFaces) +
                       test::binaryRows<float>(5) + test::plyTriangles({0, 1, 2, 2, 3, 4}));
   EXPECT_TRUE(viewsOf(mesh, 1).empty());
+}
+
+TEST(FirstView, DoesNotUnpackAFileThatItsReaderUnpacksNext) {
+  const test::TemporaryFolder folder;
+  std::string packed = test::lasFile(plate());
+  packed[104] = static_cast<char>(packed[104] | '\x80');
+  const auto file = folder.write("packed.laz", packed);
+  const auto called = folder.path() / "called";
+  const auto program = folder.write("laszip", "#!/bin/sh\n: > " + called.string() + "\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder.path().c_str(), 1);
+  EXPECT_TRUE(viewsOf(file, 1).empty());
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(std::filesystem::exists(called));
 }
 
 TEST(FirstView, LeavesFaultsForTheReaderToSay) {

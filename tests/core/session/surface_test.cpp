@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
 #include <stop_token>
 
+#include "core/depth/point_rule.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
 #include "core/region/window.h"
@@ -180,6 +182,32 @@ TEST(MakeSurface, AnOwnMapIsTakenAsItIs) {
   EXPECT_EQ(surface.map.heights_mm, (std::vector<float>{-1, 2, 3, 0}));
   EXPECT_EQ(surface.map.origins, raster.origins);
   EXPECT_EQ(surface.unit_source, UnitSource::file);
+}
+
+TEST(MakeSurface, SaysThatARuleForOneLayerMixesTheFrontWithTheBack) {
+  const Scan one = test::latticeScan(60, 60, 1, [](double x, double) { return 20 + x / 10; });
+  Scan two = one;
+  const Scan back = test::latticeScan(60, 60, 1, [](double, double) { return 0; });
+  two.points.insert(two.points.end(), back.points.begin(), back.points.end());
+  test::finishScan(two);
+  const auto warned = [](const Scan& scan, std::optional<PointRule> rule) {
+    SurfaceOptions options;
+    options.view = ViewChoice{.name = "top", .rotation = {}};
+    options.cells = 40;
+    options.rule = rule;
+    const std::vector<std::string> said = makeSurface(scan, options, rasterize).messages;
+    return std::any_of(said.begin(), said.end(), [](const std::string& message) {
+      return message.find("makes one height of them") != std::string::npos;
+    });
+  };
+  for (const PointRule rule :
+       {PointRule::splat, PointRule::quadratic, PointRule::mean, PointRule::median}) {
+    EXPECT_TRUE(warned(two, rule)) << describe(rule);
+    EXPECT_FALSE(warned(one, rule)) << describe(rule);
+  }
+  EXPECT_FALSE(warned(two, PointRule::top_mean));
+  EXPECT_FALSE(warned(two, PointRule::front));
+  EXPECT_FALSE(warned(two, std::nullopt));
 }
 
 TEST(MakeSurface, StopsAtWhicheverStepItIsAskedTo) {
