@@ -11,7 +11,7 @@ namespace relievo {
 namespace {
 
 // For lupdate; core has no Qt. What is missing here is shown in English.
-[[maybe_unused]] constexpr std::array<const char*, 51> kWords{
+[[maybe_unused]] constexpr std::array<const char*, 52> kWords{
     // Steps of work.
     QT_TRANSLATE_NOOP("Core", "Checksum"), QT_TRANSLATE_NOOP("Core", "Depth map"),
     QT_TRANSLATE_NOOP("Core", "Drawing the depth buffer"),
@@ -43,6 +43,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "sky-view factor"), QT_TRANSLATE_NOOP("Core", "openness"),
     QT_TRANSLATE_NOOP("Core", "hillshade"), QT_TRANSLATE_NOOP("Core", "grey"),
     QT_TRANSLATE_NOOP("Core", "viridis"), QT_TRANSLATE_NOOP("Core", "cividis"),
+    QT_TRANSLATE_NOOP("Core", "batlow"),
     // Buttons.
     QT_TRANSLATE_NOOP("Core", "Close"), QT_TRANSLATE_NOOP("Core", "Cancel"),
     QT_TRANSLATE_NOOP("Core", "Save"), QT_TRANSLATE_NOOP("Core", "OK"),

@@ -180,6 +180,10 @@
         <translation>Cividis</translation>
     </message>
     <message>
+        <source>batlow</source>
+        <translation>Batlow</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -2274,6 +2278,10 @@
         <translation>&amp;Cividis</translation>
     </message>
     <message>
+        <source>&amp;Batlow</source>
+        <translation>&amp;Batlow</translation>
+    </message>
+    <message>
         <source>Colours that grow lighter in even steps</source>
         <translation>Farben, die in gleichen Stufen heller werden</translation>
     </message>
@@ -3283,6 +3291,14 @@
         <source>%1 set.</source>
         <translation>%1 gesetzt.</translation>
     </message>
+    <message>
+        <source>By &amp;touch</source>
+        <translation>Durch &amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
+        <translation>Tippen mit der fühlenden Hand ergibt Tiefenunterschiede, Striche ergeben Profile</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3385,6 +3401,10 @@
     <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
+        <translation>Durch Tasten: bei eingeschalteten Kräften (F5) zwei Stellen antippen für ihren Tiefenunterschied, oder einen Strich ziehen für ein Profil. Escape beendet.</translation>
     </message>
 </context>
 <context>

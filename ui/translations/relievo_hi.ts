@@ -180,6 +180,10 @@
         <translation>Cividis</translation>
     </message>
     <message>
+        <source>batlow</source>
+        <translation>Batlow</translation>
+    </message>
+    <message>
         <source>Close</source>
         <translation>बंद करें</translation>
     </message>
@@ -2274,6 +2278,10 @@
         <translation>Cividis (&amp;C)</translation>
     </message>
     <message>
+        <source>&amp;Batlow</source>
+        <translation>Batlow (&amp;B)</translation>
+    </message>
+    <message>
         <source>Colours that grow lighter in even steps</source>
         <translation>रंग जो समान चरणों में उजले होते हैं</translation>
     </message>
@@ -3283,6 +3291,14 @@
         <source>%1 set.</source>
         <translation>%1 लगाया गया।</translation>
     </message>
+    <message>
+        <source>By &amp;touch</source>
+        <translation>स्पर्श से (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
+        <translation>सतह को महसूस करते हाथ की टैप से गहराई का अंतर मिलता है, खींची रेखा से प्रोफ़ाइल</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3385,6 +3401,10 @@
     <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
+        <translation>स्पर्श से: बल चालू रखकर (F5) दो जगह टैप करें, गहराई का अंतर मिलेगा; या रेखा खींचें, प्रोफ़ाइल मिलेगी। Escape समाप्त करता है।</translation>
     </message>
 </context>
 <context>
