@@ -84,8 +84,8 @@ void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
   if (window_.document().isOpen()) window_.detailView().turnBy(azimuth_deg, elevation_deg);
 }
 
-QString WindowHost::recordingHeader() const {
-  return window_.recordingHeader();
+QString WindowHost::recordingHeader(const QString& file) const {
+  return window_.recordingHeader(file);
 }
 
 }  // namespace relievo

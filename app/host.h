@@ -24,7 +24,7 @@ class WindowHost : public Host {
   bool showRegion(const Region& region) override;
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
-  QString recordingHeader() const override;
+  QString recordingHeader(const QString& file) const override;
 
  private:
   MainWindow& window_;

@@ -8,6 +8,8 @@
 
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
+#include "ui/depth_map_preview.h"
+#include "ui/relief_picture.h"
 
 namespace relievo {
 namespace {
@@ -54,12 +56,20 @@ bool sameGrid(const Surface& a, const Surface& b) {
 
 struct Document::Work {
   bool reads = false;  ///< Reads `open.file`; otherwise works on what is in memory.
+  std::uint64_t first_view_from = 0;
   OpenRequest open;
   SurfaceSource source;
   SurfaceOptions options;
   QString name;  ///< In the history.
   SurfaceOutcome outcome;
   QString sha256;
+
+  std::filesystem::path path() const { return QFile::encodeName(open.file).toStdString(); }
+  ImportOptions import() const {
+    ImportOptions import;
+    import.accept_incomplete = open.accept_incomplete;
+    return import;
+  }
 };
 
 Document::Document(DepthEngine depth_buffer, QObject* parent)
@@ -135,22 +145,47 @@ void Document::remake(const SurfaceOptions& options, const QString& name) {
 
 void Document::start(Work work) {
   const auto shared = std::make_shared<Work>(std::move(work));
+  shared->first_view_from = first_view_from_;
+  in_hand_ = shared;
+  Q_EMIT workStarted();
   worker_.start(
       [this, shared](const Task& task) {
         Work& w = *shared;
         w.outcome = outcomeOf([&] {
+          if (w.reads) showFirstViews(shared, task);
           if (w.reads) read(w, task);
           task.check();
-          return makeSurface(w.source, w.options, depth_buffer_, task);
+          auto surface = makeSurface(w.source, w.options, depth_buffer_, task);
+          // For the start page.
+          if (w.reads) ReliefPictures::keep(w.open.file, reliefPicture(*surface, kPicturePx));
+          return surface;
         });
       },
       [this, shared] { finish(*shared); });
 }
 
+void Document::showFirstViews(const std::shared_ptr<Work>& work, const Task& task) {
+  FirstViewOptions views;
+  views.least_points = work->first_view_from;
+  views.on_view = [&](const FirstView& view) {
+    const QImage picture = pictureOf(view.surface, task).shaded;
+    const std::weak_ptr<Work> of = work;
+    QMetaObject::invokeMethod(
+        this,
+        [this, of, picture, used = view.used, all = view.all] {
+          const auto shown = of.lock();
+          // Work that was stopped may have told of a view that nobody waits for.
+          if (!busy() || !shown || shown != in_hand_.lock()) return;
+          Q_EMIT firstView(shown->open.file, picture, used, all);
+        },
+        Qt::QueuedConnection);
+  };
+  makeFirstViews(work->path(), work->options, work->import(), views, task);
+}
+
 void Document::read(Work& w, const Task& task) {
-  const std::filesystem::path file(QFile::encodeName(w.open.file).toStdString());
-  ImportOptions import;
-  import.accept_incomplete = w.open.accept_incomplete;
+  const std::filesystem::path file = w.path();
+  const ImportOptions import = w.import();
   if (looksLikeRaster(file)) {
     w.source.raster = std::make_shared<const RasterMap>(importRaster(file, import, task));
   } else {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <QImage>
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
@@ -12,6 +13,7 @@
 #include "core/project/project.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
+#include "core/session/first_view.h"
 #include "core/session/surface.h"
 #include "ui/latest_worker.h"
 #include "ui/surface_work.h"
@@ -59,6 +61,8 @@ class Document : public QObject {
   /// Ends the running work; what was shown stays.
   void cancel();
   bool busy() const { return worker_.busy(); }
+  /// Files with fewer points are opened without a first view (core/session/first_view.h).
+  void setFirstViewFrom(std::uint64_t points) { first_view_from_ = points; }
 
   bool isOpen() const { return state_.surface != nullptr; }
   const DocumentState& state() const { return state_; }
@@ -112,9 +116,13 @@ class Document : public QObject {
   void apply(const DocumentState& state);
 
  Q_SIGNALS:
+  void workStarted();  ///< What was told of earlier work is past.
   /// A file was read and is about to be worked on: its size as it will be, millimetres.
   void scanRead(const QString& file, double width_mm, double height_mm, double depth_mm,
                 quint64 points);
+  /// What a large file looks like, from `used` of its `all` points (samples, of a map by tiles),
+  /// while it is read; a better one may follow. Nothing of the document is changed by it.
+  void firstView(const QString& file, const QImage& picture, quint64 used, quint64 all);
   void opened(const QString& file);  ///< A file was read; surfaceChanged came before.
   void surfaceChanged();
   void windowChanged();  ///< Region, level, gain or surface: `window()` is another one.
@@ -128,6 +136,8 @@ class Document : public QObject {
 
   void start(Work work);
   void read(Work& work, const Task& task);  ///< [worker]
+  /// Tells of first views while this is the work in hand. [worker]
+  void showFirstViews(const std::shared_ptr<Work>& work, const Task& task);
   void finish(const Work& work);
   void showOpened(const Work& work);
   void restoreSteps(const Work& work, const DocumentState& now);
@@ -135,6 +145,8 @@ class Document : public QObject {
   void push(DocumentState after, const QString& name, int merge_id = -1);
 
   DepthEngine depth_buffer_;
+  std::uint64_t first_view_from_ = FirstViewOptions{}.least_points;
+  std::weak_ptr<Work> in_hand_;  ///< The newest work.
   QString file_, sha256_;
   SurfaceSource source_;
   DocumentState state_;

@@ -22,13 +22,13 @@
 
 #include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
+#include "ui/first_view.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
 #include "ui/path_preview.h"
 #include "ui/places_panel.h"
 #include "ui/reference_view.h"
-#include "ui/relief_picture.h"
 #include "ui/replay_panel.h"
 #include "ui/side_panels.h"
 #include "ui/start_page.h"
@@ -210,6 +210,7 @@ void MainWindow::layOut() {
   panels_->add(tr("Places"), places_panel_);
   row->addWidget(panels_);
   pages_->addWidget(work);
+  first_view_ = new FirstViewCard(document_, pages_);
   setCentralWidget(centre);
 }
 
@@ -224,6 +225,7 @@ void MainWindow::connectParts() {
   connect(&document_, &Document::cancelled, this,
           [this] { announce(tr("Cancelled. Nothing was changed.")); });
   connect(&document_, &Document::progressed, status_, &StatusFields::showWork);
+  connect(first_view_, &FirstViewCard::said, this, &MainWindow::announce);
   // Said before the surface is made, while there is still time to stop.
   connect(&document_, &Document::scanRead, this,
           [this](const QString& file, double w, double h, double d, quint64 points) {
@@ -233,7 +235,6 @@ void MainWindow::connectParts() {
           });
   connect(&document_, &Document::opened, this, [this](const QString& file) {
     settings_.addRecentFile(file);
-    ReliefPictures::keep(file, reliefPicture(*document_.surface(), kPicturePx));
     showRecent();
     const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
     announce(command("forces") == nullptr ? open_now

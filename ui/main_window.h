@@ -25,6 +25,7 @@ class QToolBar;
 namespace relievo {
 
 class DetailView;
+class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
 class OverviewInset;
@@ -93,8 +94,8 @@ class MainWindow : public QMainWindow {
   void writeVideo(VideoProfile profile, const QString& file);
   VideoControl& videoControl() { return *video_; }
   QImage videoPicture();  ///< What a video of the view shows now.
-  /// Comment lines about input, unit, view and region for a recording's header.
-  QString recordingHeader() const;
+  /// Comment lines about input, unit, view and region for the header of a recording in `file`.
+  QString recordingHeader(const QString& file) const;
 
  Q_SIGNALS:
   void windowShown(std::shared_ptr<const relievo::RegionWindow> window);
@@ -215,7 +216,7 @@ class MainWindow : public QMainWindow {
   void showPosition(const ViewMm& position, std::optional<Origin> known);
   StepAbout about() const;
   /// What is shown, as one line of JSON without places of this computer.
-  std::string carriedState() const;
+  std::string carriedState(const QString& file) const;
   bool stopForces();
   QString introduction() const;
 
@@ -223,6 +224,7 @@ class MainWindow : public QMainWindow {
   Document document_;
   MessageStrip* strip_ = nullptr;
   QStackedWidget* pages_ = nullptr;
+  FirstViewCard* first_view_ = nullptr;
   StartPage* start_ = nullptr;
   QSplitter* views_ = nullptr;
   QSplitter* rows_ = nullptr;

@@ -13,6 +13,7 @@
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
+#include "core/provenance/sha256.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
@@ -211,11 +212,13 @@ bool MainWindow::stopForces() {
   return true;
 }
 
-std::string MainWindow::carriedState() const {
+std::string MainWindow::carriedState(const QString& file) const {
   const DocumentState& state = document_.state();
   Provenance provenance = provenanceOf(*state.surface, state.options);
   const QFileInfo input(document_.file());
-  provenance.input = {input.fileName().toStdString(), document_.fileSha256().toStdString(),
+  provenance.input = {relativePath(QFile::encodeName(document_.file()).toStdString(),
+                                   QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
+                      document_.fileSha256().toStdString(),
                       static_cast<std::uint64_t>(input.size())};
   const SceneState& scene = detail_->sceneState();
   provenance.view = ViewState{state.region,
@@ -227,7 +230,7 @@ std::string MainWindow::carriedState() const {
   return toJson(provenance, -1);
 }
 
-QString MainWindow::recordingHeader() const {
+QString MainWindow::recordingHeader(const QString& file) const {
   if (!document_.isOpen()) return {};
   const Surface& s = *document_.surface();
   const DocumentState& state = document_.state();
@@ -251,7 +254,7 @@ QString MainWindow::recordingHeader() const {
           .arg(exact(r.x_mm), exact(r.y_mm), exact(r.side_mm)),
       QStringLiteral("# level: %1").arg(r.level.value),
       QLatin1String("# gain: ") + exact(state.gain),
-      QLatin1String("# ") + QString::fromStdString(stateLine(carriedState()))}
+      QLatin1String("# ") + QString::fromStdString(stateLine(carriedState(file)))}
       .join('\n');
 }
 
@@ -265,6 +268,10 @@ void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QStri
       image = detail_->image(pixels);
       break;
     case ImageSource::window:
+      for (SurfaceView* view :
+           {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
+        view->appear();
+      }
       image = grab().toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
       image.setDevicePixelRatio(1);
       break;
@@ -272,7 +279,7 @@ void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QStri
   image.setText(QStringLiteral("Software"),
                 QLatin1String("relievo ") + QStringLiteral(RELIEVO_VERSION_STRING));
   image.setText(QStringLiteral("Title"), QFileInfo(document_.file()).fileName());
-  image.setText(QStringLiteral("Description"), recordingHeader());
+  image.setText(QStringLiteral("Description"), recordingHeader(file));
   const Project state = relativeTo(project(), QFile::encodeName(file).toStdString());
   image.setText(QString::fromUtf8(kStateKey.data()), QString::fromStdString(projectJson(state)));
   if (!image.save(file, "PNG")) {

@@ -186,7 +186,7 @@ void MainWindow::setLiveVideo(bool on) {
   const QString stem = videoFolder() + QLatin1String("/view-") +
                        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss"));
   const auto start = [this](const QString& file, VideoProfile profile) {
-    if (video_->startLive(file, profile, carriedState(), [this] { return videoPicture(); })) {
+    if (video_->startLive(file, profile, carriedState(file), [this] { return videoPicture(); })) {
       announce(tr("Video to %1").arg(QDir::toNativeSeparators(file)));
     } else {
       command("video_live")->setChecked(false);

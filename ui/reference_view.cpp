@@ -97,7 +97,7 @@ QString nameOf(PinkPart part) {
 }  // namespace
 
 ReferenceView::ReferenceView(Document& document, QWidget* parent)
-    : SurfaceView(parent), document_(document) {
+    : SurfaceView(0, parent), document_(document) {
   setObjectName(QStringLiteral("reference_view"));
   setAccessibleName(tr("Reference view"));
   setToolTip({});

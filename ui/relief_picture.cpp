@@ -34,6 +34,7 @@ QString pathFor(const QString& file) {
 }  // namespace
 
 QImage reliefPicture(const Surface& surface, int longest_px) {
+  if (surface.pyramid.levels.empty()) return {};  // By tiles.
   // The coarsest level that is fine enough.
   const PyramidLevel* from = &surface.pyramid.levels.front();
   for (const PyramidLevel& level : surface.pyramid.levels) {
@@ -57,6 +58,7 @@ QImage ReliefPictures::kept(const QString& file) {
 }
 
 void ReliefPictures::keep(const QString& file, const QImage& picture) {
+  if (picture.isNull()) return;
   const QString path = pathFor(file);
   QDir().mkpath(QFileInfo(path).absolutePath());
   picture.save(path);  // A cache: what cannot be kept is made again.

@@ -15,7 +15,8 @@ struct Surface;
 /// Longest side of the pictures on the start page.
 inline constexpr int kPicturePx = 160;
 
-/// A small hillshade of the whole surface, without a graphics card. [any thread]
+/// A small hillshade of the whole surface, without a graphics card; null for one by tiles.
+/// [any thread]
 QImage reliefPicture(const Surface& surface, int longest_px);
 
 /// Pictures of files, kept in $XDG_CACHE_HOME/relievo; a changed file has none. [GUI thread]
@@ -25,7 +26,8 @@ class ReliefPictures : public QObject {
   explicit ReliefPictures(QObject* parent = nullptr);
 
   /// Null if there is none yet.
-  static QImage kept(const QString& file);
+  static QImage kept(const QString& file);  ///< [any thread]
+  /// A null one is not kept. [any thread]
   static void keep(const QString& file, const QImage& picture);
   /// Makes those of the files that have none, one after the other, in a worker.
   void make(const QStringList& files);

@@ -155,12 +155,15 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   vtkNew<MixingWindow> window_;
 };
 
-SurfaceView::SurfaceView(QWidget* parent)
-    : QWidget(parent), scene_(std::make_unique<ReliefScene>()) {
+SurfaceView::SurfaceView(int appears_after_ms, QWidget* parent)
+    : QWidget(parent),
+      appears_after_ms_(appears_after_ms),
+      scene_(std::make_unique<ReliefScene>()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 120);
   canvas_ = new Canvas(this, *scene_);
+  canvas_->hide();
   bar_ = new ColourBar(this);
   state_.applyTo(*scene_);
 }
@@ -168,6 +171,24 @@ SurfaceView::SurfaceView(QWidget* parent)
 // The canvas draws the scene: it goes first.
 SurfaceView::~SurfaceView() {
   delete canvas_;
+}
+
+void SurfaceView::appear() {
+  appears_.stop();
+  canvas_->show();
+}
+
+void SurfaceView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (canvas_->isHidden()) appears_.start(appears_after_ms_, this);
+}
+
+void SurfaceView::timerEvent(QTimerEvent* event) {
+  if (event->timerId() == appears_.timerId()) {
+    appear();
+  } else {
+    QWidget::timerEvent(event);
+  }
 }
 
 void SurfaceView::requestRender() {
@@ -282,6 +303,7 @@ double SurfaceView::mmPerPixel() const {
 }
 
 QImage SurfaceView::shot() {
+  appear();
   canvas_->renderIfStale();
   return canvas_->grabFramebuffer();
 }

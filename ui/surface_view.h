@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QBasicTimer>
 #include <QImage>
 #include <QWidget>
 
@@ -16,7 +17,6 @@ class ColourBar;
 class SurfaceView : public QWidget {
   Q_OBJECT
  public:
-  explicit SurfaceView(QWidget* parent = nullptr);
   ~SurfaceView() override;
 
   const SceneState& sceneState() const { return state_; }
@@ -38,7 +38,15 @@ class SurfaceView : public QWidget {
 
   double mmPerPixel() const;  ///< Of the widget, at the view's centre.
 
+  /// Draws from now on; else the first picture comes a moment after the view is first shown.
+  void appear();
+
  protected:
+  /// @param appears_after_ms  of being shown for the first time: OpenGL's own start, some tens of
+  /// milliseconds for a view, must not come in one piece for all of them
+  explicit SurfaceView(int appears_after_ms, QWidget* parent);
+  void showEvent(QShowEvent* event) override;
+  void timerEvent(QTimerEvent* event) override;
   void setGrid(std::shared_ptr<const HeldGrid> grid);
   void setCamera(const ReliefCamera& camera);
   void setPink(const std::optional<RectMm>& pink);
@@ -58,6 +66,8 @@ class SurfaceView : public QWidget {
   void requestRender();
   void paintGrid();
 
+  const int appears_after_ms_;
+  QBasicTimer appears_;
   SceneState state_;
   std::shared_ptr<const HeldGrid> plain_;  ///< As set; state_.grid may be painted.
   std::unique_ptr<ReliefScene> scene_;

@@ -79,7 +79,7 @@ std::optional<WorkKeeper::Left> WorkKeeper::left() const {
                   .project = readProject(file),
                   .time = QLocale().toString(QFileInfo(name).lastModified(), QLocale::ShortFormat)};
     } catch (const FileError&) {
-      removeAutosave(file);  // Cut by the crash itself; it would be offered for ever.
+      setAutosaveAside(file);  // It would be offered for ever.
     }
   }
   return std::nullopt;

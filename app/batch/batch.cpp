@@ -118,6 +118,14 @@ void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface
 
 }  // namespace batch
 
+namespace {
+/// What a log can be searched for, then the sentence.
+std::string withCode(const std::exception& error) {
+  const auto* known = dynamic_cast<const Error*>(&error);
+  return (known == nullptr || known->code.empty() ? "" : known->code + ": ") + error.what();
+}
+}  // namespace
+
 bool isVerb(std::string_view word) {
   for (const batch::Verb& verb : batch::verbs()) {
     if (verb.name == word) return true;
@@ -153,7 +161,7 @@ int runBatch(int argc, char** argv) {
     // CLI11 has its own numbers; ours are 0 for help and 1 for every misuse.
     return app.exit(error) == 0 ? 0 : 1;
   } catch (const Error& error) {
-    batch::tell(error.what());
+    batch::tell(withCode(error));
     return batch::exitCodeOf(error);
   }
   try {
@@ -163,7 +171,7 @@ int runBatch(int argc, char** argv) {
       if (app.got_subcommand(verb.name)) return batch::report(verb.run(task), format);
     }
   } catch (const std::exception& error) {
-    batch::tell(error.what());
+    batch::tell(withCode(error));
     return batch::exitCodeOf(error);
   }
   return 1;

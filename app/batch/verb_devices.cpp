@@ -93,7 +93,6 @@ Outcome list() {
     if (opening.presence == falcon::Presence::present) continue;
     outcome.exit_code = kDeviceExit;
     tell((message.code.empty() ? "" : message.code + ": ") + message.screen);
-    if (opening.presence == falcon::Presence::forbidden) tell(falcon::udevRule());
   }
   try {
     json["falcon_firmware"] = jsonOfFirmware(falcon::findFirmware(

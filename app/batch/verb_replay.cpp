@@ -88,29 +88,41 @@ class WorkFolder {
   std::filesystem::path path_;
 };
 
-/// One recording of a package: replayed on the package's input, as far as a recording can be.
-Json replayPacked(const std::filesystem::path& recording, const std::filesystem::path& input,
-                  const Task& task) {
-  const std::string name = recording.filename().string();
-  Json json{{"recording", name}};
-  const LogTable log = readLog(recording, task);
-  std::vector<std::string> command;
-  try {
-    command = commandOf(log, name);
-  } catch (const FileError&) {
-    json["replayed"] = false;  // Of the window: a hand that chose its windows as it went.
-    json["ticks"] = log.rows.size();
-    return json;
-  }
-  TouchArguments touch = argumentsOf(command);
-  touch.map.file = input.string();
+/// One recording of a package, made by a verb or in the window, on the package's input.
+/// @throw FileError  it says how it was made, but cannot be replayed here
+ReplayResult replayPacked(const LogTable& log, const std::string& recording,
+                          const std::string& input, const Task& task) {
+  const auto each = [](const HapticSample&, double) {};
+  if (const auto of_window = replayOfWindow(log, recording, input, each, task)) return *of_window;
+  TouchArguments touch = argumentsOf(commandOf(log, recording));
+  touch.map.file = input;
   const TouchSetup setup = prepareTouch(touch, task);
-  const ReplayResult result = replay(
-      *setup.space, setup.core, log, [](const HapticSample&, double) {}, task);
-  json["replayed"] = true;
-  json["ticks"] = result.ticks;
-  json["different_ticks"] = result.different;
-  return json;
+  return replay(*setup.space, setup.core, log, each, task);
+}
+
+/// What became of one recording of a package. @return false if it is not the same
+bool verifyRecording(const std::string& recording, const std::string& input, Json& report,
+                     std::string& line, const Task& task) {
+  const LogTable log = readLog(recording, task);
+  line = std::filesystem::path(recording).filename().string() + ": ";
+  report = {{"recording", std::filesystem::path(recording).filename().string()}};
+  try {
+    const ReplayResult result = replayPacked(log, recording, input, task);
+    report["replayed"] = true;
+    report["ticks"] = result.ticks;
+    report["different_ticks"] = result.different;
+    line += std::to_string(result.ticks) +
+            (result.different == 0
+                 ? " ticks replayed, all the same to the last bit"
+                 : " ticks replayed, " + std::to_string(result.different) + " differ");
+    return result.different == 0;
+  } catch (const FileError& error) {
+    report["replayed"] = false;
+    report["ticks"] = log.rows.size();
+    report["problem"] = error.what();
+    line += std::to_string(log.rows.size()) + " rows read, but not replayed. " + error.what();
+    return false;
+  }
 }
 
 /// Every file of a package against its checksum, then every recording against its surface.
@@ -138,16 +150,10 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
           project.sha256 + ".");
     }
     for (const InputFile& recording : project.recordings) {
-      const Json one = replayPacked(recording.file, input, task);
-      const bool replayed = one["replayed"].get<bool>();
-      const bool same = !replayed || one["different_ticks"] == 0;
+      Json& report = json["recordings"].emplace_back();
+      const bool same =
+          verifyRecording(recording.file, input, report, outcome.lines.emplace_back(), task);
       if (!same) outcome.exit_code = kVerifyMismatch;
-      outcome.lines.push_back(
-          one["recording"].get<std::string>() + ": " + one["ticks"].dump() +
-          (!replayed ? " rows, recorded in the window: read, not replayed"
-           : same    ? " ticks replayed, all the same to the last bit"
-                     : " ticks replayed, " + one["different_ticks"].dump() + " differ"));
-      json["recordings"].push_back(one);
     }
   }
   json["identical"] = outcome.exit_code == 0;

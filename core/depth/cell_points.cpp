@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/base/bands.h"
 #include "core/base/wide_vectors.h"
@@ -52,7 +53,7 @@ std::vector<bool> wantedBuckets(GridSize size, std::span<const RowRange> ranges)
 }  // namespace
 
 CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ranges,
-                       const Task& task)
+                       const Task& task, CellPoints* used_up)
     : size_(request.frame.size) {
   const auto& points = request.scan.points;
   const std::vector<bool> wanted = wantedBuckets(size_, ranges);
@@ -63,7 +64,7 @@ CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ra
   std::vector<std::vector<std::size_t>> next(parts, std::vector<std::size_t>(buckets, 0));
 
   // visit(part, bucket, row, col, point) for every point in a wanted row.
-  const auto forPoints = [&](auto&& visit) {
+  const auto for_points = [&](auto&& visit) {
     inBands(threads, threads, [&](int first_part, int) {
       const auto part = static_cast<std::size_t>(first_part);
       const std::size_t begin = points.size() * part / parts;
@@ -85,7 +86,7 @@ CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ra
       }
     });
   };
-  forPoints([&](std::size_t part, std::size_t bucket, int, int, const GridPoint&) {
+  for_points([&](std::size_t part, std::size_t bucket, int, int, const GridPoint&) {
     ++next[part][bucket];
   });
   // A bucket's points lie part after part, so in the file's order, however many parts there are.
@@ -99,8 +100,17 @@ CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ra
     }
   }
   starts_.push_back(total);
-  records_ = std::make_unique_for_overwrite<Record[]>(total);
-  forPoints([&](std::size_t part, std::size_t bucket, int row, int col, const GridPoint& p) {
+  if (used_up != nullptr) {
+    records_ = std::move(used_up->records_);
+    capacity_ = std::exchange(used_up->capacity_, 0);
+  }
+  if (total > capacity_) {
+    records_.reset();
+    // A little more, so that the next part of a large scan fits too; costs nothing until written.
+    capacity_ = total + total / 8;
+    records_ = std::make_unique_for_overwrite<Record[]>(capacity_);
+  }
+  for_points([&](std::size_t part, std::size_t bucket, int row, int col, const GridPoint& p) {
     const auto first_row = static_cast<int>(bucket) * kBucketRows;
     records_[next[part][bucket]++] = {
         .cell = static_cast<std::uint32_t>((row - first_row) * size_.cols + col),
@@ -118,7 +128,7 @@ void CellPoints::rows(int first_row, int end_row, RowPoints& out) const {
   const std::size_t cells = static_cast<std::size_t>(out.end_row - out.first_row) * cols;
   out.starts.assign(cells + 1, 0);
   // visit(cell of `out`, record) for the records of these rows.
-  const auto forRecords = [&](auto&& visit) {
+  const auto for_records = [&](auto&& visit) {
     for (std::size_t bucket = bucketOf(out.first_row); bucket <= bucketOf(out.end_row - 1);
          ++bucket) {
       const auto bucket_row = static_cast<int>(bucket) * kBucketRows;
@@ -129,12 +139,12 @@ void CellPoints::rows(int first_row, int end_row, RowPoints& out) const {
       }
     }
   };
-  forRecords([&](std::size_t cell, const Record&) { ++out.starts[cell + 1]; });
+  for_records([&](std::size_t cell, const Record&) { ++out.starts[cell + 1]; });
   for (std::size_t i = 1; i <= cells; ++i) out.starts[i] += out.starts[i - 1];
   out.points.resize(out.starts[cells]);
   // starts[cell] moves to the cell's end while the points come in, and is then the next one's
   // start: shifting the list back by one cell restores it.
-  forRecords([&](std::size_t cell, const Record& record) {
+  for_records([&](std::size_t cell, const Record& record) {
     out.points[out.starts[cell]++] = record.point;
   });
   for (std::size_t i = cells; i > 0; --i) out.starts[i] = out.starts[i - 1];

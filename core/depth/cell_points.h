@@ -49,8 +49,10 @@ struct RowRange {
 /// so every result is the same for any number of threads.
 class CellPoints {
  public:
-  /// @param ranges  rows that will be asked for [worker] @throw Cancelled
-  CellPoints(const DepthRequest& request, std::span<const RowRange> ranges, const Task& task);
+  /// @param ranges  rows that will be asked for
+  /// @param used_up  others, whose memory is taken over; null: none [worker] @throw Cancelled
+  CellPoints(const DepthRequest& request, std::span<const RowRange> ranges, const Task& task,
+             CellPoints* used_up = nullptr);
 
   /// Rows [first_row, end_row), clamped to the grid; `out` is overwritten, its memory reused.
   /// [any thread]
@@ -67,6 +69,7 @@ class CellPoints {
   GridSize size_;
   std::vector<std::size_t> starts_;    ///< Per bucket of rows its first record, and the end.
   std::unique_ptr<Record[]> records_;  ///< Bucket by bucket, in the file's order.
+  std::size_t capacity_ = 0;           ///< Of it.
 };
 
 }  // namespace relievo

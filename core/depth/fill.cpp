@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
-#include <numeric>
+#include <limits>
 #include <string>
 #include <utility>
 
+#include "core/base/bands.h"
 #include "core/depth/mask.h"
 #include "core/depth/membrane.h"
 #include "core/depth/push_pull.h"
@@ -18,15 +18,48 @@
 namespace relievo {
 namespace {
 
-/// Quantile with linear interpolation between order statistics, position q (n - 1).
-double quantile(std::vector<float> values, double q) {
-  const double position = q * (static_cast<double>(values.size()) - 1);
+constexpr std::size_t kWorkOfCell = 8;  // A cell here is as much work as so many of others.
+
+/// Keeps the lowest of many values.
+class Lowest {
+ public:
+  explicit Lowest(std::size_t count) : count_(count) {}
+
+  void add(const float* values, std::size_t count) {
+    float bound = bound_;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(values[i] <= bound)) continue;  // Nor NaN.
+      kept_.push_back(values[i]);
+      if (kept_.size() < 2 * count_ + 1024) continue;
+      const auto end = kept_.begin() + static_cast<std::ptrdiff_t>(count_);
+      std::nth_element(kept_.begin(), end - 1, kept_.end());
+      bound = *(end - 1);
+      kept_.erase(end, kept_.end());
+    }
+    bound_ = bound;
+  }
+  /// Some more than asked for, in no order.
+  std::vector<float> take() { return std::move(kept_); }
+
+ private:
+  std::size_t count_;
+  float bound_ = std::numeric_limits<float>::infinity();
+  std::vector<float> kept_;
+};
+
+/// Quantile of the values that are not NaN, with linear interpolation between order statistics,
+/// position q (n - 1).
+double quantile(const std::vector<float>& values, std::size_t count, double q) {
+  const double position = q * (static_cast<double>(count) - 1);
   const auto below = static_cast<std::ptrdiff_t>(position);
-  std::nth_element(values.begin(), values.begin() + below, values.end());
-  const auto low = static_cast<double>(values[static_cast<std::size_t>(below)]);
   const double part = position - static_cast<double>(below);
+  Lowest lowest(static_cast<std::size_t>(below) + 2);
+  lowest.add(values.data(), values.size());
+  std::vector<float> candidates = lowest.take();
+  std::nth_element(candidates.begin(), candidates.begin() + below, candidates.end());
+  const auto low = static_cast<double>(candidates[static_cast<std::size_t>(below)]);
   if (part == 0) return low;
-  const auto next = std::min_element(values.begin() + below + 1, values.end());
+  const auto next = std::min_element(candidates.begin() + below + 1, candidates.end());
   return low + part * (static_cast<double>(*next) - low);
 }
 
@@ -65,20 +98,18 @@ std::vector<LabelledHole> enclosedHoles(const EmptyAreas& areas, const GridFrame
 
 Mask maskOf(const FrontDepths& depths) {
   Mask measured(depths.size());
-  for (std::size_t i = 0; i < depths.size(); ++i) measured[i] = std::isnan(depths[i]) ? 0 : 1;
+  for (std::size_t i = 0; i < depths.size(); ++i) measured[i] = depths[i] == depths[i] ? 1 : 0;
   return measured;
 }
 
-/// @throw ArgumentError  there are none
-std::vector<float> measuredValues(const FrontDepths& depths) {
-  std::vector<float> values;
-  std::copy_if(depths.begin(), depths.end(), std::back_inserter(values),
-               [](float z) { return !std::isnan(z); });
-  if (values.empty()) {
+/// @throw ArgumentError  nothing is measured
+double baseOf(const FrontDepths& depths, const Mask& measured, double base_quantile) {
+  const auto count = std::count(measured.begin(), measured.end(), std::uint8_t{1});
+  if (count == 0) {
     throw ArgumentError(
         "No cell of the grid was hit by the scan. Nothing was made. Choose another view.");
   }
-  return values;
+  return quantile(depths, static_cast<std::size_t>(count), base_quantile);
 }
 
 /// Cells of every hole that gets a membrane, in the order of `holes`.
@@ -121,22 +152,30 @@ std::string squareMm(double area_mm2) {
 Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame) {
   Mask steep = depths.steep.empty() ? Mask(measured.size(), 0) : depths.steep;
   const auto limit = static_cast<float>(kSteepRise * frame.spacing_mm);
-  const auto runs_through = [&](std::size_t before, std::size_t here, std::size_t after) {
-    const float in = depths.front[here] - depths.front[before];  // False for NaN.
-    const float out = depths.front[after] - depths.front[here];
-    return (in > limit && out > limit) || (in < -limit && out < -limit);
-  };
   const auto cols = static_cast<std::size_t>(frame.size.cols);
   const auto rows = static_cast<std::size_t>(frame.size.rows);
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t col = 0; col < cols; ++col) {
-      const std::size_t i = row * cols + col;
-      if (measured[i] == 0) continue;
-      const bool along_x = col > 0 && col + 1 < cols && runs_through(i - 1, i, i + 1);
-      const bool along_y = row > 0 && row + 1 < rows && runs_through(i - cols, i, i + cols);
-      if (along_x || along_y) steep[i] = 1;
+  // From the cell `step` before to the one `step` after, for cells first ... end - 1.
+  const auto mark = [&](std::size_t first, std::size_t end, std::size_t step) {
+    const float* before = depths.front.data() + first - step;
+    const float* here = depths.front.data() + first;
+    const float* after = here + step;
+    const std::uint8_t* has_height = measured.data() + first;
+    std::uint8_t* to = steep.data() + first;
+    for (std::size_t i = 0; i < end - first; ++i) {
+      const float in = here[i] - before[i];
+      const float out = after[i] - here[i];
+      const int up = static_cast<int>(in > limit) & static_cast<int>(out > limit);  // Not for NaN.
+      const int down = static_cast<int>(in < -limit) & static_cast<int>(out < -limit);
+      to[i] = static_cast<std::uint8_t>(to[i] | (has_height[i] & (up | down)));
     }
-  }
+  };
+  const int threads = threadsFor(kWorkOfCell * measured.size(), 0);
+  inBands(frame.size.rows, threads, [&](int first, int end) {
+    for (auto row = static_cast<std::size_t>(first); row < static_cast<std::size_t>(end); ++row) {
+      if (cols > 2) mark(row * cols + 1, (row + 1) * cols - 1, 1);
+      if (row > 0 && row + 1 < rows) mark(row * cols, (row + 1) * cols, cols);
+    }
+  });
   return steep;
 }
 
@@ -169,6 +208,7 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
                      const HoleChoice& choice, const Task& task) {
   FilledMap result;
   const std::size_t count = frame.size.count();
+  const int threads = threadsFor(kWorkOfCell * count, 0);
   const Mask had_points = maskOf(depths.front);
   // By the depths as given; asked for cells that stay measured only.
   const Mask steep = steepCells(depths, had_points, frame);
@@ -188,7 +228,7 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
     radius = samplingGapRadius(measured, frame.size);
   }
   task.check();
-  result.base_z_mm = quantile(measuredValues(filled), source.base_quantile);
+  result.base_z_mm = baseOf(filled, measured, source.base_quantile);
   const Mask covered = closed(measured, frame.size, radius);
   task.check();
   const EmptyAreas areas = emptyAreas(covered, frame.size);
@@ -224,18 +264,22 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
   result.quality = std::move(depths.quality);
   DepthMap& map = result.map;
   map.frame = frame;
-  map.heights_mm.assign(count, 0.0F);
   map.origins.assign(count, Origin::outside);
-  for (std::size_t i = 0; i < count; ++i) {
-    const int label = areas.label[i];
-    const Origin origin = measured[i] != 0 ? (steep[i] != 0 ? Origin::steep : Origin::measured)
-                          : label < 0      ? Origin::interpolated
-                                           : origin_of_label[static_cast<std::size_t>(label)];
-    map.origins[i] = origin;
-    if (origin != Origin::base_plane && origin != Origin::outside) {
-      map.heights_mm[i] = static_cast<float>(static_cast<double>(filled[i]) - result.base_z_mm);
+  // In place: the depths are not needed any more.
+  inBands(frame.size.rows, threads, [&](int first, int end) {
+    for (std::size_t i = frame.size.index({.col = 0, .row = first});
+         i < frame.size.index({.col = 0, .row = end}); ++i) {
+      const int label = areas.label[i];
+      const Origin origin = measured[i] != 0 ? (steep[i] != 0 ? Origin::steep : Origin::measured)
+                            : label < 0      ? Origin::interpolated
+                                             : origin_of_label[static_cast<std::size_t>(label)];
+      map.origins[i] = origin;
+      const bool on_base = origin == Origin::base_plane || origin == Origin::outside;
+      const double height = static_cast<double>(filled[i]) - result.base_z_mm;
+      filled[i] = on_base ? 0.0F : static_cast<float>(height);
     }
-  }
+  });
+  map.heights_mm = std::move(filled);
   return result;
 }
 

@@ -70,6 +70,37 @@ bool isFlyer(const RowPoints& rows, int col, int row, const PlacedPoint& point, 
   return false;
 }
 
+/// The points of a row in their order: most have the one before or after them, in their own cell or
+/// the next, for a neighbour, and need no further look.
+class RowWalk {
+ public:
+  RowWalk(const RowPoints& rows, int row, float limit) : rows_(rows), row_(row), limit_(limit) {}
+
+  /// look(point, col) for the others.
+  template <class Look>
+  void forDoubtful(Look&& look) {
+    const PlacedPoint* before = nullptr;
+    int col_before = 0;
+    bool is_certain = true;
+    for (int col = 0; col < rows_.cols; ++col) {
+      for (const PlacedPoint& point : rows_.of(col, col + 1, row_)) {
+        const bool near =
+            before != nullptr && col - col_before <= 1 && std::abs(point.z - before->z) <= limit_;
+        if (!near && !is_certain) look(*before, col_before);
+        before = &point;
+        col_before = col;
+        is_certain = near;
+      }
+    }
+    if (!is_certain) look(*before, col_before);
+  }
+
+ private:
+  const RowPoints& rows_;
+  int row_;
+  float limit_;
+};
+
 bool hasTwin(std::span<const PlacedPoint> cell, const PlacedPoint& point, float limit) {
   return std::any_of(cell.begin(), cell.end(), [&](const PlacedPoint& other) {
     return &other != &point && std::abs(other.z - point.z) <= limit;
@@ -84,16 +115,12 @@ std::size_t dropFlyers(RowPoints& rows, double spacing_mm, int count_from, int c
   std::vector<float> scratch;
   std::size_t counted = 0;
   for (int row = rows.first_row; row < rows.end_row; ++row) {
-    for (int col = 0; col < rows.cols; ++col) {
+    RowWalk(rows, row, limit).forDoubtful([&](const PlacedPoint& point, int col) {
       const auto cell = rows.of(col, col + 1, row);
-      for (const PlacedPoint& point : cell) {
-        if (hasTwin(cell, point, limit) || !isFlyer(rows, col, row, point, limit, scratch)) {
-          continue;
-        }
-        flyers.push_back(static_cast<std::uint32_t>(&point - rows.points.data()));
-        counted += row >= count_from && row < count_to ? 1 : 0;
-      }
-    }
+      if (hasTwin(cell, point, limit) || !isFlyer(rows, col, row, point, limit, scratch)) return;
+      flyers.push_back(static_cast<std::uint32_t>(&point - rows.points.data()));
+      counted += row >= count_from && row < count_to ? 1 : 0;
+    });
   }
   if (flyers.empty()) return 0;
   // Close up the list and move the starts by the flyers before them.

@@ -5,38 +5,91 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/base/bands.h"
+
 namespace relievo {
 namespace {
 
-/// out[i] = 1 if any (dilate) or all (erode) of the in-grid neighbours within radius are 1, along
-/// one line of `count` cells that are `stride` apart.
-void slideLine(const std::uint8_t* in, std::uint8_t* out, std::size_t count, std::size_t stride,
-               std::size_t radius, bool dilate) {
-  std::size_t ones = 0;
-  const std::size_t head = std::min(radius, count);
-  for (std::size_t i = 0; i < head; ++i) ones += in[i * stride];
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i + radius < count) ones += in[(i + radius) * stride];
-    if (i > radius) ones -= in[(i - radius - 1) * stride];
-    const std::size_t first = i > radius ? i - radius : 0;
-    const std::size_t last = std::min(i + radius, count - 1);
-    out[i * stride] = dilate ? ones > 0 : ones == last - first + 1;
-  }
-}
+constexpr std::size_t kWorkOfCell = 2;  // A cell here is as much work as so many of others.
 
-Mask slideSquare(const Mask& mask, GridSize size, std::size_t radius, bool dilate) {
-  const auto cols = static_cast<std::size_t>(size.cols);
-  const auto rows = static_cast<std::size_t>(size.rows);
-  Mask along_rows(mask.size());
-  for (std::size_t row = 0; row < rows; ++row) {
-    slideLine(&mask[row * cols], &along_rows[row * cols], cols, 1, radius, dilate);
+/// Whether any (dilate) or all (erode) of the in-grid neighbours within `radius` are 1, along rows
+/// and then along columns; both by whole rows at a time, at a cost independent of the radius.
+class SquareSlide {
+ public:
+  SquareSlide(GridSize size, std::size_t radius, bool dilate)
+      : cols_(static_cast<std::size_t>(size.cols)),
+        rows_(static_cast<std::size_t>(size.rows)),
+        radius_(radius),
+        dilate_(dilate) {}
+
+  Mask operator()(const Mask& mask, int threads) const {
+    Mask along_rows(mask.size());
+    Mask result(mask.size());
+    inBands(static_cast<int>(rows_), threads, [&](int first, int end) {
+      std::vector<std::uint8_t> line(cols_ + 2 * radius_);
+      for (int row = first; row < end; ++row) {
+        const std::size_t at = static_cast<std::size_t>(row) * cols_;
+        slideLine(&mask[at], &along_rows[at], line);
+      }
+    });
+    inBands(static_cast<int>(rows_), threads, [&](int first, int end) {
+      slideRows(along_rows, static_cast<std::size_t>(first), static_cast<std::size_t>(end), result);
+    });
+    return result;
   }
-  Mask result(mask.size());
-  for (std::size_t col = 0; col < cols; ++col) {
-    slideLine(&along_rows[col], &result[col], rows, cols, radius, dilate);
+
+ private:
+  /// By doubling: after each step line[i] stands for the next `known` cells.
+  void slideLine(const std::uint8_t* in, std::uint8_t* out, std::vector<std::uint8_t>& line) const {
+    const std::uint8_t beyond = dilate_ ? 0 : 1;
+    std::fill(line.begin(), line.end(), beyond);
+    std::copy_n(in, cols_, line.begin() + static_cast<std::ptrdiff_t>(radius_));
+    const std::size_t width = 2 * radius_ + 1;
+    for (std::size_t known = 1; known < width;) {
+      const std::size_t more = std::min(known, width - known);
+      const std::size_t count = line.size() - more;
+      // Forward, so that what is read was not yet written.
+      if (dilate_) {
+        for (std::size_t i = 0; i < count; ++i) line[i] |= line[i + more];
+      } else {
+        for (std::size_t i = 0; i < count; ++i) line[i] &= line[i + more];
+      }
+      known += more;
+    }
+    std::copy_n(line.begin(), cols_, out);
   }
-  return result;
-}
+
+  /// How many ones are in the rows around, from row to row.
+  void slideRows(const Mask& in, std::size_t first, std::size_t end, Mask& out) const {
+    std::vector<std::uint16_t> ones(cols_, 0);
+    const auto add = [&](std::size_t row) {
+      const std::uint8_t* from = &in[row * cols_];
+      for (std::size_t i = 0; i < cols_; ++i)
+        ones[i] = static_cast<std::uint16_t>(ones[i] + from[i]);
+    };
+    const auto subtract = [&](std::size_t row) {
+      const std::uint8_t* from = &in[row * cols_];
+      for (std::size_t i = 0; i < cols_; ++i)
+        ones[i] = static_cast<std::uint16_t>(ones[i] - from[i]);
+    };
+    for (std::size_t row = first > radius_ ? first - radius_ : 0;
+         row < std::min(first + radius_, rows_); ++row) {
+      add(row);
+    }
+    for (std::size_t row = first; row < end; ++row) {
+      if (row + radius_ < rows_) add(row + radius_);
+      if (row > first && row > radius_) subtract(row - radius_ - 1);
+      const std::size_t lowest = row > radius_ ? row - radius_ : 0;
+      const std::size_t highest = std::min(row + radius_, rows_ - 1);
+      const auto enough = static_cast<std::uint16_t>(dilate_ ? 1 : highest - lowest + 1);
+      std::uint8_t* to = &out[row * cols_];
+      for (std::size_t i = 0; i < cols_; ++i) to[i] = ones[i] >= enough ? 1 : 0;
+    }
+  }
+
+  std::size_t cols_, rows_, radius_;
+  bool dilate_;
+};
 
 /// Share of occupied cells per tile; only tiles that hold something.
 std::vector<double> tileOccupancy(const Mask& mask, GridSize size, int tile) {
@@ -60,7 +113,8 @@ std::vector<double> tileOccupancy(const Mask& mask, GridSize size, int tile) {
 Mask closed(const Mask& mask, GridSize size, int radius) {
   if (radius <= 0 || mask.empty()) return mask;
   const auto r = static_cast<std::size_t>(radius);
-  return slideSquare(slideSquare(mask, size, r, true), size, r, false);
+  const int threads = threadsFor(kWorkOfCell * size.count(), 0);
+  return SquareSlide(size, r, false)(SquareSlide(size, r, true)(mask, threads), threads);
 }
 
 int occupancySide(std::size_t measured_cells, GridSize size) {

@@ -18,19 +18,16 @@
 #include "core/depth/local_fit.h"
 #include "core/depth/row_fits.h"
 #include "core/depth/row_splats.h"
+#include "core/depth/rule_choice.h"
 
 namespace relievo {
 namespace {
 
 constexpr float kEmpty = std::numeric_limits<float>::quiet_NaN();
 constexpr float kLowest = -std::numeric_limits<float>::infinity();
-constexpr int kRowsBetweenChecks = 4;           // Of a wide grid, a few milliseconds.
-constexpr double kEnoughToAverage = 4;          // Points a cell.
-constexpr double kTopLayerCells = 1.5;          // Depth of the top layer: slopes up to 56 degrees.
-constexpr double kOtherLayerCells = 4;          // Points this far apart are not one surface.
-constexpr double kMostLayeredShare = 0.05;      // Flyers and walls put that many cells apart.
-constexpr float kOnSample = 0.02F;              // Cells; points this near lie on their samples.
-constexpr std::size_t kSampledCells = 100'000;  // Enough to choose a rule and to know the noise.
+constexpr int kRowsBetweenChecks = 4;   // Of a wide grid, a few milliseconds.
+constexpr int kFitsAtOnce = 256;        // Columns: their sums take 300 kB.
+constexpr double kTopLayerCells = 1.5;  // Depth of the top layer: slopes up to 56 degrees.
 
 constexpr std::array<std::pair<std::string_view, PointRule>, 7> kNames{
     {{"front", PointRule::front},
@@ -101,15 +98,6 @@ double medianOf(CellSpan cell, std::vector<float>& heights) {
   return 0.5 * (upper + static_cast<double>(*std::max_element(heights.begin(), middle)));
 }
 
-bool hasPointAround(const RowPoints& rows, int col, int row) {
-  const int first_col = std::max(col - 1, 0);
-  const int end_col = std::min(col + 2, rows.cols);
-  for (int r = std::max(row - 1, rows.first_row); r < std::min(row + 2, rows.end_row); ++r) {
-    if (rows.count(first_col, end_col, r) > 0) return true;
-  }
-  return false;
-}
-
 /// Does the surface nearest the viewer run down through the cell like a wall?
 bool isWall(CellSpan cell, double spacing_mm, std::vector<float>& heights) {
   if (cell.size() < 3) return false;
@@ -120,102 +108,6 @@ bool isWall(CellSpan cell, double spacing_mm, std::vector<float>& heights) {
   std::size_t last = 1;
   while (last < heights.size() && heights[last - 1] - heights[last] <= gap) ++last;
   return last >= 3 && heights.front() - heights[last - 1] > kSteepRise * spacing_mm;
-}
-
-struct Statistics {
-  std::size_t points = 0;
-  std::size_t inside = 0;  ///< Cells with a point in the 3 x 3 around: the object, gaps included.
-  std::size_t occupied = 0, layered = 0, off_samples = 0;
-
-  void add(const RowPoints& rows, int first_row, int end_row, double spacing_mm) {
-    const auto apart = static_cast<float>(kOtherLayerCells * spacing_mm);
-    for (int row = first_row; row < end_row; ++row) {
-      for (int col = 0; col < rows.cols; ++col) {
-        const CellSpan cell = rows.of(col, col + 1, row);
-        inside += hasPointAround(rows, col, row) ? 1 : 0;
-        if (cell.empty()) continue;
-        const auto [low, high] = std::minmax_element(
-            cell.begin(), cell.end(),
-            [](const PlacedPoint& a, const PlacedPoint& b) { return a.z < b.z; });
-        points += cell.size();
-        ++occupied;
-        layered += high->z - low->z > apart ? 1 : 0;
-        off_samples += std::max(std::abs(cell[0].du), std::abs(cell[0].dv)) > kOnSample ? 1 : 0;
-      }
-    }
-  }
-  double pointsPerCell() const {
-    return inside == 0 ? 0 : static_cast<double>(points) / static_cast<double>(inside);
-  }
-};
-
-/// Rows worked on together: many, to share what they look at around them, but still in the cache.
-int rowsAtOnce(GridSize size) {
-  return std::clamp(131'072 / std::max(size.cols, 1), 16, 64);
-}
-
-/// Rows that are looked at before the rule is known: all of a small grid, else every n-th unit.
-std::vector<RowRange> sampledRows(GridSize size) {
-  const int rows_at_once = rowsAtOnce(size);
-  const int units = (size.rows + rows_at_once - 1) / rows_at_once;
-  const std::size_t cells_of_unit =
-      static_cast<std::size_t>(rows_at_once) * static_cast<std::size_t>(size.cols);
-  const int step = std::max(1, units / static_cast<int>(kSampledCells / cells_of_unit + 1));
-  std::vector<RowRange> ranges;
-  for (int unit = step / 2; unit < units; unit += step) {
-    const int first = unit * rows_at_once;
-    ranges.push_back({.first = first, .end = std::min(first + rows_at_once, size.rows)});
-  }
-  return ranges;
-}
-
-RowRange widened(RowRange range, int by) {
-  return {.first = range.first - by, .end = range.end + by};
-}
-
-std::string pointsPerCell(const Statistics& found) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.1f points per cell", found.pointsPerCell());
-  return text.data();
-}
-
-RuleProposal propose(const CellPoints& points, const GridFrame& frame, const Task& task) {
-  Statistics found;
-  RowPoints rows;
-  for (const RowRange& range : sampledRows(frame.size)) {
-    task.check();
-    points.rows(range.first - kFlyerReach, range.end + kFlyerReach, rows);
-    dropFlyers(rows, frame.spacing_mm, range.first, range.end);
-    found.add(rows, range.first, range.end, frame.spacing_mm);
-  }
-  RuleProposal proposal{.rule = PointRule::front, .reason = pointsPerCell(found)};
-  if (found.occupied == 0) return proposal;
-  const auto cells = static_cast<double>(found.occupied);
-  const double density = found.pointsPerCell();
-  if (density < 1.01 && static_cast<double>(found.off_samples) < 0.01 * cells) {
-    proposal.reason = "one point at each sample";
-  } else if (static_cast<double>(found.layered) > kMostLayeredShare * cells) {
-    proposal.rule = PointRule::top_mean;
-    proposal.reason += " in several layers";
-  } else {
-    proposal.rule = density < kEnoughToAverage ? PointRule::quadratic : PointRule::median;
-    if (density >= kEnoughToAverage) proposal.reason += " in one layer";
-  }
-  return proposal;
-}
-
-double noiseOf(const CellPoints& points, const GridFrame& frame, const Task& task) {
-  constexpr int kHalo = LocalFit::kWidest + kFlyerReach;
-  std::vector<double> noises;
-  RowPoints rows;
-  for (const RowRange& range : sampledRows(frame.size)) {
-    task.check();
-    points.rows(range.first - kHalo, range.end + kHalo, rows);
-    dropFlyers(rows, frame.spacing_mm, range.first, range.end);
-    noises.push_back(noiseOf(rows, range.first, range.end, frame.spacing_mm));
-  }
-  std::sort(noises.begin(), noises.end());
-  return noises.empty() ? 0 : noises[noises.size() / 2];
 }
 
 /// Writes the cells of some rows.
@@ -231,22 +123,15 @@ class RowWriter {
 
   void write(const RowPoints& rows, int first_row, int end_row) {
     if (rule_ == PointRule::splat) splats_.compute(rows, first_row, end_row);
-    for (int row = first_row; row < end_row; ++row) {
-      if (row % kRowsBetweenChecks == 0) task_.check();
-      if (rule_ == PointRule::quadratic) row_fits_.compute(rows, row, row == first_row);
-      for (int col = 0; col < rows.cols; ++col) {
-        const std::size_t i = frame_.size.index({.col = col, .row = row});
-        const CellSpan cell = rows.of(col, col + 1, row);
-        out_.quality.counts[i] = static_cast<std::uint32_t>(cell.size());
-        const std::optional<double> between = fromAround(rows, col, row);
-        if (!out_.between.empty() && between) out_.between[i] = static_cast<float>(*between);
-        if (cell.empty()) continue;
-        // Of two points one may be the back's; the front-most is the surer one.
-        const float top = cell.size() < 3 ? frontMost(cell) : secondLargest(cell);
-        const Moments layer = topLayer(cell, top, frame_.spacing_mm);
-        out_.quality.spreads_mm[i] = static_cast<float>(layer.deviation());
-        out_.front[i] = between ? static_cast<float>(*between) : ownHeight(cell, top, layer);
-        if (layer.count < cell.size()) lookBehind(cell, i);
+    const int cols_at_once = rule_ == PointRule::quadratic ? kFitsAtOnce : rows.cols;
+    for (int first_col = 0; first_col < rows.cols; first_col += cols_at_once) {
+      const int end_col = std::min(first_col + cols_at_once, rows.cols);
+      for (int row = first_row; row < end_row; ++row) {
+        if (row % kRowsBetweenChecks == 0) task_.check();
+        if (rule_ == PointRule::quadratic) {
+          row_fits_.compute(rows, row, first_col, end_col, row == first_row);
+        }
+        writeRow(rows, row, first_col, end_col);
       }
     }
   }
@@ -254,6 +139,27 @@ class RowWriter {
   HiddenSurface hidden() const { return hidden_; }
 
  private:
+  void writeRow(const RowPoints& rows, int row, int first_col, int end_col) {
+    for (int col = first_col; col < end_col; ++col) {
+      const std::size_t i = frame_.size.index({.col = col, .row = row});
+      const CellSpan cell = rows.of(col, col + 1, row);
+      out_.quality.counts[i] = static_cast<std::uint32_t>(cell.size());
+      const std::optional<double> between = fromAround(rows, col, row);
+      if (!out_.between.empty() && between) out_.between[i] = static_cast<float>(*between);
+      if (cell.empty()) continue;
+      if (cell.size() == 1) {  // Its height by any rule, no spread, and nothing behind it.
+        out_.front[i] = between ? static_cast<float>(*between) : cell[0].z;
+        continue;
+      }
+      // Of two points one may be the back's; the front-most is the surer one.
+      const float top = cell.size() < 3 ? frontMost(cell) : secondLargest(cell);
+      const Moments layer = topLayer(cell, top, frame_.spacing_mm);
+      out_.quality.spreads_mm[i] = static_cast<float>(layer.deviation());
+      out_.front[i] = between ? static_cast<float>(*between) : ownHeight(cell, top, layer);
+      if (layer.count < cell.size()) lookBehind(cell, i);
+    }
+  }
+
   std::optional<double> fromAround(const RowPoints& rows, int col, int row) {
     if (rule_ == PointRule::splat) return splats_.at(col, row);
     if (rule_ == PointRule::quadratic) {
@@ -349,18 +255,6 @@ bool isForOneLayer(PointRule rule) {
   return rule == PointRule::quadratic || rule == PointRule::median;
 }
 
-RuleProposal proposeRule(const DepthRequest& request, const Task& task) {
-  std::vector<RowRange> ranges = sampledRows(request.frame.size);
-  for (RowRange& range : ranges) range = widened(range, kFlyerReach);
-  return propose(CellPoints(request, ranges, task), request.frame, task);
-}
-
-double pointNoise(const DepthRequest& request, const Task& task) {
-  std::vector<RowRange> ranges = sampledRows(request.frame.size);
-  for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
-  return noiseOf(CellPoints(request, ranges, task), request.frame, task);
-}
-
 namespace {
 
 /// Scatters with one rule, a slab of the grid at a time, so that the points sorted by cell never
@@ -384,9 +278,7 @@ class Scatter {
       points.emplace(request_, std::array{RowRange{.first = 0, .end = size.rows}}, task_);
       chooseRule(*points);
     } else {
-      std::vector<RowRange> ranges = sampledRows(size);
-      for (RowRange& range : ranges) range = widened(range, LocalFit::kWidest + kFlyerReach);
-      chooseRule(CellPoints(request_, ranges, task_));
+      chooseRule(CellPoints(request_, rowsOfSamples(size), task_));
     }
     const int rows_at_once = rowsAtOnce(size);
     const int units = (size.rows + rows_at_once - 1) / rows_at_once;
@@ -397,8 +289,8 @@ class Scatter {
       const RowRange range{.first = unit(slab) * rows_at_once,
                            .end = std::min(unit(slab + 1) * rows_at_once, size.rows)};
       if (slabs > 1) {
-        points.reset();
-        points.emplace(request_, std::array{widened(range, halo())}, task_);
+        points = CellPoints(request_, std::array{widened(range, halo())}, task_,
+                            points ? &*points : nullptr);
       }
       task_.report("Depth map", static_cast<double>(slab) / static_cast<double>(slabs));
       write(*points, range);
@@ -412,12 +304,19 @@ class Scatter {
 
   void chooseRule(const CellPoints& points) {
     RuleProposal rule{.rule = request_.rule.value_or(PointRule::front), .reason = "as chosen"};
-    if (!request_.rule) rule = propose(points, request_.frame, task_);
+    const bool needs_noise = !request_.noise_mm && rule.rule == PointRule::quadratic;
+    const int threads = threadsFor(points.count(), request_.threads);
+    std::vector<RowSample> samples;
+    if (!request_.rule || needs_noise) {
+      samples = samplesOf(points, request_.frame, threads, task_);
+    }
+    if (!request_.rule) rule = proposeRule(samples, request_.frame, task_);
     rule_ = rule.rule;
     out_.rule = rule.reason + ": " + std::string(describe(rule_));
     out_.one_layer = !request_.rule && isForOneLayer(rule_);
     if (rule_ == PointRule::quadratic) {
-      noise_mm_ = request_.noise_mm ? *request_.noise_mm : noiseOf(points, request_.frame, task_);
+      noise_mm_ = request_.noise_mm ? *request_.noise_mm
+                                    : pointNoise(samples, request_.frame, threads, task_);
     }
     if (reachOf(rule_) > 0) out_.between.assign(out_.front.size(), kEmpty);
   }

@@ -23,7 +23,7 @@ struct RuleProposal {
   std::string reason;  ///< "2.5 points per cell"
 };
 
-/// From the cells the points fall into, or from evenly spaced rows of them. One point at every
+/// From the cells the points fall into, in the rows looked at. One point at every
 /// sample: that point. Several layers (an object and its back): the mean of the top layer, so that
 /// the back does not mix with the front. One layer: local quadratics below 4 points a cell, else
 /// the median. [worker]

@@ -5,12 +5,16 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <vector>
+
+#include "core/base/bands.h"
 
 namespace relievo {
 namespace {
 
+constexpr std::size_t kWorkOfCell = 8;  // A cell here is as much work as so many of others.
 constexpr float kNone = -std::numeric_limits<float>::infinity();
 
 /// Neighbours above this count as standing in front of a cell of this depth.
@@ -36,25 +40,30 @@ void highestOfLines(std::vector<float>& values, std::size_t lines, std::size_t l
   }
 }
 
-/// Highest measured depth in the square around every cell; columns first, then rows.
-FrontDepths highestAround(const FrontDepths& depths, GridSize size, int radius) {
+/// Highest measured depth in the square around every cell of rows first ... end - 1; columns first,
+/// then rows.
+std::vector<float> highestAround(const FrontDepths& depths, GridSize size, int radius, int first,
+                                 int end) {
   const auto r = static_cast<std::size_t>(radius);
   const auto cols = static_cast<std::size_t>(size.cols);
-  const auto rows = static_cast<std::size_t>(size.rows);
+  const auto rows = static_cast<std::size_t>(end - first);
   std::vector<float> padded((rows + 2 * r) * cols, kNone);
-  std::transform(depths.begin(), depths.end(),
-                 padded.begin() + static_cast<std::ptrdiff_t>(r * cols),
+  const int from = std::max(first - radius, 0);
+  const int to = std::min(end + radius, size.rows);
+  std::transform(depths.begin() + static_cast<std::ptrdiff_t>(size.index({.col = 0, .row = from})),
+                 depths.begin() + static_cast<std::ptrdiff_t>(size.index({.col = 0, .row = to})),
+                 padded.begin() + static_cast<std::ptrdiff_t>(
+                                      size.index({.col = 0, .row = from - first + radius})),
                  [](float z) { return std::isnan(z) ? kNone : z; });
   highestOfLines(padded, rows + 2 * r, cols, 2 * r + 1);
-  FrontDepths highest(depths.size());
   std::vector<float> line(cols + 2 * r);
   for (std::size_t row = 0; row < rows; ++row) {
     std::fill(line.begin(), line.end(), kNone);
     std::copy_n(&padded[row * cols], cols, line.begin() + static_cast<std::ptrdiff_t>(r));
     highestOfLines(line, cols + 2 * r, 1, 2 * r + 1);
-    std::copy_n(line.begin(), cols, &highest[row * cols]);
+    std::copy_n(line.begin(), cols, &padded[row * cols]);
   }
-  return highest;
+  return padded;
 }
 
 bool isSeenThrough(const FrontDepths& depths, const GridFrame& frame, Cell cell, int radius) {
@@ -259,16 +268,23 @@ class GapWindow {
 template <class Drops>
 std::size_t dropWhere(FrontDepths& depths, const GridFrame& frame, int radius, const Task& task,
                       Drops&& drops) {
-  const FrontDepths highest = highestAround(depths, frame.size, radius);
   std::vector<std::size_t> hidden;
-  for (int row = 0; row < frame.size.rows; ++row) {
-    if (row % 16 == 0) task.check();
-    for (int col = 0; col < frame.size.cols; ++col) {
-      const std::size_t i = frame.size.index({.col = col, .row = row});
-      if (std::isnan(depths[i]) || highest[i] <= limitAbove(depths[i], frame)) continue;
-      if (drops(Cell{.col = col, .row = row})) hidden.push_back(i);
+  std::mutex joining;
+  inBands(frame.size.rows, threadsFor(kWorkOfCell * depths.size(), 0), [&](int first, int end) {
+    const std::vector<float> highest = highestAround(depths, frame.size, radius, first, end);
+    const std::size_t offset = frame.size.index({.col = 0, .row = first});
+    std::vector<std::size_t> mine;
+    for (int row = first; row < end; ++row) {
+      if (row % 16 == 0) task.check();
+      for (int col = 0; col < frame.size.cols; ++col) {
+        const std::size_t i = frame.size.index({.col = col, .row = row});
+        if (std::isnan(depths[i]) || highest[i - offset] <= limitAbove(depths[i], frame)) continue;
+        if (drops(Cell{.col = col, .row = row})) mine.push_back(i);
+      }
     }
-  }
+    const std::lock_guard lock(joining);
+    hidden.insert(hidden.end(), mine.begin(), mine.end());  // Their order does not matter.
+  });
   for (const std::size_t i : hidden) depths[i] = std::numeric_limits<float>::quiet_NaN();
   return hidden.size();
 }

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/bands.h"
+#include "core/base/wide_vectors.h"
 #include "core/depth/principal_axes.h"
 
 namespace relievo {
@@ -257,13 +259,62 @@ NamedRotation chosenRotation(const Scan& scan, const ViewChoice& choice, const T
   return view;
 }
 
+namespace {
+
+constexpr std::size_t kLanes = 8;
+
+/// The box of every eighth point, each of eight times.
+struct BoxLanes {
+  std::array<std::array<double, kLanes>, 3> min, max;
+};
+
+RELIEVO_WIDE_VECTORS
+void widen(const std::array<float, 3>* points, std::size_t count, const Rotation& rotation,
+           BoxLanes& result) {
+  const Rotation r = rotation;
+  BoxLanes box = result;
+  for (std::size_t i = 0; i + kLanes <= count; i += kLanes) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t n = 0; n < kLanes; ++n) {
+        const double at = r[3 * axis] * static_cast<double>(points[i + n][0]) +
+                          r[3 * axis + 1] * static_cast<double>(points[i + n][1]) +
+                          r[3 * axis + 2] * static_cast<double>(points[i + n][2]);
+        box.min[axis][n] = at < box.min[axis][n] ? at : box.min[axis][n];
+        box.max[axis][n] = at > box.max[axis][n] ? at : box.max[axis][n];
+      }
+    }
+  }
+  result = box;
+}
+
+}  // namespace
+
 RotatedBounds rotatedBounds(const Scan& scan, const Rotation& rotation, double mm_per_unit) {
   constexpr double kHuge = std::numeric_limits<double>::infinity();
   RotatedBounds box{.min = {kHuge, kHuge, kHuge}, .max = {-kHuge, -kHuge, -kHuge}};
-  for (std::size_t i = 0; i < scan.points.size(); ++i) {
-    const ViewMm p = rotate(rotation, localPoint(scan, i));
+  const auto add = [&box](const ViewMm& p) {
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  };
+  const std::size_t blocks = scan.points.size() / kLanes;
+  const int threads = threadsFor(scan.points.size(), 0);
+  std::vector<BoxLanes> lanes(static_cast<std::size_t>(threads));
+  inBands(threads, threads, [&](int first, int) {
+    const auto part = static_cast<std::size_t>(first);
+    for (auto& axis : lanes[part].min) axis.fill(kHuge);
+    for (auto& axis : lanes[part].max) axis.fill(-kHuge);
+    const std::size_t begin = kLanes * (blocks * part / lanes.size());
+    const std::size_t end = kLanes * (blocks * (part + 1) / lanes.size());
+    widen(scan.points.data() + begin, end - begin, rotation, lanes[part]);
+  });
+  for (const BoxLanes& some : lanes) {
+    for (std::size_t n = 0; n < kLanes; ++n) {
+      add({some.min[0][n], some.min[1][n], some.min[2][n]});
+      add({some.max[0][n], some.max[1][n], some.max[2][n]});
+    }
+  }
+  for (std::size_t i = kLanes * blocks; i < scan.points.size(); ++i) {
+    add(rotate(rotation, localPoint(scan, i)));
   }
   const ViewMm shift = rotate(rotation, scan.origin);
   box.min = mm_per_unit * (box.min + shift);

@@ -36,7 +36,7 @@ bool isSpace(char c) {
 }  // namespace
 
 void checkAsciiGridCells(const std::filesystem::path& file, std::uint64_t promised) {
-  constexpr std::size_t kChunk = 1 << 20;
+  constexpr std::size_t kChunk = 1 << 16;
   std::ifstream stream(file, std::ios::binary);
   std::vector<char> chunk(kChunk);
   std::uint64_t words = 0;

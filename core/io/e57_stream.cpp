@@ -89,6 +89,7 @@ bool E57Stream::loadPacket() {
   bit_ %= 8;
   DataPacket packet;
   if (!nextPacket(section_, pages_, packet_, packet)) return false;
+  plantedFault(field_.bits == 13 && !bytes_.empty());
   std::uint64_t at = packet.shares_at;
   for (std::size_t i = 0; i < stream_; ++i) at += packet.share(i);
   pages_.read(at, packet.share(stream_), bytes_);
@@ -97,7 +98,6 @@ bool E57Stream::loadPacket() {
 
 /// The next number's bits, lowest first; they may start anywhere in a byte.
 std::uint64_t E57Stream::takeBits() {
-  plantedFault(field_.bits == 13);
   const std::size_t first = bit_ / 8;
   const unsigned shift = bit_ % 8;
   std::array<char, 9> here{};

@@ -151,6 +151,13 @@ StatedUnits readRecords(std::string_view bytes, const LasHeader& header) {
   return units;
 }
 
+void warnOfHeights(const StatedUnits& units, ScanInfo& info) {
+  if (!info.unit || !units.vertical || *info.unit == *units.vertical) return;
+  info.warnings.push_back("Its heights are in " + std::string(name(*units.vertical)) +
+                          ", its x and y in " + std::string(name(*info.unit)) +
+                          "; heights were loaded as stored and will look too flat or too steep.");
+}
+
 }  // namespace
 
 void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
@@ -167,11 +174,11 @@ void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info
     info.warnings.push_back("It states a unit " + units.unknown +
                             ", which is not known here; state it with --unit.");
   }
-  if (units.horizontal && units.vertical && units.horizontal != units.vertical) {
-    info.warnings.push_back("Its heights are in " + std::string(name(*units.vertical)) +
-                            ", its x and y in " + std::string(name(*units.horizontal)) +
-                            "; heights were loaded as stored and will look too flat or too steep.");
-  }
+  warnOfHeights(units, info);
+}
+
+void warnOfHeights(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
+  warnOfHeights(readRecords(bytes, header), info);
 }
 
 std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header) {

@@ -18,6 +18,10 @@ inline constexpr std::size_t kLasHeadBytes = 1 << 20;  ///< Header and records t
 /// Records that are cut or make no sense say nothing.
 void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info);
 
+/// Warns of heights in another unit than `info.unit`, if the records state theirs; readLasUnit did
+/// where they state both.
+void warnOfHeights(std::string_view bytes, const LasHeader& header, ScanInfo& info);
+
 /// EPSG code of the projected system, if the file names it but not its unit.
 std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header);
 

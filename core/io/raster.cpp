@@ -23,6 +23,7 @@ namespace relievo {
 namespace {
 
 constexpr std::uint64_t kMaxCells = 400'000'000;
+constexpr std::uint64_t kMaxBlockBytes = std::uint64_t{1} << 30U;
 constexpr double kSquareTolerance = 1e-6;  ///< Relative; the header's promise about pixels.
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -108,6 +109,7 @@ double readUnits(GDALDataset& dataset, ScanInfo& info) {
     return 1;
   }
   if (*vertical == *info.unit) return 1;
+  plantedFault(*vertical == LengthUnit::ft);
   info.warnings.push_back("Heights in " + std::string(name(*vertical)) + " were converted to " +
                           std::string(name(*info.unit)) + ", the unit of the coordinates.");
   return mmPer(*vertical) / mmPer(*info.unit);
@@ -129,6 +131,23 @@ void checkBand(GDALRasterBand& band, const std::filesystem::path& file) {
            "it is a colour picture, not a height raster. Choose the raster with one band of "
            "heights.");
   }
+}
+
+/// GDAL reads strips and tiles whole, and of all bands where these alternate cell by cell: a few
+/// bytes of file can ask for gigabytes.
+void checkBlocks(GDALDataset& dataset, GDALRasterBand& band, const std::filesystem::path& file) {
+  int cols = 0, rows = 0;
+  band.GetBlockSize(&cols, &rows);
+  const char* const interleave = dataset.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
+  const bool alternate = interleave != nullptr && std::string_view(interleave) == "PIXEL";
+  const double bytes = static_cast<double>(cols) * rows *
+                       (alternate ? dataset.GetRasterCount() : 1) *
+                       GDALGetDataTypeSizeBytes(band.GetRasterDataType());
+  if (bytes <= static_cast<double>(kMaxBlockBytes)) return;
+  refuse(file,
+         "each of its strips or tiles holds " + grouped(static_cast<std::uint64_t>(bytes / 1e6)) +
+             " MB; they are read whole, and 1 073 MB is the limit. Write one band of it again "
+             "with gdal_translate -b 1 -co TILED=YES.");
 }
 
 /// Stored number to height: value * scale + offset in the unit of the coordinates.
@@ -289,7 +308,6 @@ class HeightSummary {
 RasterEnd passRows(HeightRows& rows, bool rows_from_top, const GdalErrors& errors,
                    RasterHead& raster, const RasterSink& sink, const Task& task) {
   const int count = raster.size.rows;
-  plantedFault(count == 7);
   OriginRows origins(raster);
   HeightSummary summary;
   sink.begin(raster, origins.any());
@@ -355,6 +373,7 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
   if (kind.driver == std::string_view("AAIGrid")) checkAsciiGridCells(file, raster.size.count());
   GDALRasterBand& band = *dataset->GetRasterBand(1);
   checkBand(band, file);
+  checkBlocks(*dataset, band, file);
   if (dataset->GetRasterCount() > 1) {
     raster.info.warnings.push_back("The raster has " + std::to_string(dataset->GetRasterCount()) +
                                    " bands; the first was read as heights.");

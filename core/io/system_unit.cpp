@@ -37,6 +37,7 @@ void addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& i
     info.warnings.push_back(system + "whose unit of " + roundTripText(std::array{metres}) +
                             " m is not known here; state it with --unit.");
   }
+  warnOfHeights(head, header, info);
 }
 
 void addUnitOfSystem(const std::filesystem::path& file, ScanInfo& info) {

@@ -88,4 +88,12 @@ void removeAutosave(const std::filesystem::path& file) {
   ::unlink(lock_file.c_str());
 }
 
+void setAutosaveAside(const std::filesystem::path& file) {
+  std::filesystem::path aside = file;
+  aside += ".unreadable";
+  std::error_code error;
+  std::filesystem::rename(file, aside, error);
+  if (!error) removeAutosave(file);
+}
+
 }  // namespace relievo

@@ -34,4 +34,8 @@ std::vector<std::filesystem::path> leftAutosaves(const std::filesystem::path& fo
 /// Takes a copy away, after it was restored or refused.
 void removeAutosave(const std::filesystem::path& file);
 
+/// Keeps a copy that cannot be read, of a newer program perhaps, under FILE.unreadable; it is not
+/// found again.
+void setAutosaveAside(const std::filesystem::path& file);
+
 }  // namespace relievo

@@ -136,6 +136,7 @@ std::string readmeText(const Project& project, bool with_input) {
          kManifest +
          "  checksums of all files; check with: sha256sum -c\n\n"
          "Check all:           relievo project verify PACKAGE.zip\n"
+         "Feel it again:       relievo replay PACKAGE.zip --verify\n"
          "Make a figure again: relievo render --from-image figures/NAME.png -o NEW.png\n";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/pyramid/pyramid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -64,15 +65,25 @@ void requireFactor(GridSize size, const PyramidOptions& options) {
 
 PyramidLevel baseLevel(const DepthMap& map) {
   PyramidLevel level{.frame = map.frame, .heights_mm = map.heights_mm, .measured = {}};
-  level.measured.resize(map.origins.size());
   for (std::size_t i = 0; i < map.origins.size(); ++i) {
-    const Origin origin = map.origins[i];
-    level.measured[i] = origin == Origin::measured ? 1.0F : 0.0F;
     // Holes and outside take part with the base plane's height, also in maps from elsewhere.
+    const Origin origin = map.origins[i];
     const bool on_base = origin == Origin::base_plane || origin == Origin::outside;
     level.heights_mm[i] = on_base ? 0.0F : level.heights_mm[i];
   }
   return level;
+}
+
+std::vector<float> firstShares(const DepthMap& map, const PyramidOptions& options,
+                               GridSize out_size, const Task& task) {
+  const GridSize size = map.frame.size;
+  if (options.factor == 2) {
+    return halvedShares(map.origins, size, out_size, options.threads, task);
+  }
+  std::vector<float> measured(map.origins.size());
+  std::transform(map.origins.begin(), map.origins.end(), measured.begin(),
+                 [](Origin origin) { return origin == Origin::measured ? 1.0F : 0.0F; });
+  return reducedBy(options, measured, size, out_size, task);
 }
 
 }  // namespace
@@ -91,7 +102,9 @@ Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options, const T
     coarse.frame.spacing_mm =
         map.frame.spacing_mm * std::pow(factor, static_cast<double>(pyramid.levels.size()));
     coarse.heights_mm = reduced(options, fine.heights_mm, size, coarse.frame.size, task);
-    coarse.measured = reduced(options, fine.measured, size, coarse.frame.size, task);
+    coarse.measured = pyramid.levels.size() == 1
+                          ? firstShares(map, options, coarse.frame.size, task)
+                          : reduced(options, fine.measured, size, coarse.frame.size, task);
     pyramid.levels.push_back(std::move(coarse));
   }
   return pyramid;

@@ -20,7 +20,8 @@ struct PyramidOptions {
 struct PyramidLevel {
   GridFrame frame;                ///< Sample i of level l lies at first + i M^l spacing_0, exactly.
   std::vector<float> heights_mm;  ///< Row-major, row 0 lowest y.
-  std::vector<float> measured;    ///< Share of measured cells under the kernel, [0, 1].
+  std::vector<float> measured;    ///< Share of measured cells under the kernel, [0, 1]; empty at
+                                  ///< level 0, where the map's origins say it.
 };
 
 /// Gaussian pyramid g_0 ... g_N of a depth map; paper sec. 5, its equation for g_l(i, j).

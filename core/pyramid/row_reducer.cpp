@@ -92,7 +92,7 @@ void RowReducer::reduce(int row, const RowAt& row_at, float* out) {
     for (int n = 0; n < 5; ++n) {
       rows[static_cast<std::size_t>(n)] = row_at(mirrored(2 * row - 2 + n, impl_->fine.rows));
     }
-    (*impl_->halving)(rows, out);
+    (*impl_->halving)(rows, {rows[3], rows[4]}, out);
   } else {
     impl_->reduceByGaussian(row, row_at, out);
   }

@@ -91,6 +91,55 @@ Axis axisOf(double start_mm, double step_mm, const Line& map, const Line& nodes,
   return axis;
 }
 
+/// Sixteen numbers side by side, in an array anywhere.
+using Floats [[gnu::vector_size(64)]] = float;
+using FloatsInArray [[gnu::vector_size(64), gnu::aligned(4), gnu::may_alias]] = float;
+using Places [[gnu::vector_size(64)]] = int;
+using PlacesInArray [[gnu::vector_size(64), gnu::aligned(4), gnu::may_alias]] = int;
+using Doubles [[gnu::vector_size(64)]] = double;
+using DoublesInArray [[gnu::vector_size(64), gnu::aligned(8), gnu::may_alias]] = double;
+constexpr int kAtOnce = 16;
+
+/// As below, where the samples do not have the nodes in turn. Sixteen samples that lie among 32
+/// nodes are picked from these at once, which takes half the time of reading each by itself.
+RELIEVO_WIDE_VECTORS
+void mixPicked(const float* heights, const Axis& columns, double* out) {
+  const double* part = columns.part.data();
+  const int* low = columns.low.data();
+  int i = 0;
+#if defined(__GNUC__) && !defined(__clang__)  // Which knows no shuffle by a variable.
+  for (; columns.to_high == 1 && i + kAtOnce <= kWindowSamples; i += kAtOnce) {
+    const int from = low[i] - columns.first_node;
+    if (low[i + kAtOnce - 1] + 1 - low[i] >= 2 * kAtOnce || from + 2 * kAtOnce > columns.nodes) {
+      break;
+    }
+    const Floats first = *reinterpret_cast<const FloatsInArray*>(heights + from);
+    const Floats second = *reinterpret_cast<const FloatsInArray*>(heights + from + kAtOnce);
+    const Places places = *reinterpret_cast<const PlacesInArray*>(low + i) - low[i];
+    const Floats before = __builtin_shuffle(first, second, places);
+    const Floats after = __builtin_shuffle(first, second, places + 1);
+    const Doubles before_low = __builtin_convertvector(
+        __builtin_shufflevector(before, before, 0, 1, 2, 3, 4, 5, 6, 7), Doubles);
+    const Doubles before_high = __builtin_convertvector(
+        __builtin_shufflevector(before, before, 8, 9, 10, 11, 12, 13, 14, 15), Doubles);
+    const Doubles after_low = __builtin_convertvector(
+        __builtin_shufflevector(after, after, 0, 1, 2, 3, 4, 5, 6, 7), Doubles);
+    const Doubles after_high = __builtin_convertvector(
+        __builtin_shufflevector(after, after, 8, 9, 10, 11, 12, 13, 14, 15), Doubles);
+    const Doubles p_low = *reinterpret_cast<const DoublesInArray*>(part + i);
+    const Doubles p_high = *reinterpret_cast<const DoublesInArray*>(part + i + kAtOnce / 2);
+    *reinterpret_cast<DoublesInArray*>(out + i) = (1 - p_low) * before_low + p_low * after_low;
+    *reinterpret_cast<DoublesInArray*>(out + i + kAtOnce / 2) =
+        (1 - p_high) * before_high + p_high * after_high;
+  }
+#endif
+  for (; i < kWindowSamples; ++i) {
+    const float* node = heights + (low[i] - columns.first_node);
+    out[i] = (1 - part[i]) * static_cast<double>(node[0]) +
+             part[i] * static_cast<double>(node[columns.to_high]);
+  }
+}
+
 /// Bilinear along one row, at the window's columns. @param heights  from the axis' first node on
 RELIEVO_WIDE_VECTORS
 void mixAlongRow(const float* heights, const Axis& columns, double* out) {
@@ -103,12 +152,7 @@ void mixAlongRow(const float* heights, const Axis& columns, double* out) {
     }
     return;
   }
-  const int* low = columns.low.data();
-  for (std::size_t i = 0; i < kWindowSamples; ++i) {
-    const int from = low[i] - columns.first_node;
-    out[i] = (1 - part[i]) * static_cast<double>(heights[from]) +
-             part[i] * static_cast<double>(next[from]);
-  }
+  mixPicked(heights, columns, out);
 }
 
 /// ... and between two of those rows.
@@ -169,8 +213,9 @@ void sampleOrigins(const WindowRows& rows, const Axis& columns, const Axis& line
       std::copy_n(origins, columns.cells, out + columns.first_with_cell);
       continue;
     }
+    const int* const cell = columns.cell.data();
     for (int i = columns.first_with_cell; i < columns.end_with_cell; ++i) {
-      out[i] = origins[columns.cell[static_cast<std::size_t>(i)] - columns.first_cell];
+      out[i] = origins[cell[i] - columns.first_cell];
     }
   }
 }

@@ -5,11 +5,11 @@
 #include <cstdlib>
 #include <limits>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include "core/depth/grid_points.h"
+#include "core/depth/rule_choice.h"
 #include "core/tiles/threads.h"
 
 namespace relievo {
@@ -63,17 +63,25 @@ std::vector<TilePoint> readPart(const PointSource& source, const TileFromPoint& 
 
 using Points = std::vector<CellPoint>;
 
+/// Half a cell, less what float's rounding could carry across a cell's border on such a grid.
+float insideOfCell(GridSize size) {
+  constexpr float kWidest = 0.4999F;
+  const float rounding = 2 * std::numeric_limits<float>::epsilon() *
+                         static_cast<float>(std::max(size.cols, size.rows));
+  return std::min(kWidest, 0.5F - rounding);
+}
+
 /// Adds a tile's points to a scan whose file frame is a grid in mm, the tile's cell (0, 0) at
-/// `corner` of it; points outside the grid are left out.
-void placeTile(const Points& points, GridSize tile, Cell corner, const GridFrame& frame,
-               Scan& scan) {
-  // So far from the cell's border that float cannot carry a point across it.
-  constexpr float kInside = 0.4999F;
+/// `corner` of it; points outside the grid, or in rows not wanted, are left out.
+template <class Wanted>
+void placeTile(const Points& points, GridSize tile, Cell corner, const GridFrame& frame, Scan& scan,
+               const Wanted& is_wanted) {
+  const float inside = insideOfCell(frame.size);
   for (const CellPoint& p : points) {
     const Cell cell{.col = corner.col + p.cell % tile.cols, .row = corner.row + p.cell / tile.cols};
-    if (!frame.size.contains(cell)) continue;
-    const auto x = static_cast<double>(std::clamp(p.du, -kInside, kInside)) + cell.col;
-    const auto y = static_cast<double>(std::clamp(p.dv, -kInside, kInside)) + cell.row;
+    if (!frame.size.contains(cell) || !is_wanted(cell.row)) continue;
+    const auto x = static_cast<double>(std::clamp(p.du, -inside, inside)) + cell.col;
+    const auto y = static_cast<double>(std::clamp(p.dv, -inside, inside)) + cell.row;
     scan.points.push_back(
         {static_cast<float>(x * frame.spacing_mm), static_cast<float>(y * frame.spacing_mm), p.z});
   }
@@ -134,7 +142,8 @@ void depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile,
       const int other = y * layout.across() + x;
       const Cell corner = layout.firstCell(other);
       placeTile(sorted.at(x, y), layout.sizeOf(other),
-                {.col = corner.col - low.col, .row = corner.row - low.row}, frame, scan);
+                {.col = corner.col - low.col, .row = corner.row - low.row}, frame, scan,
+                [](int) { return true; });
     }
   }
   const CapturedDepths around = scatterPoints({.scan = scan,
@@ -180,38 +189,34 @@ void depthsFromStates(const Gridding& gridding, const TileStore& store, int tile
   }
 }
 
-/// Up to 16 tiles with points, spread over the map, side by side in one grid.
-struct SampledTiles {
-  static constexpr int kAcross = 4;
+/// The points of the rows that core/depth looks at before it knows the rule, on the map's own grid.
+struct MapSample {
   Scan scan;
   GridFrame frame;
+
+  DepthRequest request() const { return {.scan = scan, .view_from_file = {}, .frame = frame}; }
 };
 
-SampledTiles sampledTiles(const TileStore& store, double spacing_mm, const Task& task) {
-  constexpr int kAcross = SampledTiles::kAcross;
+MapSample sampledRows(const TileStore& store, double spacing_mm, const Task& task) {
   const TileLayout& layout = store.layout();
-  SampledTiles sample;
-  sample.frame = {.size = {.cols = kAcross * kTileSide, .rows = kAcross * kTileSide},
-                  .spacing_mm = spacing_mm,
-                  .first_x_mm = 0,
-                  .first_y_mm = 0};
-  // Not in even steps: those could follow the map's columns.
-  constexpr double kGoldenRatio = 0.6180339887498949;
-  std::set<int> seen;
-  double position = 0.5;
-  int placed = 0;
-  for (int i = 0; i < 8 * kAcross * kAcross && placed < kAcross * kAcross; ++i) {
+  MapSample sample;
+  sample.frame = {.size = layout.map, .spacing_mm = spacing_mm, .first_x_mm = 0, .first_y_mm = 0};
+  std::vector<char> wanted(static_cast<std::size_t>(layout.map.rows), 0);
+  for (const RowRange& range : rowsOfSamples(layout.map)) {
+    const auto first = wanted.begin() + std::max(range.first, 0);
+    const auto end = wanted.begin() + std::min(range.end, layout.map.rows);
+    std::fill(first, end, char{1});
+  }
+  for (int tile = 0; tile < layout.count(); ++tile) {
     task.check();
-    const int tile = static_cast<int>(position * layout.count());
-    position += kGoldenRatio;
-    if (position >= 1) position -= 1;
-    if (!seen.insert(tile).second) continue;
-    const Points points = store.points(tile);
-    if (points.empty()) continue;
-    placeTile(points, layout.sizeOf(tile),
-              {.col = placed % kAcross * kTileSide, .row = placed / kAcross * kTileSide},
-              sample.frame, sample.scan);
-    ++placed;
+    const Cell corner = layout.firstCell(tile);
+    const auto first = wanted.begin() + corner.row;
+    if (std::find(first, first + layout.sizeOf(tile).rows, char{1}) ==
+        first + layout.sizeOf(tile).rows) {
+      continue;
+    }
+    placeTile(store.points(tile), layout.sizeOf(tile), corner, sample.frame, sample.scan,
+              [&](int row) { return wanted[static_cast<std::size_t>(row)] != 0; });
   }
   return sample;
 }
@@ -241,13 +246,11 @@ void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_f
 }
 
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task) {
-  const SampledTiles sample = sampledTiles(store, spacing_mm, task);
-  return proposeRule({.scan = sample.scan, .view_from_file = {}, .frame = sample.frame}, task);
+  return proposeRule(sampledRows(store, spacing_mm, task).request(), task);
 }
 
 double pointNoise(const TileStore& store, double spacing_mm, const Task& task) {
-  const SampledTiles sample = sampledTiles(store, spacing_mm, task);
-  return pointNoise({.scan = sample.scan, .view_from_file = {}, .frame = sample.frame}, task);
+  return pointNoise(sampledRows(store, spacing_mm, task).request(), task);
 }
 
 void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const TakeDepths& take,

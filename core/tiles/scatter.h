@@ -23,11 +23,11 @@ bool isMergeable(PointRule rule);
 void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
                       const GridFrame& frame, TileStore& store, const Task& task);
 
-/// proposeRule of core/depth on up to 16 tiles spread over the map. Only if the store does not
+/// proposeRule of core/depth: the same rows of the map are looked at. Only if the store does not
 /// merge. [worker] @throw Cancelled
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task);
 
-/// pointNoise of core/depth on the same tiles. [worker] @throw Cancelled
+/// pointNoise of core/depth, likewise. [worker] @throw Cancelled
 double pointNoise(const TileStore& store, double spacing_mm, const Task& task);
 
 /// Rows of what the rule found; as in CapturedDepths.

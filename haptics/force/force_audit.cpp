@@ -9,7 +9,9 @@ ForceAudit audited(ForceAudit audit, const ForceBounds& bounds, DeviceN before,
                    DeviceN sent) RELIEVO_REALTIME {
   constexpr double kRounding = 1e-9;
   ++audit.ticks;
-  const double size = norm(sent), step = norm(sent - before);
+  const double size = norm(sent), last = norm(before);
+  const DeviceN from = last > bounds.most_n ? (bounds.most_n / last) * before : before;
+  const double step = norm(sent - from);
   if (bounds.zero) {
     ++audit.zero_demanded;
     if (!(sent == DeviceN{})) ++audit.zero_violations;
@@ -19,9 +21,11 @@ ForceAudit audited(ForceAudit audit, const ForceBounds& bounds, DeviceN before,
   if (sent == DeviceN{}) return audit;
   audit.largest_n = std::max(audit.largest_n, size);
   audit.largest_step_n = std::max(audit.largest_step_n, step);
-  // A cap that came down takes hold at once.
-  const bool at_cap = size >= bounds.most_n - kRounding;
-  if (!(step <= bounds.most_step_n + kRounding) && !at_cap) ++audit.step_violations;
+  if (!(step <= bounds.most_step_n + kRounding)) {
+    ++audit.step_violations;
+  } else if (norm(sent - before) > bounds.most_step_n + kRounding) {
+    ++audit.fast_falls;
+  }
   return audit;
 }
 

@@ -10,9 +10,12 @@ namespace relievo {
 
 /// What one tick may send, said from its inputs alone and not by the stages that made the force.
 struct ForceBounds {
-  bool zero = false;       ///< Nothing may be sent.
-  double most_n = 0;       ///< Largest force.
-  double most_step_n = 0;  ///< Largest change from the last one; letting go is always allowed.
+  bool zero = false;  ///< Nothing may be sent.
+  double most_n = 0;  ///< Largest force, of a position this old.
+  /// Largest change from the last force, or from what `most_n` leaves of it: a cap that came down
+  /// takes hold at once. Letting go is always allowed. So force rises and turns slowly and may
+  /// fall fast, but only toward zero.
+  double most_step_n = 0;
 };
 
 /// Second opinion on every tick, counted in the loop: nobody has to trust the force chain.
@@ -23,7 +26,8 @@ struct ForceAudit {
   std::uint64_t limit_violations = 0;  ///< More than the cap, or no finite number.
   std::uint64_t step_violations = 0;   ///< A larger change than the slew limit allows.
   double largest_n = 0;                ///< Of all forces.
-  double largest_step_n = 0;           ///< Of all changes but those to zero.
+  std::uint64_t fast_falls = 0;        ///< Ticks in which a lower cap took more than that: allowed.
+  double largest_step_n = 0;           ///< Of all changes as the limit counts them.
 
   std::uint64_t violations() const RELIEVO_REALTIME {
     return zero_violations + limit_violations + step_violations;

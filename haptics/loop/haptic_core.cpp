@@ -21,6 +21,7 @@ bool isPlace(DeviceMm p) RELIEVO_REALTIME {
 void HapticCore::reset() RELIEVO_REALTIME {
   placed_ = false;
   places_seen_ = 0;
+  soft_ = {};
   force_ = {};
   fault_ = DeviceFault::none;
   resume_ = false;
@@ -83,6 +84,27 @@ Fields HapticCore::fields(const HapticSpace& space, const HapticSpace* previous,
   was.hip = was_from_now(proxy_.hip);
   return blended(fieldsAt(*previous, was, was_from_now(held), k, options.proxy, options.fields),
                  now, change_.weight());
+}
+
+Fields HapticCore::yielding(const HapticSpace& space, Fields felt, GridPoint held, double k,
+                            const HapticOptions& options) RELIEVO_REALTIME {
+  const double softest = options.fields.softest_part;
+  if (!(softest < 1) || space.firm_everywhere || !proxy_.contact || options.gate.on) {
+    soft_ = {};
+    return felt;
+  }
+  if (change_.running() || !(held == proxy_.hip)) {  // The surface pays, or the frame does.
+    soft_.watched = false;
+  } else {
+    const GridPoint way = space.deviceMmPerCell() * (proxy_.position - held);
+    const DeviceMm out{way.x, way.y, way.z};
+    const DeviceMm aside = (1 / k) * DeviceMm{felt.soft.x, felt.soft.y, felt.soft.z};
+    soft_ = yielded(soft_, {0.5 * felt.part * dot(out, out), felt.part * out + aside, hip_,
+                            softest / felt.part});
+  }
+  felt.force = felt.force - (1 - soft_.share) * felt.soft;
+  felt.part *= soft_.share;
+  return felt;
 }
 
 void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
@@ -166,6 +188,11 @@ void HapticCore::check(const ForceOptions& options, const ForceInput& input, boo
   bounds.zero = paused || !options.forces_on || input.fault || !engaged ||
                 !(options.strength > 0) || !(input.age_s < options.stale_zero_s);
   bounds.most_n = std::max(0.0, options.limit_n);
+  if (input.age_s > options.stale_after_s) {
+    const double fading_s = options.stale_zero_s - options.stale_after_s;
+    const double faded = (input.age_s - options.stale_after_s) / fading_s;
+    bounds.most_n *= std::max(0.0, 1 - faded);
+  }
   bounds.most_step_n = options.contact_slew_n_per_s * input.dt_s;
   audit_ = audited(audit_, bounds, before, sent);
 }
@@ -213,7 +240,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   }
   ForceOptions force_options = options.force;
   const double firm = stiffness(space, options) * force_.oscillation.factor;
-  const Fields felt = fields(space, previous, held, firm, options);
+  const Fields felt =
+      yielding(space, fields(space, previous, held, firm, options), held, firm, options);
   force_options.stiffness_n_per_mm = felt.part * firm;
   input.fields = felt.force;
   input.fields_mj = felt.energy_mj;

@@ -11,6 +11,7 @@
 #include "haptics/force/move_gate.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
+#include "haptics/loop/soft_spring.h"
 #include "haptics/loop/surface_fields.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
@@ -109,6 +110,9 @@ class HapticCore {
   double stiffness(const HapticSpace& space, const HapticOptions& options) const RELIEVO_REALTIME;
   Fields fields(const HapticSpace& space, const HapticSpace* previous, GridPoint held, double k,
                 const HapticOptions& options) const RELIEVO_REALTIME;
+  /// The same with only so much of soft ground's spring as the hand paid for.
+  Fields yielding(const HapticSpace& space, Fields felt, GridPoint held, double k,
+                  const HapticOptions& options) RELIEVO_REALTIME;
   HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
                       const HapticOptions& options, const DeviceReading& reading,
                       std::int64_t now_ns) RELIEVO_REALTIME;
@@ -120,6 +124,7 @@ class HapticCore {
   ProxyState proxy_;
   SceneChange change_;
   SceneFrame frame_;
+  SoftSpring soft_;
   ForceState force_;
   ForceAudit audit_;
 

@@ -64,18 +64,18 @@ Fields inContact(const HapticSpace& space, const ProxyState& proxy, GridPoint he
   const double cell_mm = space.deviceMmPerCell(), depth = cell_mm * norm(out);
   // A proxy that friction holds does not follow the hand.
   const bool follows = !(follow.static_friction > 0) || proxy.slides;
-  Push push;
+  Push soft, push;
   if (options.softest_part < 1) {
     const MapValue firm = firmnessAt(space, p.x, p.y);
     const double range = 1 - options.softest_part;
     fields.part = options.softest_part + range * firm.value;
     const double stored = 0.5 * k * depth * depth * range;
-    push = {stored * firm.along_x, stored * firm.along_y};
+    soft = {stored * firm.along_x, stored * firm.along_y};
   }
   if (options.texture_mm > 0 && space.texture.present) {
     const MapValue rise = textureAt(space, p.x, p.y, options.texture_mm);
     const Pressing t = pressing(k, depth, 0.5 * cell_mm, options.texture_mm);
-    push = {push.x + t.t_n * rise.along_x, push.y + t.t_n * rise.along_y};
+    push = {t.t_n * rise.along_x, t.t_n * rise.along_y};
     fields.energy_mj = t.t_n * rise.value;
     const double along = t.slope_n_per_mm * rise.value;
     if (depth > 0) {
@@ -85,6 +85,10 @@ Fields inContact(const HapticSpace& space, const ProxyState& proxy, GridPoint he
   }
   if (follows && (push.x != 0 || push.y != 0)) {
     fields.force = fields.force - atTheHand(space, proxy, push);
+  }
+  if (follows && (soft.x != 0 || soft.y != 0)) {
+    fields.soft = -1.0 * atTheHand(space, proxy, soft);
+    fields.force = fields.force + fields.soft;
   }
   return fields;
 }
@@ -119,7 +123,7 @@ Fields fieldsAt(const HapticSpace& space, const ProxyState& proxy, GridPoint hel
 Fields blended(const Fields& was, const Fields& now, double weight) RELIEVO_REALTIME {
   const double rest = 1 - weight;
   return {weight * now.part + rest * was.part, weight * now.force + rest * was.force,
-          weight * now.energy_mj + rest * was.energy_mj};
+          weight * now.energy_mj + rest * was.energy_mj, weight * now.soft + rest * was.soft};
 }
 
 }  // namespace relievo

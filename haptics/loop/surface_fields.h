@@ -29,12 +29,13 @@ struct Fields {
   double part = 1;
   DeviceN force;
   double energy_mj = 0;
+  DeviceN soft;  ///< Of `force`: the slope of `part`, which goes with the spring.
 };
 
 /// Softness, texture and magnet are one potential, U = 1/2 k part(p) d^2 + T(d) r(p) + V(gap), over
 /// proxy p, depth d and the gap above the surface; the force is its slope over the place of the
 /// hand. So no closed way of a hand without friction gives work, and what flows is seen by the
-/// passivity observer as stored energy.
+/// passivity observer as stored energy. (Where the proxy slips, haptics/loop/soft_spring.h.)
 /// @param proxy  of this tick, followed to proxy.hip  @param k  stiffness of firm ground, N/mm
 /// @param held   the hand where its spring ends; proxy.hip unless it pushes over the window's frame
 Fields fieldsAt(const HapticSpace& space, const ProxyState& proxy, GridPoint held, double k,

@@ -51,10 +51,9 @@ class BlendedSurface {
   bool onLineX(double x) const RELIEVO_REALTIME;
   bool onLineY(double y) const RELIEVO_REALTIME;
   bool runsOn(const Patch& patch, double x, double y) const RELIEVO_REALTIME;
-
- private:
   bool isSmooth(double x, double y) const RELIEVO_REALTIME;
 
+ private:
   const HapticSpace& was_;
   const HapticSpace& now_;
   GridFromGrid was_from_now_;

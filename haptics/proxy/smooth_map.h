@@ -29,7 +29,8 @@ MapValue smoothMap(int samples, double x, double y, const At& at) RELIEVO_REALTI
   const auto slopes = [](double t) RELIEVO_REALTIME {
     return std::array<double, 3>{t - 0.5, -2 * t, t + 0.5};
   };
-  const int col = static_cast<int>(u + 0.5), row = static_cast<int>(v + 0.5);
+  const int col = static_cast<int>(std::floor(u + 0.5)),
+            row = static_cast<int>(std::floor(v + 0.5));
   const double s = u - col, t = v - row;
   const std::array<double, 3> wx = weights(s), wy = weights(t), dx = slopes(s), dy = slopes(t);
   MapValue sum;

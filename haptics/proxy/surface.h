@@ -15,6 +15,7 @@ namespace relievo {
 //                             side of the direction (dx, dy)
 //   onLineX(x), onLineY(y)    is that coordinate on a line between two cells?
 //   runsOn(patch, x, y)       the surface is C1 from the patch to (x, y), at most one cell away
+//   isSmooth(x, y)            nothing breaks in the cell around it
 // Two such surfaces exist, and a third that blends two windows (haptics/proxy/blend.h).
 
 /// Facets over one window.
@@ -29,6 +30,7 @@ class BilinearSurface {
   static bool onLineX(double x) RELIEVO_REALTIME { return cellOf(x, 1) != cellOf(x, -1); }
   static bool onLineY(double y) RELIEVO_REALTIME { return cellOf(y, 1) != cellOf(y, -1); }
   static bool runsOn(const Patch&, double, double) RELIEVO_REALTIME { return false; }
+  static bool isSmooth(double, double) RELIEVO_REALTIME { return false; }
   const HapticSpace& space() const RELIEVO_REALTIME { return space_; }
 
  private:

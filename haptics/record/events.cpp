@@ -106,7 +106,8 @@ std::string loopLines(const LoopStats& stats) {
   lines += "audit zero demanded " + std::to_string(audit.zero_demanded) + ", zero violations " +
            std::to_string(audit.zero_violations) + ", limit violations " +
            std::to_string(audit.limit_violations) + ", step violations " +
-           std::to_string(audit.step_violations) + "\n";
+           std::to_string(audit.step_violations) + ", fast falls " +
+           std::to_string(audit.fast_falls) + "\n";
   addBins(lines, "wake-up us", LoopStats::kDelayEdgesNs, stats.delays);
   addBins(lines, "work us", LoopStats::kWorkEdgesNs, stats.work);
   return lines;

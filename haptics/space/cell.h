@@ -21,17 +21,28 @@ struct Corner {
 /// The four corners of a cell: left low, right low, left top, right top.
 using Corners = std::array<Corner, 4>;
 
-/// Slopes at both ends of one edge of a cell. An end that breaks takes its slope from the other
-/// one, as if the edge were a parabola; between two breaks the edge is straight.
+/// Slopes at both ends of one edge of a cell.
 struct EdgeSlopes {
   double first = 0, last = 0;
 };
-inline EdgeSlopes edgeSlopes(double rise, EdgeSlopes smooth, bool first_breaks,
-                             bool last_breaks) RELIEVO_REALTIME {
+
+/// The edge beyond the end that does not break, if it does not break either.
+struct EdgeBeyond {
+  bool known = false;
+  double rise = 0, far_slope = 0;
+};
+
+/// An end that breaks takes its slope from the other one: the edge goes on as the one beyond it
+/// bends there, or is a parabola if that one is not known; between two breaks it is straight.
+inline EdgeSlopes edgeSlopes(double rise, EdgeSlopes smooth, bool first_breaks, bool last_breaks,
+                             const EdgeBeyond& beyond = {}) RELIEVO_REALTIME {
   if (first_breaks && last_breaks) return {rise, rise};
-  if (first_breaks) return {2 * rise - smooth.last, smooth.last};
-  if (last_breaks) return {smooth.first, 2 * rise - smooth.first};
-  return smooth;
+  if (!first_breaks && !last_breaks) return smooth;
+  const double near = first_breaks ? smooth.last : smooth.first;
+  // Half the second derivative, seen from the end that breaks; seen from there both are mirrored.
+  const double end =
+      beyond.known ? 3 * rise - 4 * near - beyond.far_slope + 3 * beyond.rise : 2 * rise - near;
+  return first_breaks ? EdgeSlopes{end, near} : EdgeSlopes{near, end};
 }
 
 inline Corner smoothCorner(const HapticSpace& space, int col, int row) RELIEVO_REALTIME {

@@ -19,6 +19,35 @@ using Flags = std::array<bool, kCount>;
 enum class Bend : std::uint8_t { none, of_a_line, sharp };
 using Bends = std::array<Bend, kCount>;
 
+/// Where all else is straight, too weak bends for the rules below are edges, one or two side by
+/// side: on either side of them lie two samples without bend, or one and a crease, or a crease.
+/// Some bend must be missing.
+void markFaintEdges(const Line& d2, Bends& bends) {
+  const Bends first = bends;
+  const auto mark = [&](std::size_t low, std::size_t high) {
+    const double size = std::min(std::abs(d2[low]), std::abs(d2[high]));
+    if (first[low] != Bend::none || first[high] != Bend::none || size < kLeastFaint) return;
+    int quiet_samples = 0;
+    const auto straight = [&](std::size_t next, std::size_t after) {
+      if (first[next] == Bend::of_a_line) ++quiet_samples;  // It has some beside it.
+      if (first[next] != Bend::none) return true;
+      if (std::abs(d2[next]) > kQuiet * size) return false;
+      ++quiet_samples;
+      return first[after] != Bend::none || std::abs(d2[after]) <= kQuiet * size;
+    };
+    // At the window's border a line goes on as it ends.
+    const bool straight_low = straight(low - 1, low > 1 ? low - 2 : 0);
+    const bool straight_high = straight(high + 1, std::min(high + 2, kCount - 1));
+    if (straight_low && straight_high && quiet_samples > 0) {
+      bends[low] = bends[high] = Bend::of_a_line;
+    }
+  };
+  for (std::size_t i = 1; i + 1 < kCount; ++i) {
+    mark(i, i);
+    if (i + 2 < kCount) mark(i, i + 1);
+  }
+}
+
 /// Second differences measure a bend, fourth differences how far it stands out from its neighbours:
 /// |d4| / 2 = |d2 - mean of both|.
 Bends bendsOf(const Line& f) {
@@ -32,7 +61,7 @@ Bends bendsOf(const Line& f) {
     if (size < kLeastLine) continue;
     const double contrast = std::abs(d2[i] - 0.5 * (d2[i - 1] + d2[i + 1]));
     const auto quiet = [&](std::size_t k) { return std::abs(d2[k]) <= kQuiet * size; };
-    if (contrast > std::max(kLeastCrease, kLeastContrast * size)) {
+    if (size > kLeastCrease && contrast > std::max(kLeastCrease, kLeastContrast * size)) {
       bends[i] = Bend::sharp;
     } else if ((i >= 3 && quiet(i - 1) && quiet(i - 2)) ||
                (i + 3 < kCount && quiet(i + 1) && quiet(i + 2))) {
@@ -51,6 +80,7 @@ Bends bendsOf(const Line& f) {
       bends[i] = Bend::sharp;
     }
   }
+  markFaintEdges(d2, bends);
   return bends;
 }
 
@@ -65,8 +95,7 @@ bool goesOn(const Bends& bends, std::size_t i) {
 
 /// Slopes of the C2 cubic spline through f[first .. last], without a break between the two.
 /// Rows of the system: D[i-1] + 4 D[i] + D[i+1] = 3 (f[i+1] - f[i-1]) inside.
-void splineSlopes(const Line& f, std::size_t first, std::size_t last, bool first_breaks,
-                  bool last_breaks, Line& slope) {
+void splineSlopes(const Line& f, std::size_t first, std::size_t last, Line& slope) {
   const std::size_t cells = last - first;
   const auto rise = [&](std::size_t i) { return f[first + i + 1] - f[first + i]; };
   if (cells == 1) {
@@ -75,17 +104,16 @@ void splineSlopes(const Line& f, std::size_t first, std::size_t last, bool first
   }
   Line diagonal{}, upper{}, right{};  // Thomas' algorithm; below the diagonal stands 1, 1 or 2.
   const bool knot_free = cells >= 3;  // Three cells or more: the end has no knot at its neighbour.
-  const bool free_first = !first_breaks && knot_free, free_last = !last_breaks && knot_free;
   diagonal[0] = 1;
-  upper[0] = free_first ? 2 : 1;
-  right[0] = free_first ? 0.5 * (5 * rise(0) + rise(1)) : 2 * rise(0);
+  upper[0] = knot_free ? 2 : 1;
+  right[0] = knot_free ? 0.5 * (5 * rise(0) + rise(1)) : 2 * rise(0);
   for (std::size_t i = 1; i <= cells; ++i) {
     const bool end = i == cells;
-    const double lower = end && free_last ? 2 : 1;
+    const double lower = end && knot_free ? 2 : 1;
     const double centre = end ? 1 : 4;
     double b = 3 * (rise(i - 1) + (end ? 0 : rise(i)));
     if (end) {
-      b = free_last ? 0.5 * (5 * rise(i - 1) + rise(i - 2)) : 2 * rise(i - 1);
+      b = knot_free ? 0.5 * (5 * rise(i - 1) + rise(i - 2)) : 2 * rise(i - 1);
     }
     const double factor = lower / diagonal[i - 1];
     diagonal[i] = centre - factor * upper[i - 1];
@@ -98,15 +126,26 @@ void splineSlopes(const Line& f, std::size_t first, std::size_t last, bool first
   }
 }
 
-/// Slopes along one line; at a break the mean of the two sides.
-Line slopesAlong(const Line& f, const Flags& breaks) {
+/// Where a slope at a break comes from.
+enum class Side : std::uint8_t { both, before, after, none };
+using SidesOfLine = std::array<Side, kCount>;
+
+/// Slopes along one line; at a break the mean of the two sides, or what `sides` says.
+Line slopesAlong(const Line& f, const Flags& breaks, const SidesOfLine& sides) {
   Line slope{};
   double before_break = 0;
   std::size_t first = 0;
   for (std::size_t last = 1; last < kCount; ++last) {
     if (!breaks[last] && last + 1 < kCount) continue;
-    splineSlopes(f, first, last, breaks[first], breaks[last], slope);
-    if (breaks[first]) slope[first] = 0.5 * (slope[first] + before_break);
+    splineSlopes(f, first, last, slope);
+    if (breaks[first]) {
+      const double after = slope[first], before = before_break;
+      constexpr double kHalf = 0.5;
+      slope[first] = sides[first] == Side::both     ? kHalf * (after + before)
+                     : sides[first] == Side::before ? before
+                     : sides[first] == Side::after  ? after
+                                                    : 0;
+    }
     before_break = slope[last];
     first = last;
   }
@@ -146,15 +185,45 @@ void markBreaks(HapticSpace& space, const std::vector<double>& heights, Directio
   }
 }
 
-/// Derivatives of `values` along a direction.
-std::vector<double> derivative(const HapticSpace& space, const std::vector<double>& values,
-                               Direction d) {
+/// Values along one line.
+Line lineOf(const std::vector<double>& values, Direction d, std::size_t line) {
+  Line f{};
+  for (std::size_t i = 0; i < kCount; ++i) f[i] = values[line * d.across + i * d.step];
+  return f;
+}
+
+void keep(const Line& slope, Direction d, std::size_t line, std::vector<double>& result) {
+  for (std::size_t i = 0; i < kCount; ++i) result[line * d.across + i * d.step] = slope[i];
+}
+
+/// Derivatives of the heights along a direction.
+std::vector<double> slopes(const HapticSpace& space, const std::vector<double>& heights,
+                           Direction d) {
   std::vector<double> result(kWindowCount);
   for (std::size_t line = 0; line < kCount; ++line) {
-    Line f{};
-    for (std::size_t i = 0; i < kCount; ++i) f[i] = values[line * d.across + i * d.step];
-    const Line slope = slopesAlong(f, breaksOf(space, d, line));
-    for (std::size_t i = 0; i < kCount; ++i) result[line * d.across + i * d.step] = slope[i];
+    keep(slopesAlong(lineOf(heights, d, line), breaksOf(space, d, line), {}), d, line, result);
+  }
+  return result;
+}
+
+/// Derivatives along x of the slopes in y. Where a wall ends, samples that break in y stand beside
+/// others: their slopes are means of two sides, and a line through both would ring. It ends there
+/// on either side.
+std::vector<double> twists(const HapticSpace& space, const std::vector<double>& slope_y) {
+  std::vector<double> result(kWindowCount);
+  for (std::size_t row = 0; row < kCount; ++row) {
+    Flags breaks = breaksOf(space, kAlongX, row);
+    SidesOfLine sides{};
+    const auto wall = [&](std::size_t i) {
+      return (space.marks[row * kAlongX.across + i] & kBreakY) != 0;
+    };
+    for (std::size_t i = 1; i + 1 < kCount; ++i) {
+      const bool before = wall(i - 1), after = wall(i + 1);
+      breaks[i] = breaks[i] || wall(i) || before || after;
+      if (before) sides[i] = after ? Side::none : Side::after;
+      if (after && !before) sides[i] = Side::before;
+    }
+    keep(slopesAlong(lineOf(slope_y, kAlongX, row), breaks, sides), kAlongX, row, result);
   }
   return result;
 }
@@ -224,9 +293,9 @@ void fitSurface(HapticSpace& space, SurfaceKind kind) {
     markBreaks(space, heights, kAlongY);
   }
   markSmoothCells(space);
-  const std::vector<double> slope_x = derivative(space, heights, kAlongX);
-  const std::vector<double> slope_y = derivative(space, heights, kAlongY);
-  const std::vector<double> twist = derivative(space, slope_y, kAlongX);
+  const std::vector<double> slope_x = slopes(space, heights, kAlongX);
+  const std::vector<double> slope_y = slopes(space, heights, kAlongY);
+  const std::vector<double> twist = twists(space, slope_y);
   for (std::size_t i = 0; i < kWindowCount; ++i) {
     SurfaceSample& sample = space.samples[i];
     sample.slope_x = static_cast<float>(slope_x[i]);

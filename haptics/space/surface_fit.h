@@ -17,6 +17,9 @@ inline constexpr double kLeastContrast = 0.45;
 /// From this bend on, 3 degrees, a crease is believed that begins after two samples without bend
 /// and goes on in the lines of samples on both sides.
 inline constexpr double kLeastLine = 0.05;
+/// From this bend on, half a degree, a crease is believed that also goes on in the lines on both
+/// sides, between straight parts that end in creases or go on for two samples.
+inline constexpr double kLeastFaint = 0.01;
 /// "Without bend": this part of the crease's own.
 inline constexpr double kQuiet = 0.1;
 

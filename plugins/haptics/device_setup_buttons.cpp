@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/region/hand.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -14,10 +15,6 @@ namespace {
 constexpr double kRescanSeconds = 1;
 // At full deflection of the cap: of the hand, or of the view.
 constexpr double kFullPushMmPerS = 60, kFullTurnDegPerS = 60;
-
-QString text(std::string_view words) {
-  return QString::fromUtf8(words.data(), static_cast<int>(words.size()));
-}
 }  // namespace
 
 DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid)
@@ -78,7 +75,7 @@ void DeviceButtons::takeOutcomes(double now_s) {
   for (const ButtonOutcome& outcome : commands_.take(now_s)) {
     switch (outcome.kind) {
       case ButtonOutcome::Kind::offer:
-        host_.announce(tr("%1?").arg(text(commandWords(outcome.command))));
+        host_.announce(tr("%1?").arg(spokenText(commandWords(outcome.command))));
         break;
       case ButtonOutcome::Kind::tick:
         break;  // Heard, not said.
@@ -106,8 +103,9 @@ void DeviceButtons::carryOut(ButtonCommand command) {
   }
   if (carryOutMove(command)) return;
   // The window's own command, as by key or menu; it announces its result.
-  if (!host_.run(text(commandName(command)))) {
-    host_.announce(tr("%1 is not possible here.").arg(text(commandWords(command))));
+  const std::string_view name = commandName(command);
+  if (!host_.run(QString::fromLatin1(name.data(), static_cast<int>(name.size())))) {
+    host_.announce(tr("%1 is not possible here.").arg(spokenText(commandWords(command))));
   }
   if (!gate_.on) return;
   MoveGate gate = gate_;
@@ -159,7 +157,7 @@ void DeviceButtons::sayDetail() {
 }
 
 void DeviceButtons::sayHelp() {
-  host_.announce(text(commands_.help()));
+  host_.announce(spokenText(commands_.help()));
 }
 
 void DeviceButtons::toggleMoving() {
@@ -182,7 +180,7 @@ QString DeviceButtons::placeText(bool in_full) const {
               .arg(at.y, 0, 'f', 0)
               .arg(at.z, 0, 'f', 1);
   if (sample.contact && sample.origin != Origin::measured) {
-    said += tr(" Not measured here: %1.").arg(text(name(sample.origin)));
+    said += tr(" Not measured here: %1.").arg(spokenText(name(sample.origin)));
   }
   if (in_full) said += QLatin1Char(' ') + detailText();
   return said;

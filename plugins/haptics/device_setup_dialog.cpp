@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/device_setup_dialog.h"
 
+#include <cmath>
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDialogButtonBox>
@@ -16,6 +18,8 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -24,6 +28,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -49,6 +54,11 @@ void setTextIfNew(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
 
+/// With one decimal, "-0.0" looks like a place.
+double withoutMinusZero(double mm) {
+  return std::abs(mm) < 0.05 ? 0 : mm;
+}
+
 constexpr std::array<const char*, 3> kResults{
     QT_TRANSLATE_NOOP("relievo::DeviceSetupDialog", "passed"),
     QT_TRANSLATE_NOOP("relievo::DeviceSetupDialog", "failed"),
@@ -61,6 +71,9 @@ DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> devic
   setObjectName(QStringLiteral("deviceSetup"));
   setWindowTitle(tr("Device set-up"));
   build();
+  // Whole where there is room; Qt would take two thirds of the screen at most.
+  constexpr double kOfScreen = 0.9;
+  resize(sizeHint().boundedTo(kOfScreen * QGuiApplication::primaryScreen()->availableSize()));
   device_->openWhenPlugged();
   connect(&timer_, &QTimer::timeout, this, &DeviceSetupDialog::frame);
   // Tests play the loop's part from here. A frame that comes late costs force, never adds it: the
@@ -68,7 +81,8 @@ DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> devic
   constexpr int kStepMs = 2;
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.start(kStepMs);
-  showStatus();
+  // Not here: nobody could hear yet what it says.
+  QTimer::singleShot(0, this, &DeviceSetupDialog::showStatus);
 }
 
 DeviceSetupDialog::~DeviceSetupDialog() {
@@ -84,13 +98,28 @@ void DeviceSetupDialog::build() {
   state_->setMinimumHeight(3 * state_->fontMetrics().lineSpacing());
   state_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   column->addWidget(state_);
-  column->addWidget(buildStart());
-  column->addWidget(buildHoming());
-  column->addWidget(buildTests(), 1);
+  // What it does and how to leave stay in sight when large text leaves no room for the rest.
+  auto* rest = new QWidget;
+  auto* parts = new QVBoxLayout(rest);
+  parts->setContentsMargins(0, 0, 0, 0);
+  parts->addWidget(buildStart());
+  parts->addWidget(buildHoming());
+  parts->addWidget(buildTests(), 1);
   left_handed_ = named(new QCheckBox(tr("&Left-handed: plus and minus change sides")), "leftHanded",
                        tr("Left-handed"));
   left_handed_->setChecked(settings_.left_handed);
-  column->addWidget(left_handed_);
+  parts->addWidget(left_handed_);
+  auto* scroll = parts_ = named(new QScrollArea, "setupParts", tr("Device set-up"));
+  scroll->setWidget(rest);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  // Qt does it only for steps within the area.
+  connect(qApp, &QApplication::focusChanged, scroll, [scroll, rest](QWidget*, QWidget* now) {
+    if (now != nullptr && rest->isAncestorOf(now)) scroll->ensureWidgetVisible(now);
+  });
+  column->addWidget(scroll, 1);
   auto* buttons = new QDialogButtonBox;
   save_ = buttons->addButton(tr("&Save and use the Falcon"), QDialogButtonBox::AcceptRole);
   named(save_, "setupSave", tr("Save and use the Falcon"));
@@ -145,6 +174,7 @@ QWidget* DeviceSetupDialog::buildHoming() {
     form->addRow(names[i], arms_[i]);
   }
   hand_ = named(new QLabel, "setupHand", tr("Place of the hand"));
+  hand_->setWordWrap(true);
   form->addRow(tr("Hand"), hand_);
   return group;
 }
@@ -163,13 +193,13 @@ QWidget* DeviceSetupDialog::buildTests() {
   label->setBuddy(weight_);
   calibrate_ = named(new QPushButton(tr("C&alibrate")), "setupCalibrate", tr("Calibrate"));
   gain_ = named(new QLabel, "setupGain", tr("Force gain"));
-  row->addWidget(self_test_);
-  row->addStretch(1);
+  column->addWidget(self_test_, 0, Qt::AlignLeft);
   row->addWidget(label);
   row->addWidget(weight_);
   row->addWidget(calibrate_);
-  row->addWidget(gain_);
+  row->addStretch(1);
   column->addLayout(row);
+  column->addWidget(gain_);
   results_ = page("setupResults", tr("Results"), 8);
   column->addWidget(results_);
   connect(self_test_, &QPushButton::clicked, this, &DeviceSetupDialog::startSelfTest);
@@ -231,9 +261,9 @@ void DeviceSetupDialog::showStatus() {
   }
   const bool ready = status.state == LinkState::ready;
   setTextIfNew(hand_, ready ? tr("%1 right, %2 up, %3 out, in millimetres; %4 answers per second")
-                                  .arg(status.position.x, 0, 'f', 1)
-                                  .arg(status.position.y, 0, 'f', 1)
-                                  .arg(status.position.z, 0, 'f', 1)
+                                  .arg(withoutMinusZero(status.position.x), 0, 'f', 1)
+                                  .arg(withoutMinusZero(status.position.y), 0, 'f', 1)
+                                  .arg(withoutMinusZero(status.position.z), 0, 'f', 1)
                                   .arg(status.rate_hz, 0, 'f', 0)
                             : tr("not known before homing"));
   setTextIfNew(gain_, tr("%1 counts per N mm").arg(settings_.counts_per_n_mm, 0, 'f', 2));
@@ -254,7 +284,7 @@ void DeviceSetupDialog::showStatus() {
     close_->setText(leave);
     close_->setAccessibleName(leave);
   }
-  if (!testing && !calibrating) say(QString::fromStdString(message.spoken));
+  if (!testing && !calibrating) say(spokenText(message.spoken));
 }
 
 void DeviceSetupDialog::showTest() {
@@ -271,13 +301,16 @@ void DeviceSetupDialog::showTest() {
     text = QString::fromStdString(calibration_->prompt());
     say(text);
   }
-  if (results_->toPlainText() != text) results_->setPlainText(text);
+  if (results_->toPlainText() == text) return;
+  results_->setPlainText(text);
+  results_->moveCursor(QTextCursor::End);  // What is asked for now stands last.
 }
 
 void DeviceSetupDialog::startSelfTest() {
   constexpr double kWaitForPersonSeconds = 20;
   notice_.clear();
   calibration_.reset();
+  parts_->ensureWidgetVisible(results_);
   test_.emplace(*device_, falcon::SelfTestOptions{.nudges = true,
                                                   .wait_for_person_s = kWaitForPersonSeconds});
 }
@@ -288,6 +321,7 @@ void DeviceSetupDialog::calibrate() {
     return;
   }
   test_.reset();
+  parts_->ensureWidgetVisible(results_);
   calibration_.emplace(*device_, settings_.counts_per_n_mm, weight_->value());
 }
 

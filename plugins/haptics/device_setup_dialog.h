@@ -18,6 +18,7 @@ class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
+class QScrollArea;
 
 namespace relievo {
 
@@ -75,6 +76,7 @@ class DeviceSetupDialog : public QDialog {
   QLabel* hand_ = nullptr;
   QPushButton* self_test_ = nullptr;
   QPlainTextEdit* results_ = nullptr;
+  QScrollArea* parts_ = nullptr;
   QDoubleSpinBox* weight_ = nullptr;
   QPushButton* calibrate_ = nullptr;
   QLabel* gain_ = nullptr;

@@ -16,6 +16,7 @@
 
 #include "core/base/error.h"
 #include "haptics/device_catalog.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -71,9 +72,8 @@ QString stateText(const LoopReport& report) {
   const HapticSample& sample = report.sample;
   if (!report.not_ready.isEmpty()) return report.not_ready;
   if (sample.fault != DeviceFault::none) {
-    const std::string_view fault = describe(sample.fault);
     return HapticsPanel::tr("Off: %1. Switch off and on to try again.")
-        .arg(QString::fromUtf8(fault.data(), static_cast<int>(fault.size())));
+        .arg(spokenText(describe(sample.fault)));
   }
   switch (sample.engaged) {
     case EngagePhase::off:

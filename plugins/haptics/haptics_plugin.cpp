@@ -11,6 +11,7 @@
 #include "core/region/hand.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -221,7 +222,7 @@ void HapticsPlugin::setRecording(bool on) {
     const QString file = proposedRecording(now);
     const DeviceInfo& device = session_->loop().device();
     const QString header = recordingHeaderLines(
-        host_->recordingHeader(), QString::fromStdString(device.name),
+        host_->recordingHeader(file), QString::fromStdString(device.name),
         withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
     session_->startRecording(file.toStdString(), header.toStdString());
     const auto window = host_->shownWindow();
@@ -289,7 +290,7 @@ void HapticsPlugin::watchDevice(LoopReport& report) {
   const falcon::LinkMessage message = falcon::describe(*status);
   const QString text = QString::fromStdString(
       message.code.empty() ? message.screen : message.code + ": " + message.screen);
-  report.device = QString::fromStdString(message.spoken);
+  report.device = spokenText(message.spoken);
   if (status->state != falcon::LinkState::ready) report.not_ready = text;
   if (text == device_said_) return;
   device_said_ = text;
@@ -331,10 +332,8 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   if (sample.fault == fault_) return;
   fault_ = sample.fault;
   if (fault_ == DeviceFault::none) return;
-  const std::string_view words = describe(fault_);
   setForces(false);
-  host_->announce(
-      tr("Forces off: %1.").arg(QString::fromUtf8(words.data(), static_cast<int>(words.size()))));
+  host_->announce(tr("Forces off: %1.").arg(spokenText(describe(fault_))));
 }
 
 void HapticsPlugin::watchSoftening(const HapticSample& sample) {

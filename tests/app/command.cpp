@@ -2,6 +2,7 @@
 #include "tests/app/command.h"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,10 +28,19 @@ void redirect(const std::filesystem::path& file, int descriptor) {
   if (opened < 0 || dup2(opened, descriptor) < 0) _exit(125);
 }
 
+void becomeNobody() {
+  if (geteuid() != 0) return;
+  constexpr unsigned kNobody = 65534;
+  if (setgroups(0, nullptr) != 0 || setresgid(kNobody, kNobody, kNobody) != 0 ||
+      setresuid(kNobody, kNobody, kNobody) != 0) {
+    _exit(124);
+  }
+}
+
 }  // namespace
 
 CommandResult runRelievo(const std::vector<std::string>& arguments,
-                         const std::vector<std::string>& environment) {
+                         const std::vector<std::string>& environment, RunAs as) {
   std::string folder = (std::filesystem::temp_directory_path() / "relievo-XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder");
   const std::filesystem::path out = std::filesystem::path(folder) / "out";
@@ -54,7 +64,10 @@ CommandResult runRelievo(const std::vector<std::string>& arguments,
         setenv(entry.substr(0, equals).c_str(), entry.substr(equals + 1).c_str(), 1);
       }
     }
-    execv(argv[0], argv.data());
+    // Opened before: nobody may not come through the folders above.
+    const int program = open(argv[0], O_PATH | O_CLOEXEC);
+    if (as == RunAs::nobody) becomeNobody();
+    fexecve(program, argv.data(), environ);
     _exit(126);
   }
   int status = 0;

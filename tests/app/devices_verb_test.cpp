@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 using emulator::SharedFalcon;
 using nlohmann::json;
 using test::CommandResult;
+using test::RunAs;
 using testing::HasSubstr;
 
 constexpr int kUsage = 1, kUnreadable = 2, kDevice = 6;
@@ -32,12 +33,14 @@ class DevicesVerbTest : public ::testing::Test {
     home_ = folder;
   }
   void TearDown() override { fs::remove_all(home_); }
-  CommandResult run(std::vector<std::string> arguments) {
+  CommandResult run(std::vector<std::string> arguments, RunAs as = RunAs::self) {
     arguments.insert(arguments.begin(), "devices");
-    return test::runRelievo(arguments, {"HOME=" + home_.string(), "XDG_DATA_HOME",
-                                        "XDG_CONFIG_HOME", "RELIEVO_FALCON_FIRMWARE"});
+    return test::runRelievo(
+        arguments,
+        {"HOME=" + home_.string(), "XDG_DATA_HOME", "XDG_CONFIG_HOME", "RELIEVO_FALCON_FIRMWARE"},
+        as);
   }
-  CommandResult listed() { return run({"--report", "json"}); }
+  CommandResult listed(RunAs as = RunAs::self) { return run({"--report", "json"}, as); }
   void plugIn() { usb_.plugIn(std::make_shared<SharedFalcon>(emulator::EmulatorOptions{})); }
   std::string written(const std::vector<std::uint8_t>& bytes) {
     const fs::path file = home_ / "image.bin";
@@ -79,6 +82,20 @@ TEST_F(DevicesVerbTest, OneThatAnotherProgramUsesIsBusy) {
   EXPECT_EQ(result.exit_code, kDevice);
   EXPECT_EQ(json::parse(result.out)["falcons"][0]["presence"], "busy");
   EXPECT_THAT(result.err, HasSubstr("E304: Another program is using the Falcon."));
+}
+
+TEST_F(DevicesVerbTest, OneThatThisAccountMayNotUseIsForbidden) {
+  plugIn();
+  usb_.forbid();
+  const CommandResult result = listed(RunAs::nobody);
+  ASSERT_EQ(result.exit_code, kDevice) << result.err;
+  EXPECT_EQ(json::parse(result.out)["falcons"][0]["presence"], "forbidden");
+  EXPECT_THAT(result.err, HasSubstr("E301: A Falcon is plugged in but this account may not use it. "
+                                    "Install the rule that the device set-up shows and 'relievo "
+                                    "devices rule' prints, once"));
+  const CommandResult tested = run({"selftest"}, RunAs::nobody);
+  EXPECT_EQ(tested.exit_code, kDevice);
+  EXPECT_THAT(tested.err, HasSubstr("E301"));
 }
 
 TEST_F(DevicesVerbTest, FirmwareIsCheckedAndInstalledForThisUser) {

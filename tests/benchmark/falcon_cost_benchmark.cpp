@@ -12,7 +12,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -22,11 +21,8 @@
 #include <string>
 #include <thread>
 
-#include "haptics/device/falcon/falcon_device.h"
-#include "haptics/device/falcon/usb_bus.h"
-#include "haptics/rt/realtime_thread.h"
 #include "tests/app/program_window.h"
-#include "tests/emulator/made_image.h"
+#include "tests/emulator/idle_client.h"
 #include "tests/emulator/mock_usb.h"
 
 namespace {
@@ -40,12 +36,6 @@ void sleepSeconds(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-double processorSeconds() {
-  timespec used{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
-  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-}
-
 /// Of another process, user and system.
 double processorSeconds(pid_t process) {
   std::ifstream stat("/proc/" + std::to_string(process) + "/stat");
@@ -57,20 +47,10 @@ double processorSeconds(pid_t process) {
   return static_cast<double>(user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// The client: looks at the device 60 times a second, as a window does, and asks for nothing.
 int idle(bool with) {
-  falcon::FalconDevice device(std::make_unique<falcon::UsbBus>(), [] { return test::madeImage(); });
-  if (with) {
-    device.open();
-    while (device.status().state != falcon::LinkState::ready) sleepSeconds(0.01);
-    sleepSeconds(2);  // Until it rests.
-  }
-  const double before = processorSeconds();
-  for (int i = 0; i < 60 * kSeconds; ++i) {
-    device.status();
-    sleepSeconds(1 / 60.0);
-  }
-  std::printf("%.6f\n", processorSeconds() - before);
+  const auto share = emulator::idleProcessorShare(with, kSeconds);
+  if (!share) return 1;
+  std::printf("%.6f\n", *share * kSeconds);
   return 0;
 }
 

@@ -54,12 +54,6 @@ int writePage(const std::string& file) {
          "  0.40 deg that the angle may be off, before interpolation's own 0.30, and a bend that "
          "jumps at every sample.\n"
          "  The prototype's path did not cross a top along x or y.\n"
-         "- Random profiles: where two bends of less than 0.3 lie side by side they are taken for "
-         "a "
-         "curve; the proxy then leaves an\n"
-         "  edge a tick before or after the independent solver does.\n"
-         "- Worst tick: a jump of 40 mm is followed in 100 steps of one cell, each converged, at "
-         "this machine's 0.2 to 0.4 us.\n"
          "\nA time is met in nanoseconds or in steps of the paper's equation, measured in the same "
          "run.\n";
   out.close();

@@ -70,6 +70,22 @@ void addWaves(std::vector<FigureRow>& rows) {
   }
 }
 
+void addGate(std::vector<FigureRow>& rows) {
+  for (const int samples : {20, 40}) {
+    const double length_mm = 0.5 * samples;
+    const auto ratio = [&](SurfaceKind kind) {
+      return test::stepsAcrossTheGate(1, length_mm, kind).ratio();
+    };
+    const double gated = ratio(SurfaceKind::gated);
+    rows.push_back({std::to_string(samples) +
+                        " samples per wave, a block on it: largest step of force across the gate "
+                        "beside it, of truth's",
+                    "<= 1.02 x", decimal(gated, 3) + " x", gated <= 1.02, "not tried",
+                    "ours: facets " + decimal(ratio(SurfaceKind::bilinear), 1) +
+                        ", spline without gate " + decimal(ratio(SurfaceKind::spline), 1)});
+  }
+}
+
 void addInvariance(std::vector<FigureRow>& rows) {
   const Relief relief = test::waves(2, 40), tilt = test::plane(0.577, 0);
   const auto space = test::spaceOf(relief, 100, SurfaceKind::gated);
@@ -136,6 +152,7 @@ void addProfiles(std::vector<FigureRow>& rows) {
 std::vector<FigureRow> accuracyRows() {
   std::vector<FigureRow> rows;
   addWaves(rows);
+  addGate(rows);
   addInvariance(rows);
   addProfiles(rows);
   return rows;

@@ -3,17 +3,22 @@
 // lists, on relief N. `times_memcpy` compares with a plain copy of the scan's bytes in the same
 // run; `times_cloudcompare` is how many times longer CloudCompare's RASTERIZE (no fill, no pyramid;
 // its own start included) takes on the same file in the same run, if it is installed. `best_s` is
-// the best of the iterations: what other work on the machine adds is not the program's.
+// the best of the iterations: what other work on the machine adds is not the program's; where it
+// takes much, `cpu_s`, the processor time of all threads, says more. Memory is that of a process
+// which makes one map: `peak_MB` counts the scan's points, all that is needed in between and the
+// surface with its pyramid, at the worst moment.
 #include <benchmark/benchmark.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <stop_token>
@@ -53,17 +58,27 @@ double secondsToCopy(std::size_t bytes) {
   return best;
 }
 
-double peakMib() {
+/// Of all threads, user and system.
+double processorSeconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 /// Runs every iteration, keeps the best time and puts it beside a copy of `bytes`.
 double measure(benchmark::State& state, std::size_t bytes, const std::function<void()>& work) {
   double best = 1e9;
-  for (auto _ : state) best = std::min(best, secondsOf(work));
+  double least = 1e9;
+  for (auto _ : state) {
+    const double before = processorSeconds();
+    best = std::min(best, secondsOf(work));
+    least = std::min(least, processorSeconds() - before);
+  }
   state.counters["best_s"] = best;
+  state.counters["cpu_s"] = least;
   state.counters["times_memcpy"] = best / secondsToCopy(bytes);
   return best;
 }
@@ -84,13 +99,14 @@ void mapOf(benchmark::State& state, std::size_t points, double flyer_share, int 
   SurfaceOptions options = relievo::test::topView(cells);
   options.rule = rule;
   Surface surface;
-  measure(state, points * sizeof(scan.points[0]),
-          [&] { surface = relievo::makeSurface(scan, options, relievo::rasterize); });
+  measure(state, points * sizeof(scan.points[0]), [&] {
+    surface = Surface();  // Nobody needs two at once.
+    surface = relievo::makeSurface(scan, options, relievo::rasterize);
+  });
   const auto found = relievo::test::accuracyOnReliefN(surface);
   state.counters["rms_mm"] = found.rms_mm;
   state.counters["holes_kept"] = found.holes_kept;
   state.counters["gaps_closed"] = found.gaps_closed;
-  state.counters["peak_MiB"] = peakMib();
   state.SetLabel(surface.rule);
 }
 
@@ -113,6 +129,59 @@ void fiftyMillionTo4096(benchmark::State& state) {
   mapOf(state, 50'000'000, 0, 4096, std::nullopt);
 }
 BENCHMARK(fiftyMillionTo4096)->Unit(benchmark::kMillisecond)->Iterations(2);
+
+/// The highest resident memory since `forgetPeak`, bytes; 0 if the system does not say.
+double peakBytes() {
+  std::ifstream status("/proc/self/status");
+  std::string line;
+  while (std::getline(status, line)) {
+    if (line.starts_with("VmHWM:")) return 1024 * std::atof(line.c_str() + 6);
+  }
+  return 0;
+}
+void forgetPeak() {
+  std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+/// A process of its own: makes one map and prints its seconds and memory in bytes: the points, the
+/// peak, what is left with the surface.
+int makeOneMap(std::size_t points, int cells) {
+  const Scan& scan = reliefN(points, 0);
+  const SurfaceOptions options = relievo::test::topView(cells);
+  forgetPeak();
+  Surface surface;
+  const double seconds =
+      secondsOf([&] { surface = relievo::makeSurface(scan, options, relievo::rasterize); });
+  const double peak = peakBytes();
+  forgetPeak();
+  std::cout << seconds << ' ' << points * sizeof(scan.points[0]) << ' ' << peak << ' '
+            << peakBytes() << '\n';
+  return 0;
+}
+
+constexpr const char* kOneMap = "--one-map";
+
+void memoryOfFiftyMillionTo4096(benchmark::State& state) {
+  const std::string command =
+      std::filesystem::read_symlink("/proc/self/exe").string() + " " + kOneMap + " 50000000 4096";
+  double seconds = 0;
+  double points = 0;
+  double peak = 0;
+  double left = 0;
+  for (auto _ : state) {
+    FILE* const child = popen(command.c_str(), "r");
+    if (child == nullptr ||
+        std::fscanf(child, "%lf %lf %lf %lf", &seconds, &points, &peak, &left) != 4) {
+      std::abort();
+    }
+    pclose(child);
+  }
+  state.counters["map_s"] = seconds;
+  state.counters["points_MB"] = points / 1e6;
+  state.counters["peak_MB"] = peak / 1e6;
+  state.counters["left_MB"] = left / 1e6;
+}
+BENCHMARK(memoryOfFiftyMillionTo4096)->Unit(benchmark::kSecond)->Iterations(1);
 
 /// From asking to stop, at moments spread over the work, to its end: `worst_ms`; the bar is 250.
 void cancelOfTenMillion(benchmark::State& state) {
@@ -198,28 +267,41 @@ double cloudCompareSeconds(const fs::path& file, double cell_mm) {
   return best;
 }
 
-void millionFromPly(benchmark::State& state) {
+void fromPly(benchmark::State& state, std::optional<relievo::PointRule> rule) {
   const Scan& scan = reliefN(1'000'000, 0);
   const PlyFile file(scan);
-  const SurfaceOptions options = relievo::test::topView(800);
+  SurfaceOptions options = relievo::test::topView(800);
+  options.rule = rule;
   Surface surface;
   const double best = measure(state, scan.points.size() * 12, [&] {
     surface = relievo::loadSurface(file.path(), options, relievo::rasterize);
   });
   state.counters["read_s"] = surface.seconds.read;
+  state.counters["rms_mm"] = relievo::test::accuracyOnReliefN(surface).rms_mm;
   state.SetLabel(surface.rule);
   if (isInstalled("CloudCompare") && isInstalled("xvfb-run")) {
     state.counters["times_cloudcompare"] = cloudCompareSeconds(file.path(), 100.0 / 799) / best;
   }
 }
+
+void millionFromPly(benchmark::State& state) {
+  fromPly(state, std::nullopt);
+}
 BENCHMARK(millionFromPly)->Unit(benchmark::kMillisecond)->Iterations(7);
 
-/// @param state  range(0): 1 if the samples lie on the level's nodes
+void millionFromPlyBySplat(benchmark::State& state) {
+  fromPly(state, relievo::PointRule::splat);
+}
+BENCHMARK(millionFromPlyBySplat)->Unit(benchmark::kMillisecond)->Iterations(7);
+
+/// @param state  range(0): 1 if the samples lie on the level's nodes; range(1): their distance in
+///               hundredths of the nodes'
 void windowOf200(benchmark::State& state) {
   const Surface surface =
       relievo::makeSurface(reliefN(1'000'000, 0), relievo::test::topView(800), relievo::rasterize);
   const relievo::GridFrame& frame = surface.map.frame;
   const double step = frame.spacing_mm;
+  const double side = 2 * static_cast<double>(state.range(1)) * step;
   const bool aligned = state.range(0) == 1;
   int shift = 0;
   double best = 1e9;
@@ -227,11 +309,9 @@ void windowOf200(benchmark::State& state) {
     shift = (shift + 7) % 500;
     const double off = aligned ? 0 : 0.37 * step;
     const double seconds = secondsOf([&] {
-      const relievo::RegionWindow window = relievo::sampleWindow(surface.map, surface.pyramid,
-                                                                 {.x_mm = shift * step + off,
-                                                                  .y_mm = 200 * step + off,
-                                                                  .side_mm = 200 * step,
-                                                                  .level = {0}});
+      const relievo::RegionWindow window = relievo::sampleWindow(
+          surface.map, surface.pyramid,
+          {.x_mm = shift * step + off, .y_mm = 200 * step + off, .side_mm = side, .level = {0}});
       benchmark::DoNotOptimize(window.heights_mm.data());
     });
     best = std::min(best, seconds);
@@ -239,11 +319,18 @@ void windowOf200(benchmark::State& state) {
   state.counters["best_us"] = 1e6 * best;
   state.counters["times_memcpy"] = best / secondsToCopy(relievo::kWindowCount * sizeof(float));
 }
-BENCHMARK(windowOf200)->ArgName("aligned")->Arg(1)->Arg(0)->Unit(benchmark::kMicrosecond);
+BENCHMARK(windowOf200)
+    ->ArgNames({"aligned", "hundredths"})
+    ->ArgsProduct({{1, 0}, {100}})
+    ->ArgsProduct({{0}, {83, 130}})
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc == 4 && std::string(argv[1]) == kOneMap) {
+    return makeOneMap(std::strtoull(argv[2], nullptr, 10), std::atoi(argv[3]));
+  }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
   return 0;

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <list>
 #include <mutex>
 #include <string>
@@ -88,7 +89,7 @@ struct Urb {
 struct MockUsb::Impl {
   UMockdevTestbed* testbed = umockdev_testbed_new();
   UMockdevIoctlBase* handler = umockdev_ioctl_base_new();
-  bool plugged = false;
+  bool plugged = false, attached = false;
 
   std::mutex mutex;  // Between the test's thread and umockdev's.
   MockPortState state;
@@ -396,6 +397,7 @@ MockUsb::MockUsb() : impl_(std::make_unique<Impl>()) {
 
 MockUsb::~MockUsb() {
   unplug();
+  if (impl_->attached) umockdev_testbed_detach_ioctl(impl_->testbed, kNode, nullptr);
   g_object_unref(impl_->testbed);
   g_object_unref(impl_->handler);
   close(impl_->timer);
@@ -408,24 +410,36 @@ void MockUsb::plugIn(std::shared_ptr<SharedFalcon> falcon) {
     impl_->falcon->with([](FalconEmulator& f) { f.plugIn(); });
     impl_->gone = false;
   }
-  // Before the node is there: whoever hears of it opens it at once.
-  umockdev_testbed_attach_ioctl(impl_->testbed, kNode, impl_->handler, nullptr);
+  // Before the node is there: whoever hears of it opens it at once. Once for all: a client that has
+  // the node open when it is pulled still asks, and is told that the device is gone.
+  if (!std::exchange(impl_->attached, true)) {
+    umockdev_testbed_attach_ioctl(impl_->testbed, kNode, impl_->handler, nullptr);
+  }
   umockdev_testbed_add_from_string(impl_->testbed, description().c_str(), nullptr);
   umockdev_testbed_uevent(impl_->testbed, (std::string("/sys") + kDevice).c_str(), "add");
   impl_->plugged = true;
 }
 
+void MockUsb::forbid() {
+  const std::filesystem::path root = umockdev_testbed_get_root_dir(impl_->testbed);
+  std::filesystem::permissions(root.string() + kNode, std::filesystem::perms::none);
+  // Other accounts see the rest of the testbed as they see the real /sys, and hear its events. The
+  // preloaded library calls for the node's requests even where opening it failed.
+  for (const std::string& part : {std::string(), std::string("/ioctl") + kNode}) {
+    std::filesystem::permissions(root.string() + part, std::filesystem::perms::all);
+  }
+}
+
 void MockUsb::unplug() {
   if (!impl_->plugged) return;
   impl_->plugged = false;
-  {
-    const std::lock_guard lock(impl_->mutex);
-    impl_->gone = true;
-    impl_->falcon->with([](FalconEmulator& f) { f.unplug(); });
-  }
+  // The node goes first: whoever learns of it by a failing transfer looks for it at once, and would
+  // find half a device.
   umockdev_testbed_uevent(impl_->testbed, (std::string("/sys") + kDevice).c_str(), "remove");
   umockdev_testbed_remove_device(impl_->testbed, (std::string("/sys") + kDevice).c_str());
-  umockdev_testbed_detach_ioctl(impl_->testbed, kNode, nullptr);
+  const std::lock_guard lock(impl_->mutex);
+  impl_->gone = true;
+  impl_->falcon->with([](FalconEmulator& f) { f.unplug(); });
 }
 
 bool MockUsb::works() {

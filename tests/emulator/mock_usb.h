@@ -32,6 +32,8 @@ class MockUsb {
   static bool works();
 
   void plugIn(std::shared_ptr<SharedFalcon> falcon);
+  /// No account but root may open the node any more; until it is plugged in anew.
+  void forbid();
   /// Pulls the plug: transfers under way fail, the node goes away, the event is sent.
   void unplug();
   /// Safe from the test's thread.

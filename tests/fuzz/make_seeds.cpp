@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // fuzz_seeds FOLDER: writes FOLDER/<target>/<name>, small good files for the fuzzers to start from.
 #include <fcntl.h>
+#include <ogr_spatialref.h>
 
 #include <array>
 #include <cstdio>
@@ -8,12 +9,17 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "core/base/error.h"
+#include "core/io/gdal_session.h"
 #include "core/io/raster.h"
 #include "core/io/scan_transport.h"
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/sample_files.h"
+#include "tests/emulator/made_image.h"
 
 namespace {
 
@@ -177,6 +183,55 @@ void addE57(const Seeds& seeds) {
   seeds.add("e57", "two_scans", sample.file());
 }
 
+/// 4 x 3 whole numbers of another program, some of them no heights.
+void addForeign(const std::filesystem::path& file, GDALDataType type, const char* driver,
+                bool scaled) {
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  const Dataset cells(drivers.GetDriverByName("MEM")->Create("", 4, 3, 1, type, nullptr));
+  std::array<std::int16_t, 12> numbers{1, 2, 3, 9, 5, 6, 7, 8, 9, 10, 11, 12};
+  GDALRasterBand& band = *cells->GetRasterBand(1);
+  const CPLErr written =
+      band.RasterIO(GF_Write, 0, 0, 4, 3, numbers.data(), 4, 3, GDT_Int16, 0, 0, nullptr);
+  if (written != CE_None) throw WriteError("a seed's cells");
+  if (scaled) {
+    band.SetScale(2);
+    band.SetOffset(1);
+  } else {
+    band.SetNoDataValue(9);
+  }
+  const Dataset copy(drivers.GetDriverByName(driver)->CreateCopy(file.c_str(), cells.get(), 0,
+                                                                 nullptr, nullptr, nullptr));
+  if (!copy) throw WriteError("a seed");
+}
+
+/// Metres in a projected system, heights in metres too.
+void addProjected(const std::filesystem::path& file) {
+  addForeign(file, GDT_Int16, "GTiff", false);
+  const Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+  if (!dataset) throw WriteError("a seed");
+  OGRSpatialReference system;
+  system.SetProjCS("seed");
+  system.SetWellKnownGeogCS("WGS84");
+  system.SetUTM(33);
+  dataset->SetSpatialRef(&system);
+  std::array<double, 6> transform{500'000, 2, 0, 4'000'000, 0, -2};
+  dataset->SetGeoTransform(transform.data());
+  dataset->GetRasterBand(1)->SetUnitType("m");
+}
+
+void addForeignRasters(const std::filesystem::path& folder) {
+  GDALRegister_MEM();
+  addProjected(folder / "projected.tif");
+  addForeign(folder / "nodata.tif", GDT_Int16, "GTiff", false);
+  addForeign(folder / "scaled.tif", GDT_Int16, "GTiff", true);
+  addForeign(folder / "bytes.png", GDT_Byte, "PNG", false);
+  addForeign(folder / "words.png", GDT_UInt16, "PNG", false);
+  // What GDAL keeps beside a PNG is no seed.
+  for (const char* name : {"bytes.png.aux.xml", "words.png.aux.xml"}) {
+    std::filesystem::remove(folder / name);
+  }
+}
+
 void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
   seeds.add("raster", "grid",
             "ncols 3\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 0.5\nNODATA_value -9\n1 2 3\n4 "
@@ -190,6 +245,7 @@ void addRasters(const Seeds& seeds, const std::filesystem::path& folder) {
   map.origins[2] = Origin::outside;
   std::filesystem::create_directories(folder / "raster");
   writeMap(folder / "raster" / "map.tif", map, {});
+  addForeignRasters(folder / "raster");
 }
 
 void addAnswers(const Seeds& seeds) {
@@ -221,6 +277,23 @@ void addAnswers(const Seeds& seeds) {
   answer.finish(raster);
 }
 
+void addDevices(const Seeds& seeds) {
+  // Line status, an answer, status alone, half an answer.
+  seeds.add("protocol", "answers", "\x01`<IODAIBMPPPPAqA>\x01`\x01`<PPPACEP<AAAAAAAAAAAAAA>");
+  for (const auto& [name, blocks] :
+       {std::pair("blocks", std::vector<std::uint16_t>{900, 200, 4, 1}),
+        std::pair("one", std::vector<std::uint16_t>{1100})}) {
+    const std::vector<std::uint8_t> image = test::madeImage(blocks);
+    seeds.add("image", name, {reinterpret_cast<const char*>(image.data()), image.size()});
+  }
+  // A gamepad of four buttons and two axes, and one of its reports.
+  constexpr std::array<std::uint8_t, 43> kGamepad{
+      39,   0x05, 0x01, 0x09, 0x05, 0xa1, 0x01, 0x85, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29, 0x04,
+      0x15, 0x00, 0x25, 0x01, 0x75, 0x01, 0x95, 0x04, 0x81, 0x02, 0x95, 0x04, 0x81, 0x03, 0x05,
+      0x01, 0x09, 0x30, 0x75, 0x08, 0x95, 0x02, 0x81, 0x02, 0xc0, 0x01, 0x05, 0x80};
+  seeds.add("hid", "gamepad", {reinterpret_cast<const char*>(kGamepad.data()), kGamepad.size()});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -238,5 +311,6 @@ int main(int argc, char** argv) {
   addE57(seeds);
   addRasters(seeds, folder);
   addAnswers(seeds);
+  addDevices(seeds);
   return 0;
 }

@@ -7,7 +7,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDeadlineTimer>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -15,7 +14,9 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QTemporaryDir>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSet>
 #include <QTest>
 
 #include "haptics/device/falcon/firmware.h"
@@ -24,32 +25,17 @@
 #include "plugins/haptics/device_setup_buttons.h"
 #include "tests/emulator/in_process.h"
 #include "tests/emulator/made_image.h"
-#include "tests/haptics/haptic_fixture.h"
-#include "tests/plugins/test_host.h"
+#include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
 namespace {
 
 using emulator::SharedFalcon;
 using falcon::LinkState;
-
-bool eventually(const std::function<bool()>& holds) {
-  const QDeadlineTimer give_up(90'000);
-  while (!holds()) {
-    if (give_up.hasExpired()) return false;
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-    QTest::qWait(1);
-  }
-  return true;
-}
+using test::eventually;
 
 class DeviceSetupTest : public ::testing::Test {
  protected:
-  DeviceSetupTest() {
-    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
-    qputenv("XDG_CONFIG_HOME", folder_.filePath("config").toUtf8());
-    qunsetenv("RELIEVO_FALCON_FIRMWARE");
-  }
   void open(emulator::EmulatorOptions options,
             falcon::Presence presence = falcon::Presence::present) {
     emulated_ = std::make_shared<SharedFalcon>(options);
@@ -81,13 +67,13 @@ class DeviceSetupTest : public ::testing::Test {
     dialog_->grab().save(QStringLiteral(RELIEVO_BINARY_DIR "/screenshots/%1.png").arg(name));
   }
   QString written(const std::vector<std::uint8_t>& bytes) {
-    QFile file(folder_.filePath("image.bin"));
+    QFile file(home_.file("image.bin"));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<qint64>(bytes.size()));
     return file.fileName();
   }
 
-  QTemporaryDir folder_;
+  test::PrivateHome home_;
   std::shared_ptr<SharedFalcon> emulated_;
   std::unique_ptr<DeviceSetupDialog> dialog_;
   QStringList said_;
@@ -111,7 +97,7 @@ TEST_F(DeviceSetupTest, LeadsFromPlugToTouch) {
   EXPECT_FALSE(child<QPushButton>("setupSave")->isEnabled()) << "nothing to use yet";
   EXPECT_EQ(child<QPushButton>("setupClose")->text(), "Cancel") << "homing can be left";
   const std::string stored = falcon::readSettings(falcon::settingsFile()).firmware;
-  EXPECT_EQ(stored, folder_.filePath("data/relievo/falcon/nvent_firmware.bin").toStdString());
+  EXPECT_EQ(stored, home_.file("data/relievo/falcon/nvent_firmware.bin").toStdString());
   EXPECT_EQ(child<QLabel>("setupFirmwareFile")->text(),
             QString("Firmware: %1, accepted by you").arg(QString::fromStdString(stored)));
   picture("setup_homing");
@@ -207,6 +193,36 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
       << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
   const double gain = child<QLabel>("setupGain")->text().section(' ', 0, 0).toDouble();
   EXPECT_NEAR(gain, 6, 0.3);
+}
+
+TEST_F(DeviceSetupTest, WithTextTwiceAsLargeEverythingIsReachedByKeyOnASmallScreen) {
+  const QFont usual = QApplication::font();
+  QFont large = usual;
+  large.setPointSizeF(2 * usual.pointSizeF());
+  QApplication::setFont(large);
+  open({.firmware_loaded = true, .homed = true});
+  ASSERT_TRUE(becomes(LinkState::ready));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSave")->isEnabled(); }));
+  constexpr QSize kSmall(800, 600);
+  dialog_->resize(kSmall);
+  EXPECT_EQ(dialog_->size(), kSmall) << "it needs more";
+  QCoreApplication::processEvents();
+  EXPECT_EQ(child<QScrollArea>("setupParts")->horizontalScrollBar()->maximum(), 0);
+  picture("setup_large_text");
+  QSet<QString> reached;
+  QWidget* const first = dialog_->focusWidget();
+  do {
+    QTest::keyClick(dialog_->focusWidget(), Qt::Key_Tab);
+    QWidget* const at = dialog_->focusWidget();
+    reached << at->objectName();
+    EXPECT_FALSE(at->visibleRegion().isEmpty()) << at->objectName().toStdString();
+  } while (dialog_->focusWidget() != first && reached.size() < 50);
+  for (const char* name : {"setupFirmware", "setupSelfTest", "setupWeight", "setupCalibrate",
+                           "setupResults", "leftHanded", "setupSave", "setupClose"}) {
+    EXPECT_TRUE(reached.contains(name)) << name;
+  }
+  picture("setup_large_text_end");
+  QApplication::setFont(usual);
 }
 
 TEST_F(DeviceSetupTest, EveryControlHasANameAndALetterOfItsOwn) {

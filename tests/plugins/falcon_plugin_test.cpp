@@ -2,18 +2,13 @@
 // The plugin and a Falcon that comes and goes on a mocked port, through the real libusb.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <QApplication>
 #include <QComboBox>
-#include <QDeadlineTimer>
 #include <QLabel>
-#include <QPluginLoader>
-#include <QTemporaryDir>
 
 #include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
-#include "tests/haptics/haptic_fixture.h"
-#include "tests/plugins/test_host.h"
+#include "tests/plugins/plugin_fixture.h"
 #include "tests/realtime/fake_logind.h"
 #include "tests/realtime/message_bus.h"
 
@@ -22,38 +17,17 @@ namespace {
 
 using emulator::FalconEmulator;
 using emulator::SharedFalcon;
-using test::TestHost;
+using test::eventually;
 
-bool eventually(const std::function<bool()>& holds) {
-  const QDeadlineTimer give_up(60'000);
-  while (!holds()) {
-    if (give_up.hasExpired()) return false;
-    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
-  }
-  return true;
-}
-
-class FalconPluginTest : public ::testing::Test {
+class FalconPluginTest : public test::PluginTest {
  protected:
-  FalconPluginTest() {
-    qputenv("XDG_DATA_HOME", home_.filePath("data").toUtf8());
-    qputenv("XDG_CONFIG_HOME", home_.filePath("config").toUtf8());
-    qputenv("XDG_STATE_HOME", home_.filePath("state").toUtf8());
-    qunsetenv("RELIEVO_FALCON_FIRMWARE");
-  }
   void SetUp() override {
     if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
     logind_ = std::make_unique<test::FakeLogind>(bus_->address());
-    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
-    plugin_ = qobject_cast<Plugin*>(loader_.instance());
-    ASSERT_NE(plugin_, nullptr);
+    test::PluginTest::SetUp();
     host_.window = std::make_shared<RegionWindow>(test::windowOf(
         80, [](double, double) { return 5.0; }, 7));
-    plugin_->attach(host_);
-  }
-  void TearDown() override {
-    if (plugin_ != nullptr) plugin_->detach();
-    loader_.unload();
+    attach();
   }
   /// One that another program has started and homed.
   void plugIn() {
@@ -61,16 +35,8 @@ class FalconPluginTest : public ::testing::Test {
         emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
     usb_.plugIn(falcon_);
   }
-  template <class Widget>
-  Widget* inPanel(const char* name) {
-    QWidget* panel = host_.panels.at(QStringLiteral("Touch"));
-    return panel->findChild<Widget*>(QString::fromLatin1(name));
-  }
   bool listed(const QString& name) {
     return eventually([&] { return inPanel<QComboBox>("deviceList")->findText(name) >= 0; });
-  }
-  bool said(const QString& text) {
-    return eventually([&] { return host_.announcements.contains(text); });
   }
   QString all() const { return host_.announcements.join('\n'); }
 
@@ -81,13 +47,9 @@ class FalconPluginTest : public ::testing::Test {
   static void TearDownTestSuite() { bus_.reset(); }
 
   static std::unique_ptr<test::MessageBus> bus_;
-  QTemporaryDir home_;
   emulator::MockUsb usb_;
   std::shared_ptr<SharedFalcon> falcon_;
   std::unique_ptr<test::FakeLogind> logind_;
-  TestHost host_;
-  QPluginLoader loader_{QStringLiteral(RELIEVO_BINARY_DIR "/plugins/haptics_plugin.so")};
-  Plugin* plugin_ = nullptr;
 };
 std::unique_ptr<test::MessageBus> FalconPluginTest::bus_;
 
@@ -161,35 +123,26 @@ TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
 }
 
 /// The plugin and a SpaceMouse, through the real hidapi.
-class SpaceMousePluginTest : public ::testing::Test {
+class SpaceMousePluginTest : public test::PluginTest {
  protected:
   void SetUp() override {
     if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
-    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
-    plugin_ = qobject_cast<Plugin*>(loader_.instance());
+    test::PluginTest::SetUp();
     host_.window = std::make_shared<RegionWindow>(test::windowOf(
         80, [](double, double) { return 5.0; }, 7));
-    plugin_->attach(host_);
+    attach();
     const std::vector<std::uint8_t> multi_axis{0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0x85,
                                                0x01, 0x75, 0x10, 0x95, 0x03, 0x09, 0x30,
                                                0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0};
     hid_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", multi_axis);
-    ASSERT_TRUE(eventually(
-        [this] { return host_.announcements.contains("SpaceMouse Compact connected."); }));
+    ASSERT_TRUE(said("SpaceMouse Compact connected."));
     ASSERT_TRUE(eventually([this] { return !host_.probes.empty(); }));
-  }
-  void TearDown() override {
-    if (plugin_ != nullptr) plugin_->detach();
-    loader_.unload();
   }
   /// Full deflection: to the right, and up (the cap's z points down).
   void pushRight() { hid_.send(0, {1, 0x5e, 0x01, 0, 0, 0, 0}); }
   void letGo() { hid_.send(0, {1, 0, 0, 0, 0, 0, 0}); }
 
   emulator::MockHid hid_;
-  TestHost host_;
-  QPluginLoader loader_{QStringLiteral(RELIEVO_BINARY_DIR "/plugins/haptics_plugin.so")};
-  Plugin* plugin_ = nullptr;
 };
 
 TEST_F(SpaceMousePluginTest, MovesTheHandAsLongAsItIsPushed) {
@@ -204,7 +157,7 @@ TEST_F(SpaceMousePluginTest, MovesTheHandAsLongAsItIsPushed) {
 }
 
 TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
-  auto* choice = host_.panels.at("Buttons")->findChild<QComboBox*>("spaceMouse");
+  auto* choice = inPanel<QComboBox>("spaceMouse", "Buttons");
   ASSERT_NE(choice, nullptr);
   choice->setCurrentIndex(1);
   const double from = host_.probes.back().hip.x;

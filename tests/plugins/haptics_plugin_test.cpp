@@ -2,81 +2,40 @@
 // The plugin as the application sees it: a file, loaded; a Host, spoken to.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDeadlineTimer>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QPluginLoader>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/region/hand.h"
 #include "haptics/record/replay.h"
 #include "haptics/rt/realtime_thread.h"
 #include "plugins/haptics/touch_settings.h"
-#include "tests/haptics/haptic_fixture.h"
-#include "tests/plugins/test_host.h"
+#include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
 namespace {
 
+using test::eventually;
 using test::TestHost;
-
-const QString kPlugins = QStringLiteral(RELIEVO_BINARY_DIR "/plugins/");
 
 std::shared_ptr<const RegionWindow> flatWindow(double height, std::uint64_t id) {
   return std::make_shared<RegionWindow>(test::windowOf(
       80, [height](double x, double) { return height + (x < 10 ? 1.0 : 0.0); }, id));
 }
 
-/// Lets events run until something holds; false after a generous while.
-bool eventually(const std::function<bool()>& holds) {
-  const QDeadlineTimer give_up(60'000);
-  while (!holds()) {
-    if (give_up.hasExpired()) return false;
-    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);
-  }
-  return true;
-}
-
-class HapticsPluginTest : public ::testing::Test {
+class HapticsPluginTest : public test::PluginTest {
  protected:
-  void SetUp() override {
-    ASSERT_TRUE(loader_.load()) << loader_.errorString().toStdString();
-    plugin_ = qobject_cast<Plugin*>(loader_.instance());
-    ASSERT_NE(plugin_, nullptr);
-  }
-  void TearDown() override {
-    if (plugin_ != nullptr) plugin_->detach();
-    loader_.unload();
-  }
-  void attach() { plugin_->attach(host_); }
-  /// Until the loop's newest sample satisfies something.
-  bool probeBecomes(const std::function<bool(const Probe&)>& holds) {
-    return eventually([&] { return !host_.probes.empty() && holds(host_.probes.back()); });
-  }
-  template <class Widget>
-  Widget* inPanel(const char* name) {
-    QWidget* panel = host_.panels.at(QStringLiteral("Touch"));
-    auto* widget = panel->findChild<Widget*>(QString::fromLatin1(name));
-    EXPECT_NE(widget, nullptr) << name;
-    return widget;
-  }
   void press(double depth_hand_mm) {
     Q_EMIT host_.handMoved({handOver(*host_.window, 40, 40, true, depth_hand_mm), true});
   }
   void hover() { Q_EMIT host_.handMoved({handOver(*host_.window, 40, 40, false, 0), true}); }
-
-  TestHost host_;
-  QPluginLoader loader_{kPlugins + QStringLiteral("haptics_plugin.so")};
-  Plugin* plugin_ = nullptr;
 };
 
 TEST_F(HapticsPluginTest, SaysWhatItIsBeforeItIsLoaded) {
@@ -334,9 +293,6 @@ TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {
 }
 
 TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
-  QTemporaryDir home;
-  qputenv("HOME", home.path().toUtf8());
-  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
   host_.window = flatWindow(5, 33);
   attach();
   QAction* record = host_.actions.at("record");
@@ -348,7 +304,7 @@ TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
   record->trigger();
   ASSERT_TRUE(
       eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
-  const QDir folder(home.path() + "/Documents/relievo");
+  const QDir folder(home_.file("Documents/relievo"));
   const LogTable log =
       readLog(folder.filePath(folder.entryList({"touch-*.csv"}).value(0)).toStdString());
   ASSERT_GT(log.rows.size(), 1000U);
@@ -419,9 +375,6 @@ TEST_F(HapticsPluginTest, GivesEveryControlANameForSpeech) {
 }
 
 TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
-  QTemporaryDir home;
-  qputenv("HOME", home.path().toUtf8());
-  qputenv("XDG_CONFIG_HOME", home.filePath("config").toUtf8());
   host_.window = flatWindow(5, 41);
   attach();
   QAction* record = host_.actions.at("record");
@@ -431,7 +384,7 @@ TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
   record->trigger();
   ASSERT_TRUE(
       eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
-  const QDir folder(home.path() + "/Documents/relievo");
+  const QDir folder(home_.file("Documents/relievo"));
   const QStringList files = folder.entryList({"touch-*.csv"});
   ASSERT_EQ(files.size(), 1);
   QFile file(folder.filePath(files[0]));
@@ -448,8 +401,6 @@ TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
 }
 
 TEST_F(HapticsPluginTest, KeepsWhatLedToAFault) {
-  QTemporaryDir state;
-  qputenv("XDG_STATE_HOME", state.path().toUtf8());
   host_.window = flatWindow(5, 42);
   attach();
   hover();
@@ -457,9 +408,8 @@ TEST_F(HapticsPluginTest, KeepsWhatLedToAFault) {
   Q_EMIT host_.handMoved({{std::numeric_limits<double>::quiet_NaN(), 0, 0}, true});
   ASSERT_TRUE(eventually(
       [this] { return host_.announcements.join("|").contains("The last 0 s before the fault"); }));
-  const QDir folder(state.filePath("relievo/flight"));
+  const QDir folder(home_.file("state/relievo/flight"));
   EXPECT_EQ(folder.entryList({"flight-*.csv"}).size(), 1);
-  qunsetenv("XDG_STATE_HOME");
 }
 
 TEST_F(HapticsPluginTest, RemembersSettingsButNeverThatForcesWereOn) {

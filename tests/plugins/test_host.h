@@ -45,7 +45,9 @@ class TestHost : public Host {
     turned_az_deg += azimuth_deg;
     turned_el_deg += elevation_deg;
   }
-  QString recordingHeader() const override { return QStringLiteral("input relief.ply\nunit mm"); }
+  QString recordingHeader(const QString& /*file*/) const override {
+    return QStringLiteral("input relief.ply\nunit mm");
+  }
 
   void showWindow(std::shared_ptr<const RegionWindow> shown) {
     window = std::move(shown);

@@ -9,7 +9,6 @@
 
 #include "haptics/rt/realtime_thread.h"
 #include "tests/realtime/fake_logind.h"
-#include "tests/realtime/message_bus.h"
 
 namespace relievo {
 namespace {
@@ -26,14 +25,8 @@ bool eventually(const std::function<bool()>& holds) {
   return true;
 }
 
-class SleepWatchTest : public ::testing::Test {
+class SleepWatchTest : public test::BusTest {
  protected:
-  static void SetUpTestSuite() {
-    dbus_threads_init_default();
-    bus_ = std::make_unique<test::MessageBus>();
-  }
-  static void TearDownTestSuite() { bus_.reset(); }
-  void SetUp() override { ASSERT_FALSE(bus_->address().empty()) << "no dbus-daemon"; }
   static bool comes(SleepWatch& watch, News news) {
     return eventually([&] { return watch.poll() == news; });
   }
@@ -41,10 +34,7 @@ class SleepWatchTest : public ::testing::Test {
   static bool isReady(SleepWatch& watch) {
     return eventually([&] { return watch.poll() == News::none && watch.delays(); });
   }
-
-  static std::unique_ptr<test::MessageBus> bus_;
 };
-std::unique_ptr<test::MessageBus> SleepWatchTest::bus_;
 
 TEST_F(SleepWatchTest, SleepWaitsUntilAllIsAtZero) {
   FakeLogind logind(bus_->address());

@@ -273,7 +273,7 @@ TEST_F(WindowTest, TheKeySheetListsEveryShortcut) {
 
 TEST_F(WindowTest, TheRecordingHeaderNamesInputUnitViewAndRegion) {
   openRelief();
-  const QString header = window().recordingHeader();
+  const QString header = window().recordingHeader(path("log.csv"));
   for (const QString& line : header.split('\n')) EXPECT_TRUE(line.startsWith("# "));
   for (const char* key : {"input: relief.ply", "input_sha256", "unit: mm (given)", "view: top",
                           "region_mm", "level: 2"}) {

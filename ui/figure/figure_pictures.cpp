@@ -90,6 +90,7 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
   const int margin =
       static_cast<int>(std::clamp(f.look.radius_mm / spacing, kMarginSamples, 200.0));
   DepthMap map = cutOut(surface, panel.level, panel.shown, margin, project.gain);
+  task.check();
   applyOrigins(map, panel, f);
   PanelPicture made;
   std::vector<std::uint8_t> colours;
@@ -101,6 +102,7 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
   ReliefScene scene;
   scene.setSurface({map.frame, &map.heights_mm, &map.origins, colours.empty() ? nullptr : &colours,
                     isLit(f.look.kind)});
+  task.check();
   scene.setCamera({.rect = panel.shown});
   scene.setLight(f.look.light);
   scene.setBackground(1, 1, 1);

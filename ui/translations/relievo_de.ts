@@ -1505,6 +1505,25 @@
     </message>
 </context>
 <context>
+    <name>relievo::FirstViewCard</name>
+    <message>
+        <source>First view of the file that is being read</source>
+        <translation>Erste Ansicht der Datei, die gelesen wird</translation>
+    </message>
+    <message>
+        <source>%1: first view from %2 of %3 points. The whole is being read.</source>
+        <translation>%1: erste Ansicht aus %2 von %3 Punkten. Das Ganze wird gelesen.</translation>
+    </message>
+    <message>
+        <source>Until then the views and the hand stay with the object before.</source>
+        <translation>Bis dahin bleiben Ansichten und Hand beim bisherigen Objekt.</translation>
+    </message>
+    <message>
+        <source>It can be touched then.</source>
+        <translation>Dann kann es ertastet werden.</translation>
+    </message>
+</context>
+<context>
     <name>relievo::GlassesDialog</name>
     <message>
         <source>Test picture</source>
@@ -4025,6 +4044,205 @@
     <message>
         <source>%1 panel</source>
         <translation>Feld %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SpokenWords</name>
+    <message>
+        <source>Finer detail</source>
+        <translation>Feineres Detail</translation>
+    </message>
+    <message>
+        <source>Coarser detail</source>
+        <translation>Gröberes Detail</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Detail and scale</source>
+        <translation>Detail und Maßstab</translation>
+    </message>
+    <message>
+        <source>Where am I</source>
+        <translation>Wo bin ich</translation>
+    </message>
+    <message>
+        <source>Where am I, in full</source>
+        <translation>Wo bin ich, ausführlich</translation>
+    </message>
+    <message>
+        <source>Forces on or off</source>
+        <translation>Kräfte ein oder aus</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Verschoben</translation>
+    </message>
+    <message>
+        <source>Back to the old window</source>
+        <translation>Zurück zum alten Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Nächster Ort</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>Voriger Ort</translation>
+    </message>
+    <message>
+        <source>Beacon</source>
+        <translation>Leuchtfeuer</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Introduction</source>
+        <translation>Einführung</translation>
+    </message>
+    <message>
+        <source>Plus: finer. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off.</source>
+        <translation>Plus: feiner. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück.</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte. Noch einmal drücken nimmt, was ich zuletzt gesagt habe.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es.</translation>
+    </message>
+    <message>
+        <source>the device did not answer in time</source>
+        <translation>das Gerät hat nicht rechtzeitig geantwortet</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>das Gerät wurde getrennt</translation>
+    </message>
+    <message>
+        <source>the device sent something unreadable</source>
+        <translation>das Gerät hat Unlesbares gesendet</translation>
+    </message>
+    <message>
+        <source>the device is too hot</source>
+        <translation>das Gerät ist zu heiß</translation>
+    </message>
+    <message>
+        <source>the device reported an impossible position</source>
+        <translation>das Gerät meldet eine unmögliche Position</translation>
+    </message>
+    <message>
+        <source>the device is not ready yet</source>
+        <translation>das Gerät ist noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>base plane</source>
+        <translation>Grundebene</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>steil</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>The Falcon is not in use.</source>
+        <translation>Der Falcon wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>Es ist kein Falcon angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces are off.</source>
+        <translation>Falcon getrennt. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>Falcon found, but not allowed. Ask staff.</source>
+        <translation>Falcon gefunden, aber nicht erlaubt. Fragen Sie das Personal.</translation>
+    </message>
+    <message>
+        <source>The Falcon is busy.</source>
+        <translation>Der Falcon ist besetzt.</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened.</source>
+        <translation>Der Falcon konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Falcon found.</source>
+        <translation>Falcon gefunden.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware file.</source>
+        <translation>Der Falcon braucht seine Firmware-Datei.</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon.</source>
+        <translation>Der Falcon wird gestartet.</translation>
+    </message>
+    <message>
+        <source>Still starting.</source>
+        <translation>Startet noch.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start. You can continue with the mouse.</source>
+        <translation>Der Falcon ist nicht gestartet. Sie können mit der Maus weitermachen.</translation>
+    </message>
+    <message>
+        <source>Please push the grip fully in, then pull it fully out.</source>
+        <translation>Bitte drücken Sie den Griff ganz hinein und ziehen Sie ihn dann ganz heraus.</translation>
+    </message>
+    <message>
+        <source>Straight out, straight in; do not twist the grip.</source>
+        <translation>Gerade heraus, gerade hinein; den Griff nicht drehen.</translation>
+    </message>
+    <message>
+        <source>Pull the grip fully out.</source>
+        <translation>Ziehen Sie den Griff ganz heraus.</translation>
+    </message>
+    <message>
+        <source>Falcon ready.</source>
+        <translation>Falcon bereit.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off.</source>
+        <translation>Der Falcon antwortet nicht. Kräfte sind aus.</translation>
     </message>
 </context>
 <context>

@@ -1505,6 +1505,25 @@
     </message>
 </context>
 <context>
+    <name>relievo::FirstViewCard</name>
+    <message>
+        <source>First view of the file that is being read</source>
+        <translation>पढ़ी जा रही फ़ाइल का पहला दृश्य</translation>
+    </message>
+    <message>
+        <source>%1: first view from %2 of %3 points. The whole is being read.</source>
+        <translation>%1: %3 में से %2 बिंदुओं से पहला दृश्य। पूरी फ़ाइल पढ़ी जा रही है।</translation>
+    </message>
+    <message>
+        <source>Until then the views and the hand stay with the object before.</source>
+        <translation>तब तक दृश्य और हाथ पिछली वस्तु पर ही रहेंगे।</translation>
+    </message>
+    <message>
+        <source>It can be touched then.</source>
+        <translation>तब इसे छुआ जा सकेगा।</translation>
+    </message>
+</context>
+<context>
     <name>relievo::GlassesDialog</name>
     <message>
         <source>Test picture</source>
@@ -4025,6 +4044,205 @@
     <message>
         <source>%1 panel</source>
         <translation>%1 पटल</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::SpokenWords</name>
+    <message>
+        <source>Finer detail</source>
+        <translation>बारीक विवरण</translation>
+    </message>
+    <message>
+        <source>Coarser detail</source>
+        <translation>मोटा विवरण</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Detail and scale</source>
+        <translation>विवरण और पैमाना</translation>
+    </message>
+    <message>
+        <source>Where am I</source>
+        <translation>मैं कहाँ हूँ</translation>
+    </message>
+    <message>
+        <source>Where am I, in full</source>
+        <translation>मैं कहाँ हूँ, पूरा</translation>
+    </message>
+    <message>
+        <source>Forces on or off</source>
+        <translation>बल चालू या बंद</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>खिसकाने की विधा</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>खिसकाया</translation>
+    </message>
+    <message>
+        <source>Back to the old window</source>
+        <translation>पुरानी विंडो पर वापस</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>बाएँ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>दाएँ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>अगला स्थान</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>पिछला स्थान</translation>
+    </message>
+    <message>
+        <source>Beacon</source>
+        <translation>संकेतक</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>सहायता</translation>
+    </message>
+    <message>
+        <source>Introduction</source>
+        <translation>परिचय</translation>
+    </message>
+    <message>
+        <source>Plus: finer. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off.</source>
+        <translation>प्लस: बारीक। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस।</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ।</translation>
+    </message>
+    <message>
+        <source>the device did not answer in time</source>
+        <translation>उपकरण ने समय पर उत्तर नहीं दिया</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>उपकरण निकाल दिया गया</translation>
+    </message>
+    <message>
+        <source>the device sent something unreadable</source>
+        <translation>उपकरण ने अपठनीय कुछ भेजा</translation>
+    </message>
+    <message>
+        <source>the device is too hot</source>
+        <translation>उपकरण बहुत गर्म है</translation>
+    </message>
+    <message>
+        <source>the device reported an impossible position</source>
+        <translation>उपकरण ने असंभव स्थिति बताई</translation>
+    </message>
+    <message>
+        <source>the device is not ready yet</source>
+        <translation>उपकरण अभी तैयार नहीं है</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>प्रक्षेपित</translation>
+    </message>
+    <message>
+        <source>base plane</source>
+        <translation>आधार तल</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>खड़ा</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>बाहर</translation>
+    </message>
+    <message>
+        <source>The Falcon is not in use.</source>
+        <translation>Falcon उपयोग में नहीं है।</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>कोई Falcon नहीं लगा है।</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces are off.</source>
+        <translation>Falcon निकाल दिया गया। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>Falcon found, but not allowed. Ask staff.</source>
+        <translation>Falcon मिला, पर अनुमति नहीं है। कर्मचारियों से पूछें।</translation>
+    </message>
+    <message>
+        <source>The Falcon is busy.</source>
+        <translation>Falcon व्यस्त है।</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened.</source>
+        <translation>Falcon खोला नहीं जा सका।</translation>
+    </message>
+    <message>
+        <source>Falcon found.</source>
+        <translation>Falcon मिला।</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware file.</source>
+        <translation>Falcon को उसकी फ़र्मवेयर फ़ाइल चाहिए।</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon.</source>
+        <translation>Falcon शुरू हो रहा है।</translation>
+    </message>
+    <message>
+        <source>Still starting.</source>
+        <translation>अब भी शुरू हो रहा है।</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start. You can continue with the mouse.</source>
+        <translation>Falcon शुरू नहीं हुआ। आप माउस से आगे बढ़ सकते हैं।</translation>
+    </message>
+    <message>
+        <source>Please push the grip fully in, then pull it fully out.</source>
+        <translation>कृपया ग्रिप को पूरा अंदर धकेलें, फिर पूरा बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>Straight out, straight in; do not twist the grip.</source>
+        <translation>सीधा बाहर, सीधा अंदर; ग्रिप को न घुमाएँ।</translation>
+    </message>
+    <message>
+        <source>Pull the grip fully out.</source>
+        <translation>ग्रिप को पूरा बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>Falcon ready.</source>
+        <translation>Falcon तैयार है।</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off.</source>
+        <translation>Falcon उत्तर नहीं देता। बल बंद हैं।</translation>
     </message>
 </context>
 <context>

@@ -74,7 +74,7 @@ std::string videoState(const Provenance& provenance, const VideoRequest& request
 VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const VideoRequest& request, const std::string& state, const fs::path& file,
                       const Task& task) {
-  VideoFrames frames(surface, recording, request);
+  VideoFrames frames(surface, recording, request, task);
   const std::unique_ptr<VideoFile> out = openVideo(file, {.profile = request.profile,
                                                           .width_px = request.width_px,
                                                           .height_px = request.height_px,

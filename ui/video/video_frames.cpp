@@ -85,6 +85,7 @@ struct VideoFrames::Impl {
   const Surface& surface;
   const TouchRecording* recording;
   const VideoRequest& request;
+  const Task task;
   VideoTimes times;
   Places places;
   FrameRenderer detail;
@@ -94,10 +95,11 @@ struct VideoFrames::Impl {
   std::optional<Region> overview_region;
   RgbaImage left, page;
 
-  Impl(const Surface& s, const TouchRecording* r, const VideoRequest& v)
+  Impl(const Surface& s, const TouchRecording* r, const VideoRequest& v, const Task& t)
       : surface(s),
         recording(r),
         request(v),
+        task(t),
         times(timesOf(v, r)),
         places(layOut(v, r != nullptr && v.plots)),
         detail(places.detail.width, places.detail.height),
@@ -106,9 +108,11 @@ struct VideoFrames::Impl {
         v.width_px, v.height_px,
         std::vector<std::uint8_t>(
             4 * static_cast<std::size_t>(v.width_px) * static_cast<std::size_t>(v.height_px), 255)};
+    task.check();
     prepareScene(detail.scene());
     detail.scene().setScaleBar(v.scale_bar);
     if (places.overview.width > 0) startOverview();
+    task.check();
     if (places.plots.width > 0) {
       plots.emplace(curveOf(*r, times), places.plots.width, places.plots.height);
     }
@@ -122,6 +126,7 @@ struct VideoFrames::Impl {
 
   void startOverview() {
     overview.emplace(places.overview.width, places.overview.height);
+    task.check();
     prepareScene(overview->scene());
     VideoSurface whole(surface, request.look);
     const DetailLadder& map = surface.ladder;
@@ -158,14 +163,14 @@ struct VideoFrames::Impl {
     scene.setStereo({.mode = StereoMode::off, .zero_plane_mm = shown.midHeightMm()});
     if (request.stereo == StereoPrint::off) {
       scene.setEyeTurn(0);
-      paste(detail.draw(), places.detail, page);
+      paste(detail.draw(task), places.detail, page);
       return;
     }
     const double red = (request.swap_eyes ? 0.5 : -0.5) * request.eye_angle_deg;
     scene.setEyeTurn(red);
-    left = detail.draw();
+    left = detail.draw(task);
     scene.setEyeTurn(-red);
-    mixAnaglyph(request.stereo, left.rgba, detail.draw().rgba);
+    mixAnaglyph(request.stereo, left.rgba, detail.draw(task).rgba);
     paste(left, places.detail, page);
   }
 
@@ -183,14 +188,14 @@ struct VideoFrames::Impl {
     overview_region = region;
     overview->scene().setPinkWindow(
         RectMm{region.x_mm, region.y_mm, region.side_mm, region.side_mm}, false);
-    paste(overview->draw(), places.overview, page);
+    paste(overview->draw(task), places.overview, page);
   }
 };
 
 VideoFrames::VideoFrames(const Surface& surface, const TouchRecording* recording,
-                         const VideoRequest& request) {
+                         const VideoRequest& request, const Task& task) {
   check(request);
-  impl_ = std::make_unique<Impl>(surface, recording, request);
+  impl_ = std::make_unique<Impl>(surface, recording, request, task);
 }
 
 VideoFrames::~VideoFrames() = default;

@@ -15,15 +15,18 @@ namespace relievo {
 /// Needs a FigureSession. [one thread that may use OpenGL]
 class VideoFrames {
  public:
-  /// All three must outlive this. @param recording  null: the camera path alone
-  /// @throw ArgumentError, GraphicsError
-  VideoFrames(const Surface& surface, const TouchRecording* recording, const VideoRequest& request);
+  /// All but the task must outlive this. @param recording  null: the camera path alone
+  /// @param task  also stops the drawing of a frame
+  /// @throw ArgumentError, GraphicsError, Cancelled
+  VideoFrames(const Surface& surface, const TouchRecording* recording, const VideoRequest& request,
+              const Task& task = {});
   ~VideoFrames();
   VideoFrames(const VideoFrames&) = delete;
   VideoFrames& operator=(const VideoFrames&) = delete;
 
   const VideoTimes& times() const;
-  /// Valid until the next call. @throw GraphicsError, ArgumentError, FileError (tiles)
+  /// Valid until the next call.
+  /// @throw GraphicsError, ArgumentError, FileError (tiles), Cancelled
   const RgbaImage& draw(std::uint64_t frame);
 
  private:

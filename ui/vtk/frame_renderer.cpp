@@ -38,10 +38,12 @@ ReliefScene& FrameRenderer::scene() {
   return impl_->scene;
 }
 
-const RgbaImage& FrameRenderer::draw() {
+const RgbaImage& FrameRenderer::draw(const Task& task) {
   RgbaImage& image = impl_->image;
   impl_->scene.prepare(image.width, image.height);
+  impl_->scene.stopBy(task.stop);
   impl_->window.get()->Render();
+  task.check();  // Else it may be cut.
   impl_->window.get()->GetRGBACharPixelData(0, 0, image.width - 1, image.height - 1, 0,
                                             impl_->pixels);
   const auto row_bytes = 4 * static_cast<std::size_t>(image.width);

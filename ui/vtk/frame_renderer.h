@@ -20,8 +20,9 @@ class FrameRenderer {
   FrameRenderer& operator=(const FrameRenderer&) = delete;
 
   ReliefScene& scene();
-  /// The scene as it is now. Valid until the next call. @throw GraphicsError  a black picture
-  const RgbaImage& draw();
+  /// The scene as it is now. Valid until the next call.
+  /// @throw GraphicsError  a black picture; Cancelled
+  const RgbaImage& draw(const Task& task = {});
 
  private:
   struct Impl;

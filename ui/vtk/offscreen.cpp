@@ -74,8 +74,10 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
   OffscreenWindow window;
   const int side = std::min(options.tile_px, window.sizeLimitPx());
   const std::unique_ptr<ReliefScene> copy = scene.copy();
+  task.check();
   copy->setTransparent(options.transparent);
   if (options.transparent) window.get()->SetAlphaBitPlanes(1);
+  copy->stopBy(task.stop);
   copy->attachTo(window.get(), kSamples);
   RgbaImage image{width, height,
                   std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) *
@@ -89,6 +91,7 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
       window.get()->SetSize(tile.width, tile.height);
       copy->prepare(width, height, tile);
       window.get()->Render();
+      task.check();  // Else it may be cut.
       const bool tile_drawn = readTile(window.get(), tile, !options.transparent, image);
       drawn = drawn || tile_drawn;
       // With a background that is not black no part may be black.

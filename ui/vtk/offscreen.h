@@ -39,7 +39,7 @@ class DisplayGuard {
 };
 
 /// Renders a copy of a scene into memory, independent of any window on screen; the OpenGL context
-/// that was current stays so. Pictures above 2048 pixels, or the driver's limit if that is less,
+/// that was current stays so. Pictures above 512 pixels, or the driver's limit if that is less,
 /// are drawn in tiles; no seam shows. [the scene's thread] @throw GraphicsError  no display, a
 /// picture beyond 2^29 pixels, or a black (failed) image
 RgbImage renderOffscreen(const ReliefScene& scene, int width, int height);
@@ -56,7 +56,7 @@ std::vector<std::uint8_t> storedBytes(const RgbaImage& image);
 struct PictureOptions {
   int width = 0, height = 0;  ///< Pixels.
   bool transparent = false;   ///< Alpha 0 where there is no relief; without stereo.
-  int tile_px = 2048;         ///< Longest side of a tile.
+  int tile_px = 512;         ///< Longest side of a tile.
 };
 /// The same with alpha. [the scene's thread] @throw GraphicsError, ArgumentError, Cancelled
 RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,

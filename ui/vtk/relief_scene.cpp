@@ -12,7 +12,6 @@
 #include <vtkLight.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkOpenGLPolyDataMapper.h>
 #include <vtkOpenGLVertexBufferObject.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -25,6 +24,7 @@
 #include "ui/vtk/probe_actors.h"
 #include "ui/vtk/scene_view.h"
 #include "ui/vtk/screen_marks.h"
+#include "ui/vtk/stoppable_mapper.h"
 #include "ui/vtk/surface_mesh.h"
 
 namespace relievo {
@@ -119,7 +119,7 @@ struct ReliefScene::Impl {
   vtkNew<vtkCamera> vtk_camera;
   vtkNew<vtkLight> key, fill;
   vtkNew<vtkActor> surface;
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<StoppableMapper> mapper;
   SurfaceMesh mesh;
   ProbeActors probe_actors;
   ScreenMarks marks;
@@ -151,8 +151,7 @@ ReliefScene::Impl::Impl() {
   mapper->ScalarVisibilityOff();
   mapper->StaticOn();
   // Vertices are near 0 already; the hatch wants them in millimetres.
-  vtkOpenGLPolyDataMapper::SafeDownCast(mapper)->SetVBOShiftScaleMethod(
-      vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   surface->SetMapper(mapper);
   surface->VisibilityOff();
   vtkProperty* const stone = surface->GetProperty();
@@ -364,6 +363,10 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
                            .scale = impl_->mark_scale,
                            .dpi = impl_->window ? impl_->window->GetDPI() : 72,
                            .origin = {static_cast<double>(drawn.x), static_cast<double>(drawn.y)}});
+}
+
+void ReliefScene::stopBy(const std::stop_token& stop) {
+  impl_->mapper->stopBy(stop);
 }
 
 vtkRenderer* ReliefScene::renderer() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -81,6 +82,8 @@ class ReliefScene {
   /// To be called before each render: camera aspect, scale bar length, window frame in pixels.
   /// @param tile  draw only this part of the picture; nothing: all of it
   void prepare(int width_px, int height_px, const std::optional<PictureTile>& tile = {});
+  /// A render that finds this asked to stop leaves the rest of the surface out; not copied.
+  void stopBy(const std::stop_token& stop);
   vtkRenderer* renderer();  ///< The one of the surface; for its camera and viewport.
 
   /// View position under a pixel on the plane z = z_mm; for picking and dragging. Pixels are

@@ -100,13 +100,14 @@ class Link {
   void follow(const Report& report);
   void debounce(std::uint8_t raw);
   void countFrame(std::int64_t now_ns);
+  std::int64_t silentAt() const;
   std::optional<Leave> watch(std::int64_t now_ns);
   bool ask(std::int64_t now_ns, bool neutral);
   std::array<std::int16_t, kArms> motorCounts(std::int64_t now_ns);
   std::uint8_t lights(std::int64_t now_ns) const;
   bool isWanted(std::int64_t now_ns);
   void wake();
-  void rest(std::int64_t now_ns);
+  bool rest(std::int64_t now_ns);
   void sayGoodbye();
 
   void interrupt(DeviceFault fault, std::int64_t now_ns);

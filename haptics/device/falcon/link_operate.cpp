@@ -12,8 +12,10 @@ constexpr std::int64_t kMs = 1'000'000;
 constexpr double kPulledOutMm = 170 - kCentre.z;
 constexpr int kSureFrames = 3;  // In a row, before arms count as homed or a button as pressed.
 constexpr std::int64_t kHomingHintNs = 20'000 * kMs;
-/// While no loop asks: the chip's longest latency, so that nobody is woken for nothing.
-constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 100 * kMs;
+/// While no loop asks: the chip's longest latency and a question now and then, so that nobody is
+/// woken for nothing; a look ten times a second whether the loop asks again.
+constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 500 * kMs, kRestLookNs = 100 * kMs;
+constexpr std::int64_t kRestPatienceNs = 2 * kRestNs;
 constexpr std::uint8_t kRestLatencyMs = 255;
 
 /// Measures against silence: after 5, 10 and 15 ms, then one every 20 ms. All ask again, with zero
@@ -39,11 +41,9 @@ Link::Leave Link::operate(const std::stop_token& stop) {
   std::array<std::uint8_t, 512> bytes{};
   if (!ask(now, true)) return Leave::gone;
   while (!stop.stop_requested()) {
-    const std::int64_t patience = resting_ ? 4 * kRestNs : 0;
-    const std::int64_t silent_at = last_answer_ns_ + patience + measureAfter(silence_step_);
     // At least now and then to the stop token, whatever the clock did.
-    const std::int64_t until = std::clamp(silent_at, now, now + 50 * kMs);
-    const Port::Incoming in = port_->read(bytes, until);
+    const Port::Incoming in = port_->read(
+        bytes, resting_ ? now + kRestLookNs : std::clamp(silentAt(), now, now + 50 * kMs));
     if (in.result == PortResult::gone) return Leave::gone;
     now = bus_.now();
     if (const std::int64_t slept = bus_.slept(); slept != slept_) {
@@ -60,11 +60,13 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     }
     const bool wanted = isWanted(now);
     if (wanted && resting_) wake();
-    if (under_way_ == 0) {
-      if (!wanted) rest(now);
-      if (!ask(bus_.now(), false)) return Leave::gone;
-    } else if (now >= last_answer_ns_ + (resting_ ? patience : 0) + measureAfter(silence_step_)) {
+    if (under_way_ > 0) {
+      if (now < silentAt()) continue;
       if (const auto leave = watch(now)) return *leave;
+    } else if (!wanted && !resting_) {
+      if (!rest(now)) return Leave::gone;
+    } else if (!resting_ || now - asked_ns_ >= kRestNs) {
+      if (!ask(bus_.now(), false)) return Leave::gone;
     }
   }
   sayGoodbye();
@@ -152,6 +154,10 @@ void Link::countFrame(std::int64_t now_ns) {
     rate_frames_ = counts.frames;
     rate_mark_ns_ = now_ns;
   }
+}
+
+std::int64_t Link::silentAt() const {
+  return last_answer_ns_ + (resting_ ? kRestPatienceNs : 0) + measureAfter(silence_step_);
 }
 
 std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
@@ -250,21 +256,11 @@ void Link::wake() {
   last_answer_ns_ = bus_.now();
 }
 
-void Link::rest(std::int64_t now_ns) {
-  if (!resting_) {
-    resting_ = true;
-    ask(now_ns, true);  // Whatever the motors showed, they rest as well.
-    port_->request(latencyTimer(kRestLatencyMs));
-  }
-  std::array<std::uint8_t, 64> bytes{};
-  const std::int64_t until = now_ns + kRestNs;
-  while (bus_.now() < until) {
-    const Port::Incoming in = port_->read(bytes, until);
-    if (in.result == PortResult::gone) return;  // The next question finds out.
-    for (std::size_t i = 0; i < in.bytes; ++i) {
-      if (const auto report = reader_.take(bytes[i])) takeReport(*report, bus_.now());
-    }
-  }
+bool Link::rest(std::int64_t now_ns) {
+  resting_ = true;
+  const bool asked = ask(now_ns, true);  // Whatever the motors showed, they rest as well.
+  port_->request(latencyTimer(kRestLatencyMs));
+  return asked;
 }
 
 void Link::sayGoodbye() {

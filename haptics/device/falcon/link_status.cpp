@@ -36,10 +36,11 @@ LinkMessage describe(const LinkStatus& status) {
     case LinkState::forbidden:
       return {"E301",
               "A Falcon is plugged in but this account may not use it. Install the rule that the "
-              "device set-up shows once (needs an administrator), then replug.",
+              "device set-up shows and 'relievo devices rule' prints, once (needs an "
+              "administrator), then replug.",
               "Falcon found, but not allowed. Ask staff."};
     case LinkState::busy:
-      return {"E304", "Another program is using the Falcon. Close it, then press Retry.",
+      return {"E304", "Another program is using the Falcon. Close it, then try again.",
               "The Falcon is busy."};
     case LinkState::broken:
       return {"", "The Falcon could not be opened: " + detail + ". Replug it, or try another port.",
@@ -58,7 +59,7 @@ LinkMessage describe(const LinkStatus& status) {
       return {"E303",
               "The Falcon did not start after " + std::to_string(status.attempts) +
                   " attempts. Plug it straight into the computer, check its power supply, then "
-                  "press Retry." +
+                  "try again." +
                   (detail.empty() ? "" : " (" + detail + ")"),
               "The Falcon did not start. You can continue with the mouse."};
     case LinkState::homing:

@@ -232,7 +232,10 @@ struct PlugCounter {
   /// @return what libusb says; 0: it can be used
   int begin() {
     const int result = libusb_init(&context);
-    if (result != 0) return result;
+    if (result != 0) {
+      context = nullptr;
+      return result;
+    }
     hears_plugs =
         libusb_has_capability(LIBUSB_CAP_HAS_HOTPLUG) != 0 &&
         libusb_hotplug_register_callback(
@@ -280,18 +283,26 @@ UsbBus::~UsbBus() {
 
 Opening UsbBus::open() {
   Opening opening = openSeen();
-  // Where no udev service tells of plugs (containers, small systems), a libusb goes on seeing what
-  // it saw first; a new one looks anew.
-  if (opening.presence == Presence::absent && !seenFalcons().empty()) {
+  // Where no udev service tells of plugs (containers, small systems), or where it told while nobody
+  // listened, a libusb goes on seeing what it saw first; a new one looks anew.
+  const bool outdated = opening.presence == Presence::broken ||
+                        (opening.presence == Presence::absent && !seenFalcons().empty());
+  if (outdated) {
     impl_->end();
-    if (impl_->begin() == 0) opening = openSeen();
+    impl_->begin();
+    opening = openSeen();
   }
   return opening;
 }
 
 Opening UsbBus::openSeen() {
-  const DeviceList list(impl_->context);
   Opening opening;
+  if (impl_->context == nullptr) {
+    opening.presence = Presence::broken;
+    opening.detail = "USB cannot be used";
+    return opening;
+  }
+  const DeviceList list(impl_->context);
   for (libusb_device* device : list.devices()) {
     if (!isFalcon(device)) continue;
     libusb_device_handle* handle = nullptr;
@@ -324,6 +335,7 @@ Opening UsbBus::openSeen() {
 }
 
 void UsbBus::waitForChange(std::int64_t until_ns) {
+  if (impl_->context == nullptr) return sleepUntil(until_ns);
   const int before = impl_->plugs;
   do {
     timeval left = timeLeft(until_ns);

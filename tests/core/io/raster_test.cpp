@@ -268,6 +268,22 @@ TEST(Raster, WhatIsNoHeightGridIsRefusedWithASentence) {
   EXPECT_THAT(refusal(empty.write(folder)), HasSubstr("none of its 6 cells"));
 }
 
+TEST(Raster, StripsLargerThanMemoryAreRefusedFromTheHeader) {
+  const TemporaryFolder folder;
+  GDALAllRegister();
+  const auto write = [&](int cols, int rows, int bands, GDALDataType type, const char* options) {
+    const std::filesystem::path file = folder.path() / "few_bytes.tif";
+    const CPLStringList words(CSLTokenizeString2(options, " ", 0));
+    GDALClose(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        file.c_str(), cols, rows, bands, type, const_cast<char**>(words.List())));
+    return refusal(file);
+  };
+  const char* const whole = "SPARSE_OK=TRUE COMPRESS=DEFLATE BLOCKYSIZE=15000";
+  EXPECT_THAT(write(15000, 15000, 1, GDT_Float64, whole), HasSubstr("holds 1 800 MB"));
+  const char* const together = "SPARSE_OK=TRUE COMPRESS=DEFLATE BLOCKYSIZE=2";
+  EXPECT_THAT(write(60000, 2, 10000, GDT_Byte, together), HasSubstr("holds 1 200 MB"));
+}
+
 TEST(Raster, AnOriginMaskIsNotTakenForHeights) {
   const TemporaryFolder folder;
   writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), true});

@@ -146,6 +146,10 @@ TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
   EXPECT_THAT(warning_of(geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
               HasSubstr("heights are in m"));
   EXPECT_EQ(warning_of(geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9001}})), "");
+  // UTM zone 10 N is in metres by the registry.
+  EXPECT_THAT(warning_of(geoKeys({{3072, 0, 1, 26910}, {4099, 0, 1, 9003}})),
+              HasSubstr("heights are in us-ft, its x and y in m"));
+  EXPECT_EQ(warning_of(geoKeys({{3072, 0, 1, 26910}, {4099, 0, 1, 9001}})), "");
 }
 
 TEST_F(ReadLas, ACutFileLoadsItsCompletePointsOnRequest) {

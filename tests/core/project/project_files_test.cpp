@@ -168,6 +168,16 @@ TEST_F(OnDisk, WorkOfACrashedProgramIsFoundAndThatOfALivingOneIsNot) {
   EXPECT_TRUE(fs::is_empty(copies)) << "a program that ends well leaves nothing";
 }
 
+TEST_F(OnDisk, ACopyThatCannotBeReadIsKeptButNotFoundAgain) {
+  const fs::path copy = folder("autosave-abc.json");
+  folder_.write("autosave-abc.json", "{\"relievo_project\": 99}");
+  folder_.write("autosave-abc.lock", "");
+  ASSERT_EQ(leftAutosaves(copy.parent_path()).size(), 1U);
+  setAutosaveAside(copy);
+  EXPECT_TRUE(leftAutosaves(copy.parent_path()).empty());
+  EXPECT_TRUE(fs::exists(copy.string() + ".unreadable"));
+}
+
 TEST_F(OnDisk, APackageIsWholeAndTheSameEachTime) {
   const fs::path figure = folder_.write("fig.png", "a figure");
   fs::create_directories(folder("b"));

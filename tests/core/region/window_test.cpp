@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "core/base/error.h"
 #include "core/region/hand.h"
@@ -58,7 +58,7 @@ TEST(SampleWindow, BeyondTheMapIsOutsideWithHeightZero) {
   EXPECT_NEAR(window.heights_mm[middle], 1 + 10.1 + 5.05, 1e-4);
 }
 
-TEST(SampleWindow, AWindowOnTheNodesIsACopyOfThem) {
+DepthMap roughMap() {
   std::mt19937 random(3);
   DepthMap map;
   map.frame = {.size = {.cols = 300, .rows = 260},
@@ -69,6 +69,42 @@ TEST(SampleWindow, AWindowOnTheNodesIsACopyOfThem) {
     map.heights_mm.push_back(static_cast<float>(random()) * 1e-9F);
   }
   map.origins.assign(map.heights_mm.size(), Origin::measured);
+  return map;
+}
+
+TEST(SampleWindow, IsBilinearBetweenTheNodesAtAnySpacing) {
+  const DepthMap map = roughMap();
+  const Pyramid pyramid = buildPyramid(map);
+  // Samples per node spacing from four to less than one, at the map's far corner, too.
+  for (const double side_mm : {25.0, 83.1, 96.7, 129.9, 149.9}) {
+    const Region region{
+        .x_mm = 149.95 - side_mm, .y_mm = 129.95 - side_mm, .side_mm = side_mm, .level = {0}};
+    const RegionWindow window = sampleWindow(map, pyramid, region);
+    for (int row = 0; row < kWindowSamples; ++row) {
+      for (int col = 0; col < kWindowSamples; ++col) {
+        const double u = (region.x_mm + (col + 0.5) * side_mm / 200 - 0.25) / 0.5;
+        const double v = (region.y_mm + (row + 0.5) * side_mm / 200 - 0.25) / 0.5;
+        if (u < 0 || v < 0 || u > 299 || v > 259) continue;
+        const Cell c{.col = std::min(static_cast<int>(u), 298),
+                     .row = std::min(static_cast<int>(v), 258)};
+        const auto z = [&](int right, int up) {
+          return static_cast<double>(map.heightMm({.col = c.col + right, .row = c.row + up}));
+        };
+        const double p = u - c.col;
+        const double q = v - c.row;
+        const double expected =
+            (1 - q) * ((1 - p) * z(0, 0) + p * z(1, 0)) + q * ((1 - p) * z(0, 1) + p * z(1, 1));
+        ASSERT_NEAR(
+            window.heights_mm[static_cast<std::size_t>(row) * 200 + static_cast<std::size_t>(col)],
+            expected, 1e-6)
+            << side_mm << ' ' << col << ' ' << row;
+      }
+    }
+  }
+}
+
+TEST(SampleWindow, AWindowOnTheNodesIsACopyOfThem) {
+  const DepthMap map = roughMap();
   const Pyramid pyramid = buildPyramid(map);
   const RegionWindow window =
       sampleWindow(map, pyramid, {.x_mm = 20, .y_mm = 10, .side_mm = 100, .level = {0}});

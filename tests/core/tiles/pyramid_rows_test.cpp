@@ -40,7 +40,8 @@ void expectSameAsWholeMap(GridSize size, double factor) {
     for (int col = 0; col < level.frame.size.cols; ++col) {
       const std::size_t i = level.frame.size.index({.col = col, .row = row.row});
       other += row.heights_mm[col] != level.heights_mm[i];
-      other += row.measured[col] != level.measured[i];
+      const float of_origin = map.origins[i % map.origins.size()] == Origin::measured ? 1.0F : 0.0F;
+      other += row.measured[col] != (l == 0 ? of_origin : level.measured[i]);
       const auto nearest = [&](int node, int count) {
         const double scale = level.frame.spacing_mm / map.frame.spacing_mm;
         return std::min(static_cast<int>(std::lround(node * scale)), count - 1);

@@ -37,6 +37,10 @@ TEST(ForceAudit, SeesAStepThatIsTooLargeButAllowsACapThatComesDown) {
   EXPECT_EQ(audited({}, kOn, {0, 0, 1}, {0, 0, 1.3}).step_violations, 1U);
   EXPECT_EQ(audited({}, kOn, {0, 0, 1}, {0, 0.3, 1}).step_violations, 1U) << "sideways, too";
   EXPECT_EQ(audited({}, {false, 2, 0.2}, {0, 0, 5}, {0, 0, 2}).violations(), 0U);
+  EXPECT_EQ(audited({}, {false, 2, 0.2}, {0, 0, 5}, {0, 0, 2}).fast_falls, 1U) << "named, too";
+  EXPECT_EQ(audited({}, kOn, {0, 0, 5}, {0, 0, 4.8}).fast_falls, 0U);
+  EXPECT_EQ(audited({}, {false, 2, 0.2}, {0, 0, 5}, {0, 2, 0}).step_violations, 1U)
+      << "it may fall, but not turn";
   EXPECT_EQ(audited({}, {false, 2, 0.2}, {0, 0, 5}, {0, 0, 1}).step_violations, 1U);
 }
 

@@ -138,6 +138,30 @@ TEST_F(Core, ALateTickDoesNotJump) {
   EXPECT_LE(norm(after.force - before.force), 0.2 + 1e-9);
 }
 
+TEST_F(Core, OldPositionsLetTheForceFallFasterThanItMayRiseAndTheAuditKnows) {
+  switchOn();
+  options_.force.limit_n = 5;
+  pressFor(100, -8);
+  const std::int64_t last_place_ns = now_ns_;
+  double before_n = 0, largest_fall_n = 0;
+  for (int age_ms = 0; age_ms < 30; ++age_ms) {
+    DeviceReading reading;
+    reading.position = {0, 0, -8};
+    reading.time_ns = last_place_ns;
+    const double n = norm(core_.tick(*space_, options_, reading, now_ns_).force);
+    EXPECT_EQ(n == 5, age_ms <= 10) << age_ms;
+    EXPECT_EQ(n == 0, age_ms >= 20) << age_ms;
+    if (age_ms > 0) largest_fall_n = std::max(largest_fall_n, before_n - n);
+    before_n = n;
+    now_ns_ += 1'000'000;
+  }
+  EXPECT_NEAR(largest_fall_n, 0.5, 1e-9) << "more than the 0.2 N by which it may rise";
+  EXPECT_EQ(core_.audit().violations(), 0U);
+  EXPECT_EQ(core_.audit().fast_falls, 9U) << "and the last one is to zero";
+  for (int i = 0; i < 100; ++i) tick({0, 0, -8});
+  EXPECT_EQ(core_.audit().violations(), 0U) << "and rises slowly";
+}
+
 TEST_F(Core, SendsZeroInEveryTickWhoseInputsDemandIt) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> unit(0, 1);

@@ -10,6 +10,7 @@
 #include "haptics/proxy/texture.h"
 #include "tests/haptics/closed_loop.h"
 #include "tests/haptics/haptic_fixture.h"
+#include "tests/haptics/hollows.h"
 #include "tests/haptics/stability.h"
 
 namespace relievo {
@@ -132,9 +133,38 @@ TEST(SurfaceFields, AClosedWayOfAHandWithoutFrictionGivesNoWork) {
       was = sample.hip;
     }
     EXPECT_GT(gross_mj, 10);
-    // Over facets the proxy waits at creases, where a field does not follow it.
-    EXPECT_LE(work_mj, (kind == SurfaceKind::gated ? 2e-4 : 5e-3) * gross_mj);
+    EXPECT_LE(work_mj, 2e-4 * gross_mj) << static_cast<int>(kind);
   }
+}
+
+TEST(SurfaceFields, ADeepClosedWayOverHollowsOfDifferingFirmnessGivesNoWork) {
+  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::bilinear}) {
+    for (const double depth_mm : {5.0, 7.0}) {
+      const test::Work work = test::workOverHollows(kind, depth_mm);
+      EXPECT_GT(work.gross_mj, 200);
+      EXPECT_LE(work.net_mj, 2e-4 * work.gross_mj) << depth_mm << " mm";
+      EXPECT_GT(work.net_mj, -0.01 * work.gross_mj) << "and takes little";
+    }
+  }
+}
+
+TEST(SurfaceFields, FirmGroundIsFullyFeltAgainOnceTheHandLetsGo) {
+  SoftSpring spring;
+  const auto at = [](double energy, double pull, double z) {
+    return SoftPull{energy, {0, 0, pull}, {0, 0, z}, 0.5};
+  };
+  spring = yielded(spring, at(1, 2, 0));
+  EXPECT_EQ(spring.share, 1);
+  spring = yielded(spring, at(1.25, 3, 0));
+  EXPECT_NEAR(spring.share, 0.8, 1e-12) << "a slip without a way: the energy stays what it was";
+  spring = yielded(spring, at(1.25 + 0.3 + 0.005, 3.1, -0.1));
+  EXPECT_NEAR(spring.share, 0.8, 1e-3) << "pressing on pays for all of it";
+  spring = yielded(spring, at(4, 3, -0.1));
+  EXPECT_EQ(spring.share, 0.5) << "never softer than the softest ground";
+  spring = yielded(spring, at(1, 2, -0.1));
+  EXPECT_EQ(spring.share, 1) << "what a slip back loses is firmness again";
+  spring = yielded(spring, at(4, 3, 5));
+  EXPECT_EQ(spring.share, 1) << "after a jump of the hand nothing is known";
 }
 
 TEST(SurfaceFields, UnmeasuredGroundIsSofterAndTheWayThereIsSmooth) {

@@ -123,6 +123,47 @@ inline Accuracy slideOver(const HapticSpace& space, const Relief& relief, const 
   return result;
 }
 
+/// Largest change of force in one tick, of truth's.
+struct GateSteps {
+  double ours = 0, truth = 0;
+  double ratio() const { return ours / truth; }
+};
+
+/// Slides over waves up to half a cell from the foot of a block that stands on them, along its side
+/// and past its ends: from cells that are spline to cells that break and back, on 60 000 ticks.
+inline GateSteps stepsAcrossTheGate(double amplitude_mm, double length_mm, SurfaceKind kind) {
+  const Relief relief = waves(amplitude_mm, length_mm);
+  const auto space = spaceOf(
+      100,
+      [&](double x, double y) {
+        return relief.height(x, y) + (x > 50 && std::abs(y - 50) < 20 ? 5 : 0);
+      },
+      1, {}, kind);
+  constexpr double kNearestX = 49.5, kDepthMm = 0.4;  // Its foot is the sample at 49.75.
+  GateSteps steps;
+  ProxyState state;
+  ViewMm last_force, last_normal;
+  for (int n = 0; n < 60000; ++n) {
+    const double x = kNearestX - 3 + 3 * std::sin(0.011 * n);
+    const double y = 50 + 40 * std::sin(0.00117 * n + 0.2);
+    const double fx = relief.slope_x(x, y), fy = relief.slope_y(x, y);
+    const double length = std::sqrt(1 + fx * fx + fy * fy);
+    const ViewMm normal{-fx / length, -fy / length, 1 / length};
+    const ViewMm contact{x, y, relief.height(x, y)}, hip = contact - kDepthMm * normal;
+    if (n == 0) state = proxyPlace(*space, space->gridFromView(contact + normal));
+    state = proxyTick(*space, state, space->gridFromView(hip), {});
+    const ViewMm force = (1 / kDepthMm) * (space->viewFromGrid(state.position) - hip);
+    constexpr int kSettling = 20;
+    if (n >= kSettling) {
+      steps.ours = std::max(steps.ours, norm(force - last_force));
+      steps.truth = std::max(steps.truth, norm(normal - last_normal));
+    }
+    last_force = force;
+    last_normal = normal;
+  }
+  return steps;
+}
+
 /// Work on the hand over closed cycles of press, slide, lift and return, by the trapezoid rule.
 struct Work {
   double net_mj = 0;    ///< Positive: the surface gave energy.

@@ -46,6 +46,17 @@ TEST(SmoothRelief, BilinearFacetsAreFarFromTheClosedForm) {
   EXPECT_GT(a.step, 4 * a.true_step);
 }
 
+TEST(SmoothRelief, AcrossTheGateForceStepsNoMoreThanTruth) {
+  for (const double length_mm : {10.0, 20.0}) {
+    const auto ratio = [&](SurfaceKind kind) {
+      return test::stepsAcrossTheGate(1, length_mm, kind).ratio();
+    };
+    EXPECT_LE(ratio(SurfaceKind::gated), 1.02) << length_mm;
+    EXPECT_GT(ratio(SurfaceKind::bilinear), 5);
+    EXPECT_GT(ratio(SurfaceKind::spline), 5) << "it rings beside the block";
+  }
+}
+
 TEST(SmoothRelief, SpeedAndDepthChangeNothing) {
   const Relief relief = test::waves(2, 40), tilt = test::plane(0.577, 0);
   const auto space = test::spaceOf(relief, 100, SurfaceKind::gated);

@@ -252,6 +252,16 @@ class SmallDisk {
   void (*old_handler_)(int);
 };
 
+TEST_F(VideoTest, CancelNeedsNotWaitForTheScenesNorForAFrame) {
+  std::stop_source stop;
+  const Task task{stop.get_token(), {}};
+  VideoFrames frames(*surface_, &recording_, request_, task);
+  frames.draw(0);
+  stop.request_stop();
+  EXPECT_THROW(frames.draw(1), Cancelled);
+  EXPECT_THROW(VideoFrames(*surface_, &recording_, request_, task), Cancelled);
+}
+
 TEST_F(VideoTest, AFullDiskEndsInACompleteFile) {
   request_.profile = VideoProfile::archive;
   std::string said;

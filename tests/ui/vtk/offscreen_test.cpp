@@ -158,6 +158,25 @@ TEST(Offscreen, APictureInTilesIsThePictureInOnePiece) {
   EXPECT_LT(differing, whole.rgba.size() / 1000) << "at most " << most;
 }
 
+TEST(Offscreen, DrawingInPartsThatCanBeStoppedDoesNotShow) {
+  const SyntheticRelief relief = makeRelief(200, 100, domeWithRidges);
+  ReliefScene scene;
+  shownFromAbove(scene, relief);
+  const PictureOptions options{.width = 300, .height = 240};
+  const std::stop_source stop;
+  const RgbaImage in_parts = renderPicture(scene, options, Task{stop.get_token(), {}});
+  EXPECT_EQ(in_parts.rgba, renderPicture(scene, options).rgba);
+}
+
+TEST(Offscreen, CancelNeedsNotWaitForTheTile) {
+  const SyntheticRelief relief = makeRelief(200, 100, domeWithRidges);
+  ReliefScene scene;
+  shownFromAbove(scene, relief);
+  std::stop_source stop;
+  const Task task{stop.get_token(), [&](std::string_view, double) { stop.request_stop(); }};
+  EXPECT_THROW(renderPicture(scene, {.width = 300, .height = 240}, task), Cancelled);
+}
+
 /// Mean step between neighbouring columns (or rows) `at` - 1 and `at`, of 8 bits.
 double stepAcross(const RgbaImage& image, int at, bool columns) {
   double sum = 0;

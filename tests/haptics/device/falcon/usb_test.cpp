@@ -85,6 +85,9 @@ TEST_F(FalconUsbTest, UploadsWithoutABadChunkAndHomes) {
     EXPECT_EQ(f.lastImage(), relievo::test::madeImage());
     f.body.hold({0, 0, 172});
   });
+  // The arms find their places only while they are asked to.
+  const auto asked = [&] { return falcon->with([](auto& f) { return f.commandCount(); }); };
+  ASSERT_TRUE(eventually([&, before = asked()] { return asked() > before + 20; }));
   falcon->with([](auto& f) { f.body.hold({0, 0, 90}); });
   ASSERT_TRUE(becomes(*device, LinkState::pull_out));
   falcon->with([](auto& f) { f.body.hold({0, 0, 172}); });
@@ -171,10 +174,10 @@ TEST_F(FalconUsbTest, UnpluggedWhileTouchingThenReplugged) {
   ASSERT_TRUE(eventually([&] {
     exchange();
     return falcon->with([](auto& f) { return std::abs(f.body.force()[2]) > 0.5; });
-  }));
+  })) << describe(device->status()).screen;
   usb_.unplug();
   ASSERT_TRUE(eventually([&] { return exchange() == DeviceFault::disconnected; }));
-  ASSERT_TRUE(becomes(*device, LinkState::absent));
+  ASSERT_TRUE(becomes(*device, LinkState::absent)) << describe(device->status()).screen;
   const auto again = plugged({});
   ASSERT_TRUE(becomes(*device, LinkState::homing)) << describe(device->status()).screen;
   exchange();

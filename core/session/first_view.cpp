@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/first_view.h"
+
+#include "core/base/error.h"
+#include "core/io/point_stream.h"
+#include "core/session/large_map.h"
+#include "core/session/tiled_surface.h"
+#include "core/tiles/tiled_map.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::uint64_t kFirstSample = 250'000;
+constexpr std::uint64_t kSecondSample = 2'000'000;
+constexpr std::uint64_t kWorthASecond = 10;  ///< Times the sample.
+
+FirstView viewOfTiles(const std::filesystem::path& file) {
+  FirstView view;
+  view.surface = openTiledSurface(file);
+  view.used = view.surface.map.frame.size.count();
+  view.all = view.surface.info.points;
+  return view;
+}
+
+void viewsOfPoints(const std::filesystem::path& file, const SurfaceOptions& options,
+                   const ImportOptions& import, const FirstViewOptions& views, const Task& task) {
+  const std::uint64_t all = PointStream(file, import).info().points;
+  if (all < views.least_points) return;
+  for (const std::uint64_t wanted : {kFirstSample, kSecondSample}) {
+    if (wanted != kFirstSample && all < kWorthASecond * wanted) return;
+    FirstView view;
+    view.surface = sampleSurface(file, options, wanted, import, task);
+    view.used = view.surface.info.finite_points;
+    view.all = all;
+    views.on_view(view);
+  }
+}
+
+}  // namespace
+
+void makeFirstViews(const std::filesystem::path& file, const SurfaceOptions& options,
+                    const ImportOptions& import, const FirstViewOptions& views, const Task& task) {
+  try {
+    if (TiledMap::isOne(file)) {
+      views.on_view(viewOfTiles(file));
+    } else if (PointStream::canStream(file)) {
+      viewsOfPoints(file, options, import, views, task);
+    }
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error&) {
+    return;  // The file's reader comes next and says it.
+  }
+}
+
+}  // namespace relievo

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/first_view.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QSignalSpy>
+
+#include "tests/core/io/las_sample.h"
+#include "tests/ui/gui_fixture.h"
+
+namespace relievo {
+namespace {
+
+/// Opens a cloud that is large enough to be looked at before it is read whole.
+class FirstViewTest : public GuiTest {
+ protected:
+  static constexpr int kSide = 1500;
+
+  FirstViewTest() { document().setFirstViewFrom(1'000'000); }
+
+  /// kSide * kSide points, a wavy plate with stated metres.
+  QString writeCloud() const {
+    test::Las las = test::withRecord(test::geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9001}}));
+    las.scale = {0.001, 0.001, 0.001};
+    las.raw.reserve(kSide * kSide);
+    for (int y = 0; y < kSide; ++y) {
+      for (int x = 0; x < kSide; ++x) {
+        las.raw.push_back({x, y, (x / 50 % 2 + y / 50 % 2) * 20});
+      }
+    }
+    las.promised = las.legacy_promised = static_cast<std::uint32_t>(las.raw.size());
+    QFile file(path(QStringLiteral("cloud.las")));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    const std::string bytes = test::lasFile(las);
+    file.write(bytes.data(), static_cast<qint64>(bytes.size()));
+    return file.fileName();
+  }
+  FirstViewCard& card() const { return *child<FirstViewCard>("first_view"); }
+};
+
+TEST_F(FirstViewTest, IsThereBeforeTheFileIsReadAndGoesWhenItIsOpen) {
+  window().open(writeCloud());
+  ASSERT_TRUE(waitFor([this] { return card().isVisible(); }));
+  EXPECT_FALSE(document().isOpen());
+  EXPECT_EQ(card().geometry(), card().parentWidget()->rect());
+  EXPECT_TRUE(card().text().contains("first view from")) << card().text().toStdString();
+  EXPECT_TRUE(card().text().remove(QRegExp("\\D")).contains(QString::number(kSide * kSide)));
+  // Something is drawn: the plate's steps are lit and in shade.
+  EXPECT_GT(card().grab().toImage().convertToFormat(QImage::Format_Indexed8).colorCount(), 8);
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  EXPECT_FALSE(card().isVisible());
+  EXPECT_EQ(document().surface()->info.finite_points, std::uint64_t{kSide} * kSide);
+}
+
+TEST_F(FirstViewTest, LeavesTheOpenObjectItsViewsAndGoesWhenStopped) {
+  openRelief();
+  const DocumentState before = document().state();
+  window().open(writeCloud());
+  ASSERT_TRUE(waitFor([this] { return card().isVisible(); }));
+  EXPECT_LT(card().width(), window().width() / 2);
+  EXPECT_EQ(document().state(), before);
+  EXPECT_TRUE(card().text().contains("object before"));
+  document().cancel();
+  EXPECT_FALSE(card().isVisible());
+  EXPECT_EQ(document().state(), before);
+}
+
+TEST_F(FirstViewTest, OfWorkThatWasStoppedIsNotTold) {
+  openRelief();
+  QSignalSpy told(&document(), &Document::firstView);
+  window().open(writeCloud());
+  document().cancel();
+  openRelief();
+  EXPECT_EQ(told.count(), 0);
+  EXPECT_FALSE(card().isVisible());
+}
+
+TEST_F(FirstViewTest, IsNotMadeOfFilesThatAreReadSooner) {
+  QSignalSpy told(&document(), &Document::firstView);
+  document().setFirstViewFrom(kSide * kSide + 1);
+  window().open(writeCloud());
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(told.count(), 0);
+}
+
+}  // namespace
+}  // namespace relievo
