@@ -95,7 +95,8 @@ int main(int argc, char** argv) {
     return kUsage;
   }
   if (options.help || options.version) {
-    std::cout << (options.help ? relievo::windowHelp() : "relievo " RELIEVO_VERSION_STRING "\n");
+    std::cout << (options.help ? relievo::windowHelp() + '\n' + relievo::verbHelp()
+                               : "relievo " RELIEVO_VERSION_STRING "\n");
     return 0;
   }
   // Held until the window is there: a server without other clients would reset when this one

@@ -101,12 +101,7 @@ std::string windowHelp() {
          "  --region X,Y,W,H             first window, millimetres from the lower left corner\n"
          "  --lang xx                    language of the window: en, de, hi\n"
          "  --safe-mode                  ignore and keep no settings\n"
-         "  --version, --help\n"
-         "\n"
-         "Verbs: info, depthmap, fill, pyramid, convert, render, figure, measure, project,\n"
-         "       devices, touch, record, replay\n"
-         "Exit codes: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 not all done,\n"
-         "            5 not as before, 7 no graphics\n";
+         "  --version, --help\n";
 }
 
 }  // namespace relievo

@@ -62,10 +62,15 @@ foreach(relief IN ITEMS lit height hillshade multi slope local skyview openness)
     --relief ${relief} --without scalebar,heightbar,up,legend --width-mm 42 --dpi 150 --text-pt 6
     -o ${figures}/relief_${relief}.png)
 endforeach()
+foreach(colours IN ITEMS cividis batlow grey)
+  list(APPEND user_figures COMMAND relievo figure ${panel} --region 110,80,60,60 --layout detail
+    --relief height --colours ${colours} --without scalebar,heightbar,up,legend --width-mm 42
+    --dpi 150 --text-pt 6 -o ${figures}/relief_${colours}.png)
+endforeach()
 
 # The holes case: what was not measured, as measured and filled.
 list(APPEND user_figures
-  COMMAND relievo figure ${samples}/relief_f.ply --unit mm --view top --holes interpolate:100
+  COMMAND relievo figure ${samples}/relief_f.ply --unit mm --view top --holes interpolate:1000
     --layout beforeafter --region 130,40,45,45 --width-mm 120 --dpi 150
     -o ${figures}/figure_holes.png)
 
@@ -106,38 +111,28 @@ if(TARGET contact_sheet)
   else()
     set(shared ${CMAKE_SOURCE_DIR}/../shared/data)
   endif()
-  # name, scan, side of view, credit; then the window at three levels in thousandths of the map.
-  function(relievo_sheet name scan view credit)
+  # Name, scan, side of view, place to look at closely (Sheet.cmake), credit.
+  function(relievo_sheet name scan view middle credit)
     set(out ${sheets}/${name})
-    set(map ${out}/map.tif)
-    set(commands COMMAND ${CMAKE_COMMAND} -E make_directory ${out}
-      COMMAND relievo depthmap ${scan} --view ${view} --unit mm --cells 800 -o ${map})
-    list(APPEND commands
-      COMMAND relievo figure ${map} --width-mm 160 --dpi 110 -o ${out}/reference.png
-        --caption ${out}/caption.txt
-      COMMAND relievo figure ${map} --layout levels --width-mm 160 --dpi 110 -o ${out}/levels.png
-      COMMAND relievo figure ${scan} --view ${view} --unit mm --cells 800
-        --holes interpolate:1000000 --layout beforeafter --width-mm 160 --dpi 110
-        -o ${out}/holes.png
-      COMMAND relievo figure ${map} --layout detail --stereo dubois --width-mm 80 --dpi 220
-        -o ${out}/anaglyph.png
-      COMMAND ${CMAKE_COMMAND} -DRELIEVO=$<TARGET_FILE:relievo> -DMAP=${map} -DOUT=${out}
-        -P ${CMAKE_SOURCE_DIR}/cmake/SheetStroke.cmake)
-    set(list "${credit}=" "Reference and window=${out}/reference.png"
-      "Levels of detail=${out}/levels.png" "As measured, and filled=${out}/holes.png"
-      "Anaglyph (Dubois)=${out}/anaglyph.png" "z and force against time=${out}/force.svg")
+    set(commands COMMAND ${CMAKE_COMMAND} -DRELIEVO=$<TARGET_FILE:relievo> -DSCAN=${scan}
+      -DVIEW=${view} -DMIDDLE=${middle} -DOUT=${out} -P ${CMAKE_SOURCE_DIR}/cmake/Sheet.cmake)
+    set(entries "${credit}=" "The whole object: reference and window=${out}/window_1.png"
+      "A finer level=${out}/window_2.png" "The finest level=${out}/window_3.png"
+      "As measured, and filled=${out}/holes.png" "Anaglyph (Dubois)=${out}/anaglyph.png"
+      "z and force against time=${out}/force.svg")
     set(sheet_commands ${sheet_commands} ${commands} PARENT_SCOPE)
-    set(sheet_entries ${sheet_entries} ${list} PARENT_SCOPE)
+    set(sheet_entries ${sheet_entries} ${entries} PARENT_SCOPE)
   endfunction()
-  relievo_sheet(panel ${samples}/panel.ply top
+  relievo_sheet(panel ${samples}/panel.ply top 500,500
     "Carved panel. Sample of this project, BSD-3-Clause")
+  set(changed "Its file says no unit: shown as mm. Made into a height field and rendered by relievo")
   if(EXISTS ${shared}/obj/demosthenes-low-res.obj)
-    relievo_sheet(demosthenes ${shared}/obj/demosthenes-low-res.obj auto
-      "Bust of Demosthenes, Louvre. Scan by ryanfb, CC BY 4.0 (odedstein/meshes), rendered by relievo")
-    relievo_sheet(dancing_girl ${shared}/ply/DancingGirl_be.ply auto
-      "Dancing Girl by B. Thorvaldsen, Thorvaldsens Museum. Scan by Geoffrey Marchal, CC BY 4.0 (keijiro/DanishStatues), rendered by relievo")
-    relievo_sheet(mountain ${shared}/obj/mountain.obj auto
-      "Mountain. Scan by lastloginname, CC BY 4.0 (odedstein/meshes), rendered by relievo")
+    relievo_sheet(demosthenes ${shared}/obj/demosthenes-low-res.obj auto 500,650
+      "Bust of Demosthenes, Louvre. Scan by ryanfb, CC BY 4.0 (odedstein/meshes). ${changed}")
+    relievo_sheet(dancing_girl ${shared}/ply/DancingGirl_be.ply auto 500,700
+      "Dancing Girl by B. Thorvaldsen, Thorvaldsens Museum. Scan by Geoffrey Marchal, CC BY 4.0 (keijiro/DanishStatues). ${changed}")
+    relievo_sheet(mountain ${shared}/obj/mountain.obj auto 550,450
+      "Mountain. Scan by lastloginname, CC BY 4.0 (odedstein/meshes). ${changed}")
   endif()
   add_custom_target(sheets
     ${sheet_commands}

@@ -43,6 +43,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "sky-view factor"), QT_TRANSLATE_NOOP("Core", "openness"),
     QT_TRANSLATE_NOOP("Core", "hillshade"), QT_TRANSLATE_NOOP("Core", "grey"),
     QT_TRANSLATE_NOOP("Core", "viridis"), QT_TRANSLATE_NOOP("Core", "cividis"),
+    QT_TRANSLATE_NOOP("Core", "batlow"),
     // Buttons.
     QT_TRANSLATE_NOOP("Core", "Close"), QT_TRANSLATE_NOOP("Core", "Cancel"),
     QT_TRANSLATE_NOOP("Core", "Discard"), QT_TRANSLATE_NOOP("Core", "Save"),

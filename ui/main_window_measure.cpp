@@ -40,6 +40,15 @@ void MainWindow::makeMeasureCommands() {
   for (const Entry& e : entries) {
     make({e.name, e.text, {}, e.tip, [this, kind = e.kind] { beginMeasuring(kind); }, {}});
   }
+  make({"measure_touch",
+        tr("By &touch"),
+        {QKeySequence("Ctrl+Alt+M")},
+        tr("Taps of the hand that feels the surface give depth differences, strokes profiles"),
+        [this] {
+          measure_panel_->beginByTouch();
+          detail_->setFocus();
+        },
+        {}});
   make({"measure_save_list",
         tr("&Save\u2026"),
         {},
@@ -80,7 +89,8 @@ void MainWindow::makeReliefCommands() {
     action->setChecked(e.kind == ReliefKind::lit);
     kinds->addAction(action);
   }
-  const std::array<QString, 3> maps{tr("&Grey"), tr("&Viridis"), tr("&Cividis")};
+  const std::array<QString, kColourMapNames.size()> maps{tr("&Grey"), tr("&Viridis"),
+                                                         tr("&Cividis"), tr("&Batlow")};
   auto* colours = new QActionGroup(this);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     const auto map = static_cast<ColourMap>(i);
@@ -107,7 +117,7 @@ void MainWindow::beginMeasuring(MeasureKind kind) {
 }
 
 void MainWindow::showMeasurements() {
-  detail_->setPicking(measure_panel_->measuring());
+  detail_->setPicking(measure_panel_->measuring() && !measure_panel_->byTouch());
   const auto lines = measure_panel_->lines();
   detail_->setLines(lines);
   reference_->setLines(lines);

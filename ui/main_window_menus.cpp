@@ -81,7 +81,7 @@ void MainWindow::makeMenus() {
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(QStringLiteral("measure"), tr("&Measure")),
       {"measure_point", "measure_distance", "measure_depth", "measure_angle", "measure_profile",
-       "measure_area", "-", "measure_save_list"});
+       "measure_area", "measure_touch", "-", "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
   add(menu(QStringLiteral("record"), tr("Re&cord")),

@@ -16,6 +16,7 @@
 #include "core/provenance/sha256.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
+#include "ui/measure_panel.h"
 #include "ui/reference_view.h"
 #include "ui/replay_panel.h"
 #include "ui/side_panels.h"
@@ -105,6 +106,11 @@ void MainWindow::showPosition(const ViewMm& position, std::optional<Origin> know
 StepAbout MainWindow::about() const {
   if (probe_ && probe_->touching) return {probe_->proxy.x, probe_->proxy.y, true};
   if (const auto hand = detail_->hand()) return {hand->x, hand->y, false};
+  // The hand of a device that floats above this window.
+  const auto window = document_.window();
+  if (probe_ && window && probe_->window_id == window->id) {
+    return {probe_->proxy.x, probe_->proxy.y, false};
+  }
   return document_.aboutCentre();
 }
 
@@ -112,6 +118,8 @@ void MainWindow::showProbe(const Probe& probe) {
   const auto window = document_.window();
   if (!window || probe.window_id != window->id || replay_->showing()) return;
   drawProbe(probe);
+  measure_panel_->follow(
+      {{probe.proxy.x, probe.proxy.y}, norm(probe.force), probe.touching && probe.forces_on});
 }
 
 void MainWindow::drawProbe(const Probe& probe) {

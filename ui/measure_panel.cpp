@@ -134,16 +134,45 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
 void MeasurePanel::setMeasurements(std::vector<Measurement> measurements) {
   measurements_ = std::move(measurements);
   making_.reset();
+  by_touch_ = false;
   tellNext();
   showList();
 }
 
 void MeasurePanel::begin(MeasureKind kind) {
+  start(kind, false);
+}
+
+void MeasurePanel::beginByTouch() {
+  start(MeasureKind::depth, true);
+}
+
+void MeasurePanel::start(MeasureKind kind, bool by_touch) {
   if (!document_.isOpen()) return;
-  making_ = Measurement{};
-  making_->kind = kind;
+  by_touch_ = by_touch;
+  touched_.forget();
+  making_ = Measurement{.kind = kind};
   tellNext();
   Q_EMIT changed();
+}
+
+void MeasurePanel::follow(const TouchSample& sample) {
+  if (!by_touch_) return;
+  const auto mark = touched_.follow(sample, document_.window()->spacingMm());
+  if (!mark) return;
+  if (!mark->stroke) {
+    addPlace(mark->places.front().x, mark->places.front().y);
+    return;
+  }
+  keep({.kind = MeasureKind::profile, .places = mark->places});
+  Q_EMIT changed();
+}
+
+void MeasurePanel::keep(Measurement done) {
+  done.name = tr("%1").arg(measurements_.size() + 1).toStdString();
+  measurements_.push_back(std::move(done));
+  Q_EMIT said(readingText(document_.surface()->map, measurements_.back()).section('\n', 0, 0));
+  showList();
 }
 
 void MeasurePanel::addPlace(double x_mm, double y_mm) {
@@ -155,10 +184,9 @@ void MeasurePanel::addPlace(double x_mm, double y_mm) {
   making_->places.push_back({x_mm, y_mm});
   const int placed = static_cast<int>(making_->places.size());
   if (placed == placesNeeded(making_->kind) && !takesMore(making_->kind)) {
-    measurements_.push_back(*std::exchange(making_, std::nullopt));
-    measurements_.back().name = tr("%1").arg(measurements_.size()).toStdString();
-    Q_EMIT said(readingText(document_.surface()->map, measurements_.back()).section('\n', 0, 0));
-    showList();
+    keep(*std::exchange(making_, std::nullopt));
+    if (by_touch_) making_ = Measurement{.kind = MeasureKind::depth};
+    if (by_touch_) return Q_EMIT changed();  // What was read stays said.
   }
   tellNext();
   Q_EMIT changed();
@@ -168,21 +196,19 @@ void MeasurePanel::finish() {
   if (!making_ || !takesMore(making_->kind)) return;
   if (static_cast<int>(making_->places.size()) < placesNeeded(making_->kind)) return;
   Measurement done = *std::exchange(making_, std::nullopt);
-  done.name = tr("%1").arg(measurements_.size() + 1).toStdString();
   // The volume counts from the lowest of the corners, which a change of the list can move.
   for (std::size_t i = 0; i < done.places.size(); ++i) {
     const auto point = surfacePoint(document_.surface()->map, done.places[i]);
     if (point) done.plane_mm = i == 0 ? point->at.z : std::min(done.plane_mm, point->at.z);
   }
-  measurements_.push_back(done);
-  Q_EMIT said(readingText(document_.surface()->map, done).section('\n', 0, 0));
+  keep(std::move(done));
   tellNext();
-  showList();
   Q_EMIT changed();
 }
 
 void MeasurePanel::cancel() {
   making_.reset();
+  by_touch_ = false;
   tellNext();
   Q_EMIT changed();
 }
@@ -190,6 +216,13 @@ void MeasurePanel::cancel() {
 void MeasurePanel::tellNext() {
   if (!making_) {
     hint_->setText(tr("Choose what to measure from the Measure menu."));
+    return;
+  }
+  if (by_touch_) {
+    hint_->setText(
+        tr("By touch: with forces on (F5), tap two places for their depth difference, or "
+           "draw a stroke for a profile. Escape ends."));
+    Q_EMIT said(hint_->text());
     return;
   }
   const int placed = static_cast<int>(making_->places.size());

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include "core/measure/measure.h"
+#include "core/measure/touch_marks.h"
 #include "ui/document.h"
 
 class QDoubleSpinBox;
@@ -28,6 +29,12 @@ class MeasurePanel : public QWidget {
   void begin(MeasureKind kind);
   bool measuring() const { return making_.has_value(); }
   void addPlace(double x_mm, double y_mm);
+  /// From now on taps of the hand that feels the surface give places, two of them a depth
+  /// difference, and strokes profiles; until cancel().
+  void beginByTouch();
+  bool byTouch() const { return by_touch_; }
+  /// Where the proxy is now; does nothing unless byTouch().
+  void follow(const TouchSample& sample);
   /// Ends a profile or an area; does nothing for the others.
   void finish();
   void cancel();
@@ -50,12 +57,16 @@ class MeasurePanel : public QWidget {
   void showList();
   void rename(int row, const QString& name);
   void removeSelected();
+  void start(MeasureKind kind, bool by_touch);
+  void keep(Measurement done);
   void tellNext();
   std::optional<int> selected() const;
 
   Document& document_;
   std::vector<Measurement> measurements_;
   std::optional<Measurement> making_;
+  bool by_touch_ = false;
+  TouchMarks touched_;
   QLabel* hint_;
   QTableWidget* list_;
   QPushButton *remove_, *save_;

@@ -133,6 +133,17 @@ bool isVerb(std::string_view word) {
   return false;
 }
 
+std::string verbHelp() {
+  constexpr std::size_t kColumn = 10;
+  std::string text = "Verbs:\n";
+  for (const batch::Verb& verb : batch::verbs()) {
+    text += "  " + verb.name + std::string(kColumn - verb.name.size(), ' ') + verb.help + '\n';
+  }
+  return text +
+         "Exit codes: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 not all done,\n"
+         "            5 not as before, 6 device, 7 no graphics, 130 interrupted\n";
+}
+
 int runBatch(int argc, char** argv) {
   CLI::App app("relievo: feel and see scanned heritage at every scale", "relievo");
   app.require_subcommand(1);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace relievo {
 
 /// Is this word a verb of the command line ("info", "depthmap", ...)?
 bool isVerb(std::string_view word);
+
+/// Every verb with a line about it, and the exit codes.
+std::string verbHelp();
 
 /// `relievo VERB ...`: same functions as the window, no window. Same input, same output bytes.
 /// @return exit code: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 finished with warnings,

@@ -62,6 +62,12 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
     project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   }
   for (const std::string& recording : a.recordings) {
+    const auto touched = carriedProject(recording);
+    if (touched && touched->sha256 != project.sha256) {
+      throw ArgumentError(fs::path(recording).filename().string() + " is a recording of " +
+                          fs::path(touched->file).filename().string() + ", and " + shown +
+                          " shows another file. No project was written. Leave it out.");
+    }
     project.recordings.push_back(inputFile(recording, {}, task));
     project.recordings.back().file = fs::absolute(recording).lexically_normal().generic_string();
   }

@@ -177,7 +177,7 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("--eye-angle", a.request.eye_angle_deg, "Degrees between the eyes; 4");
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");
   verb.add_option("--relief", a.relief, "How heights are painted, as for figure");
-  verb.add_option("--colours", a.colours, "grey, viridis or cividis");
+  verb.add_option("--colours", a.colours, "grey, viridis, cividis or batlow");
   verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
   verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG");
 }

@@ -36,6 +36,42 @@ Rgb8 cividis(double t) {
   return {byteOf(polynomial(kRed, t)), byteOf(polynomial(kGreen, t)), byteOf(polynomial(kBlue, t))};
 }
 
+/// A Catmull-Rom cubic through colours at even steps, which were fitted by least squares to the
+/// published map and rounded. Beyond the ends it goes on straight.
+Rgb8 batlow(double t) {
+  constexpr std::array<Rgb8, 17> kColours{{{1, 25, 89},
+                                           {13, 49, 93},
+                                           {17, 67, 96},
+                                           {22, 82, 98},
+                                           {34, 96, 97},
+                                           {53, 106, 89},
+                                           {77, 115, 77},
+                                           {102, 122, 63},
+                                           {129, 130, 50},
+                                           {160, 138, 43},
+                                           {191, 144, 53},
+                                           {219, 149, 76},
+                                           {242, 157, 107},
+                                           {252, 168, 145},
+                                           {253, 180, 180},
+                                           {252, 192, 214},
+                                           {250, 204, 250}}};
+  constexpr std::size_t kSteps = kColours.size() - 1;
+  const double x = t * kSteps;
+  const std::size_t i = std::min(static_cast<std::size_t>(x), kSteps - 1);
+  const double u = x - static_cast<double>(i);
+  Rgb8 made{};
+  for (std::size_t channel = 0; channel < made.size(); ++channel) {
+    const double b = kColours[i][channel];
+    const double c = kColours[i + 1][channel];
+    const double a = i > 0 ? kColours[i - 1][channel] : 2 * b - c;
+    const double d = i + 2 <= kSteps ? kColours[i + 2][channel] : 2 * c - b;
+    made[channel] =
+        byteOf(b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a))));
+  }
+  return made;
+}
+
 template <std::size_t N>
 std::optional<std::size_t> place(const std::array<std::string_view, N>& names,
                                  std::string_view name) {
@@ -61,6 +97,7 @@ Rgb8 colourOf(ColourMap map, double t) {
   t = std::clamp(t, 0.0, 1.0);
   if (map == ColourMap::viridis) return viridis(t);
   if (map == ColourMap::cividis) return cividis(t);
+  if (map == ColourMap::batlow) return batlow(t);
   const std::uint8_t grey = byteOf(255 * t);
   return {grey, grey, grey};
 }

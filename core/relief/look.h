@@ -32,8 +32,9 @@ inline constexpr std::string_view name(ReliefKind kind) noexcept {
 }
 std::optional<ReliefKind> reliefKind(std::string_view name);
 
-enum class ColourMap { grey, viridis, cividis };
-inline constexpr std::array<std::string_view, 3> kColourMapNames{"grey", "viridis", "cividis"};
+enum class ColourMap { grey, viridis, cividis, batlow };
+inline constexpr std::array<std::string_view, 4> kColourMapNames{"grey", "viridis", "cividis",
+                                                                 "batlow"};
 inline constexpr std::string_view name(ColourMap map) noexcept {
   return kColourMapNames[static_cast<std::size_t>(map)];
 }

@@ -4,88 +4,24 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/io/raster.h"
 #include "data/generate/relief_f.h"
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
 
 using nlohmann::json;
 using test::CommandResult;
+using test::kReliefF;
+using test::reportOf;
 using test::runRelievo;
 using testing::HasSubstr;
 
-const std::string kReliefF = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-
-class Batch : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "relievo-batch-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name)) << text;
-    return path(name);
-  }
-  /// A plane z = 5 + x/10 as text, 101 x 101 points, 1 mm apart.
-  std::string plane() const {
-    std::ostringstream text;
-    for (int y = 0; y <= 100; ++y) {
-      for (int x = 0; x <= 100; ++x) text << x << ' ' << y << ' ' << 5 + x / 10.0 << '\n';
-    }
-    return write("plane.xyz", text.str());
-  }
-
-  std::filesystem::path folder_;
-};
-
-json reportOf(const CommandResult& result) {
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  json report = json::parse(result.out, nullptr, false);
-  EXPECT_FALSE(report.is_discarded()) << result.out;
-  return report;
-}
-
-/// Rows of a log by column name.
-struct Log {
-  std::vector<std::string> columns;
-  std::vector<std::vector<std::string>> rows;
-
-  double number(std::size_t row, const std::string& column) const {
-    const auto at = std::find(columns.begin(), columns.end(), column);
-    if (at == columns.end()) throw std::runtime_error("no column " + column);
-    return std::stod(rows.at(row).at(static_cast<std::size_t>(at - columns.begin())));
-  }
-};
-
-Log readLog(const std::string& file) {
-  Log log;
-  std::ifstream stream(file);
-  std::string line;
-  while (std::getline(stream, line)) {
-    if (line.starts_with('#')) continue;
-    std::vector<std::string> fields;
-    std::stringstream parts(line);
-    for (std::string field; std::getline(parts, field, ',');) fields.push_back(field);
-    if (log.columns.empty()) {
-      log.columns = fields;
-    } else {
-      log.rows.push_back(fields);
-    }
-  }
-  return log;
-}
+using Batch = test::CommandTest;
 
 TEST_F(Batch, InfoTellsWhatAFileHolds) {
   const CommandResult result = runRelievo({"info", plane(), "--report", "json"});
@@ -134,7 +70,7 @@ TEST_F(Batch, WrongUseIsExitOneWithOneSentence) {
 
 TEST_F(Batch, UnreadableFilesAreExitTwoAndUnwritableOnesExitThree) {
   EXPECT_EQ(runRelievo({"info", path("missing.ply")}).exit_code, 2);
-  EXPECT_EQ(runRelievo({"info", folder_.string()}).exit_code, 2);
+  EXPECT_EQ(runRelievo({"info", folder_.path().string()}).exit_code, 2);
   EXPECT_EQ(runRelievo({"info", write("empty.ply", "")}).exit_code, 2);
   const CommandResult result =
       runRelievo({"depthmap", plane(), "-o", path("no/such/folder/map.tif")});
@@ -363,106 +299,6 @@ TEST_F(Batch, PyramidRefusesAFactorThatIsNone) {
   }
 }
 
-TEST_F(Batch, TouchFollowsHookesLawInEveryContactRow) {
-  // Down into the plane z = 5 + x/10 at (50, 50), along it, and up again.
-  const std::string stroke = write("s.csv",
-                                   "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.2,50,50,2\n"
-                                   "0.4,60,55,2\n0.5,60,55,9\n");
-  const std::string file = path("log.csv");
-  const json report =
-      reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", file,
-                           "--region", "25,25,50,50", "--report", "json"}));
-  EXPECT_EQ(report["ticks"], 501);
-  EXPECT_EQ(report["region_mm"], json({25, 25, 50, 50}));
-  EXPECT_DOUBLE_EQ(report["scale_device_per_view"], 1.6);
-  const Log log = readLog(file);
-  ASSERT_EQ(log.rows.size(), 501U);
-  int touched = 0;
-  for (std::size_t i = 0; i < log.rows.size(); ++i) {
-    EXPECT_EQ(log.number(i, "tick"), static_cast<double>(i));
-    EXPECT_NEAR(log.number(i, "t_s"), 0.001 * static_cast<double>(i), 1e-12);
-    const bool contact = log.number(i, "contact") == 1;
-    touched += contact ? 1 : 0;
-    for (const char* axis : {"x", "y", "z"}) {
-      const std::string a = axis;
-      const double d =
-          log.number(i, "dev_proxy_" + a + "_mm") - log.number(i, "dev_hip_" + a + "_mm");
-      const double expected = contact ? 0.5 * d : 0;
-      EXPECT_NEAR(log.number(i, "f_" + a + "_N"), expected,
-                  1e-9 * std::max(1.0, std::abs(expected)));
-    }
-  }
-  EXPECT_GT(touched, 300);
-  EXPECT_LT(touched, 500);
-}
-
-TEST_F(Batch, TouchOnAPlaneFindsTheFootOfThePerpendicular) {
-  const std::string stroke =
-      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,20\n0.1,50,50,2\n0.2,50,50,2\n");
-  const std::string file = path("log.csv");
-  reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", file, "--region",
-                       "25,25,50,50", "--report", "json"}));
-  const Log log = readLog(file);
-  const std::size_t last = log.rows.size() - 1;
-  // The base plane lies at the lowest z, 5; the map's lower left edge half a cell outside, so that
-  // file x is view x - half a cell of 1 mm: the surface at view x = 50 lies at 4.95.
-  const double n = std::sqrt(1 + 0.01);
-  const double depth = (4.95 - 2) / n;
-  EXPECT_NEAR(log.number(last, "proxy_x_mm"), 50 - 0.1 * depth / n, 1e-4);
-  EXPECT_NEAR(log.number(last, "proxy_z_mm"), 2 + depth / n, 1e-4);
-  EXPECT_NEAR(log.number(last, "nx"), -0.1 / n, 1e-5);
-  EXPECT_NEAR(log.number(last, "nz"), 1 / n, 1e-5);
-}
-
-TEST_F(Batch, ThePapersEquationIsSelectableAndChatters) {
-  const std::string stroke =
-      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.1,50,50,4\n0.4,60,50,4\n");
-  for (const char* proxy : {"equation", "successive", "converged"}) {
-    const json report =
-        reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o",
-                             path("log.csv"), "--proxy", proxy, "--report", "json"}));
-    EXPECT_EQ(report["proxy"], proxy);
-    EXPECT_GT(report["largest_force_n"], 0.5);
-  }
-}
-
-TEST_F(Batch, DampingOpposesPressingInAndAWrongOneIsRefused) {
-  const std::string stroke = write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.5,50,50,2\n");
-  const std::vector<std::string> arguments{"touch",    plane(), "--unit",   "mm",
-                                           "--stroke", stroke,  "-o",       path("log.csv"),
-                                           "--report", "json",  "--damping"};
-  const auto largest = [&](const std::string& damping) {
-    std::vector<std::string> with = arguments;
-    with.push_back(damping);
-    return reportOf(runRelievo(with))["largest_force_n"].get<double>();
-  };
-  EXPECT_GT(largest("0.01"), largest("0") + 0.01);
-  std::vector<std::string> negative = arguments;
-  negative.emplace_back("-1");
-  EXPECT_EQ(runRelievo(negative).exit_code, 1);
-}
-
-TEST_F(Batch, AStrokeWhoseTimesDoNotIncreaseIsRefusedWithItsRow) {
-  const std::string stroke = write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,1,1,1\n0.1,1,1,1\n0.1,2,2,2\n");
-  const CommandResult result =
-      runRelievo({"touch", plane(), "--stroke", stroke, "-o", path("log.csv")});
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("3"));
-}
-
-TEST_F(Batch, TouchOnAMapEqualsTouchOnItsScan) {
-  const std::string map_file = path("map.tif");
-  reportOf(runRelievo({"depthmap", plane(), "--unit", "mm", "-o", map_file, "--report", "json"}));
-  const std::string stroke =
-      write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.1,50,50,4\n0.2,60,50,4\n");
-  reportOf(runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", path("a.csv"),
-                       "--window-out", path("wa.tif"), "--report", "json"}));
-  reportOf(runRelievo({"touch", map_file, "--stroke", stroke, "-o", path("b.csv"), "--window-out",
-                       path("wb.tif"), "--report", "json"}));
-  EXPECT_EQ(readLog(path("a.csv")).rows, readLog(path("b.csv")).rows);
-  EXPECT_EQ(readRaster(path("wa.tif")).values, readRaster(path("wb.tif")).values);
-}
-
 TEST_F(Batch, RenderDrawsExactlyTheRegionWithOrWithoutADisplay) {
   const std::vector<std::string> arguments{"render",   plane(),       "--unit",   "mm",
                                            "--region", "10,20,40,30", "--pixels", "200",
@@ -471,13 +307,10 @@ TEST_F(Batch, RenderDrawsExactlyTheRegionWithOrWithoutADisplay) {
   EXPECT_EQ(report["pixels"], json({200, 200}));
   EXPECT_EQ(report["region_mm"], json({10, 15, 40, 40}));
   EXPECT_DOUBLE_EQ(report["mm_per_pixel"], 0.2);
-  std::ifstream with(path("f.png"), std::ios::binary);
-  const std::string first((std::istreambuf_iterator<char>(with)), {});
+  const std::string first = test::bytesOf(path("f.png"));
   EXPECT_EQ(first.substr(1, 3), "PNG");
   EXPECT_EQ(reportOf(runRelievo(arguments, {"DISPLAY"})), report);
-  std::ifstream without(path("f.png"), std::ios::binary);
-  const std::string second((std::istreambuf_iterator<char>(without)), {});
-  EXPECT_EQ(first, second) << "the same pixels whatever the display";
+  EXPECT_EQ(first, test::bytesOf(path("f.png"))) << "the same pixels whatever the display";
 }
 
 TEST_F(Batch, TheDepthBufferGivesTheSameMapOfAMesh) {

@@ -1,49 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Figures by the command line, tried from outside.
-#include <gtest/gtest.h>
-
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::bytesOf;
 using test::CommandResult;
 using test::runRelievo;
 
-class FigureVerb : public testing::Test {
+class FigureVerb : public test::CommandTest {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "relievo-figure-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     // A step of 5 mm at x = 50, 101 x 101 points, 1 mm apart.
     std::ofstream scan(path("step.xyz"));
     for (int y = 0; y <= 100; ++y) {
       for (int x = 0; x <= 100; ++x) scan << x << ' ' << y << ' ' << (x > 50 ? 5 : 0) << '\n';
     }
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string bytesOf(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(path(name), std::ios::binary).rdbuf();
-    return text.str();
+  CommandResult figure(const std::vector<std::string>& more) const {
+    return runRelievo(test::joined({"figure", path("step.xyz"), "--unit", "mm", "--view", "top",
+                                    "--dpi", "100", "--report", "json"},
+                                   more),
+                      {"DISPLAY"});
   }
-  CommandResult figure(std::vector<std::string> more) const {
-    std::vector<std::string> all{"figure", path("step.xyz"), "--unit", "mm",       "--view",
-                                 "top",    "--dpi",          "100",    "--report", "json"};
-    all.insert(all.end(), more.begin(), more.end());
-    return runRelievo(all, {"DISPLAY"});
-  }
-  fs::path folder_;
 };
 
 TEST_F(FigureVerb, ReportsItsSizeAndMeasuresWithoutADisplay) {
@@ -57,8 +42,8 @@ TEST_F(FigureVerb, ReportsItsSizeAndMeasuresWithoutADisplay) {
   const json edge = report["measurements"][0]["values"][0];
   EXPECT_NEAR(edge["value"].get<double>(), 5, 1e-6);
   EXPECT_EQ(report["input_sha256"].get<std::string>().size(), 64U);
-  EXPECT_NE(bytesOf("c.txt").find("step.xyz"), std::string::npos);
-  EXPECT_FALSE(bytesOf("h.tif").empty());
+  EXPECT_NE(bytesOf(path("c.txt")).find("step.xyz"), std::string::npos);
+  EXPECT_FALSE(bytesOf(path("h.tif")).empty());
 }
 
 TEST_F(FigureVerb, DrawsTheSamePixelsAgainFromItsPicture) {
@@ -67,11 +52,11 @@ TEST_F(FigureVerb, DrawsTheSamePixelsAgainFromItsPicture) {
   const CommandResult again =
       runRelievo({"figure", "--from-image", path("a.png"), "-o", path("b.png")}, {"DISPLAY"});
   ASSERT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_EQ(bytesOf("a.png"), bytesOf("b.png"));
+  EXPECT_EQ(bytesOf(path("a.png")), bytesOf(path("b.png")));
   const CommandResult render =
       runRelievo({"render", "--from-image", path("a.png"), "-o", path("c.png")}, {"DISPLAY"});
   ASSERT_EQ(render.exit_code, 0) << render.err;
-  EXPECT_EQ(bytesOf("a.png"), bytesOf("c.png"));
+  EXPECT_EQ(bytesOf(path("a.png")), bytesOf(path("c.png")));
 }
 
 TEST_F(FigureVerb, SaysSoWhenTheInputChanged) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A researcher with a mouse, or with a keyboard alone, from a scan to a figure and back: window,
-// host, haptics plugin and command line as they are built. RELIEVO_JOURNEY_PICTURES=FOLDER keeps a
-// picture of the window at each step.
+// Journey U2: a researcher with a mouse, or with a keyboard alone, from a scan to a figure and
+// back: window, host, haptics plugin and command line as they are built. Pictures of the window at
+// each step are kept in screenshots/ of the build folder.
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
@@ -18,45 +19,34 @@
 #include <QToolBar>
 #include <QtTest/QTest>
 
-#include "app/host.h"
-#include "app/plugin_loader.h"
+#include "app/batch/recording.h"
 #include "data/generate/relief_f.h"
 #include "tests/app/command.h"
-#include "tests/ui/gui_fixture.h"
+#include "tests/app/journey.h"
+#include "tests/emulator/mock_hid.h"
+#include "tests/emulator/mock_usb.h"
 #include "ui/figure_dialog.h"
 #include "ui/measure_panel.h"
 #include "ui/places_panel.h"
+#include "ui/replay_panel.h"
 
 namespace relievo {
 namespace {
 
 enum class By { mouse, keys };
 
-class JourneyTest : public GuiTest, public ::testing::WithParamInterface<By> {
+class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
  protected:
+  JourneyTest() : Journey(GetParam() == By::keys ? "u2_keys" : "u2_mouse") {}
   void SetUp() override {
+    if (!emulator::MockUsb::works()) GTEST_SKIP() << "umockdev's library is not preloaded";
     window().resize(1200, 800);
-    host_ = std::make_unique<WindowHost>(window());
-    plugins_ = std::make_unique<PluginLoader>(*host_, window().settings());
-    plugins_->load();
-    ASSERT_TRUE(plugins_->has("haptics")) << plugins_->problems().join(' ').toStdString();
+    attach();
     ASSERT_TRUE(QFile::copy(RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply", path("F.ply")));
   }
-  void TearDown() override { plugins_->detachAll(); }
 
   bool byKeys() const { return GetParam() == By::keys; }
-  DetailView& detail() { return window().detailView(); }
-  ReferenceView& reference() { return window().referenceView(); }
   MeasurePanel& measure() { return *window().findChild<MeasurePanel*>(); }
-  void picture(const char* step) {
-    const QByteArray folder = qgetenv("RELIEVO_JOURNEY_PICTURES");
-    if (folder.isEmpty()) return;
-    QApplication::processEvents();
-    window().grab().save(QStringLiteral("%1/%2-%3.png")
-                             .arg(QString::fromLocal8Bit(folder),
-                                  byKeys() ? QStringLiteral("keys") : QStringLiteral("mouse"),
-                                  QString::fromLatin1(step)));
-  }
   static void keys(QWidget& to, int key, int times = 1, Qt::KeyboardModifiers with = {}) {
     for (int i = 0; i < times; ++i) QTest::keyClick(&to, static_cast<Qt::Key>(key), with);
   }
@@ -124,13 +114,35 @@ class JourneyTest : public GuiTest, public ::testing::WithParamInterface<By> {
       press(detail(), over(x_mm, y_mm));
     }
   }
-  double forceShown() {
-    const QString text = child<QLabel>("status_force")->text();
-    return text.endsWith("N") ? text.section('/', 0, 0).toDouble() : 0;
+  /// Forces on with the hand over a place, and down on the surface there.
+  void pressDown(double x_mm, double y_mm) {
+    detail().setFocus();
+    if (byKeys()) {
+      handByKeys(x_mm, y_mm);
+    } else {
+      move(detail(), over(x_mm, y_mm));
+    }
+    if (!action("forces")->isChecked()) key(Qt::Key_F5);
+    ASSERT_TRUE(eventually([this] { return probe() && probe()->forces_on; }))
+        << said().toStdString();
+    if (byKeys()) {
+      keys(detail(), Qt::Key_PageDown, 4);
+    } else {
+      press(detail(), over(x_mm, y_mm));
+    }
+    EXPECT_TRUE(eventually([this] { return forceShown() > 0.1; })) << "pressing in is felt";
+  }
+  void lift(double x_mm, double y_mm) {
+    if (byKeys()) {
+      keys(detail(), Qt::Key_PageUp, 4);
+    } else {
+      release(detail(), over(x_mm, y_mm));
+    }
+    EXPECT_TRUE(eventually([this] { return probe() && !probe()->touching; }));
   }
 
-  std::unique_ptr<WindowHost> host_;
-  std::unique_ptr<PluginLoader> plugins_;
+  emulator::MockHid hid_;
+  std::filesystem::path log_;  ///< What was recorded.
 
  public:  // Named by the test below.
   void openScan();
@@ -139,6 +151,10 @@ class JourneyTest : public GuiTest, public ::testing::WithParamInterface<By> {
   void changeDetail();
   void seeRelief();
   void measureStep();
+  void measureByTouch();
+  void recordStroke();
+  void seeReplay();
+  void steerBySpaceMouse();
   void keepWork();
   void makeFigure();
   void meetBrokenFile();
@@ -150,42 +166,24 @@ void JourneyTest::openScan() {
   request.unit = LengthUnit::mm;
   request.view = ViewChoice{"top", {}};
   window().open(request);
-  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(eventually([this] { return document().isOpen() && !document().busy(); }));
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr) << "nothing stands in the way";
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
   EXPECT_EQ(document().state().region, wholeRegion(document().surface()->ladder));
   EXPECT_EQ(document().surface()->holes.size(), 3U);
-  picture("1-open");
+  picture("1_open");
 }
 
 void JourneyTest::touch() {
-  detail().setFocus();
-  if (byKeys()) {
-    handByKeys(90, 100);
-  } else {
-    move(detail(), over(90, 100));
-  }
-  keys(detail(), Qt::Key_F5);
-  ASSERT_TRUE(waitFor([this] {
-    const auto& probe = detail().sceneState().probe;
-    return probe && probe->forces_on;
-  }));
-  if (byKeys()) {
-    keys(detail(), Qt::Key_PageDown, 4);
-  } else {
-    press(detail(), over(90, 100));
-  }
-  EXPECT_TRUE(waitFor([this] { return forceShown() > 0.1; })) << "pressing in is felt";
-  EXPECT_TRUE(waitFor([this] {
-    const auto& probe = detail().sceneState().probe;
-    return probe && probe->touching && probe->hip.z < probe->proxy.z &&
-           std::abs(probe->proxy.z - samples::kReliefFCapHeightMm) < 1;
+  pressDown(90, 100);
+  EXPECT_TRUE(eventually([this] {
+    return probe() && probe()->touching && probe()->hip.z < probe()->proxy.z &&
+           std::abs(probe()->proxy.z - samples::kReliefFCapHeightMm) < 1;
   })) << "on the dome";
-  picture("2-touch");
-  keys(detail(), Qt::Key_Escape);
-  EXPECT_TRUE(waitFor([this] { return !action("forces")->isChecked(); })) << "Escape stops them";
-  if (!byKeys()) release(detail(), over(90, 100));
-  if (byKeys()) keys(detail(), Qt::Key_PageUp, 4);
+  picture("2_touch");
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(eventually([this] { return !action("forces")->isChecked(); })) << "Escape stops them";
+  lift(90, 100);
 }
 
 void JourneyTest::drawWindow() {
@@ -195,13 +193,13 @@ void JourneyTest::drawWindow() {
     keys(reference(), Qt::Key_Space);
     keys(reference(), Qt::Key_Right, 4);
     keys(reference(), Qt::Key_Up, 4);
-    picture("3-drawing");
+    picture("3_drawing");
     keys(reference(), Qt::Key_Return);
   } else {
     // Inside the pink window a drag would move it: drawing begins outside.
     document().setRect({20, 20, 60, 60});
     drag(reference(), reference().pointOf(160, 60), reference().pointOf(230, 130));
-    picture("3-drawing");
+    picture("3_drawing");
   }
   EXPECT_EQ(document().history().undoText(), "Draw window");
   EXPECT_LT(document().state().region.side_mm, 150);
@@ -219,7 +217,7 @@ void JourneyTest::drawWindow() {
   EXPECT_NEAR(document().state().region.x_mm, 150, 1e-9);
   EXPECT_NEAR(document().state().region.y_mm, 50, 1e-9);
   EXPECT_NEAR(document().state().region.side_mm, 100, 1e-9);
-  picture("3-window");
+  picture("3_window");
 }
 
 void JourneyTest::changeDetail() {
@@ -258,7 +256,7 @@ void JourneyTest::seeRelief() {
     height->setValue(30);
   }
   EXPECT_EQ(detail().sceneState().light.elevation_deg, 30);
-  picture("4-relief");
+  picture("4_relief");
 }
 
 void JourneyTest::measureStep() {
@@ -286,7 +284,130 @@ void JourneyTest::measureStep() {
   measure().writeProfile(path("step.svg"));
   EXPECT_GT(QFile(path("step.csv")).size(), 100);
   EXPECT_GT(QFile(path("step.svg")).size(), 100);
-  picture("5-measure");
+  picture("5_measure");
+}
+
+/// One tap on each side of the step.
+void JourneyTest::measureByTouch() {
+  choose("measure_touch", "by touch");
+  ASSERT_TRUE(measure().byTouch());
+  for (const double x : {190.0, 210.0}) {
+    pressDown(x, 90);
+    lift(x, 90);
+  }
+  ASSERT_TRUE(eventually([this] { return measure().measurements().size() == 3; }));
+  const double felt =
+      read(document().surface()->map, measure().measurements()[2]).quantities[0].value;
+  EXPECT_NEAR(felt, samples::kReliefFStepMm, document().surface()->map.frame.spacing_mm);
+  picture("5_by_touch");
+  for (int i = 0; i < 2; ++i) key(Qt::Key_Escape);
+  EXPECT_FALSE(action("forces")->isChecked());
+  EXPECT_FALSE(measure().byTouch());
+}
+
+/// A stroke over the step, recorded as with a Falcon.
+void JourneyTest::recordStroke() {
+  shortcut(Qt::Key_R);
+  ASSERT_TRUE(eventually([this] { return action("record")->isChecked(); }));
+  pressDown(190, 90);
+  if (byKeys()) {
+    keys(detail(), Qt::Key_Right, 4, Qt::ShiftModifier);
+  } else {
+    for (double x = 190; x < 210; x += 0.5) {
+      move(detail(), over(x, 90), Qt::LeftButton);
+      QTest::qWait(15);
+    }
+  }
+  EXPECT_TRUE(eventually([this] { return probe() && probe()->proxy.x > 205; }));
+  picture("6_recording");
+  lift(byKeys() ? 210 : 209.5, 90);
+  key(Qt::Key_Escape);
+  shortcut(Qt::Key_R);
+  ASSERT_TRUE(eventually([this] { return said().contains("Recording saved"); }))
+      << said().toStdString();
+  ASSERT_TRUE(eventually([this] { return child<QLabel>("status_recording")->text().isEmpty(); }));
+  ASSERT_EQ(recordings().size(), 1U);
+  log_ = recordings().front();
+  const TouchRecording recording = batch::readRecording(log_);
+  EXPECT_EQ(recording.input_sha256, document().fileSha256().toStdString());
+  double low = 1e9;
+  double high = -1e9;
+  for (const TouchRow& row : recording.rows) {
+    if (!row.contact) continue;
+    low = std::min(low, row.proxy.z);
+    high = std::max(high, row.proxy.z);
+  }
+  EXPECT_NEAR(high - low, samples::kReliefFStepMm, 0.3) << "the step was felt";
+}
+
+/// Played at full and at quarter speed; the same time shows the same picture.
+void JourneyTest::seeReplay() {
+  window().replay(QString::fromStdString(log_.string()));
+  ASSERT_TRUE(eventually([this] { return window().replayControl().showing(); }))
+      << window().message().toStdString();
+  ReplayPlayer& player = window().replayControl().player();
+  keys(*window().replayControl().panel(), Qt::Key_Space);
+  EXPECT_TRUE(player.playing());
+  EXPECT_TRUE(eventually([&] { return player.timeS() > 0.3; }));
+  keys(*window().replayControl().panel(), Qt::Key_Space);
+  EXPECT_FALSE(player.playing());
+  auto* speed = child<QComboBox>("replay_speed");
+  Journey::choose(*speed, speed->findData(0.25));
+  player.setTime(0);
+  player.advance(2);
+  EXPECT_DOUBLE_EQ(player.timeS(), 0.5);
+  const TouchRecording& recording = *player.recording();
+  const auto felt = std::find_if(recording.rows.begin(), recording.rows.end(),
+                                 [](const TouchRow& row) { return norm(row.force) > 0.1; });
+  ASSERT_NE(felt, recording.rows.end());
+  const double time = felt->t_s - recording.startS() + 0.1;
+  player.setTime(time);
+  const Probe once = *probe();
+  const double force = forceShown();
+  EXPECT_TRUE(once.touching);
+  player.setTime(0);
+  player.setTime(time);
+  EXPECT_EQ(probe()->proxy, once.proxy);
+  EXPECT_EQ(probe()->hip, once.hip);
+  EXPECT_EQ(forceShown(), force);
+  picture("7_replay");
+  choose("replay_close", "close replay");
+  EXPECT_FALSE(window().replayControl().showing());
+  // The command line repeats it, every bit.
+  const auto again = test::runRelievo(
+      {"replay", log_.string(), "--verify", "--input", document().file().toStdString()});
+  EXPECT_EQ(again.exit_code, 0) << again.err << again.out;
+}
+
+/// A SpaceMouse moves the hand, its button the detail, whatever has the focus.
+void JourneyTest::steerBySpaceMouse() {
+  const std::vector<std::uint8_t> multi_axis{0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0x85,
+                                             0x01, 0x75, 0x10, 0x95, 0x03, 0x09, 0x30,
+                                             0x09, 0x31, 0x09, 0x32, 0x81, 0x06, 0xc0};
+  hid_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", multi_axis);
+  ASSERT_TRUE(eventually([this] { return said().contains("SpaceMouse Compact connected"); }))
+      << said().toStdString();
+  if (byKeys()) {
+    handByKeys(200, 100);
+  } else {
+    move(detail(), over(200, 100));
+  }
+  child<QListWidget>("places_list")->setFocus();
+  ASSERT_TRUE(eventually([this] { return probe().has_value(); }));
+  const double from = probe()->hip.x;
+  hid_.send(0, {1, 0xa2, 0xfe, 0, 0, 0, 0});  // Full deflection to the left.
+  EXPECT_TRUE(eventually([&] { return probe()->hip.x < from - 5; }));
+  hid_.send(0, {1, 0, 0, 0, 0, 0, 0});
+  EXPECT_TRUE(child<QListWidget>("places_list")->hasFocus());
+  const int before = document().detail();
+  hid_.send(0, {3, 2, 0});
+  hid_.send(0, {3, 0, 0});
+  EXPECT_TRUE(eventually([&] { return document().detail() == before + 1; })) << "its button";
+  picture("8_space_mouse");
+  hid_.unplug(0);
+  EXPECT_TRUE(eventually([this] { return said().contains("SpaceMouse"); })) << "is missed";
+  shortcut(Qt::Key_Z);
+  EXPECT_EQ(document().detail(), before);
 }
 
 void JourneyTest::keepWork() {
@@ -301,13 +422,14 @@ void JourneyTest::keepWork() {
   window().saveProject(path("F.relievo.json"));
   document().whole();
   window().open(path("F.relievo.json"));
-  ASSERT_TRUE(waitFor([&] { return !document().busy() && document().state().region == region; }));
+  ASSERT_TRUE(
+      eventually([&] { return !document().busy() && document().state().region == region; }));
   EXPECT_EQ(window().findChild<PlacesPanel*>()->places()[0].name, "the step");
-  EXPECT_EQ(measure().measurements().size(), 2U);
+  EXPECT_EQ(measure().measurements().size(), 3U);
   EXPECT_EQ(detail().sceneState().look.kind, ReliefKind::multi_hillshade);
   EXPECT_EQ(detail().sceneState().light.elevation_deg, 30);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
-  picture("6-again");
+  picture("9_again");
 }
 
 void JourneyTest::makeFigure() {
@@ -315,7 +437,7 @@ void JourneyTest::makeFigure() {
   auto* dialog = window().findChild<FigureDialog*>();
   ASSERT_NE(dialog, nullptr);
   auto* caption = dialog->findChild<QPlainTextEdit*>("figure_caption");
-  ASSERT_TRUE(waitFor([&] { return !caption->toPlainText().isEmpty(); }));
+  ASSERT_TRUE(eventually([&] { return !caption->toPlainText().isEmpty(); }));
   EXPECT_TRUE(caption->toPlainText().contains("Hillshade of four lights 30"))
       << caption->toPlainText().toStdString();
   auto* file = dialog->findChild<QLineEdit*>("figure_file");
@@ -327,8 +449,8 @@ void JourneyTest::makeFigure() {
   } else {
     QTest::mouseClick(save, Qt::LeftButton);
   }
-  ASSERT_TRUE(waitFor([&] { return QFile::exists(path("fig.png")); }));
-  ASSERT_TRUE(waitFor([&] { return save->isEnabled() || !dialog->isVisible(); }));
+  ASSERT_TRUE(eventually([&] { return QFile::exists(path("fig.png")); }));
+  ASSERT_TRUE(eventually([&] { return save->isEnabled() || !dialog->isVisible(); }));
   dialog->close();
   // The command line makes the same pixels, without this window's screen.
   const auto again = test::runRelievo({"figure", "--from-image", path("fig.png").toStdString(),
@@ -342,10 +464,10 @@ void JourneyTest::makeFigure() {
 void JourneyTest::meetBrokenFile() {
   const auto surface = document().surface();
   window().open(QStringLiteral(RELIEVO_SOURCE_DIR "/data/samples/relief_f_truncated.ply"));
-  ASSERT_TRUE(waitFor([&] { return !window().message().isEmpty(); }));
+  ASSERT_TRUE(eventually([&] { return !window().message().isEmpty(); }));
   EXPECT_TRUE(window().message().contains("E101")) << window().message().toStdString();
   EXPECT_EQ(document().surface(), surface) << "what was open stays";
-  picture("7-broken");
+  picture("10_broken");
 }
 
 TEST_P(JourneyTest, FromAScanToAFigureAndBack) {
@@ -353,7 +475,9 @@ TEST_P(JourneyTest, FromAScanToAFigureAndBack) {
   for (const Step step :
        {&JourneyTest::openScan, &JourneyTest::touch, &JourneyTest::drawWindow,
         &JourneyTest::changeDetail, &JourneyTest::seeRelief, &JourneyTest::measureStep,
-        &JourneyTest::keepWork, &JourneyTest::makeFigure, &JourneyTest::meetBrokenFile}) {
+        &JourneyTest::measureByTouch, &JourneyTest::recordStroke, &JourneyTest::seeReplay,
+        &JourneyTest::steerBySpaceMouse, &JourneyTest::keepWork, &JourneyTest::makeFigure,
+        &JourneyTest::meetBrokenFile}) {
     (this->*step)();
     if (HasFatalFailure()) return;
   }

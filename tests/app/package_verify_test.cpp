@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // replay --verify on a package for citation: every checksum, and every recording to the last bit.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
@@ -16,48 +13,35 @@ using test::CommandResult;
 using test::runRelievo;
 namespace fs = std::filesystem;
 
-const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
-
-class PackageVerify : public ::testing::Test {
+class PackageVerify : public test::CommandTest {
  protected:
   void SetUp() override {
-    folder_ = fs::path(::testing::TempDir()) / "relievo_package_verify";
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    fs::copy_file(kScan, path("relief.ply"));
-    const CommandResult touch =
-        runRelievo({"touch", path("relief.ply"), "--unit", "mm", "--view", "top", "--cells", "300",
-                    "--region", "240,60,50,50", "--stroke", kStroke, "-o", path("log.csv")});
+    fs::copy_file(test::kReliefF, path("relief.ply"));
+    const CommandResult touch = runRelievo({"touch", path("relief.ply"), "--unit", "mm", "--view",
+                                            "top", "--cells", "300", "--region", "240,60,50,50",
+                                            "--stroke", test::kFlatStroke, "-o", path("log.csv")});
     ASSERT_EQ(touch.exit_code, 0) << touch.err;
   }
-  void TearDown() override { fs::remove_all(folder_); }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void pack(const std::vector<std::string>& more = {}) {
     ASSERT_EQ(runRelievo({"project", "new", path("log.csv"), "-o", path("p.json"), "--recording",
                           path("log.csv")})
                   .exit_code,
               0);
-    std::vector<std::string> words{"project", "package", path("p.json"), "-o", path("p.zip")};
-    words.insert(words.end(), more.begin(), more.end());
-    const CommandResult packed = runRelievo(words);
+    const CommandResult packed =
+        runRelievo(test::joined({"project", "package", path("p.json"), "-o", path("p.zip")}, more));
     ASSERT_EQ(packed.exit_code, 0) << packed.err;
   }
   CommandResult verify(const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> words{"replay", path("p.zip"), "--verify", "--report", "json"};
-    words.insert(words.end(), more.begin(), more.end());
-    return runRelievo(words);
+    return runRelievo(
+        test::joined({"replay", path("p.zip"), "--verify", "--report", "json"}, more));
   }
   void replaceInLog(const std::string& from, const std::string& to) const {
-    std::ifstream in(path("log.csv"));
-    std::string text((std::istreambuf_iterator<char>(in)), {});
+    std::string text = test::bytesOf(path("log.csv"));
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos);
     text.replace(at, from.size(), to);
-    std::ofstream(path("log.csv")) << text;
+    write("log.csv", text);
   }
-
-  fs::path folder_;
 };
 
 TEST_F(PackageVerify, RepeatsEveryRecordingOnThePackedInput) {
@@ -80,6 +64,18 @@ TEST_F(PackageVerify, EndsWithFiveWhereARecordingIsAnotherSurfaces) {
   const CommandResult result = verify();
   EXPECT_EQ(result.exit_code, 5) << result.out;
   EXPECT_EQ(json::parse(result.out)["identical"], false);
+}
+
+TEST_F(PackageVerify, ARecordingOfAnotherFileIsNotTakenAlong) {
+  const CommandResult other = runRelievo(
+      {"touch", plane(), "--unit", "mm", "--stroke", test::kFlatStroke, "-o", path("other.csv")});
+  ASSERT_EQ(other.exit_code, 0) << other.err;
+  const CommandResult refused = runRelievo(
+      {"project", "new", path("log.csv"), "-o", path("p.json"), "--recording", path("other.csv")});
+  EXPECT_EQ(refused.exit_code, 1) << refused.out;
+  EXPECT_NE(refused.err.find("other.csv is a recording of plane.xyz"), std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(fs::exists(path("p.json")));
 }
 
 TEST_F(PackageVerify, AsksForAnInputThatMayNotBeGivenAway) {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measuring, projects and packages from the command line, tried from outside.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/io/text_file.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "data/generate/relief_f.h"
-#include "tests/app/command.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
@@ -21,24 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using test::CommandResult;
+using test::kReliefF;
+using test::reportOf;
 using test::runRelievo;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-const std::string kReliefF = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-
-class Work : public testing::Test {
- protected:
-  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
-  test::TemporaryFolder folder_;
-};
-
-json reportOf(const CommandResult& result) {
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  json report = json::parse(result.out, nullptr, false);
-  EXPECT_FALSE(report.is_discarded()) << result.out;
-  return report;
-}
+using Work = test::CommandTest;
 
 double valueOf(const json& report, const std::string& name, std::size_t quantity = 0) {
   for (const json& m : report["measurements"]) {

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the command line writes says where it came from, and is made again from it.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
-#include "tests/app/command.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
@@ -22,7 +19,7 @@ using test::CommandResult;
 using test::runRelievo;
 using testing::HasSubstr;
 
-class Repeatable : public testing::Test {
+class Repeatable : public test::CommandTest {
  protected:
   void SetUp() override {
     fs::create_directories(folder_.path() / "scans");
@@ -40,7 +37,6 @@ class Repeatable : public testing::Test {
     }
     std::ofstream(path(name)) << text;
   }
-  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
   static Provenance stateOf(const std::string& file) {
     const auto state = embeddedState(file);
     if (!state) throw std::runtime_error("no state in " + file);
@@ -52,8 +48,6 @@ class Repeatable : public testing::Test {
     return !first.empty() && first.size() == second.size() &&
            cv::norm(first, second, cv::NORM_INF) == 0;
   }
-
-  test::TemporaryFolder folder_;
 };
 
 TEST_F(Repeatable, AMapByTilesSaysInEveryFileWhatItWasMadeFrom) {

@@ -2,46 +2,35 @@
 // What touch and record write comes back as a recording that knows its map, from CSV and HDF5.
 #include "app/batch/recording.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/provenance/sha256.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
 
-const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
-
-std::string temporary(const std::string& name) {
-  return (std::filesystem::path(::testing::TempDir()) / name).string();
-}
-
 void writeLog(const std::string& verb, const std::string& log,
               const std::vector<std::string>& more = {}) {
-  std::vector<std::string> words{verb,       kScan,     "--unit", "mm",       "--view",
-                                 "top",      "--level", "0",      "--region", "240,60,50,50",
-                                 "--stroke", kStroke,   "-o",     log};
-  words.insert(words.end(), more.begin(), more.end());
-  const test::CommandResult result = test::runRelievo(words);
+  const test::CommandResult result = test::runRelievo(
+      test::joined({verb, test::kReliefF, "--unit", "mm", "--view", "top", "--level", "0",
+                    "--region", "240,60,50,50", "--stroke", test::kFlatStroke, "-o", log},
+                   more));
   ASSERT_EQ(result.exit_code, 0) << result.err;
 }
 
-TEST(Recording, OfEveryVerbAndFormatKnowsItsInputItsMapAndItsWindow) {
-  const std::string sum = sha256OfFile(kScan);
-  writeLog("touch", temporary("touch.csv"));
-  writeLog("touch", temporary("touch.h5"));
-  writeLog("record", temporary("record.h5"), {"--seconds", "0.2"});
+using Recording = test::CommandTest;
+
+TEST_F(Recording, OfEveryVerbAndFormatKnowsItsInputItsMapAndItsWindow) {
+  const std::string sum = sha256OfFile(test::kReliefF);
+  writeLog("touch", path("touch.csv"));
+  writeLog("touch", path("touch.h5"));
+  writeLog("record", path("record.h5"), {"--seconds", "0.2"});
   for (const char* name : {"touch.csv", "touch.h5", "record.h5"}) {
-    const TouchRecording recording = batch::readRecording(temporary(name));
+    const TouchRecording recording = batch::readRecording(path(name));
     EXPECT_EQ(recording.input_sha256, sum) << name;
     EXPECT_NE(recording.input.find("relief_f.ply"), std::string::npos) << name;
     ASSERT_TRUE(recording.view_from_file) << name;
@@ -53,13 +42,13 @@ TEST(Recording, OfEveryVerbAndFormatKnowsItsInputItsMapAndItsWindow) {
   }
 }
 
-TEST(Recording, HasTheSameRowsFromBothFormats) {
-  writeLog("touch", temporary("same.csv"));
-  writeLog("touch", temporary("same.h5"));
-  const TouchRecording csv = batch::readRecording(temporary("same.csv"));
-  const TouchRecording h5 = batch::readRecording(temporary("same.h5"));
+TEST_F(Recording, HasTheSameRowsFromBothFormats) {
+  writeLog("touch", path("same.csv"));
+  writeLog("touch", path("same.h5"));
+  const TouchRecording csv = batch::readRecording(path("same.csv"));
+  const TouchRecording h5 = batch::readRecording(path("same.h5"));
   ASSERT_EQ(csv.rows.size(), h5.rows.size());
-  const StrokePoint first = readStroke(kStroke).points.front();
+  const StrokePoint first = readStroke(test::kFlatStroke).points.front();
   EXPECT_NEAR(norm(csv.rows[0].hip - ViewMm{first.x_mm, first.y_mm, first.z_mm}), 0, 1e-9);
   EXPECT_NEAR(csv.rows[0].proxy.x, first.x_mm, 1e-9);
   bool touched = false;
@@ -73,8 +62,7 @@ TEST(Recording, HasTheSameRowsFromBothFormats) {
 }
 
 /// Two rows, the second in another window.
-std::string writeTwoRows(const std::string& name, const std::string& footer, double second_s) {
-  const std::string file = temporary(name);
+std::string writeTwoRows(const std::string& file, const std::string& footer, double second_s) {
   const auto log = openLog(file, "relievo recording, schema 1");
   HapticSample sample;
   sample.window_id = 5;
@@ -86,12 +74,12 @@ std::string writeTwoRows(const std::string& name, const std::string& footer, dou
   return file;
 }
 
-TEST(Recording, ReadsFromItsLastLinesWhereLaterWindowsLay) {
+TEST_F(Recording, ReadsFromItsLastLinesWhereLaterWindowsLay) {
   const std::string lines =
       "loop ticks 2\nwindow 5: region_mm 0 0 300 level 3 gain 1\n"
       "window 6: region_mm 100.5 -20 50 level 1 gain 2.5\n";
   for (const char* name : {"windows.csv", "windows.h5"}) {
-    const TouchRecording recording = batch::readRecording(writeTwoRows(name, lines, 2));
+    const TouchRecording recording = batch::readRecording(writeTwoRows(path(name), lines, 2));
     ASSERT_EQ(recording.windows.size(), 2U) << name;
     const TouchedWindow* later = windowOf(recording, recording.rows[1]);
     ASSERT_NE(later, nullptr);
@@ -100,16 +88,17 @@ TEST(Recording, ReadsFromItsLastLinesWhereLaterWindowsLay) {
   }
 }
 
-TEST(Recording, RefusesTimesThatGoBackAndValuesThatAreNoNumbers) {
-  EXPECT_THROW(batch::readRecording(writeTwoRows("back.csv", "", 0.5)), FileError);
-  EXPECT_THROW(
-      batch::readRecording(writeTwoRows("nan.h5", "", std::numeric_limits<double>::quiet_NaN())),
-      FileError);
-  EXPECT_THROW(batch::readRecording(temporary("missing.csv")), FileError);
+TEST_F(Recording, RefusesTimesThatGoBackAndValuesThatAreNoNumbers) {
+  EXPECT_THROW(batch::readRecording(writeTwoRows(path("back.csv"), "", 0.5)), FileError);
+  EXPECT_THROW(batch::readRecording(
+                   writeTwoRows(path("nan.h5"), "", std::numeric_limits<double>::quiet_NaN())),
+               FileError);
+  EXPECT_THROW(batch::readRecording(path("missing.csv")), FileError);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(batch::readRecording(writeTwoRows("stop.csv", "", 2), Task{stop.get_token(), {}}),
-               Cancelled);
+  EXPECT_THROW(
+      batch::readRecording(writeTwoRows(path("stop.csv"), "", 2), Task{stop.get_token(), {}}),
+      Cancelled);
 }
 
 }  // namespace

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // touch with a device, record in real time, and replay of both, as a user runs them.
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "haptics/record/sample_log.h"
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
@@ -17,26 +13,21 @@ namespace {
 using test::CommandResult;
 using test::runRelievo;
 
-const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
+class ReplayVerb : public test::CommandTest {
+ protected:
+  /// A log of relief F's flat square, by `verb` with more words.
+  static CommandResult made(const std::string& verb, const std::string& log,
+                            const std::vector<std::string>& more) {
+    return runRelievo(test::joined(
+        {verb, test::kReliefF, "--unit", "mm", "--view", "top", "--level", "0", "--region",
+         "240,60,50,50", "--stroke", test::kFlatStroke, "-o", log, "--report", "json"},
+        more));
+  }
+};
 
-std::string temporary(const char* name) {
-  return (std::filesystem::path(::testing::TempDir()) / name).string();
-}
-
-/// A log of relief F's flat square, by `verb` with more words.
-CommandResult made(const std::string& verb, const std::string& log,
-                   const std::vector<std::string>& more) {
-  std::vector<std::string> words{verb,      kScan, "--unit",   "mm",           "--view",   "top",
-                                 "--level", "0",   "--region", "240,60,50,50", "--stroke", kStroke,
-                                 "-o",      log,   "--report", "json"};
-  words.insert(words.end(), more.begin(), more.end());
-  return runRelievo(words);
-}
-
-TEST(ReplayVerb, RepeatsATouchWithTheVirtualHandBitByBit) {
+TEST_F(ReplayVerb, RepeatsATouchWithTheVirtualHandBitByBit) {
   for (const char* name : {"verb.csv", "verb.h5"}) {
-    const std::string log = temporary(name);
+    const std::string log = path(name);
     const CommandResult touch = made("touch", log, {"--device", "virtual:light"});
     ASSERT_EQ(touch.exit_code, 0) << touch.err;
     const auto report = nlohmann::json::parse(touch.out);
@@ -49,8 +40,8 @@ TEST(ReplayVerb, RepeatsATouchWithTheVirtualHandBitByBit) {
   }
 }
 
-TEST(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
-  const std::string log = temporary("record.csv");
+TEST_F(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
+  const std::string log = path("record.csv");
   const CommandResult record = made("record", log, {"--seconds", "1.5"});
   ASSERT_EQ(record.exit_code, 0) << record.err;
   const auto report = nlohmann::json::parse(record.out);
@@ -58,8 +49,7 @@ TEST(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
   EXPECT_EQ(report["violations"], 0);
   EXPECT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
 
-  std::ifstream in(log);
-  std::string text((std::istreambuf_iterator<char>(in)), {});
+  std::string text = test::bytesOf(log);
   EXPECT_NE(text.find("\n# loop ticks "), std::string::npos) << "how the loop ran";
   const std::string word = "--level\",\"0\"";
   ASSERT_NE(text.find(word), std::string::npos);
@@ -71,8 +61,8 @@ TEST(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
   EXPECT_EQ(runRelievo({"replay", log}).exit_code, 0) << "without --verify it only tells";
 }
 
-TEST(ReplayVerb, RecordingsSayWhatTheyWereMadeFromAndHowTheLoopRan) {
-  const std::string sha256 = sha256OfFile(kScan);
+TEST_F(ReplayVerb, RecordingsSayWhatTheyWereMadeFromAndHowTheLoopRan) {
+  const std::string sha256 = sha256OfFile(test::kReliefF);
   const auto check = [&](const std::string& state) {
     const Provenance provenance = provenanceFromJson(state, "log");
     EXPECT_EQ(provenance.input.sha256, sha256);
@@ -80,24 +70,23 @@ TEST(ReplayVerb, RecordingsSayWhatTheyWereMadeFromAndHowTheLoopRan) {
     EXPECT_EQ(nlohmann::json::parse(provenance.touch)["texture_mm"], 0.02);
   };
   const std::vector<std::string> more{"--seconds", "0.3", "--texture", "0.02"};
-  const std::string h5 = temporary("state.h5"), csv = temporary("state.csv");
+  const std::string h5 = path("state.h5"), csv = path("state.csv");
   ASSERT_EQ(made("record", h5, more).exit_code, 0);
   check(hdf5State(h5).value());
   ASSERT_EQ(made("record", csv, more).exit_code, 0);
   check(embeddedState(csv).value());
-  std::ifstream in(csv);
-  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::string text = test::bytesOf(csv);
   EXPECT_LT(text.find("\n# wake-up us "), text.find("\nt_s,tick"));
 }
 
-TEST(ReplayVerb, SaysWhatCannotBeReplayed) {
-  const std::string log = temporary("foreign.csv");
+TEST_F(ReplayVerb, SaysWhatCannotBeReplayed) {
+  const std::string log = path("foreign.csv");
   std::ofstream(log) << "t_s,x\n1,2\n";
   const CommandResult foreign = runRelievo({"replay", log});
   EXPECT_EQ(foreign.exit_code, 2);
   EXPECT_NE(foreign.err.find("other columns"), std::string::npos) << foreign.err;
-  EXPECT_EQ(made("touch", temporary("x.csv"), {"--device", "virtual:iron"}).exit_code, 6);
-  EXPECT_EQ(made("touch", temporary("x.csv"), {"--device", "loom"}).exit_code, 6);
+  EXPECT_EQ(made("touch", path("x.csv"), {"--device", "virtual:iron"}).exit_code, 6);
+  EXPECT_EQ(made("touch", path("x.csv"), {"--device", "loom"}).exit_code, 6);
 }
 
 }  // namespace

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How a surface feels, from the command line.
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
@@ -15,23 +11,17 @@ using Json = nlohmann::json;
 using test::CommandResult;
 using test::runRelievo;
 
-const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/flat.csv";
+class TouchFeel : public test::CommandTest {
+ protected:
+  CommandResult touch(const std::vector<std::string>& more) const {
+    return runRelievo(test::joined(
+        {"touch", test::kReliefF, "--unit", "mm", "--view", "top", "--cells", "300", "--region",
+         "240,60,50,50", "--stroke", test::kFlatStroke, "-o", path("feel.csv"), "--report", "json"},
+        more));
+  }
+};
 
-std::string temporary(const char* name) {
-  return (std::filesystem::path(::testing::TempDir()) / name).string();
-}
-
-CommandResult touch(const std::vector<std::string>& more) {
-  std::vector<std::string> words{
-      "touch",    kScan,      "--unit",       "mm",       "--view", "top", "--cells",
-      "300",      "--region", "240,60,50,50", "--stroke", kStroke,  "-o",  temporary("feel.csv"),
-      "--report", "json"};
-  words.insert(words.end(), more.begin(), more.end());
-  return runRelievo(words);
-}
-
-TEST(TouchFeel, WithoutAPresetItIsASpringAndNothingElse) {
+TEST_F(TouchFeel, WithoutAPresetItIsASpringAndNothingElse) {
   const CommandResult run = touch({});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const Json report = Json::parse(run.out);
@@ -42,7 +32,7 @@ TEST(TouchFeel, WithoutAPresetItIsASpringAndNothingElse) {
   EXPECT_EQ(report["crossing_n"], 0);
 }
 
-TEST(TouchFeel, APresetOfTheWindowIsTakenAndOverriddenByWhatIsGiven) {
+TEST_F(TouchFeel, APresetOfTheWindowIsTakenAndOverriddenByWhatIsGiven) {
   const CommandResult paper = touch({"--preset", "paper"});
   ASSERT_EQ(paper.exit_code, 0) << paper.err;
   Json report = Json::parse(paper.out);
@@ -62,9 +52,9 @@ TEST(TouchFeel, APresetOfTheWindowIsTakenAndOverriddenByWhatIsGiven) {
   EXPECT_TRUE(report["stiffness_n_per_mm"] == 0.7 || report["stiffness_n_per_mm"] == 0.65);
 }
 
-TEST(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
-  const auto grid = [](const char* name, double part) {
-    const std::string file = temporary(name);
+TEST_F(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
+  const auto grid = [this](const char* name, double part) {
+    const std::string file = path(name);
     std::ofstream out(file);
     out << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n";
     out << part << " " << part << "\n" << part << " " << part << "\n";
@@ -81,7 +71,7 @@ TEST(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
   EXPECT_NE(wrong.err.find("outside 0 to 1"), std::string::npos) << wrong.err;
 }
 
-TEST(TouchFeel, SaysWhatCannotBeFelt) {
+TEST_F(TouchFeel, SaysWhatCannotBeFelt) {
   const CommandResult unknown = touch({"--preset", "marble"});
   EXPECT_EQ(unknown.exit_code, 1);
   EXPECT_NE(unknown.err.find("soft_stone"), std::string::npos) << "names what there is";

@@ -1,51 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // relievo video, as a user runs it on a log.
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <optional>
 
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 
 namespace relievo {
 namespace {
 
 using nlohmann::json;
+using test::bytesOf;
 using test::CommandResult;
 using test::runRelievo;
 namespace fs = std::filesystem;
 
-const std::string kScan = RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply";
-const std::string kStroke = RELIEVO_SOURCE_DIR "/data/strokes/curved.csv";
-
 class VideoVerb : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = fs::path(::testing::TempDir()) / "relievo_video_verb";
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+    folder_.emplace();
     for (const char* log : {"log.csv", "log.h5"}) {
       const CommandResult touch =
-          runRelievo({"touch", kScan, "--unit", "mm", "--view", "top", "--cells", "300", "--region",
-                      "65,75,50,50", "--stroke", kStroke, "-o", path(log)});
+          runRelievo({"touch", test::kReliefF, "--unit", "mm", "--view", "top", "--cells", "300",
+                      "--region", "65,75,50,50", "--stroke", test::kCurvedStroke, "-o", path(log)});
       ASSERT_EQ(touch.exit_code, 0) << touch.err;
     }
   }
-  static void TearDownTestSuite() { fs::remove_all(folder_); }
-  static std::string path(const std::string& name) { return (folder_ / name).string(); }
+  static void TearDownTestSuite() { folder_.reset(); }
+  static std::string path(const std::string& name) { return (folder_->path() / name).string(); }
   static CommandResult video(const std::vector<std::string>& more) {
-    std::vector<std::string> words{"video", "--size", "320x180", "--fps", "10", "--to", "0.3"};
-    words.insert(words.end(), more.begin(), more.end());
-    return runRelievo(words);
+    return runRelievo(
+        test::joined({"video", "--size", "320x180", "--fps", "10", "--to", "0.3"}, more));
   }
-  static std::string bytesOf(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  static fs::path folder_;
+  static std::optional<test::TemporaryFolder> folder_;  ///< Of all tests: logs are made once.
 };
-fs::path VideoVerb::folder_;
+std::optional<test::TemporaryFolder> VideoVerb::folder_;
 
 TEST_F(VideoVerb, MakesTheMapOfALogAgainFromBothFormats) {
   for (const char* log : {"log.csv", "log.h5"}) {
@@ -108,7 +97,8 @@ TEST_F(VideoVerb, SaysWhatItCannotMake) {
   EXPECT_EQ(video({path("log.csv"), "-o", path("x.mp4"), "--stereo", "grey"}).exit_code, 1);
   EXPECT_EQ(video({path("log.csv"), "-o", path("x.png"), "--frame", "9"}).exit_code, 1);
   EXPECT_EQ(video({path("none.csv"), "-o", path("x.mp4")}).exit_code, 2);
-  const CommandResult moved = video({path("log.csv"), "-o", path("x.mp4"), "--input", kStroke});
+  const CommandResult moved =
+      video({path("log.csv"), "-o", path("x.mp4"), "--input", test::kCurvedStroke});
   EXPECT_EQ(moved.exit_code, 5);
   EXPECT_NE(moved.err.find("E501"), std::string::npos) << moved.err;
   const CommandResult bare =

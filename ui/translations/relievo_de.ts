@@ -267,6 +267,10 @@
         <source>Cannot read %1: it is %2; this version reads %3. Convert it to one of these, or choose another file.</source>
         <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest %3. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
     </message>
+    <message>
+        <source>batlow</source>
+        <translation>Batlow</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -3370,6 +3374,18 @@
         <source>Videos (*.mp4)</source>
         <translation>Videos (*.mp4)</translation>
     </message>
+    <message>
+        <source>By &amp;touch</source>
+        <translation>Durch &amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
+        <translation>Tippen mit der fühlenden Hand ergibt Tiefenunterschiede, Striche ergeben Profile</translation>
+    </message>
+    <message>
+        <source>&amp;Batlow</source>
+        <translation>&amp;Batlow</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3472,6 +3488,10 @@
     <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
+        <translation>Durch Tasten: bei eingeschalteten Kräften (F5) zwei Stellen antippen für ihren Tiefenunterschied, oder einen Strich ziehen für ein Profil. Escape beendet.</translation>
     </message>
 </context>
 <context>

@@ -267,6 +267,10 @@
         <source>Cannot read %1: it is %2; this version reads %3. Convert it to one of these, or choose another file.</source>
         <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण %3 पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
     </message>
+    <message>
+        <source>batlow</source>
+        <translation>Batlow</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -3370,6 +3374,18 @@
         <source>Videos (*.mp4)</source>
         <translation>वीडियो (*.mp4)</translation>
     </message>
+    <message>
+        <source>By &amp;touch</source>
+        <translation>स्पर्श से (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
+        <translation>सतह को महसूस करते हाथ की टैप से गहराई का अंतर मिलता है, खींची रेखा से प्रोफ़ाइल</translation>
+    </message>
+    <message>
+        <source>&amp;Batlow</source>
+        <translation>Batlow (&amp;B)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3472,6 +3488,10 @@
     <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
+        <translation>स्पर्श से: बल चालू रखकर (F5) दो जगह टैप करें, गहराई का अंतर मिलेगा; या रेखा खींचें, प्रोफ़ाइल मिलेगी। Escape समाप्त करता है।</translation>
     </message>
 </context>
 <context>

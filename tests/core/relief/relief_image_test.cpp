@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <span>
 
 #include "core/base/error.h"
 
@@ -192,7 +193,8 @@ double lightness(const Rgb8& rgb) {
 }
 
 TEST(ColourMaps, EveryMapGrowsLighterAllTheWayInEvenSteps) {
-  for (const ColourMap map : {ColourMap::grey, ColourMap::viridis, ColourMap::cividis}) {
+  for (const ColourMap map :
+       {ColourMap::grey, ColourMap::viridis, ColourMap::cividis, ColourMap::batlow}) {
     double before = -1;
     double least = 100;
     double most = 0;
@@ -205,26 +207,59 @@ TEST(ColourMaps, EveryMapGrowsLighterAllTheWayInEvenSteps) {
       before = now;
     }
     EXPECT_GT(least, 1.5) << name(map);
-    EXPECT_LT(most, map == ColourMap::grey ? 7 : 6) << name(map);
+    // Batlow, even in colour difference, has its largest step of lightness where it is darkest.
+    const bool wide = map == ColourMap::grey || map == ColourMap::batlow;
+    EXPECT_LT(most, wide ? 7 : 6) << name(map);
   }
 }
 
-TEST(ColourMaps, ViridisMeetsThePublishedColours) {
-  struct Anchor {
-    double t;
-    Rgb8 rgb;
-  };
-  for (const Anchor& a :
-       {Anchor{0, {68, 1, 84}}, Anchor{0.25, {59, 82, 139}}, Anchor{0.5, {33, 145, 140}},
-        Anchor{0.75, {94, 201, 98}}, Anchor{1, {253, 231, 37}}}) {
-    const Rgb8 made = colourOf(ColourMap::viridis, a.t);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(made[i], a.rgb[i], 5) << a.t;
+struct Anchor {
+  double t;
+  Rgb8 rgb;
+};
+
+/// Of any channel at any anchor.
+int largestDeviation(ColourMap map, std::span<const Anchor> published) {
+  int largest = 0;
+  for (const Anchor& a : published) {
+    const Rgb8 made = colourOf(map, a.t);
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::abs(made[i] - a.rgb[i]));
   }
+  return largest;
+}
+
+TEST(ColourMaps, ViridisMeetsThePublishedColours) {
+  constexpr std::array<Anchor, 5> kPublished{{{0, {68, 1, 84}},
+                                              {0.25, {59, 82, 139}},
+                                              {0.5, {33, 145, 140}},
+                                              {0.75, {94, 201, 98}},
+                                              {1, {253, 231, 37}}}};
+  EXPECT_LE(largestDeviation(ColourMap::viridis, kPublished), 4);
+}
+
+TEST(ColourMaps, BatlowMeetsThePublishedColoursWithinOneStepAndItsEndsExactly) {
+  // Entries of the published 256, halfway between our colours, where a fit is at its worst.
+  constexpr std::array<Anchor, 12> kPublished{{{8 / 255.0, {8, 37, 91}},
+                                               {24 / 255.0, {15, 59, 95}},
+                                               {40 / 255.0, {19, 75, 97}},
+                                               {72 / 255.0, {43, 101, 94}},
+                                               {104 / 255.0, {90, 119, 69}},
+                                               {120 / 255.0, {116, 126, 56}},
+                                               {136 / 255.0, {145, 134, 45}},
+                                               {168 / 255.0, {207, 147, 64}},
+                                               {200 / 255.0, {249, 163, 128}},
+                                               {216 / 255.0, {253, 175, 165}},
+                                               {232 / 255.0, {253, 186, 199}},
+                                               {248 / 255.0, {251, 198, 234}}}};
+  EXPECT_LE(largestDeviation(ColourMap::batlow, kPublished), 1);
+  EXPECT_EQ(colourOf(ColourMap::batlow, 0), (Rgb8{1, 25, 89}));
+  EXPECT_EQ(colourOf(ColourMap::batlow, 1), (Rgb8{250, 204, 250}));
 }
 
 TEST(ColourMaps, NamesFindTheirKinds) {
   EXPECT_EQ(reliefKind("skyview"), ReliefKind::sky_view);
   EXPECT_EQ(colourMap("cividis"), ColourMap::cividis);
+  EXPECT_EQ(colourMap("batlow"), ColourMap::batlow);
   EXPECT_FALSE(reliefKind("rainbow"));
   EXPECT_FALSE(colourMap("jet"));
 }
