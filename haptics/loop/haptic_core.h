@@ -82,6 +82,10 @@ class HapticCore {
                     const HapticOptions& options, const DeviceReading& reading,
                     std::int64_t now_ns) RELIEVO_REALTIME;
   bool changing() const RELIEVO_REALTIME { return change_.running(); }
+  /// Would the next tick on this surface look at the one before, too?
+  bool looksBackFrom(const HapticSpace& space) const RELIEVO_REALTIME {
+    return changing() || (placed_ && (space.window_id != window_id_ || space.surface != surface_));
+  }
 
   /// No tick came for so long before `now_ns` that the force must start from zero: what is handed
   /// to the device first is zero, too.

@@ -216,7 +216,8 @@ ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
   std::uint64_t scene = loop.start.scene_id;
   const HapticSpace* now = &space(sceneNamed(loop, scene));
   const HapticSpace* before = now;
-  if (loop.scenes.contains(loop.start.previous_scene_id)) {
+  // Made only if it is felt: it may be of a map that the recording's state does not tell of.
+  if (core.looksBackFrom(*now) && loop.scenes.contains(loop.start.previous_scene_id)) {
     before = &space(sceneNamed(loop, loop.start.previous_scene_id));
   }
   LoopChange state;  // Before the first row: none, as every change is told there.

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "haptics/device/virtual_hand.h"
@@ -40,7 +41,7 @@ class Recorded {
     recorder_.beginAt(snapshots_, kBuild);
   }
 
-  LogTable record(const std::filesystem::path& file) {
+  LogTable record(const std::filesystem::path& file, std::uint64_t first_change = 2500) {
     std::size_t now = 0, before = 0;
     HapticOptions options;
     options.force.forces_on = true;
@@ -48,7 +49,7 @@ class Recorded {
     lines_ += optionsLine(options);
     std::vector<HapticSample> batch;
     for (std::uint64_t tick = 0; tick < 6000; ++tick) {
-      if (tick == 2500 || tick == 4000) {
+      if (tick == first_change || tick == 4000) {
         before = std::exchange(now, now + 1);
       }
       if (tick == 3000 || tick == 4500) {
@@ -85,12 +86,17 @@ class Recorded {
     return readLog(file);
   }
 
+  /// Surfaces that the last replay asked for.
+  mutable std::set<std::uint64_t> asked;
+
   ReplayResult replay(const LogTable& log) const {
+    asked.clear();
     const auto loop = recordedLoop(log.footer, kBuild);
     EXPECT_TRUE(loop.has_value());
     return replayLoop(
         *loop, log,
         [this](const RecordedScene& scene) -> const HapticSpace& {
+          asked.insert(scene.id);
           EXPECT_EQ(sceneChecksum(*scenes_[scene.id - 1]), scene.checksum);
           return *scenes_[scene.id - 1];
         },
@@ -120,6 +126,20 @@ TEST(RecordedLoop, RepeatsLiveChangesToTheLastBitInEitherFormat) {
   }
 }
 
+TEST(RecordedLoop, AsksForTheSurfaceBeforeOnlyWhereItIsFelt) {
+  // It begins at tick 1500. A surface that was gone long before may be of another map.
+  Recorded long_before;
+  const LogTable alone = long_before.record(temporary("alone.csv"), 300);
+  EXPECT_EQ(long_before.replay(alone).different, 0U);
+  EXPECT_EQ(long_before.asked, (std::set<std::uint64_t>{2, 3}));
+  for (const std::uint64_t just_before : {1480U, 1500U}) {
+    Recorded in_change;
+    const LogTable both = in_change.record(temporary("both.csv"), just_before);
+    EXPECT_EQ(in_change.replay(both).different, 0U);
+    EXPECT_EQ(in_change.asked, (std::set<std::uint64_t>{1, 2, 3}));
+  }
+}
+
 TEST(RecordedLoop, SeesASingleOtherBit) {
   Recorded recorded;
   LogTable log = recorded.record(temporary("bit.csv"));
@@ -143,7 +163,7 @@ TEST(RecordedLoop, ARunningLoopIsRecordedToHdf5AndRepeated) {
                                  .anchor = {},
                                  .checksum = sceneChecksum(*space)});
   auto hand = std::make_unique<VirtualHand>(VirtualHandOptions{});
-  hand->placeAt({0, 0, -2});
+  hand->placeAt({0, 0, -0.7});  // 0.3 mm deep: so little that the forces come on.
   HapticLoop loop(std::move(hand));
   HapticOptions options = withinDevice({}, loop.device());
   const auto setOptions = [&](bool on, std::uint64_t id) {
