@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -120,6 +121,29 @@ TEST_F(DevicesVerbTest, ASelfTestWithoutAFalconSaysSo) {
   const CommandResult result = run({"selftest", "--no-nudges"});
   EXPECT_EQ(result.exit_code, kDevice);
   EXPECT_THAT(result.err, HasSubstr("No Falcon is plugged in."));
+}
+
+TEST_F(DevicesVerbTest, AFalconIsTestedFromTheTerminal) {
+  const auto falcon = std::make_shared<SharedFalcon>(
+      emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+  falcon->with([](auto& f) { f.body.pullToward({0, 0, 125}); });
+  usb_.plugIn(falcon);
+  const CommandResult result = run({"selftest", "--wait", "0", "--report", "json"});
+  // How evenly a busy computer asks decides whether it passes; that it says so is tested.
+  const json report = json::parse(result.out);
+  EXPECT_EQ(result.exit_code, report["passed"] == true ? 0 : kDevice) << result.err;
+  std::string text;
+  for (const json& line : report["lines"]) text += line["text"].get<std::string>() + "\n";
+  for (const char* part : {"Rate: ", "From question to answer: ", "Lights: ", "Nudges of 0.5 N",
+                           "Buttons that were not pressed: plus", "Encoder of the top arm"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  EXPECT_THAT(result.err, HasSubstr("Hold the grip loosely"));
+  falcon->with([](auto& f) {
+    EXPECT_TRUE(std::any_of(f.commands().begin(), f.commands().end(),
+                            [](const auto& c) { return !c.neutral(); }));
+    EXPECT_TRUE(f.commands().back().neutral());
+  });
 }
 
 TEST_F(DevicesVerbTest, TheRuleIsPrinted) {
