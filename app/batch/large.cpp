@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/batch/json.h"
+#include "app/batch/map_report.h"
 #include "app/batch/state.h"
 #include "core/project/caption.h"
 #include "core/session/large_map.h"
@@ -65,25 +66,13 @@ Json levelsJson(const LargeMap& map) {
 }
 
 Json reportOf(const LargeMap& map) {
-  const auto share = [&](Origin origin) { return map.shares[static_cast<std::size_t>(origin)]; };
-  Json holes = Json::array();
-  for (const Hole& hole : map.holes) {
-    holes.push_back({{"cells", hole.cells},
-                     {"area_mm2", hole.area_mm2},
-                     {"centre_mm", {hole.centre_x_mm, hole.centre_y_mm}},
-                     {"filled", hole.filled}});
-  }
   const GridFrame& frame = map.frames.front();
   Json json;
   json["cells"] = {frame.size.cols, frame.size.rows};
   json["spacing_mm"] = frame.spacing_mm;
   json["engine"] = map.engine;
   json["rule"] = map.rule;
-  json["shares"] = {{"measured", share(Origin::measured)},
-                    {"interpolated", share(Origin::interpolated)},
-                    {"hole", share(Origin::base_plane)},
-                    {"steep", share(Origin::steep)},
-                    {"outside", share(Origin::outside)}};
+  json["shares"] = sharesJson(map.shares);
   json["view_from_file"] = batch::jsonOf(map.view_from_file);
   json["height_mm"] = {{"min", map.heights.min_mm}, {"max", map.heights.max_mm}};
   json["seconds"] = {{"first_view", map.first_view_s},
@@ -95,7 +84,9 @@ Json reportOf(const LargeMap& map) {
   json["view"] = map.view_name;
   json["unit"] = name(map.unit);
   json["unit_source"] = name(map.unit_source);
-  json["holes"] = holes;
+  json["holes"] = holesJson(map.holes);
+  json["losses"] = lossesJson(map.losses);
+  json["not_done"] = map.not_done;
   json["levels"] = levelsJson(map);
   return json;
 }
@@ -135,6 +126,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
       makeLargeMap(arguments.file, surfaceOptions(arguments), large, import, shown);
   line.clear();
   for (const std::string& message : map.messages) tell(message);
+  for (const std::string& left : map.not_done) tell(left);
   const Json json = reportOf(map);
   Outcome outcome{.json = json.dump(2), .lines = {}};
   for (const Json& level : json["levels"]) {
@@ -142,6 +134,8 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
                             " x " + level["cells"][1].dump());
   }
   outcome.lines.push_back("cells: " + sharesText(map.shares));
+  outcome.lines.push_back(lossesText(map.losses));
+  outcome.exit_code = map.not_done.empty() ? 0 : 4;
   return outcome;
 }
 

@@ -4,6 +4,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/map_report.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
@@ -18,27 +19,6 @@ struct DepthmapArguments {
   std::string out;
   bool quality = false;
 };
-
-Json sharesJson(const DepthMap& map) {
-  const auto shares = originShares(map);
-  const auto share = [&](Origin origin) { return shares[static_cast<std::size_t>(origin)]; };
-  return {{"measured", share(Origin::measured)},
-          {"interpolated", share(Origin::interpolated)},
-          {"hole", share(Origin::base_plane)},
-          {"steep", share(Origin::steep)},
-          {"outside", share(Origin::outside)}};
-}
-
-Json holesJson(const Surface& surface) {
-  Json holes = Json::array();
-  for (const Hole& hole : surface.holes) {
-    holes.push_back({{"cells", hole.cells},
-                     {"area_mm2", hole.area_mm2},
-                     {"centre_mm", {hole.centre_x_mm, hole.centre_y_mm}},
-                     {"filled", hole.filled}});
-  }
-  return holes;
-}
 
 /// MAP.tif -> MAP.count.tif
 std::filesystem::path besideMap(const std::filesystem::path& map, const std::string& what) {
@@ -81,23 +61,6 @@ Json qualityJson(const Surface& surface) {
           {"mean_spread_mm", spread / count}};
 }
 
-Json lossesJson(const Surface& surface) {
-  if (!surface.losses) return nullptr;
-  return {{"hidden_share", surface.losses->hidden_share},
-          {"undercut_share", surface.losses->undercut_share},
-          {"steep_share", surface.losses->steep_share},
-          {"flyers", surface.losses->flyers}};
-}
-
-std::string lossesText(const Surface& surface) {
-  if (!surface.losses) return "losses: not known of a map that was read";
-  const auto percent = [](double share) { return shortNumber(100 * share, 3) + " % "; };
-  return "losses: " + percent(surface.losses->hidden_share) + "of the scan hidden, " +
-         percent(surface.losses->undercut_share) + "of the cells with an undercut, " +
-         percent(surface.losses->steep_share) + "too steep, " +
-         std::to_string(surface.losses->flyers) + " flyers";
-}
-
 /// Heights of the planes and exactness of the depth buffer; null from other engines.
 Json depthBufferJson(const Surface& surface) {
   if (!surface.depth_buffer) return nullptr;
@@ -134,7 +97,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["engine"] = surface.engine;
   json["depth_buffer"] = depthBufferJson(surface);
   json["rule"] = surface.rule;
-  json["shares"] = sharesJson(surface.map);
+  json["shares"] = sharesJson(originShares(surface.map));
   json["view_from_file"] = jsonOf(surface.view_from_file);
   json["height_mm"] = {{"min", range.min_mm}, {"max", range.max_mm}};
   json["seconds"] = {{"read", surface.seconds.read},
@@ -144,9 +107,9 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["view"] = surface.view_name;
   json["unit"] = name(surface.unit);
   json["unit_source"] = name(surface.unit_source);
-  json["holes"] = holesJson(surface);
+  json["holes"] = holesJson(surface.holes);
   json["quality"] = qualityJson(surface);
-  json["losses"] = lossesJson(surface);
+  json["losses"] = lossesJson(surface.losses);
   json["not_done"] = surface.not_done;
   return {
       .json = json.dump(2),
@@ -155,7 +118,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
                     " mm, view " + surface.view_name + ", engine " + surface.engine,
                 "heights: " + shortNumber(range.min_mm) + " to " + shortNumber(range.max_mm) +
                     " mm, " + surface.rule,
-                "cells: " + sharesText(originShares(surface.map)), lossesText(surface)},
+                "cells: " + sharesText(originShares(surface.map)), lossesText(surface.losses)},
       .exit_code = exitCodeAfter(surface)};
 }
 

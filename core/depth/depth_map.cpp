@@ -6,9 +6,14 @@
 
 namespace relievo {
 
-std::array<double, kOriginCount> originShares(const DepthMap& map) {
-  std::array<std::size_t, kOriginCount> counts{};
+OriginCounts originCounts(const DepthMap& map) {
+  OriginCounts counts{};
   for (const Origin origin : map.origins) ++counts[static_cast<std::size_t>(origin)];
+  return counts;
+}
+
+std::array<double, kOriginCount> originShares(const DepthMap& map) {
+  const OriginCounts counts = originCounts(map);
   std::array<double, kOriginCount> shares{};
   if (map.origins.empty()) return shares;
   for (std::size_t i = 0; i < kOriginCount; ++i) {

@@ -33,6 +33,10 @@ struct DepthMap {
 /// Fractions of all cells by origin, in the order of `Origin`; they sum to 1.
 std::array<double, kOriginCount> originShares(const DepthMap& map);
 
+/// Cells by origin.
+using OriginCounts = std::array<std::size_t, kOriginCount>;
+OriginCounts originCounts(const DepthMap& map);
+
 struct HeightRange {
   double min_mm = 0, max_mm = 0;
 };

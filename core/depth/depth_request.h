@@ -29,6 +29,15 @@ enum class PointRule {
   quadratic,  ///< Local quadratic through the points around the sample; for one layer.
 };
 
+/// Cells from `first` to before `end`.
+struct CellBox {
+  Cell first, end;
+};
+inline bool contains(const CellBox& box, Cell c) noexcept {
+  return c.col >= box.first.col && c.row >= box.first.row && c.col < box.end.col &&
+         c.row < box.end.row;
+}
+
 /// What both depth engines are asked for: the surface nearest the viewer at the samples of a grid.
 struct DepthRequest {
   const Scan& scan;
@@ -39,6 +48,9 @@ struct DepthRequest {
   int threads = 0;  ///< 0: as many as pay. The bytes are the same for every number.
   /// Noise of the points for PointRule::quadratic; nothing: from the points (pointNoise).
   std::optional<double> noise_mm = std::nullopt;
+  /// Cells whose flyers and hidden points are counted, where the grid is a part of a larger one;
+  /// nothing: all.
+  std::optional<CellBox> counted = std::nullopt;
 };
 
 /// View z in millimetres of the front-most surface at every sample, NaN where nothing was hit.

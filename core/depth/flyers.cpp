@@ -109,17 +109,17 @@ bool hasTwin(std::span<const PlacedPoint> cell, const PlacedPoint& point, float 
 
 }  // namespace
 
-std::size_t dropFlyers(RowPoints& rows, double spacing_mm, int count_from, int count_to) {
+std::size_t dropFlyers(RowPoints& rows, double spacing_mm, const CellBox& counted) {
   const auto limit = static_cast<float>(kFlyerCells * spacing_mm);
   std::vector<std::uint32_t> flyers;  // Places in rows.points, rising.
   std::vector<float> scratch;
-  std::size_t counted = 0;
+  std::size_t count = 0;
   for (int row = rows.first_row; row < rows.end_row; ++row) {
     RowWalk(rows, row, limit).forDoubtful([&](const PlacedPoint& point, int col) {
       const auto cell = rows.of(col, col + 1, row);
       if (hasTwin(cell, point, limit) || !isFlyer(rows, col, row, point, limit, scratch)) return;
       flyers.push_back(static_cast<std::uint32_t>(&point - rows.points.data()));
-      counted += row >= count_from && row < count_to ? 1 : 0;
+      count += contains(counted, {.col = col, .row = row}) ? 1 : 0;
     });
   }
   if (flyers.empty()) return 0;
@@ -139,7 +139,7 @@ std::size_t dropFlyers(RowPoints& rows, double spacing_mm, int count_from, int c
     while (before < flyers.size() && flyers[before] < start) ++before;
     start -= static_cast<std::uint32_t>(before);
   }
-  return counted;
+  return count;
 }
 
 }  // namespace relievo

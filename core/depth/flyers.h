@@ -11,8 +11,8 @@ namespace relievo {
 /// view, from every other point in the 3 x 3 cells around, where these others lie together. Walls
 /// and places with few points lose nothing. Points of the outermost rows are judged by half of
 /// their surroundings: load one row more than needed.
-/// @return flyers of the rows [count_from, count_to)
-std::size_t dropFlyers(RowPoints& rows, double spacing_mm, int count_from, int count_to);
+/// @return flyers of the cells `counted`
+std::size_t dropFlyers(RowPoints& rows, double spacing_mm, const CellBox& counted);
 
 inline constexpr double kFlyerCells = 4;
 inline constexpr int kFlyerReach = 2;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "core/depth/grid_points.h"
@@ -94,16 +95,15 @@ HiddenSurface countHidden(const DepthRequest& request, const FrontDepths& front,
 }
 
 DepthLosses lossesOf(const HiddenSurface& hidden, std::size_t flyers,
-                     std::size_t seen_through_points, const DepthMap& map) {
+                     std::size_t seen_through_points, const OriginCounts& cells) {
   DepthLosses losses{.flyers = flyers};
   if (hidden.all > 0) {
     losses.hidden_share = (hidden.hidden + static_cast<double>(seen_through_points)) / hidden.all;
   }
-  const auto inside = static_cast<double>(
-      map.origins.size() - static_cast<std::size_t>(std::count(
-                               map.origins.begin(), map.origins.end(), Origin::outside)));
+  const auto all = std::accumulate(cells.begin(), cells.end(), std::size_t{0});
+  const auto inside = static_cast<double>(all - cells[static_cast<std::size_t>(Origin::outside)]);
   if (inside == 0) return losses;
-  const auto steep = std::count(map.origins.begin(), map.origins.end(), Origin::steep);
+  const std::size_t steep = cells[static_cast<std::size_t>(Origin::steep)];
   losses.steep_share = static_cast<double>(steep) / inside;
   // Behind most cells of a body lies its back, which is no undercut; there only more layers are.
   const bool has_back = 2 * static_cast<double>(hidden.cells) > inside;

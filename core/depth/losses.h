@@ -18,7 +18,8 @@ HiddenSurface countHidden(const DepthRequest& request, const FrontDepths& front,
 
 /// Joins what engine and map know.
 /// @param seen_through_points  of cells that showed the back and were left out of the map
+/// @param cells  of the finished map, by origin
 DepthLosses lossesOf(const HiddenSurface& hidden, std::size_t flyers,
-                     std::size_t seen_through_points, const DepthMap& map);
+                     std::size_t seen_through_points, const OriginCounts& cells);
 
 }  // namespace relievo

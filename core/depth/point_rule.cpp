@@ -110,6 +110,12 @@ bool isWall(CellSpan cell, double spacing_mm, std::vector<float>& heights) {
   return last >= 3 && heights.front() - heights[last - 1] > kSteepRise * spacing_mm;
 }
 
+CellBox countedBy(const DepthRequest& request) {
+  const GridSize size = request.frame.size;
+  return request.counted.value_or(
+      CellBox{.first = {}, .end = {.col = size.cols, .row = size.rows}});
+}
+
 /// Writes the cells of some rows.
 class RowWriter {
  public:
@@ -118,6 +124,7 @@ class RowWriter {
       : frame_(request.frame),
         rule_(rule),
         fit_(noise_mm, request.frame.spacing_mm),
+        counted_(countedBy(request)),
         out_(out),
         task_(task) {}
 
@@ -156,7 +163,7 @@ class RowWriter {
       const Moments layer = topLayer(cell, top, frame_.spacing_mm);
       out_.quality.spreads_mm[i] = static_cast<float>(layer.deviation());
       out_.front[i] = between ? static_cast<float>(*between) : ownHeight(cell, top, layer);
-      if (layer.count < cell.size()) lookBehind(cell, i);
+      if (layer.count < cell.size()) lookBehind(cell, {.col = col, .row = row});
     }
   }
 
@@ -190,8 +197,10 @@ class RowWriter {
     return frontMost(cell);
   }
 
-  void lookBehind(CellSpan cell, std::size_t index) {
+  void lookBehind(CellSpan cell, Cell place) {
+    const std::size_t index = frame_.size.index(place);
     out_.steep[index] = isWall(cell, frame_.spacing_mm, scratch_) ? 1 : 0;
+    if (!contains(counted_, place)) return;
     const auto limit = static_cast<float>(kHiddenCells * frame_.spacing_mm);
     float low = -kLowest;
     float high = kLowest;
@@ -211,6 +220,7 @@ class RowWriter {
   LocalFit fit_;
   RowFits row_fits_;
   RowSplats splats_;
+  CellBox counted_;
   HiddenSurface hidden_;
   CapturedDepths& out_;
   const Task& task_;
@@ -340,8 +350,13 @@ class Scatter {
         const int end = std::min(first + rows_at_once, slab.end);
         // More than the rule reaches, so that flyers are known as far as it does.
         points.rows(first - halo(), end + halo(), rows);
-        for (int row = first; row < end; ++row) on_grid += rows.count(0, rows.cols, row);
-        flyers += dropFlyers(rows, request_.frame.spacing_mm, first, end);
+        CellBox counted = countedBy(request_);
+        counted.first.row = std::max(counted.first.row, first);
+        counted.end.row = std::min(counted.end.row, end);
+        for (int row = counted.first.row; row < counted.end.row; ++row) {
+          on_grid += rows.count(counted.first.col, counted.end.col, row);
+        }
+        flyers += dropFlyers(rows, request_.frame.spacing_mm, counted);
         writer.write(rows, first, end);
       }
       // Whole numbers: the order of the bands does not matter.

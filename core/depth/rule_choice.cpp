@@ -99,7 +99,7 @@ std::vector<RowSample> samplesOf(const CellPoints& points, const GridFrame& fram
       task.check();
       auto& [range, rows] = samples[static_cast<std::size_t>(k)];
       points.rows(range.first - kSampleHalo, range.end + kSampleHalo, rows);
-      dropFlyers(rows, frame.spacing_mm, range.first, range.end);
+      dropFlyers(rows, frame.spacing_mm, {});
     }
   });
   return samples;

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/depth/losses.h"
 #include "core/depth/point_rule.h"
 #include "core/depth/rasterize.h"
 #include "core/io/file_check.h"
@@ -19,6 +21,7 @@
 #include "core/io/scan_builder.h"
 #include "core/session/choices.h"
 #include "core/session/large_memory.h"
+#include "core/session/loss_words.h"
 #include "core/tiles/band_fill.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/scatter.h"
@@ -121,9 +124,10 @@ class FinestLevel {
       high_ = std::max(high_, heights_mm[i]);
     }
   }
+  const OriginCounts& counts() const { return counts_; }
   void into(LargeMap& map) const {
-    std::uint64_t all = 0;
-    for (const std::uint64_t count : counts_) all += count;
+    std::size_t all = 0;
+    for (const std::size_t count : counts_) all += count;
     for (std::size_t i = 0; i < counts_.size(); ++i) {
       map.shares[i] = static_cast<double>(counts_[i]) / static_cast<double>(all);
     }
@@ -131,7 +135,7 @@ class FinestLevel {
   }
 
  private:
-  std::array<std::uint64_t, kOriginCount> counts_{};
+  OriginCounts counts_{};
   float low_ = std::numeric_limits<float>::infinity();
   float high_ = -std::numeric_limits<float>::infinity();
 };
@@ -148,35 +152,54 @@ void copyFacts(const Surface& from, LargeMap& to) {
   to.messages = from.messages;
 }
 
+/// Depths of all cells by rows, and what was seen while they were made.
+struct DepthSource {
+  BandDepths depths;
+  GridFrame frame;
+  FillSource fill;
+  std::optional<HiddenSurface> hidden = std::nullopt;
+  std::size_t flyers = 0;
+};
+
+void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
+               const OriginCounts& cells, const std::optional<PointRule>& chosen) {
+  const auto say = [&map](std::vector<std::string> sentences) {
+    std::move(sentences.begin(), sentences.end(), std::back_inserter(map.messages));
+  };
+  if (source.hidden) {
+    map.losses = lossesOf(*source.hidden, source.flyers, fill.seenThroughPoints(), cells);
+  }
+  say(lossWords(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
+  if (source.hidden && chosen) say(mixedLayerWords(*chosen, *source.hidden, cells));
+}
+
 /// From depths to files: what both kinds of input have in common.
 /// @param view  gives the matrix for the base plane that was found
-void fillAndWrite(LargeMap& map, const BandDepths& depths, const GridFrame& frame,
-                  const FillSource& source, const SurfaceOptions& options,
+void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions& options,
                   const LargeMapOptions& large, std::size_t memory_bytes,
                   const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
   const auto start = Clock::now();
   const BandFill fill(
-      depths, frame, source, options.holes,
+      source.depths, source.frame, source.fill, options.holes,
       {.memory_bytes = memory_bytes, .spill_folder = spillFolder(large), .threads = large.threads},
       task);
   map.seconds.fill = secondsSince(start);
   map.view_from_file = view(fill.baseZMm());
   map.holes = fill.holes();
-  if (fill.seenThrough() > 0) {
-    map.messages.push_back(std::to_string(fill.seenThrough()) +
-                           " cells showed the object's back through gaps of its front; they were "
-                           "interpolated instead.");
+  if (std::string left = holesLeft(map.holes, options.holes); !left.empty()) {
+    map.not_done.push_back(std::move(left));
   }
   const auto write_start = Clock::now();
-  LevelFiles files(large.file, frame, options.pyramid);
+  LevelFiles files(large.file, source.frame, options.pyramid);
   FinestLevel finest;
   fill.write(
       [&](int, const float* heights, const Origin* origins) {
-        finest.add(heights, origins, frame.size.cols);
+        finest.add(heights, origins, source.frame.size.cols);
         files.add(heights, origins);
       },
       task);
   finest.into(map);
+  sayLosses(map, source, fill, finest.counts(), options.rule);
   map.frames = files.frames();
   files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
   map.seconds.pyramid = secondsSince(write_start);
@@ -223,9 +246,20 @@ void sayRule(LargeMap& map, const RuleProposal& rule, bool merges) {
 /// Depths of all cells, on disk.
 struct StoredDepths {
   RowStore front;
-  std::unique_ptr<RowStore> between;
+  std::unique_ptr<RowStore> between, points;
   BitRows steep;
   bool one_layer = false;
+  std::optional<HiddenSurface> hidden;
+  std::size_t flyers = 0;
+
+  /// Writes rows where there are any; the first ones decide.
+  static void keep(std::unique_ptr<RowStore>& store, const DepthRows& rows,
+                   const std::vector<float>& values, GridSize size,
+                   const std::filesystem::path& folder) {
+    if (values.empty()) return;
+    if (!store) store = std::make_unique<RowStore>(size, 0, folder);
+    store->write(rows.first_row, rows.rows, values.data());
+  }
 
   BandDepths rows() const {
     const auto of = [](const RowStore& store) {
@@ -234,7 +268,8 @@ struct StoredDepths {
     return {.front = of(front),
             .between = between ? of(*between) : RowsOf{},
             .steep = &steep,
-            .one_layer = one_layer};
+            .one_layer = one_layer,
+            .points = points ? of(*points) : RowsOf{}};
   }
 };
 
@@ -255,19 +290,23 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
   map.spilled_bytes = store.spilledBytes();
   // The store has its memory; depths go to the disk.
   const GridSize size = placed.frame.size;
-  std::unique_ptr<StoredDepths> depths(new StoredDepths{
-      .front = {size, 0, spillFolder(large)}, .between = {}, .steep = BitRows(size)});
+  std::unique_ptr<StoredDepths> depths(new StoredDepths{.front = {size, 0, spillFolder(large)},
+                                                        .between = {},
+                                                        .points = {},
+                                                        .steep = BitRows(size),
+                                                        .hidden = {}});
   depths->one_layer = !options.rule && isForOneLayer(rule.rule);
   makeDepths(
       store, rule.rule, placed.frame.spacing_mm,
       [&](const DepthRows& rows) {
         depths->front.write(rows.first_row, rows.rows, rows.front.data());
-        if (!rows.between.empty()) {
-          if (!depths->between) {
-            depths->between = std::make_unique<RowStore>(size, 0, spillFolder(large));
-          }
-          depths->between->write(rows.first_row, rows.rows, rows.between.data());
+        StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
+        // What shows through gaps is looked for in clouds of several layers only.
+        if (!depths->one_layer) {
+          StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
         }
+        if (rows.hidden) depths->hidden = depths->hidden.value_or(HiddenSurface{}) + *rows.hidden;
+        depths->flyers += rows.flyers;
         depths->steep.setRows(rows.first_row, rows.steep);
       },
       task);
@@ -306,8 +345,13 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   const auto depths = gridPoints(map, stream, placed, options, large, plan.points_bytes, task);
   map.seconds.grid = secondsSince(grid_start);
   fillAndWrite(
-      map, depths->rows(), placed.frame, {.has_sampling_gaps = true}, options, large,
-      plan.depths_bytes,
+      map,
+      {.depths = depths->rows(),
+       .frame = placed.frame,
+       .fill = {.has_sampling_gaps = true},
+       .hidden = depths->hidden,
+       .flyers = depths->flyers},
+      options, large, plan.depths_bytes,
       [&](double base_z_mm) {
         ViewFromFile view = placed.view_from_file;
         view.m[11] = -placed.lowest_mm - base_z_mm;
@@ -400,8 +444,11 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   }
   const double lowest = raster.info.bounds->min.z;
   fillAndWrite(
-      map, {.front = depthsOf(rows, mm), .between = {}}, frame,
-      {.has_sampling_gaps = false, .base_quantile = 0}, options, large, plan.depths_bytes,
+      map,
+      {.depths = {.front = depthsOf(rows, mm), .between = {}},
+       .frame = frame,
+       .fill = {.has_sampling_gaps = false, .base_quantile = 0}},
+      options, large, plan.depths_bytes,
       [&](double base_z_mm) {
         return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
                             frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * mm));

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct LargeMap {
   std::array<double, kOriginCount> shares{};  ///< Of the finest level's cells, by origin.
   HeightRange heights;                        ///< Over cells that are not outside.
   std::vector<Hole> holes;                    ///< Enclosed holes, largest first.
+  std::optional<DepthLosses> losses;          ///< Of points that were not merged as they came.
+  std::vector<std::string> not_done;          ///< Steps that were asked for, in sentences.
   std::vector<std::string> messages;
   StageSeconds seconds;
   double first_view_s = 0;  ///< From the call to the first on_view; 0: none.

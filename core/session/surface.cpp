@@ -12,14 +12,13 @@
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
 #include "core/session/choices.h"
+#include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kMostCells = 268'435'456;  // 16384^2: 1 GiB of heights.
-
-constexpr double kHiddenWorthSaying = 0.1;
 
 class Stopwatch {
  public:
@@ -119,12 +118,6 @@ void sayRule(Surface& surface, const Scan& scan, const CapturedDepths& depths) {
   surface.messages.push_back("Heights: " + surface.rule + ".");
 }
 
-std::string percent(double share) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
-  return text.data();
-}
-
 std::string significant(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g mm", value);
@@ -138,46 +131,6 @@ void sayDepthBuffer(Surface& surface) {
                              significant(format.rangeMm()) + ": steps of " +
                              significant(format.stepMm()) + ", heights exact to " +
                              significant(format.accuracyMm()) + ".");
-}
-
-/// What was lost on the way, in words; only what somebody should act on or wonder at.
-void sayLosses(Surface& surface, const FilledMap& filled) {
-  const DepthLosses& losses = *surface.losses;
-  if (losses.hidden_share >= kHiddenWorthSaying) {
-    surface.messages.push_back("Seen from here " + percent(losses.hidden_share) +
-                               " of the scan is hidden and cannot be felt. Turn the object, or "
-                               "continue.");
-  }
-  if (losses.flyers > 0) {
-    surface.messages.push_back(std::to_string(losses.flyers) +
-                               " points far off all their neighbours were left out.");
-  }
-  if (filled.seen_through > 0) {
-    surface.messages.push_back(std::to_string(filled.seen_through) +
-                               " cells showed the object's back through gaps of its front; they "
-                               "were interpolated instead.");
-  }
-  const auto shares = originShares(surface.map);
-  const double measured = shares[static_cast<std::size_t>(Origin::measured)];
-  const double made_up = shares[static_cast<std::size_t>(Origin::interpolated)];
-  if (made_up > measured) {
-    surface.messages.push_back("Most cells are interpolated: " + percent(measured) +
-                               " of the map is measured. A coarser grid would rest on more.");
-  }
-}
-
-/// Rules for one layer are proposed for nothing else; by hand they can be chosen for anything.
-void sayMixedLayers(Surface& surface, const HiddenSurface& hidden, const SurfaceOptions& options) {
-  constexpr double kMixedWorthSaying = 0.01;
-  if (!options.rule || !mixesLayers(*options.rule)) return;
-  const double outside = originShares(surface.map)[static_cast<std::size_t>(Origin::outside)];
-  const double inside = (1 - outside) * static_cast<double>(surface.map.origins.size());
-  const double share = inside > 0 ? static_cast<double>(hidden.cells) / inside : 0;
-  if (share < kMixedWorthSaying) return;
-  surface.messages.push_back("In " + percent(share) +
-                             " of the cells the points lie in several layers, front and back, and "
-                             "the chosen rule makes one height of them. Choose the mean of the top "
-                             "layer (topmean) to keep them apart.");
 }
 
 /// Holes and what could not be done about them.
@@ -318,9 +271,16 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
     sayDepthBuffer(surface);
   }
   surface.quality = std::move(filled.quality);
-  surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, surface.map);
-  sayLosses(surface, filled);
-  if (scan.triangles.empty()) sayMixedLayers(surface, hidden, options);
+  surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, originCounts(surface.map));
+  for (std::string& words :
+       lossWords(*surface.losses, filled.seen_through, originShares(surface.map))) {
+    surface.messages.push_back(std::move(words));
+  }
+  if (scan.triangles.empty() && options.rule) {
+    for (std::string& words : mixedLayerWords(*options.rule, hidden, originCounts(surface.map))) {
+      surface.messages.push_back(std::move(words));
+    }
+  }
   takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);
   return surface;

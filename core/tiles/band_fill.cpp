@@ -164,15 +164,27 @@ void BandFill::dropSeenThroughBands(int radius, const Task& task) {
                              frame_.size.index({.col = 0, .row = band.first - band.from});
         kept_->write(band.first, band.rows, depth);
         for (int row = band.first; row < band.first + band.rows; ++row) {
-          for (int col = 0; col < frame_.size.cols; ++col) {
-            const Cell cell{.col = col, .row = row};
-            if (isMeasured(*depth++) || !measured_.at(cell)) continue;
-            measured_.clear(cell);
-            ++seen_through_;
-          }
+          countSeenThrough(row, depth);
+          depth += frame_.size.cols;
         }
       });
   depths_ = [this](int first, int rows, float* out) { kept_->read(first, rows, out); };
+}
+
+void BandFill::countSeenThrough(int row, const float* depths) {
+  std::vector<float> points;  // Read only where it is asked for.
+  for (int col = 0; col < frame_.size.cols; ++col) {
+    const Cell cell{.col = col, .row = row};
+    if (isMeasured(depths[col]) || !measured_.at(cell)) continue;
+    measured_.clear(cell);
+    ++seen_through_;
+    if (!given_.points) continue;
+    if (points.empty()) {
+      points.resize(static_cast<std::size_t>(frame_.size.cols));
+      given_.points(row, 1, points.data());
+    }
+    seen_through_points_ += static_cast<std::size_t>(points[static_cast<std::size_t>(col)]);
+  }
 }
 
 void BandFill::pullAll(const Task& task) {

@@ -29,6 +29,7 @@ struct BandDepths {
   RowsOf between;                  ///< Null if the rule gives none.
   const BitRows* steep = nullptr;  ///< What the engine saw to be steep.
   bool one_layer = false;          ///< Nothing shows through.
+  RowsOf points = {};              ///< In each cell; null if not known.
 };
 
 /// fillDepths of core/depth for maps that do not fit into memory: the same steps, each on bands of
@@ -44,6 +45,8 @@ class BandFill {
   double baseZMm() const noexcept { return base_z_mm_; }
   const std::vector<Hole>& holes() const noexcept { return enclosed_.holes; }
   std::size_t seenThrough() const noexcept { return seen_through_; }
+  /// Points in these cells, if they are known.
+  std::size_t seenThroughPoints() const noexcept { return seen_through_points_; }
 
   /// Gives the finished rows, lowest first: heights above the base plane and origins, `cols` each.
   /// [worker] @throw WriteError, Cancelled and what `take` throws
@@ -62,6 +65,7 @@ class BandFill {
   void markMeasured(const Task& task);
   int gapRadius() const;
   void dropSeenThroughBands(int radius, const Task& task);
+  void countSeenThrough(int row, const float* depths);
   void pullAll(const Task& task);
   void findHoles(int radius, const Task& task);
   void addBetween(const Band& band, std::vector<float>& depths) const;
@@ -80,7 +84,7 @@ class BandFill {
   BitRows measured_;
   std::unique_ptr<RowStore> kept_;  ///< Behind depths_, if anything was dropped.
   double base_z_mm_ = 0;
-  std::size_t seen_through_ = 0;
+  std::size_t seen_through_ = 0, seen_through_points_ = 0;
   EmptyRuns empty_;
   EmptyRuns::Enclosed enclosed_;
   struct CoarseLayer;

@@ -123,8 +123,15 @@ struct Gridding {
   double noise_mm;
 };
 
+/// What is summed over the tiles of a row.
+struct TileLosses {
+  HiddenSurface hidden;
+  std::size_t flyers = 0;
+};
+
 /// One tile with kRuleReach cells around it as a request to core/depth.
-void depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile, DepthRows& out) {
+TileLosses depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile,
+                        DepthRows& out) {
   const TileLayout& layout = gridding.layout;
   const Cell first = layout.firstCell(tile);
   const GridSize size = layout.sizeOf(tile);
@@ -146,17 +153,19 @@ void depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile,
                 [](int) { return true; });
     }
   }
+  const Cell own{.col = first.col - low.col, .row = first.row - low.row};
+  const Cell own_end{.col = own.col + size.cols, .row = own.row + size.rows};
   const CapturedDepths around = scatterPoints({.scan = scan,
                                                .view_from_file = {},
                                                .frame = frame,
                                                .rule = gridding.rule,
                                                .threads = 1,
-                                               .noise_mm = gridding.noise_mm});
+                                               .noise_mm = gridding.noise_mm,
+                                               .counted = CellBox{own, own_end}});
   const GridSize band{.cols = layout.map.cols, .rows = out.rows};
   const auto copy_row = [&](const auto& from, auto& to, int row) {
     if (from.empty() || to.empty()) return;
-    const std::size_t at =
-        frame.size.index({.col = first.col - low.col, .row = first.row - low.row + row});
+    const std::size_t at = frame.size.index({.col = own.col, .row = own.row + row});
     std::copy_n(
         from.begin() + static_cast<std::ptrdiff_t>(at), size.cols,
         to.begin() + static_cast<std::ptrdiff_t>(band.index({.col = first.col, .row = row})));
@@ -165,7 +174,9 @@ void depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int tile,
     copy_row(around.front, out.front, row);
     copy_row(around.between, out.between, row);
     copy_row(around.steep, out.steep, row);
+    copy_row(around.quality.counts, out.points, row);
   }
+  return {.hidden = around.hidden.value_or(HiddenSurface{}), .flyers = around.flyers};
 }
 
 void depthsFromStates(const Gridding& gridding, const TileStore& store, int tile, DepthRows& out) {
@@ -221,6 +232,15 @@ MapSample sampledRows(const TileStore& store, double spacing_mm, const Task& tas
   return sample;
 }
 
+void sum(const std::vector<TileLosses>& tiles, DepthRows& out) {
+  out.hidden = HiddenSurface{};
+  out.flyers = 0;
+  for (const TileLosses& tile : tiles) {
+    out.hidden = *out.hidden + tile.hidden;
+    out.flyers += tile.flyers;
+  }
+}
+
 }  // namespace
 
 bool isMergeable(PointRule rule) {
@@ -263,6 +283,7 @@ void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const
                           .noise_mm = quadratic ? pointNoise(store, spacing_mm, task) : 0};
   SortedTiles sorted(store);
   DepthRows band;
+  std::vector<TileLosses> losses(static_cast<std::size_t>(layout.across()));
   for (int y = 0; y < layout.down(); ++y) {
     task.check();
     task.report("Heights of cells", static_cast<double>(y) / layout.down());
@@ -272,7 +293,10 @@ void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const
     const GridSize size{.cols = layout.map.cols, .rows = band.rows};
     band.front.resize(size.count());
     if (quadratic || rule == PointRule::splat) band.between.resize(size.count());
-    if (!store.merges()) band.steep.resize(size.count());
+    if (!store.merges()) {
+      band.steep.resize(size.count());
+      band.points.resize(size.count());
+    }
     inParts(0, static_cast<std::uint64_t>(layout.across()), store.threads(),
             [&](int, std::uint64_t first, std::uint64_t end) {
               for (int x = static_cast<int>(first); x < static_cast<int>(end); ++x) {
@@ -281,10 +305,11 @@ void makeDepths(const TileStore& store, PointRule rule, double spacing_mm, const
                 if (store.merges()) {
                   depthsFromStates(gridding, store, tile, band);
                 } else {
-                  depthsByRule(gridding, sorted, tile, band);
+                  losses[static_cast<std::size_t>(x)] = depthsByRule(gridding, sorted, tile, band);
                 }
               }
             });
+    if (!store.merges()) sum(losses, band);
     take(band);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/grid.h"
@@ -34,9 +35,20 @@ double pointNoise(const TileStore& store, double spacing_mm, const Task& task);
 struct DepthRows {
   int first_row = 0, rows = 0;
   std::vector<float> front;
-  std::vector<float> between;       ///< Empty if the rule gives none.
-  std::vector<std::uint8_t> steep;  ///< Empty if not known.
+  std::vector<float> between;           ///< Empty if the rule gives none.
+  std::vector<std::uint8_t> steep;      ///< Empty if not known.
+  std::vector<float> points;            ///< In each cell, whole numbers; empty if not known.
+  std::optional<HiddenSurface> hidden;  ///< Of these rows' cells; if known.
+  std::size_t flyers = 0;               ///< Points in these rows that were left out.
 };
+
+/// Adds what other cells have.
+inline HiddenSurface operator+(const HiddenSurface& a, const HiddenSurface& b) {
+  return {.hidden = a.hidden + b.hidden,
+          .all = a.all + b.all,
+          .cells = a.cells + b.cells,
+          .cells_in_layers = a.cells_in_layers + b.cells_in_layers};
+}
 
 /// Depths of the whole map by a rule, tile row after tile row, lowest first: core/depth's own
 /// scatterPoints on each tile with `kRuleReach` cells around it; for a store that merges, from the

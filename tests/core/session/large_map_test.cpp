@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/session/large_map.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -138,6 +139,42 @@ INSTANTIATE_TEST_SUITE_P(NotMerging, LargeMapRule,
                          [](const auto& rule) {
                            return rule.param == PointRule::splat ? "Splat" : "Quadratic";
                          });
+
+TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
+  const test::TileFolder folder;
+  test::Las las = bigLas(600'000);
+  for (std::size_t i = 2; i < las.raw.size(); ++i) {
+    if (i % 3 == 0) las.raw[i][2] -= 20'000;      // A back, 39 mm below.
+    if (i % 5'000 == 1) las.raw[i][2] += 30'000;  // A flyer.
+  }
+  writeLas(folder / "scan.las", las);
+  SurfaceOptions options = gridOptions(PointRule::front);
+  options.rule.reset();
+  options.spacing_mm = 1;
+  options.holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 5};  // The hole is larger.
+  const LargeMap large = makeLargeMap(
+      folder / "scan.las", options,
+      {.file = folder / "map.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}});
+  const Surface whole = makeSurface(scanOf(las), options, rasterize);
+  EXPECT_EQ(large.rule, whole.rule);
+  ASSERT_TRUE(large.losses && whole.losses);
+  EXPECT_GT(whole.losses->hidden_share, 0.2);
+  EXPECT_GT(whole.losses->flyers, 50U);
+  EXPECT_EQ(large.losses->hidden_share, whole.losses->hidden_share);
+  EXPECT_EQ(large.losses->undercut_share, whole.losses->undercut_share);
+  EXPECT_EQ(large.losses->steep_share, whole.losses->steep_share);
+  EXPECT_EQ(large.losses->flyers, whole.losses->flyers);
+  EXPECT_EQ(large.not_done, whole.not_done);
+  EXPECT_FALSE(whole.not_done.empty());
+  for (const std::string& message : whole.messages) {
+    EXPECT_THAT(large.messages, ::testing::Contains(message));
+  }
+  options.rule = PointRule::median;  // One height of front and back: chosen by hand, and said.
+  const LargeMap mixed = makeLargeMap(
+      folder / "scan.las", options,
+      {.file = folder / "mixed.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}});
+  EXPECT_THAT(mixed.messages, ::testing::Contains(::testing::HasSubstr("several layers, front")));
+}
 
 TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {
   const test::TileFolder folder;

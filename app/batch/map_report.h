@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Only for the .cpp files of app/batch: what is said of a map, however it was made.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/batch/json.h"
+#include "core/base/origin.h"
+#include "core/depth/fill.h"
+#include "core/depth/quality.h"
+
+namespace relievo::batch {
+
+/// @param shares  of all cells by origin
+Json sharesJson(const std::array<double, kOriginCount>& shares);
+Json holesJson(const std::vector<Hole>& holes);
+/// null where they are not known.
+Json lossesJson(const std::optional<DepthLosses>& losses);
+std::string lossesText(const std::optional<DepthLosses>& losses);
+
+}  // namespace relievo::batch
