@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/core_words.h"
 
-#include <array>
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
@@ -11,7 +10,7 @@ namespace relievo {
 namespace {
 
 // For lupdate; core has no Qt. What is missing here is shown in English.
-[[maybe_unused]] constexpr std::array<const char*, 52> kWords{
+[[maybe_unused]] constexpr const char* kWords[]{
     // Steps of work.
     QT_TRANSLATE_NOOP("Core", "Checksum"), QT_TRANSLATE_NOOP("Core", "Depth map"),
     QT_TRANSLATE_NOOP("Core", "Drawing the depth buffer"),

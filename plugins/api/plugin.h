@@ -71,8 +71,8 @@ class Host : public QObject {
   virtual std::uint8_t edges() const = 0;
   /// Turns the detail view, as the commands "turn_left" and "turn_up" do in steps.
   virtual void turnView(double azimuth_deg, double elevation_deg) = 0;
-  /// Comment lines for the header of a recording in `file`: input (its path from there), hash, unit,
-  /// view, region (conventions.md 5.5).
+  /// Comment lines for the header of a recording in `file`: input (its path from there), hash,
+  /// unit, view, region (conventions.md 5.5).
   virtual QString recordingHeader(const QString& file) const = 0;
 
  Q_SIGNALS:

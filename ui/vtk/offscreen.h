@@ -56,7 +56,7 @@ std::vector<std::uint8_t> storedBytes(const RgbaImage& image);
 struct PictureOptions {
   int width = 0, height = 0;  ///< Pixels.
   bool transparent = false;   ///< Alpha 0 where there is no relief; without stereo.
-  int tile_px = 512;         ///< Longest side of a tile.
+  int tile_px = 512;          ///< Longest side of a tile.
 };
 /// The same with alpha. [the scene's thread] @throw GraphicsError, ArgumentError, Cancelled
 RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
