@@ -30,10 +30,10 @@ enum class PointRule {
 };
 
 /// Cells from `first` to before `end`.
-struct CellBox {
+struct CellRange {
   Cell first, end;
 };
-inline bool contains(const CellBox& box, Cell c) noexcept {
+inline bool contains(const CellRange& box, Cell c) noexcept {
   return c.col >= box.first.col && c.row >= box.first.row && c.col < box.end.col &&
          c.row < box.end.row;
 }
@@ -50,7 +50,7 @@ struct DepthRequest {
   std::optional<double> noise_mm = std::nullopt;
   /// Cells whose flyers and hidden points are counted, where the grid is a part of a larger one;
   /// nothing: all.
-  std::optional<CellBox> counted = std::nullopt;
+  std::optional<CellRange> counted = std::nullopt;
 };
 
 /// View z in millimetres of the front-most surface at every sample, NaN where nothing was hit.

@@ -109,7 +109,7 @@ bool hasTwin(std::span<const PlacedPoint> cell, const PlacedPoint& point, float 
 
 }  // namespace
 
-std::size_t dropFlyers(RowPoints& rows, double spacing_mm, const CellBox& counted) {
+std::size_t dropFlyers(RowPoints& rows, double spacing_mm, const CellRange& counted) {
   const auto limit = static_cast<float>(kFlyerCells * spacing_mm);
   std::vector<std::uint32_t> flyers;  // Places in rows.points, rising.
   std::vector<float> scratch;

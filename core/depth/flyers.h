@@ -12,7 +12,7 @@ namespace relievo {
 /// and places with few points lose nothing. Points of the outermost rows are judged by half of
 /// their surroundings: load one row more than needed.
 /// @return flyers of the cells `counted`
-std::size_t dropFlyers(RowPoints& rows, double spacing_mm, const CellBox& counted);
+std::size_t dropFlyers(RowPoints& rows, double spacing_mm, const CellRange& counted);
 
 inline constexpr double kFlyerCells = 4;
 inline constexpr int kFlyerReach = 2;

@@ -110,10 +110,10 @@ bool isWall(CellSpan cell, double spacing_mm, std::vector<float>& heights) {
   return last >= 3 && heights.front() - heights[last - 1] > kSteepRise * spacing_mm;
 }
 
-CellBox countedBy(const DepthRequest& request) {
+CellRange countedBy(const DepthRequest& request) {
   const GridSize size = request.frame.size;
   return request.counted.value_or(
-      CellBox{.first = {}, .end = {.col = size.cols, .row = size.rows}});
+      CellRange{.first = {}, .end = {.col = size.cols, .row = size.rows}});
 }
 
 /// Writes the cells of some rows.
@@ -220,7 +220,7 @@ class RowWriter {
   LocalFit fit_;
   RowFits row_fits_;
   RowSplats splats_;
-  CellBox counted_;
+  CellRange counted_;
   HiddenSurface hidden_;
   CapturedDepths& out_;
   const Task& task_;
@@ -350,7 +350,7 @@ class Scatter {
         const int end = std::min(first + rows_at_once, slab.end);
         // More than the rule reaches, so that flyers are known as far as it does.
         points.rows(first - halo(), end + halo(), rows);
-        CellBox counted = countedBy(request_);
+        CellRange counted = countedBy(request_);
         counted.first.row = std::max(counted.first.row, first);
         counted.end.row = std::min(counted.end.row, end);
         for (int row = counted.first.row; row < counted.end.row; ++row) {

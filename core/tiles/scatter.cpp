@@ -161,7 +161,7 @@ TileLosses depthsByRule(const Gridding& gridding, const SortedTiles& sorted, int
                                                .rule = gridding.rule,
                                                .threads = 1,
                                                .noise_mm = gridding.noise_mm,
-                                               .counted = CellBox{own, own_end}});
+                                               .counted = CellRange{own, own_end}});
   const GridSize band{.cols = layout.map.cols, .rows = out.rows};
   const auto copy_row = [&](const auto& from, auto& to, int row) {
     if (from.empty() || to.empty()) return;
