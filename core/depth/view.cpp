@@ -292,9 +292,10 @@ void widen(const std::array<float, 3>* points, std::size_t count, const Rotation
 RotatedBounds rotatedBounds(const Scan& scan, const Rotation& rotation, double mm_per_unit) {
   constexpr double kHuge = std::numeric_limits<double>::infinity();
   RotatedBounds box{.min = {kHuge, kHuge, kHuge}, .max = {-kHuge, -kHuge, -kHuge}};
-  const auto add = [&box](const ViewMm& p) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  const auto add = [&box](const ViewMm& low, const ViewMm& high) {
+    box.min = {std::min(box.min.x, low.x), std::min(box.min.y, low.y), std::min(box.min.z, low.z)};
+    box.max = {std::max(box.max.x, high.x), std::max(box.max.y, high.y),
+               std::max(box.max.z, high.z)};
   };
   const std::size_t blocks = scan.points.size() / kLanes;
   const int threads = threadsFor(scan.points.size(), 0);
@@ -309,12 +310,14 @@ RotatedBounds rotatedBounds(const Scan& scan, const Rotation& rotation, double m
   });
   for (const BoxLanes& some : lanes) {
     for (std::size_t n = 0; n < kLanes; ++n) {
-      add({some.min[0][n], some.min[1][n], some.min[2][n]});
-      add({some.max[0][n], some.max[1][n], some.max[2][n]});
+      // Apart: a part without points has its least above its largest.
+      add({some.min[0][n], some.min[1][n], some.min[2][n]},
+          {some.max[0][n], some.max[1][n], some.max[2][n]});
     }
   }
   for (std::size_t i = kLanes * blocks; i < scan.points.size(); ++i) {
-    add(rotate(rotation, localPoint(scan, i)));
+    const ViewMm p = rotate(rotation, localPoint(scan, i));
+    add(p, p);
   }
   const ViewMm shift = rotate(rotation, scan.origin);
   box.min = mm_per_unit * (box.min + shift);

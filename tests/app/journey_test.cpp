@@ -398,7 +398,8 @@ void JourneyTest::steerBySpaceMouse() {
   hid_.send(0, {1, 0xa2, 0xfe, 0, 0, 0, 0});  // Full deflection to the left.
   EXPECT_TRUE(eventually([&] { return probe()->hip.x < from - 5; }));
   hid_.send(0, {1, 0, 0, 0, 0, 0, 0});
-  EXPECT_TRUE(child<QListWidget>("places_list")->hasFocus());
+  // Without a window manager the window itself need not be the active one.
+  EXPECT_EQ(window().focusWidget(), child<QListWidget>("places_list"));
   const int before = document().detail();
   hid_.send(0, {3, 2, 0});
   hid_.send(0, {3, 0, 0});

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -160,6 +161,29 @@ TEST(ChosenRotation, TurnsAboutTheViewsOwnAxesInDegrees) {
   EXPECT_EQ(named.name, "front + 0, 12.5, 0 degrees");
   EXPECT_THROW(chosenRotation(scan, {.name = "top", .rotation = {}, .turn_deg = {NAN, 0, 0}}),
                ArgumentError);
+}
+
+TEST(RotatedBounds, AreTheSameForAnyNumberOfPoints) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> place(-10, 10);
+  const Rotation top = *standardRotation("top");
+  for (std::size_t count = 1; count < 30; ++count) {
+    Scan scan;
+    FilePoint low{100, 100, 100}, high{-100, -100, -100};
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& p = scan.points.emplace_back(
+          std::array<float, 3>{place(random), place(random), place(random)});
+      low = {std::min<double>(low.x, p[0]), std::min<double>(low.y, p[1]),
+             std::min<double>(low.z, p[2])};
+      high = {std::max<double>(high.x, p[0]), std::max<double>(high.y, p[1]),
+              std::max<double>(high.z, p[2])};
+    }
+    const RotatedBounds box = rotatedBounds(scan, top, 1);
+    EXPECT_EQ(box.min.x, low.x) << count;
+    EXPECT_EQ(box.min.z, low.z) << count;
+    EXPECT_EQ(box.max.y, high.y) << count;
+    EXPECT_EQ(box.max.z, high.z) << count;
+  }
 }
 
 }  // namespace
