@@ -357,10 +357,11 @@ void JourneyTest::seeReplay() {
   player.advance(2);
   EXPECT_DOUBLE_EQ(player.timeS(), 0.5);
   const TouchRecording& recording = *player.recording();
-  const auto felt = std::find_if(recording.rows.begin(), recording.rows.end(),
-                                 [](const TouchRow& row) { return norm(row.force) > 0.1; });
+  const auto felt = std::max_element(
+      recording.rows.begin(), recording.rows.end(),
+      [](const TouchRow& a, const TouchRow& b) { return norm(a.force) < norm(b.force); });
   ASSERT_NE(felt, recording.rows.end());
-  const double time = felt->t_s - recording.startS() + 0.1;
+  const double time = felt->t_s - recording.startS();
   player.setTime(time);
   const Probe once = *probe();
   const double force = forceShown();
