@@ -11,6 +11,7 @@
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/region/hand.h"
 #include "core/session/finer_heights.h"
@@ -180,8 +181,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["force_to_normal_deg"] = findings.force_to_normal_deg;
   return {.json = json.dump(2),
           .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
-                    json["largest_force_n"].dump() + " N, 1 mm of hand = " +
-                    Json(hand.objectMmPerHandMm()).dump() + " mm on the object"}};
+                    shortNumber(findings.largest_force_n) + " N, 1 mm of hand = " +
+                    shortNumber(hand.objectMmPerHandMm()) + " mm on the object"}};
 }
 
 }  // namespace
