@@ -95,8 +95,8 @@ Json reportOf(const LargeMap& map) {
 
 void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
   verb.add_option("--memory", memory_mb,
-                  "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all levels "
-                  "are written");
+                  "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all "
+                  "levels are written");
 }
 
 Outcome runByTiles(const MapArguments& arguments, double memory_mb,

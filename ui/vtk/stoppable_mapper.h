@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stop_token>
+#include <utility>
 
 #include <vtkOpenGLPolyDataMapper.h>
 
