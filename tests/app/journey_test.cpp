@@ -125,6 +125,11 @@ class JourneyTest : public Journey, public ::testing::WithParamInterface<By> {
     if (!action("forces")->isChecked()) key(Qt::Key_F5);
     ASSERT_TRUE(eventually([this] { return probe() && probe()->forces_on; }))
         << said().toStdString();
+    // The hand glides to where it was sent; pressed on the way, it would draw a stroke.
+    EXPECT_TRUE(eventually([&] {
+      const auto now = probe();
+      return now && !now->touching && std::hypot(now->hip.x - x_mm, now->hip.y - y_mm) < 1;
+    })) << "the hand arrives";
     if (byKeys()) {
       keys(detail(), Qt::Key_PageDown, 4);
     } else {
