@@ -33,7 +33,7 @@ std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
   }
   auto grid = std::make_shared<HeldGrid>();
   grid->frame = levels[level].frame;
-  grid->heights_mm = levels[level].heights_mm;
+  grid->heights_mm.assign(levels[level].heights_mm.begin(), levels[level].heights_mm.end());
   const GridSize size = grid->frame.size;
   const GridFrame& finest = surface.map.frame;
   const auto nearest = [](double position, double first, double spacing, int count) {

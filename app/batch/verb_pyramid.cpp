@@ -32,7 +32,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
     const PyramidLevel& level = surface.pyramid.levels[l];
     DepthMap map{.frame = level.frame,
-                 .heights_mm = level.heights_mm,
+                 .heights_mm = {level.heights_mm.begin(), level.heights_mm.end()},
                  .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
     const std::filesystem::path file = levelFile(a.out, l);
     writeMap(file, map,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/bands.h"
+#include "core/base/large_pages.h"
 #include "core/base/wide_vectors.h"
 #include "core/depth/grid_points.h"
 
@@ -109,6 +110,7 @@ CellPoints::CellPoints(const DepthRequest& request, std::span<const RowRange> ra
     // A little more, so that the next part of a large scan fits too; costs nothing until written.
     capacity_ = total + total / 8;
     records_ = std::make_unique_for_overwrite<Record[]>(capacity_);
+    wishLargePages(records_.get(), capacity_ * sizeof(Record));
   }
   for_points([&](std::size_t part, std::size_t bucket, int row, int col, const GridPoint& p) {
     const auto first_row = static_cast<int>(bucket) * kBucketRows;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/bands.h"
+#include "core/base/large_pages.h"
 #include "core/depth/mask.h"
 #include "core/depth/membrane.h"
 #include "core/depth/push_pull.h"
@@ -264,6 +265,7 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
   result.quality = std::move(depths.quality);
   DepthMap& map = result.map;
   map.frame = frame;
+  reserveLarge(map.origins, count);
   map.origins.assign(count, Origin::outside);
   // In place: the depths are not needed any more.
   inBands(frame.size.rows, threads, [&](int first, int end) {

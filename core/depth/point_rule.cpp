@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/bands.h"
+#include "core/base/large_pages.h"
 #include "core/depth/cell_points.h"
 #include "core/depth/flyers.h"
 #include "core/depth/local_fit.h"
@@ -277,6 +278,9 @@ class Scatter {
  public:
   Scatter(const DepthRequest& request, const Task& task) : request_(request), task_(task) {
     const GridSize size = request.frame.size;
+    reserveLarge(out_.front, size.count());
+    reserveLarge(out_.quality.counts, size.count());
+    reserveLarge(out_.quality.spreads_mm, size.count());
     out_.front.assign(size.count(), kEmpty);
     out_.quality.counts.assign(size.count(), 0);
     out_.quality.spreads_mm.assign(size.count(), 0.0F);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/large_pages.h"
 #include "core/io/file_check.h"
 
 namespace relievo {
@@ -31,7 +32,7 @@ double originOf(std::vector<double>& coordinates) {
 }  // namespace
 
 void ScanBuilder::expectPoints(std::uint64_t count) {
-  scan_.points.reserve(static_cast<std::size_t>(std::min(count, max_points_)));
+  reserveLarge(scan_.points, static_cast<std::size_t>(std::min(count, max_points_)));
 }
 
 void ScanBuilder::addSpecialPoint(const std::array<double, 3>& p, bool usable) {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/large_pages.h"
 #include "core/io/file_check.h"
 #include "core/io/planted_fault.h"
 
@@ -240,6 +241,7 @@ template <class Array>
 bool take(int fd, std::uint64_t at, std::uint64_t bytes, Array& array, const Task& task) {
   constexpr std::size_t kItem = sizeof(typename Array::value_type);
   if (bytes % kItem != 0) return false;
+  reserveLarge(array, static_cast<std::size_t>(bytes / kItem));
   array.resize(static_cast<std::size_t>(bytes / kItem));
   return readAll(fd, array.data(), static_cast<std::size_t>(bytes), at, task);
 }

@@ -79,24 +79,6 @@ void RowHalver::operator()(const FiveRows& rows, const TwoRows& next, float* out
 
 namespace {
 
-/// Rows first ... end - 1 of the result. They are appended: setting all to zero first would take a
-/// fifth of the time.
-void appendHalved(const std::vector<float>& in, GridSize size, int first, int end, const Task& task,
-                  std::vector<float>& out) {
-  const auto row_at = [&](int row) {
-    return in.data() + size.index({.col = 0, .row = mirrored(row, size.rows)});
-  };
-  RowHalver halve(size.cols);
-  std::vector<float> line((static_cast<std::size_t>(size.cols) + 1) / 2);
-  for (int j = first; j < end; ++j) {
-    if (j % 64 == 0) task.check();
-    FiveRows rows{};
-    for (int n = 0; n < 5; ++n) rows[static_cast<std::size_t>(n)] = row_at(2 * j - 2 + n);
-    halve(rows, {row_at(2 * j + 3), row_at(2 * j + 4)}, line.data());
-    out.insert(out.end(), line.begin(), line.end());
-  }
-}
-
 /// One row of shares: the kernel of the rows, then along the row, in whole numbers.
 class RowShares {
  public:
@@ -141,39 +123,32 @@ class RowShares {
   std::vector<std::uint8_t> sums_;
 };
 
-/// appendRows(first, end, list) for the rows of the result, on as many threads as pay.
-template <class AppendRows>
-std::vector<float> inLists(GridSize size, GridSize out_size, int threads,
-                           AppendRows&& append_rows) {
-  std::vector<float> out;
-  out.reserve(out_size.count());
-  const int bands = std::clamp(threadsFor(size.count(), threads), 1, out_size.rows);
-  std::vector<std::vector<float>> others(static_cast<std::size_t>(bands));
-  inBands(bands, bands, [&](int band, int) {
-    const int first = out_size.rows * band / bands;
-    const int end = out_size.rows * (band + 1) / bands;
-    std::vector<float>& to = band == 0 ? out : others[static_cast<std::size_t>(band)];
-    to.reserve(out_size.index({.col = 0, .row = band == 0 ? out_size.rows : end - first}));
-    append_rows(first, end, to);
+}  // namespace
+
+LargeArray<float> halved(std::span<const float> in, GridSize size, GridSize out_size, int threads,
+                         const Task& task) {
+  LargeArray<float> out(out_size.count());
+  const auto row_at = [&](int row) {
+    return in.data() + size.index({.col = 0, .row = mirrored(row, size.rows)});
+  };
+  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
+    RowHalver halve(size.cols);
+    for (int j = first; j < end; ++j) {
+      if (j % 64 == 0) task.check();
+      FiveRows rows{};
+      for (int n = 0; n < 5; ++n) rows[static_cast<std::size_t>(n)] = row_at(2 * j - 2 + n);
+      halve(rows, {row_at(2 * j + 3), row_at(2 * j + 4)},
+            &out[out_size.index({.col = 0, .row = j})]);
+    }
   });
-  for (const std::vector<float>& other : others) out.insert(out.end(), other.begin(), other.end());
   return out;
 }
 
-}  // namespace
-
-std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize out_size,
-                          int threads, const Task& task) {
-  return inLists(size, out_size, threads, [&](int first, int end, std::vector<float>& out) {
-    appendHalved(in, size, first, end, task, out);
-  });
-}
-
-std::vector<float> halvedShares(const std::vector<Origin>& origins, GridSize size,
-                                GridSize out_size, int threads, const Task& task) {
-  return inLists(size, out_size, threads, [&](int first, int end, std::vector<float>& out) {
+LargeArray<float> halvedShares(std::span<const Origin> origins, GridSize size, GridSize out_size,
+                               int threads, const Task& task) {
+  LargeArray<float> out(out_size.count());
+  inBands(out_size.rows, threadsFor(size.count(), threads), [&](int first, int end) {
     RowShares shares(size.cols);
-    std::vector<float> line(static_cast<std::size_t>(out_size.cols));
     for (int j = first; j < end; ++j) {
       if (j % 64 == 0) task.check();
       std::array<const Origin*, 5> rows{};
@@ -181,10 +156,10 @@ std::vector<float> halvedShares(const std::vector<Origin>& origins, GridSize siz
         const int from = mirrored(2 * j - 2 + n, size.rows);
         rows[static_cast<std::size_t>(n)] = origins.data() + size.index({.col = 0, .row = from});
       }
-      shares(rows, line.data());
-      out.insert(out.end(), line.begin(), line.end());
+      shares(rows, &out[out_size.index({.col = 0, .row = j})]);
     }
   });
+  return out;
 }
 
 }  // namespace relievo

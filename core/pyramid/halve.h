@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "core/base/grid.h"
+#include "core/base/large_array.h"
 #include "core/base/origin.h"
 #include "core/base/task.h"
 
@@ -29,15 +31,15 @@ class RowHalver {
 /// The same step for the share of measured cells, from the origins of the finest level: whole
 /// numbers up to 256 at a quarter of the bytes, so exactly what `halved` makes of 0 and 1. [worker]
 /// @throw Cancelled
-std::vector<float> halvedShares(const std::vector<Origin>& origins, GridSize size,
-                                GridSize out_size, int threads, const Task& task);
+LargeArray<float> halvedShares(std::span<const Origin> origins, GridSize size, GridSize out_size,
+                               int threads, const Task& task);
 
 /// One step of the pyramid for M = 2 in single precision, at memory speed: the paper's equation
 ///   g_l(i, j) = sum_m sum_n w(m, n) g_{l-1}(2i + m, 2j + n)
 /// with w = (1 4 6 4 1)/16 each way. The same bytes for every number of threads and processor.
 /// @param out_size  half of `size`, rounded up @param threads  0: as many as pay [worker]
 /// @throw Cancelled
-std::vector<float> halved(const std::vector<float>& in, GridSize size, GridSize out_size,
-                          int threads, const Task& task);
+LargeArray<float> halved(std::span<const float> in, GridSize size, GridSize out_size, int threads,
+                         const Task& task);
 
 }  // namespace relievo

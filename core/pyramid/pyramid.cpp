@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "core/base/bands.h"
 #include "core/base/error.h"
@@ -17,9 +18,9 @@ namespace {
 constexpr double kMostCellsInAll = 536'870'912;  // Twice the largest map: 4 GiB with the shares.
 
 /// The paper's equation (sec. 5) for any M.
-std::vector<float> reducedBy(const PyramidOptions& options, const std::vector<float>& in,
-                             GridSize size, GridSize out_size, const Task& task) {
-  std::vector<float> out(out_size.count());
+LargeArray<float> reducedBy(const PyramidOptions& options, std::span<const float> in, GridSize size,
+                            GridSize out_size, const Task& task) {
+  LargeArray<float> out(out_size.count());
   inBands(out_size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
     RowReducer reducer(size, options.factor);
     const auto row_at = [&](int row) { return &in[size.index({.col = 0, .row = row})]; };
@@ -31,8 +32,8 @@ std::vector<float> reducedBy(const PyramidOptions& options, const std::vector<fl
   return out;
 }
 
-std::vector<float> reduced(const PyramidOptions& options, const std::vector<float>& in,
-                           GridSize size, GridSize out_size, const Task& task) {
+LargeArray<float> reduced(const PyramidOptions& options, std::span<const float> in, GridSize size,
+                          GridSize out_size, const Task& task) {
   if (options.factor == 2) return halved(in, size, out_size, options.threads, task);
   return reducedBy(options, in, size, out_size, task);
 }
@@ -63,24 +64,34 @@ void requireFactor(GridSize size, const PyramidOptions& options) {
   }
 }
 
-PyramidLevel baseLevel(const DepthMap& map) {
-  PyramidLevel level{.frame = map.frame, .heights_mm = map.heights_mm, .measured = {}};
-  for (std::size_t i = 0; i < map.origins.size(); ++i) {
-    // Holes and outside take part with the base plane's height, also in maps from elsewhere.
-    const Origin origin = map.origins[i];
-    const bool on_base = origin == Origin::base_plane || origin == Origin::outside;
-    level.heights_mm[i] = on_base ? 0.0F : level.heights_mm[i];
-  }
+/// Holes and outside take part with the base plane's height, also in maps from elsewhere.
+PyramidLevel baseLevel(const DepthMap& map, const PyramidOptions& options, const Task& task) {
+  const GridSize size = map.frame.size;
+  PyramidLevel level{.frame = map.frame, .heights_mm = {}, .measured = {}};
+  level.heights_mm.resize(size.count());
+  inBands(size.rows, threadsFor(size.count(), options.threads), [&](int first, int last) {
+    for (int row = first; row < last; ++row) {
+      if (row % 64 == 0) task.check();
+      const std::size_t at = size.index({.col = 0, .row = row});
+      const float* const heights = &map.heights_mm[at];
+      const Origin* const origins = &map.origins[at];
+      float* const out = &level.heights_mm[at];
+      for (int i = 0; i < size.cols; ++i) {
+        const bool on_base = origins[i] == Origin::base_plane || origins[i] == Origin::outside;
+        out[i] = on_base ? 0.0F : heights[i];
+      }
+    }
+  });
   return level;
 }
 
-std::vector<float> firstShares(const DepthMap& map, const PyramidOptions& options,
-                               GridSize out_size, const Task& task) {
+LargeArray<float> firstShares(const DepthMap& map, const PyramidOptions& options, GridSize out_size,
+                              const Task& task) {
   const GridSize size = map.frame.size;
   if (options.factor == 2) {
     return halvedShares(map.origins, size, out_size, options.threads, task);
   }
-  std::vector<float> measured(map.origins.size());
+  LargeArray<float> measured(map.origins.size());
   std::transform(map.origins.begin(), map.origins.end(), measured.begin(),
                  [](Origin origin) { return origin == Origin::measured ? 1.0F : 0.0F; });
   return reducedBy(options, measured, size, out_size, task);
@@ -92,7 +103,7 @@ Pyramid buildPyramid(const DepthMap& map, const PyramidOptions& options, const T
   const double factor = options.factor;
   requireFactor(map.frame.size, options);
   Pyramid pyramid{.factor = factor, .levels = {}};
-  pyramid.levels.push_back(baseLevel(map));
+  pyramid.levels.push_back(baseLevel(map, options, task));
   while (!isCoarsest(pyramid.levels.back().frame.size, options)) {
     const PyramidLevel& fine = pyramid.levels.back();
     const GridSize size = fine.frame.size;

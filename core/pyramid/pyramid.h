@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/base/large_array.h"
 #include "core/base/task.h"
 #include "core/depth/depth_map.h"
 
@@ -18,10 +19,10 @@ struct PyramidOptions {
 
 /// One level g_l of the pyramid. Heights in true millimetres at every level.
 struct PyramidLevel {
-  GridFrame frame;                ///< Sample i of level l lies at first + i M^l spacing_0, exactly.
-  std::vector<float> heights_mm;  ///< Row-major, row 0 lowest y.
-  std::vector<float> measured;    ///< Share of measured cells under the kernel, [0, 1]; empty at
-                                  ///< level 0, where the map's origins say it.
+  GridFrame frame;               ///< Sample i of level l lies at first + i M^l spacing_0, exactly.
+  LargeArray<float> heights_mm;  ///< Row-major, row 0 lowest y.
+  LargeArray<float> measured;    ///< Share of measured cells under the kernel, [0, 1]; empty at
+                                 ///< level 0, where the map's origins say it.
 };
 
 /// Gaussian pyramid g_0 ... g_N of a depth map; paper sec. 5, its equation for g_l(i, j).

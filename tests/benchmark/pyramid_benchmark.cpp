@@ -11,6 +11,7 @@
 #include <cstring>
 #include <functional>
 #include <opencv2/imgproc.hpp>
+#include <span>
 #include <vector>
 
 #include "core/pyramid/halve.h"
@@ -53,11 +54,12 @@ double bestSeconds(const std::function<void()>& work) {
 
 void ourLevels(const DepthMap& map, int threads) {
   GridSize size = map.frame.size;
-  std::vector<std::vector<float>> levels;
+  std::vector<relievo::LargeArray<float>> levels;
   while (std::max(size.cols, size.rows) > kCoarsest) {
     const GridSize next{.cols = relievo::reducedCount(size.cols, 2),
                         .rows = relievo::reducedCount(size.rows, 2)};
-    const std::vector<float>& fine = levels.empty() ? map.heights_mm : levels.back();
+    const std::span<const float> fine =
+        levels.empty() ? std::span<const float>(map.heights_mm) : levels.back();
     levels.push_back(relievo::halved(fine, size, next, threads, {}));
     size = next;
   }
