@@ -40,7 +40,8 @@ QImage reliefPicture(const Surface& surface, int longest_px) {
   for (const PyramidLevel& level : surface.pyramid.levels) {
     if (std::max(level.frame.size.cols, level.frame.size.rows) >= longest_px) from = &level;
   }
-  const DepthMap map{from->frame, from->heights_mm,
+  const DepthMap map{from->frame,
+                     {from->heights_mm.begin(), from->heights_mm.end()},
                      std::vector<Origin>(from->heights_mm.size(), Origin::measured)};
   ReliefLook look;
   look.kind = ReliefKind::multi_hillshade;

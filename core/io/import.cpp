@@ -98,7 +98,8 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
     return scan;
   };
   if (foresight.format != FileFormat::laz) return read(foresight.program, file);
-  const UnpackedLas unpacked(file, task);
+  UnpackedLas unpacked(file, task);
+  unpacked.waitForAll(task);
   Scan scan = read(ImportProgram::own, unpacked.file());
   scan.info.format.replace(0, 3, "LAZ");
   return scan;

@@ -27,6 +27,7 @@ namespace relievo {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
+constexpr std::uint64_t kMostPoints = 1'000'000'000'000;  // A packed header may say anything.
 
 FileFormat formatOf(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
@@ -64,25 +65,31 @@ bool PointStream::isPacked(const std::filesystem::path& file) {
 PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
                          const Task& task) {
   info_.file = file;
-  FileFormat format = formatOf(file);
-  std::filesystem::path read = file;
-  if (format == FileFormat::laz) {
-    unpacked_ = std::make_shared<const UnpackedLas>(file, task);
-    read = unpacked_->file();
-    format = formatOf(read);
-    if (format != FileFormat::las) refuseScan(file, "what it was unpacked to is no LAS file.");
-  }
-  file_bytes_ = checkedFileSize(read);
+  const FileFormat format = formatOf(file);
+  if (format == FileFormat::laz) openPacked(options, task);
+  const std::filesystem::path& read = unpacked_ ? unpacked_->file() : file;
   fd_.reset(::open(read.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (fd_.get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
-  if (format == FileFormat::las) {
+  if (!unpacked_) file_bytes_ = checkedFileSize(file);
+  if (format == FileFormat::las || unpacked_) {
     openLas(read, options);
-    if (unpacked_) info_.format.replace(0, 3, "LAZ");
   } else if (format == FileFormat::ply) {
     openPly(options);
   } else {
     refuseScan(file,
                "only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.");
+  }
+}
+
+void PointStream::openPacked(const ImportOptions& options, const Task& task) {
+  unpacked_ = std::make_shared<UnpackedLas>(info_.file, task);
+  if (options.accept_incomplete) {
+    unpacked_->waitForAll(task);  // How many there are is to be known first.
+  } else {
+    unpacked_->waitFor(kLasHeadBytes);
+  }
+  if (formatOf(unpacked_->file()) != FileFormat::las) {
+    refuseScan(info_.file, "what it was unpacked to is no LAS file.");
   }
 }
 
@@ -99,7 +106,15 @@ void PointStream::openLas(const std::filesystem::path& las, const ImportOptions&
   stated_bounds_ = header.stated_bounds;
   readLasUnit(head, header, info_);
   addUnitOfSystem(head, header, info_);
-  setFound(header.points, options);
+  if (!unpacked_) return setFound(header.points, options);
+  // Some programs write counts and bounds last.
+  const LasHeader packed = packedLasHeader(info_.file);
+  info_.format.replace(0, 3, "LAZ");
+  stated_bounds_ = packed.stated_bounds;
+  const std::uint64_t promised = std::min(packed.points, kMostPoints);
+  file_bytes_ =
+      options.accept_incomplete ? checkedFileSize(las) : points_at_ + promised * record_bytes_;
+  setFound(promised, options);
 }
 
 void PointStream::openPly(const ImportOptions& options) {
@@ -143,6 +158,11 @@ void PointStream::setFound(std::uint64_t promised, const ImportOptions& options)
 }
 
 void PointStream::readBytes(std::uint64_t at, std::span<char> bytes) const {
+  if (unpacked_ && !unpacked_->waitFor(at + bytes.size())) {
+    refuseScan(info_.file,
+               "unpacked it has fewer points than its header says. The file is probably damaged; "
+               "copy or export it again.");
+  }
   while (!bytes.empty()) {
     const ssize_t got = ::pread(fd_.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
     if (got < 0 && errno == EINTR) continue;

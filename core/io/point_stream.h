@@ -19,20 +19,21 @@ namespace relievo {
 class UnpackedLas;
 
 /// The points of a large file, block by block, without the file or the points in memory: LAS, and
-/// binary PLY whose points have fixed places; LAZ and COPC after they were unpacked to the disk.
+/// binary PLY whose points have fixed places; LAZ and COPC while they are unpacked to the disk.
 /// importScan reads the same points of the same files at once, and everything else.
 class PointStream {
  public:
   /// Can these files' points be read in blocks? By content. @throw FileError  missing, empty ...
   static bool canStream(const std::filesystem::path& file);
 
-  /// Is this a LAZ or COPC file, whose points are nowhere before all of it is unpacked?
+  /// Is this a LAZ or COPC file, whose points are to be had only as fast as it is unpacked?
   /// @throw FileError  missing, empty ...
   static bool isPacked(const std::filesystem::path& file);
 
-  /// Reads the header only; unpacks LAZ and COPC by an installed program to where TMPDIR says,
-  /// until this object ends (core/io/unpack_las.h). Of `options` max_points does not apply.
+  /// Reads the header only; starts an installed program that unpacks LAZ and COPC to where TMPDIR
+  /// says, until this object ends (core/io/unpack_las.h). Of `options` max_points does not apply.
   /// [worker]
+  /// @param task  also stops what `read` waits for
   /// @throw FileError  malformed, or incomplete (E101) unless accepted; Cancelled
   explicit PointStream(const std::filesystem::path& file, const ImportOptions& options = {},
                        const Task& task = {});
@@ -46,9 +47,11 @@ class PointStream {
 
   /// Reads up to block.size() points from the `first` on, file coordinates. A point that importScan
   /// would leave out (not finite, or beyond 1e38) is three NaN, so that numbers stay those of the
-  /// file. The same for every size of block. Allocates at most 1 MB. [any thread]
+  /// file. The same for every size of block. Allocates at most 1 MB. Of LAZ and COPC, waits until
+  /// these points are unpacked. [any thread]
   /// @return  points read; fewer than asked for only at the end
-  /// @throw FileError  the file became shorter, or its disk failed
+  /// @throw FileError  the file became shorter, its disk failed, or it cannot be unpacked
+  /// @throw Cancelled  by the task it was opened with, while it waits
   std::size_t read(std::uint64_t first, std::span<FilePoint> block) const;
 
  private:
@@ -59,6 +62,7 @@ class PointStream {
   };
 
   void openLas(const std::filesystem::path& las, const ImportOptions& options);
+  void openPacked(const ImportOptions& options, const Task& task);
   void openPly(const ImportOptions& options);
   void setFound(std::uint64_t promised, const ImportOptions& options);
   void readBytes(std::uint64_t at, std::span<char> bytes) const;
@@ -66,7 +70,7 @@ class PointStream {
 
   ScanInfo info_;
   std::optional<FileBounds> stated_bounds_;
-  std::shared_ptr<const UnpackedLas> unpacked_;  ///< Of LAZ and COPC.
+  std::shared_ptr<UnpackedLas> unpacked_;  ///< Of LAZ and COPC.
   OwnedFd fd_;
   std::uint64_t file_bytes_ = 0;
   std::uint64_t points_at_ = 0;

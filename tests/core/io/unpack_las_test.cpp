@@ -30,9 +30,8 @@ using namespace test;
 using ::testing::HasSubstr;
 
 /// A compressed file as far as its header says so.
-std::string lazFile() {
-  std::string bytes = lasFile({});
-  bytes[104] = '\x80';
+std::string packedAs(std::string bytes) {
+  bytes[104] = static_cast<char>(bytes[104] | '\x80');
   return bytes;
 }
 
@@ -44,7 +43,7 @@ class UnpackLas : public ::testing::Test {
     old_path_ = std::getenv("PATH");
     ::setenv("PATH", (folder_.path() / "bin").c_str(), 1);
     ::setenv("TMPDIR", (folder_.path() / "tmp").c_str(), 1);
-    packed_ = folder_.write("scan.laz", lazFile());
+    packed_ = folder_.write("scan.laz", packedAs(lasFile({})));
     plain_ = folder_.write("plain.las", lasFile({}));
   }
   void TearDown() override {
@@ -168,6 +167,83 @@ TEST_F(UnpackLas, APointStreamStopsTheProgramWhenAsked) {
   stop.request_stop();
   open.join();
   EXPECT_TRUE(cancelled);
+}
+
+/// More than the head that is looked at when a stream is opened: points i, i/2, i/4.
+Las longFile() {
+  constexpr std::uint32_t kPoints = 200'000;
+  Las las;
+  las.count = kPoints;
+  las.promised = las.legacy_promised = kPoints;
+  return las;
+}
+
+TEST_F(UnpackLas, APointStreamReadsTheFirstPointsWhileTheLastAreUnpacked) {
+  packed_ = folder_.write("scan.laz", packedAs(lasFile(longFile())));
+  plain_ = folder_.write("plain.las", lasFile(longFile()));
+  const auto go_on = folder_.path() / "go_on";
+  install("laszip", "head -c 1500000 " + quoted(plain_) + " > \"$4\"\nwhile [ ! -e " +
+                        quoted(go_on) + " ]; do sleep 0.01; done\ntail -c +1500001 " +
+                        quoted(plain_) + " >> \"$4\"");
+  const PointStream stream(packed_);
+  ASSERT_EQ(stream.info().points, 200'000U);
+  std::vector<FilePoint> block(3);
+  ASSERT_EQ(stream.read(7, block), 3U);
+  EXPECT_EQ(block[2], (FilePoint{9, 4.5, 2.25}));
+  EXPECT_FALSE(std::filesystem::exists(go_on)) << "nobody told it to go on";
+  std::jthread later([&] { std::ofstream(go_on) << "now"; });
+  ASSERT_EQ(stream.read(199'997, block), 3U);
+  EXPECT_EQ(block[2], (FilePoint{199'999, 99'999.5, 49'999.75}));
+}
+
+TEST_F(UnpackLas, AProgramThatFailsAfterTheFirstPointsIsQuotedToEveryReader) {
+  packed_ = folder_.write("scan.laz", packedAs(lasFile(longFile())));
+  plain_ = folder_.write("plain.las", lasFile(longFile()));
+  install("laszip", "head -c 1500000 " + quoted(plain_) +
+                        " > \"$4\"\necho 'ERROR: chunk 7 is corrupt' >&2\nexit 3");
+  const PointStream stream(packed_);
+  std::vector<FilePoint> block(3);
+  EXPECT_EQ(stream.read(7, block), 3U);
+  for (int reader = 0; reader < 2; ++reader) {
+    EXPECT_THAT(refusalOf([&] { stream.read(199'997, block); }).words,
+                HasSubstr("laszip cannot unpack it (\"ERROR: chunk 7 is corrupt\")"));
+  }
+  install("laszip", "head -c 1500000 " + quoted(plain_) + " > \"$4\"");
+  const PointStream shorter(packed_);
+  EXPECT_THAT(refusalOf([&] { shorter.read(199'997, block); }).words,
+              HasSubstr("unpacked it has fewer points than its header says"));
+  const PointStream accepted(packed_, {.accept_incomplete = true});
+  EXPECT_LT(accepted.info().points, 200'000U);
+  EXPECT_GT(accepted.info().points, 1000U);
+}
+
+TEST_F(UnpackLas, StoppingEndsAReaderThatWaits) {
+  packed_ = folder_.write("scan.laz", packedAs(lasFile(longFile())));
+  plain_ = folder_.write("plain.las", lasFile(longFile()));
+  install("laszip", "head -c 1500000 " + quoted(plain_) + " > \"$4\"\nsleep 600");
+  std::stop_source stop;
+  const PointStream stream(packed_, {}, {.stop = stop.get_token(), .progress = {}});
+  std::jthread later([&] { stop.request_stop(); });
+  std::vector<FilePoint> block(3);
+  EXPECT_THROW(stream.read(199'997, block), Cancelled);
+}
+
+TEST_F(UnpackLas, ProgressCountsFromThePackedFilesHeader) {
+  packed_ = folder_.write("scan.laz", packedAs(lasFile(longFile())));
+  plain_ = folder_.write("plain.las", lasFile(longFile()));
+  const auto go_on = folder_.path() / "go_on";
+  const auto half = std::filesystem::file_size(plain_) / 2;
+  install("laszip", "head -c " + std::to_string(half) + " " + quoted(plain_) +
+                        " > \"$4\"\nwhile [ ! -e " + quoted(go_on) +
+                        " ]; do sleep 0.01; done\ncat " + quoted(plain_) + " > \"$4\"");
+  double seen = 0;
+  const Task task{.stop = {}, .progress = [&](std::string_view step, double fraction) {
+                    if (step != "unpacking" || fraction < 0.4) return;
+                    if (seen == 0) seen = fraction;
+                    std::ofstream(go_on) << "now";
+                  }};
+  importScan(packed_, {}, task);
+  EXPECT_NEAR(seen, 0.5, 1e-3);
 }
 
 TEST_F(UnpackLas, APointStreamOfWhatIsNoLasIsRefused) {
