@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/host.h"
 
+#include <memory>
+#include <new>
+#include <QFile>
+#include <QFileInfo>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/provenance/sha256.h"
 #include "core/region/edges.h"
 #include "core/session/finer_heights.h"
+#include "core/session/firmness.h"
 #include "ui/detail_view.h"
+#include "ui/spoken_error.h"
 
 namespace relievo {
 
@@ -68,6 +76,47 @@ std::vector<float> WindowHost::finerHeights(const RegionWindow& window) const {
   const auto surface = window_.document().surface();
   if (!surface || surface->tiles) return {};
   return relievo::finerHeights(*surface, window.region, window.gain);
+}
+
+namespace {
+/// What a worker leaves for the GUI thread.
+struct FirmnessReply {
+  std::shared_ptr<const FirmnessMap> firmness;
+  QString problem;
+};
+
+FirmnessReply firmnessIn(const QString& file, const Task& task) {
+  try {
+    const std::filesystem::path path = QFile::encodeName(file).toStdString();
+    auto firmness = std::make_shared<FirmnessMap>(readFirmness(path, task));
+    firmness->sha256 = sha256OfFile(path, task);
+    return {std::move(firmness), {}};
+  } catch (const Error& error) {
+    return {nullptr, spokenError(error)};
+  } catch (const std::bad_alloc&) {
+    return {nullptr, WindowHost::tr("%1 is too large for the memory and was not used. Make it "
+                                    "coarser; it is laid over the whole map.")
+                         .arg(QFileInfo(file).fileName())};
+  }
+}
+}  // namespace
+
+void WindowHost::readFirmness(const QString& file) {
+  auto reply = std::make_shared<FirmnessReply>();
+  firmness_worker_.start(
+      [file, reply](const Task& task) { *reply = firmnessIn(file, task); },
+      [this, file, reply] { Q_EMIT firmnessRead(file, reply->firmness, reply->problem); });
+}
+
+std::vector<float> WindowHost::firmnessUnder(const FirmnessMap& firmness,
+                                             const RegionWindow& window) const {
+  const auto surface = window_.document().surface();
+  if (!surface) throw ArgumentError("No map is open that the raster could lie on.");
+  try {
+    return relievo::firmnessUnder(firmness, surface->ladder, window.region);
+  } catch (const ArgumentError& error) {
+    throw ArgumentError(spokenError(error).toStdString());
+  }
 }
 
 bool WindowHost::showRegion(const Region& region) {

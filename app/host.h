@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plugins/api/plugin.h"
+#include "ui/latest_worker.h"
 #include "ui/main_window.h"
 
 namespace relievo {
@@ -21,6 +22,9 @@ class WindowHost : public Host {
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;
   std::vector<float> finerHeights(const RegionWindow& window) const override;
+  void readFirmness(const QString& file) override;
+  std::vector<float> firmnessUnder(const FirmnessMap& firmness,
+                                   const RegionWindow& window) const override;
   bool showRegion(const Region& region) override;
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
@@ -28,6 +32,7 @@ class WindowHost : public Host {
 
  private:
   MainWindow& window_;
+  LatestWorker firmness_worker_;
 };
 
 }  // namespace relievo

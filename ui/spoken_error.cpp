@@ -42,6 +42,12 @@ constexpr std::array kSentences{
         "This needs about %1; %2 are free. Nothing was made. Choose cells of at least "
         "%3 (%4), or close other programs."),
     QT_TRANSLATE_NOOP("Core",
+                      "%1 has %2 cells, but the map is %3 mm: it is not a raster of the whole map, "
+                      "and was not used. Cut it to the outline of the map."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 "
+                      "where the ground is firm, 0 where it is softest."),
+    QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1: %2. Check the folder, its permissions and the free space."),
     QT_TRANSLATE_NOOP("Core",
                       "Recording stopped: disk full. %1 samples are saved and complete in \"%2\"."),

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/batch/replay_window.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <utility>
 
 #include "app/batch/state.h"
 #include "core/base/error.h"
+#include "core/provenance/sha256.h"
 #include "core/session/finer_heights.h"
+#include "core/session/firmness.h"
 #include "core/session/tiled_surface.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/record/recorded_loop.h"
@@ -18,7 +22,11 @@ namespace {
 /// The surfaces of a recording, each prepared once.
 class Scenes {
  public:
-  explicit Scenes(Surface surface) : surface_(std::move(surface)) {}
+  Scenes(Surface surface, const RecordedLoop& loop, std::filesystem::path recording, Task task)
+      : surface_(std::move(surface)),
+        loop_(loop),
+        recording_(std::move(recording)),
+        task_(std::move(task)) {}
 
   const HapticSpace& at(const RecordedScene& scene) {
     std::unique_ptr<HapticSpace>& space = spaces_[scene.id];
@@ -27,13 +35,17 @@ class Scenes {
   }
 
  private:
-  std::unique_ptr<HapticSpace> made(const RecordedScene& scene) const {
+  std::unique_ptr<HapticSpace> made(const RecordedScene& scene) {
     RegionWindow window = windowOf(surface_, scene.region, scene.gain);
     window.id = scene.window_id;
     auto space = std::make_unique<HapticSpace>();
     const DetailLadder& ladder = surface_.ladder;
+    std::vector<float> firmness;
+    if (!scene.firmness.empty()) {
+      firmness = firmnessUnder(firmnessOf(scene.firmness), ladder, scene.region);
+    }
     fill(*space, window, {ladder.detailOf(scene.region.level), ladder.levels()}, scene.kind,
-         scene.anchor);
+         scene.anchor, firmness);
     if (scene.textured) fillTexture(*space, finerHeights(surface_, scene.region, scene.gain));
     space->scene_id = scene.id;
     if (sceneChecksum(*space) != scene.checksum) {
@@ -44,7 +56,34 @@ class Scenes {
     return space;
   }
 
+  /// Read once, if it is the one that was felt.
+  const FirmnessMap& firmnessOf(const std::string& sha256) {
+    if (const auto read = firmness_.find(sha256); read != firmness_.end()) return read->second;
+    const auto named = loop_.firmness.find(sha256);
+    if (named == loop_.firmness.end()) {
+      throw FileError(
+          "The recording does not say where its raster of firm ground is. Nothing was "
+          "replayed.");
+    }
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::absolute(recording_, error).parent_path();
+    const std::filesystem::path file =
+        foundInput(recording_, (folder / named->second).lexically_normal());
+    if (sha256OfFile(file, task_) != sha256) {
+      throw ChangedInputError("'" + file.filename().string() +
+                                  "' is not the raster of firm ground that was felt (checksum "
+                                  "differs, E501). Nothing was replayed. Put the right one back, "
+                                  "there or beside the recording.",
+                              "E501");
+    }
+    return firmness_.emplace(sha256, readFirmness(file, task_)).first->second;
+  }
+
   Surface surface_;
+  const RecordedLoop& loop_;
+  std::filesystem::path recording_;
+  Task task_;
+  std::map<std::string, FirmnessMap> firmness_;  ///< By SHA-256.
   std::map<std::uint64_t, std::unique_ptr<HapticSpace>> spaces_;
 };
 
@@ -55,7 +94,8 @@ std::optional<ReplayResult> replayOfWindow(
     const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
   const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
   if (!loop) return std::nullopt;
-  Scenes scenes(loadStored({.from_image = file, .project = {}}, input, task).surface);
+  Scenes scenes(loadStored({.from_image = file, .project = {}}, input, task).surface, *loop, file,
+                task);
   return replayLoop(
       *loop, log,
       [&scenes](const RecordedScene& scene) -> const HapticSpace& { return scenes.at(scene); },

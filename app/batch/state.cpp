@@ -16,19 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the state says (absolute), beside the carrier, in the working folder, in a package.
-fs::path foundInput(const fs::path& carrier, const fs::path& stored) {
-  std::error_code error;
-  const fs::path folder = fs::absolute(carrier, error).parent_path();
-  for (const fs::path& candidate : {stored, folder / stored.filename(), stored.filename(),
-                                    (folder / "../input" / stored.filename()).lexically_normal()}) {
-    if (fs::is_regular_file(candidate, error)) return candidate;
-  }
-  throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
-                      "', which is not there (E501). Nothing was made. Give its place as FILE.",
-                  "E501");
-}
-
 /// Sets file and checksum to what is there now.
 void findInput(Project& project, const fs::path& carrier, const std::string& given,
                bool accept_changed, const Task& task) {
@@ -74,6 +61,18 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
 }
 
 }  // namespace
+
+fs::path foundInput(const fs::path& carrier, const fs::path& stored) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(carrier, error).parent_path();
+  for (const fs::path& candidate : {stored, folder / stored.filename(), stored.filename(),
+                                    (folder / "../input" / stored.filename()).lexically_normal()}) {
+    if (fs::is_regular_file(candidate, error)) return candidate;
+  }
+  throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
+                      "', which is not there (E501). Nothing was made. Give its place as FILE.",
+                  "E501");
+}
 
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const fs::path& out, const Task& task) {

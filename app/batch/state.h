@@ -41,6 +41,11 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& arguments);
 void refuseBeside(const CLI::App& verb, const CarrierArguments& arguments,
                   std::initializer_list<const char*> allowed);
 
+/// Where the file is that a carrier names: as stored, beside the carrier, in the working folder, or
+/// in the folder of inputs of a package. @throw FileError  E501, nowhere there
+std::filesystem::path foundInput(const std::filesystem::path& carrier,
+                                 const std::filesystem::path& stored);
+
 /// A state that came back, and the surface it belongs to.
 struct Stored {
   Surface surface;

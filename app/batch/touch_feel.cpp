@@ -7,8 +7,6 @@
 
 #include "app/batch/json.h"
 #include "app/batch/touch_setup.h"
-#include "core/io/import.h"
-#include "core/io/raster.h"
 
 namespace relievo::batch {
 namespace {
@@ -169,35 +167,6 @@ std::string feelJson(const TouchArguments& a) {
   json["contact_n"] = feel.transient.contact_n;
   json["crossing_n"] = feel.transient.crossing_n;
   return json.dump();
-}
-
-std::vector<float> firmnessOf(const TouchArguments& a, const Surface& surface,
-                              const RegionWindow& window, const Task& task) {
-  if (a.firmness.empty()) return {};
-  const RasterMap raster = importRaster(a.firmness, {}, task);
-  const DetailLadder& map = surface.ladder;
-  std::vector<float> parts(kWindowCount);
-  const auto place = [](double at, double first, double length, int count) {
-    const double cell = std::floor((at - first) / length * count);
-    return static_cast<int>(std::clamp(cell, 0.0, count - 1.0));
-  };
-  const Region& region = window.region;
-  for (int row = 0; row < kWindowSamples; ++row) {
-    for (int col = 0; col < kWindowSamples; ++col) {
-      const double x = region.x_mm + (col + 0.5) * window.spacingMm();
-      const double y = region.y_mm + (row + 0.5) * window.spacingMm();
-      const Cell cell{place(x, map.left_mm, map.width_mm, raster.size.cols),
-                      place(y, map.bottom_mm, map.height_mm, raster.size.rows)};
-      const std::size_t i = raster.size.index(cell);
-      const float part = raster.valid[i] ? raster.values[i] : 0;
-      if (!(part >= 0 && part <= 1)) {
-        throw ArgumentError("--firmness: " + a.firmness +
-                            " holds values outside 0 to 1. Nothing was touched; scale them.");
-      }
-      parts[HapticSpace::index(col, row)] = part;
-    }
-  }
-  return parts;
 }
 
 }  // namespace relievo::batch

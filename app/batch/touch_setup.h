@@ -46,11 +46,6 @@ SurfaceFeel feelOf(const TouchArguments& arguments);
 void addFeelOptions(CLI::App& verb, TouchArguments& arguments);
 /// The same in words for headers and reports: JSON, every value written out.
 std::string feelJson(const TouchArguments& arguments);
-/// kWindowCount parts from 0 to 1 of the raster --firmness, laid over the whole map; empty if none
-/// was given. @throw FileError, ArgumentError  a value outside [0, 1]
-std::vector<float> firmnessOf(const TouchArguments& arguments, const Surface& surface,
-                              const RegionWindow& window, const Task& task);
-
 /// What is touched, and how.
 struct TouchSetup {
   Surface surface;

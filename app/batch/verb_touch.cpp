@@ -15,6 +15,7 @@
 #include "core/provenance/embedded.h"
 #include "core/region/hand.h"
 #include "core/session/finer_heights.h"
+#include "core/session/firmness.h"
 #include "core/session/tiled_surface.h"
 #include "haptics/device_catalog.h"
 #include "haptics/proxy/surface.h"
@@ -105,6 +106,10 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
   if (!a.stroke.empty()) {
     const InputFile stroke = inputFile(a.stroke, {}, task);
     touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+  }
+  if (!a.firmness.empty()) {
+    const InputFile firmness = inputFile(a.firmness, {}, task);
+    touch["firmness"] = {{"file", firmness.file}, {"sha256", firmness.sha256}};
   }
   touch["frame"] = a.frame;
   touch["device"] = a.device;
@@ -198,9 +203,13 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   warnIfAliased(surface, region);
   setup.window = windowOf(surface, region, a.region.gain);
   setup.space = std::make_unique<HapticSpace>();
+  std::vector<float> firmness;
+  if (!a.firmness.empty()) {
+    firmness = firmnessUnder(readFirmness(a.firmness, task), surface.ladder, region);
+  }
   fill(*setup.space, setup.window,
        {.detail = surface.ladder.detailOf(region.level), .levels = surface.ladder.levels()},
-       feelOf(a).surface, {}, firmnessOf(a, surface, setup.window, task));
+       feelOf(a).surface, {}, firmness);
   if (setup.options.fields.texture_mm > 0) {
     fillTexture(*setup.space, finerHeights(surface, region, a.region.gain));
   }

@@ -16,6 +16,7 @@ namespace relievo {
 
 namespace {
 constexpr std::string_view kDigits = "0123456789abcdef";
+constexpr std::string_view kNone = "-";
 
 /// The bytes of a value as text, and back.
 template <class T>
@@ -43,6 +44,30 @@ bool fromHex(std::string_view text, T& value) {
     bytes[i] = static_cast<unsigned char>(16 * high + low);
   }
   std::memcpy(static_cast<void*>(&value), bytes.data(), sizeof(T));
+  return true;
+}
+
+/// A file's name as one word of a line: blanks and what is no letter of ASCII as %XX.
+std::string oneWord(std::string_view text) {
+  std::string word;
+  for (const char letter : text) {
+    if (letter > ' ' && letter < '\x7f' && letter != '%') {
+      word += letter;
+    } else {
+      word += '%' + hexOf(letter);
+    }
+  }
+  return word;
+}
+
+bool fromWord(std::string_view word, std::string& text) {
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    char letter = word[i];
+    if (letter == '%' && !fromHex(word.substr(std::min(i + 1, word.size()), 2), letter))
+      return false;
+    if (word[i] == '%') i += 2;
+    text += letter;
+  }
   return true;
 }
 
@@ -90,7 +115,7 @@ std::string textOf(double value) {
 }
 
 RecordedScene sceneOf(const std::vector<std::string_view>& words) {
-  constexpr std::size_t kPlain = 12, kAnchored = 18;
+  constexpr std::size_t kPlain = 13, kAnchored = kPlain + 6;
   if (words.size() != kPlain && words.size() != kAnchored) refuse("a surface is not told in full");
   const auto real = [&](std::size_t i) { return numberOf<double>(words[i]); };
   RecordedScene scene;
@@ -103,8 +128,9 @@ RecordedScene sceneOf(const std::vector<std::string_view>& words) {
   scene.kind = static_cast<SurfaceKind>(kind);
   scene.textured = numberOf<int>(words[10]) != 0;
   scene.checksum = numberOf<std::uint64_t>(words[11]);
+  if (words[12] != kNone) scene.firmness = words[12];
   if (words.size() == kAnchored) {
-    scene.anchor = Anchor{{real(12), real(13), real(14)}, {real(15), real(16), real(17)}};
+    scene.anchor = Anchor{{real(13), real(14), real(15)}, {real(16), real(17), real(18)}};
   }
   return scene;
 }
@@ -127,13 +153,17 @@ std::string sceneLine(const RecordedScene& s) {
   for (const double v : {s.region.x_mm, s.region.y_mm, s.region.side_mm}) line += " " + textOf(v);
   line += " " + std::to_string(s.region.level.value) + " " + textOf(s.gain) + " " +
           std::to_string(static_cast<int>(s.kind)) + (s.textured ? " 1 " : " 0 ") +
-          std::to_string(s.checksum);
+          std::to_string(s.checksum) + " " + (s.firmness.empty() ? std::string(kNone) : s.firmness);
   if (s.anchor) {
     const ViewMm& p = s.anchor->point;
     const DeviceMm& at = s.anchor->at;
     for (const double v : {p.x, p.y, p.z, at.x, at.y, at.z}) line += " " + textOf(v);
   }
   return line + "\n";
+}
+
+std::string firmnessLine(std::string_view sha256, std::string_view file) {
+  return "replay firmness " + std::string(sha256) + " " + oneWord(file) + "\n";
 }
 
 std::string optionsLine(const HapticOptions& options) {
@@ -179,6 +209,10 @@ std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_vi
     } else if (words[1] == "scene") {
       const RecordedScene scene = sceneOf(words);
       loop.scenes[scene.id] = scene;
+    } else if (words[1] == "firmness") {
+      if (!fromWord(words[3], loop.firmness[std::string(words[2])])) {
+        refuse("the name of its raster of firmness is damaged");
+      }
     } else if (words[1] == "at" && words.size() == 7) {
       loop.changes[numberOf<std::uint64_t>(words[2])] = {
           numberOf<std::uint64_t>(words[3]), numberOf<std::uint64_t>(words[4]),

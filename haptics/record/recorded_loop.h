@@ -24,6 +24,7 @@ struct RecordedScene {
   SurfaceKind kind = SurfaceKind::gated;
   std::optional<Anchor> anchor;
   bool textured = false;
+  std::string firmness = {};   ///< SHA-256 of the raster that said where it is firm; or empty.
   std::uint64_t checksum = 0;  ///< sceneChecksum().
 };
 
@@ -31,6 +32,9 @@ struct RecordedScene {
 std::uint64_t sceneChecksum(const HapticSpace& space);
 
 std::string sceneLine(const RecordedScene& scene);
+/// Where a raster of firmness is found that scenes name.
+/// @param file  from the recording's folder, or absolute
+std::string firmnessLine(std::string_view sha256, std::string_view file);
 std::string optionsLine(const HapticOptions& options);
 /// @param build  names the program that wrote it
 std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
@@ -50,6 +54,7 @@ struct RecordedLoop {
   std::map<std::uint64_t, HapticOptions> options;
   std::map<std::uint64_t, RecordedScene> scenes;
   std::map<std::uint64_t, LoopChange> changes;  ///< By tick.
+  std::map<std::string, std::string> firmness;  ///< Files of firmnessLine(), by SHA-256.
 };
 /// Nothing: the log has no such lines. @throw FileError  another build wrote them; or damaged
 std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build);

@@ -17,6 +17,8 @@ class QWidget;
 
 namespace relievo {
 
+struct FirmnessMap;  // core/session/firmness.h
+
 /// One point of the two plots (paper, force figure). Heights in view mm, force in newtons.
 struct PlotSample {
   double t_s = 0;
@@ -64,6 +66,13 @@ class Host : public QObject {
   /// What the next finer level says about a shown window, 400 x 400 heights with its gain
   /// (core/session/finer_heights.h). Empty: nothing, or it would have to be read from disk.
   virtual std::vector<float> finerHeights(const RegionWindow& /*window*/) const { return {}; }
+  /// Reads a raster that says where the ground is firm, off the GUI thread; firmnessRead() answers.
+  /// A newer call takes the place of an older one.
+  virtual void readFirmness(const QString& file) = 0;
+  /// What it says at the samples of a window of the open map.
+  /// @throw ArgumentError  it is no raster of that map, or no map is open
+  virtual std::vector<float> firmnessUnder(const FirmnessMap& firmness,
+                                           const RegionWindow& window) const = 0;
   /// Goes back to a region that was shown. @return false: nothing is open, or it is shown already
   virtual bool showRegion(const Region& region) = 0;
   /// Sides on which the shown window is at the object's edge, as edgesOf() says; 0 while there is
@@ -78,6 +87,9 @@ class Host : public QObject {
  Q_SIGNALS:
   void windowShown(std::shared_ptr<const RegionWindow> window);  ///< Also sent once after attach.
   void handMoved(const HandTarget& target);
+  /// @param firmness  with its checksum; null: `problem` says why not, in a sentence
+  void firmnessRead(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
+                    const QString& problem);
   void closing();
 };
 

@@ -5,6 +5,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -129,6 +131,11 @@ QFormLayout* HapticsPanel::rows() {
   labelled(tr("Fr&iction"), friction_, friction_);
   labelled(tr("Dam&ping"), damping_, damping_);
   labelled(tr("Not &measured"), soft_, soft_);
+  auto* firmness_row = new QHBoxLayout;
+  firmness_row->addWidget(firmness_name_, 1);
+  firmness_row->addWidget(firmness_choose_);
+  firmness_row->addWidget(firmness_none_);
+  labelled(tr("Fi&rm ground"), firmness_choose_, firmness_row);
   labelled(tr("Tic&k there"), tick_, tick_);
   labelled(tr("Text&ure"), texture_, texture_);
   labelled(tr("K&nock"), knock_, knock_);
@@ -208,6 +215,15 @@ void HapticsPanel::buildFields() {
                  tr("How stiff filled gaps and the base plane are, as a part of the stiffness of "
                     "measured ground. 100 %: no difference."),
                  kPercent * kLeastSoftPart, kPercent, 5, 0});
+  firmness_name_ = readout("firmnessName", tr("What says where the ground is firm"));
+  firmness_choose_ = named(new QPushButton(tr("Choose…")), "firmnessChoose",
+                           tr("Choose a raster that says where the ground is firm"));
+  firmness_choose_->setToolTip(
+      tr("A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set "
+         "above. In place of where it was measured."));
+  firmness_none_ = named(new QPushButton(tr("Non&e")), "firmnessNone",
+                         tr("No raster: firm where it was measured"));
+  firmness_none_->setToolTip(tr("The ground is firm where it was measured."));
   tick_ =
       numberBox({"crossingTick", tr("Tick at the border of measured ground, in newtons"), tr(" N"),
                  tr("A faint tick on the way from measured ground to other ground, and "
@@ -244,6 +260,8 @@ void HapticsPanel::connectControls() {
   }
   connect(preset_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           &HapticsPanel::takePreset);
+  connect(firmness_choose_, &QPushButton::clicked, this, &HapticsPanel::askFirmness);
+  connect(firmness_none_, &QPushButton::clicked, this, [this] { Q_EMIT firmnessAsked({}); });
   connect(scope_, &QPushButton::clicked, this, &HapticsPanel::showScope);
   connect(details_, &QPushButton::clicked, this, &HapticsPanel::showDetails);
 }
@@ -348,6 +366,8 @@ void HapticsPanel::setSettings(const TouchSettings& settings) {
     magnet_reach_mm_ = feel.fields.magnet_reach_mm;
     chooseDevice(QString::fromStdString(settings.device));
   }
+  firmness_ = settings.firmness;
+  showFirmness();
   changed();
 }
 
@@ -373,8 +393,36 @@ TouchSettings HapticsPanel::settings() const {
   TouchSettings settings;
   settings.strength_percent = strength_->value();
   settings.feel = feel();
+  settings.firmness = firmness_;
   settings.device = device_->currentData().toString().toStdString();
   return settings;
+}
+
+void HapticsPanel::askFirmness() {
+  auto* dialog = new QFileDialog(this, tr("Raster of firm ground"),
+                                 QFileInfo(QString::fromStdString(firmness_)).absolutePath(),
+                                 tr("Rasters (*.tif *.tiff *.asc *.png);;All files (*)"));
+  dialog->setObjectName(QStringLiteral("firmness_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &HapticsPanel::firmnessAsked);
+  dialog->open();
+}
+
+void HapticsPanel::setFirmnessUsed(bool used) {
+  firmness_used_ = used;
+  showFirmness();
+}
+
+void HapticsPanel::showFirmness() {
+  const QString name = QFileInfo(QString::fromStdString(firmness_)).fileName();
+  const QString text = firmness_.empty() ? tr("where it was measured")
+                       : firmness_used_  ? name
+                                         : tr("%1 (not of this map)").arg(name);
+  setTextIfNew(firmness_name_, text);
+  firmness_name_->setToolTip(QString::fromStdString(firmness_));
+  firmness_choose_->setAccessibleDescription(text);
+  firmness_none_->setEnabled(!firmness_.empty());
 }
 
 void HapticsPanel::showDetails() {

@@ -27,6 +27,8 @@ class HapticsPanel : public QWidget {
   void setSettings(const TouchSettings& settings);
   TouchSettings settings() const;
   void setForcesAsked(bool on);
+  /// Is the raster of the settings laid under the hand, or does it not fit the open map?
+  void setFirmnessUsed(bool used);
   /// Those that are there now; the chosen one stays chosen.
   void listDevices();
   void show(const LoopReport& report);  ///< A few times a second.
@@ -36,6 +38,7 @@ class HapticsPanel : public QWidget {
  Q_SIGNALS:
   void forcesAsked(bool on);
   void settingsChanged();
+  void firmnessAsked(const QString& file);  ///< Empty: none.
 
  private:
   void buildControls();
@@ -53,6 +56,8 @@ class HapticsPanel : public QWidget {
   QFormLayout* rows();
   void showDetails();
   void showScope();
+  void askFirmness();
+  void showFirmness();
   void changed();
 
   QCheckBox* forces_ = nullptr;
@@ -66,6 +71,9 @@ class HapticsPanel : public QWidget {
   QDoubleSpinBox* friction_ = nullptr;
   QDoubleSpinBox* damping_ = nullptr;
   QDoubleSpinBox* soft_ = nullptr;
+  QLabel* firmness_name_ = nullptr;
+  QPushButton* firmness_choose_ = nullptr;
+  QPushButton* firmness_none_ = nullptr;
   QDoubleSpinBox* tick_ = nullptr;
   QDoubleSpinBox* texture_ = nullptr;
   QDoubleSpinBox* knock_ = nullptr;
@@ -82,7 +90,9 @@ class HapticsPanel : public QWidget {
   DetailStiffness detail_stiffness_ = kDetailStiffness;
   double fixed_stiffness_ = 0;  // The same at every level.
   double magnet_reach_mm_ = 3;  // No control of its own.
-  int health_shows_ = 0;        // Since the health line was written.
+  std::string firmness_;        // As in the settings.
+  bool firmness_used_ = true;
+  int health_shows_ = 0;  // Since the health line was written.
 };
 
 }  // namespace relievo

@@ -45,6 +45,7 @@ void HapticsPlugin::attach(Host& host) {
   plugs_ = std::make_unique<falcon::PlugWatch>();
   sleep_ = std::make_unique<SleepWatch>();
   slowReadouts();
+  restoreFirmness();
 }
 
 void HapticsPlugin::openDevice() {
@@ -91,6 +92,8 @@ void HapticsPlugin::detach() noexcept {
   buttons_.reset();
   session_.reset();  // Zero force, joins, closes an open recording.
   forces_asked_ = false;
+  firmness_.reset();
+  firmness_awaited_.clear();
   shown_ = {};
   host_ = nullptr;
 }
@@ -103,22 +106,8 @@ void HapticsPlugin::connectHost() {
   connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
     if (session_) session_->moveHand(target.position);
   });
+  connect(host_, &Host::firmnessRead, this, &HapticsPlugin::takeFirmness);
   connect(host_, &Host::closing, this, [this] { setForces(false); });
-}
-
-void HapticsPlugin::showWindow(const RegionWindow& window) {
-  shown_ = {};  // The host may have cleared its probe.
-  surface_ = settings_.feel.surface;
-  try {
-    std::vector<float> finer_mm;
-    textured_ = settings_.feel.fields.texture_mm > 0;
-    if (textured_) finer_mm = host_->finerHeights(window);
-    session_->show(window, surface_, finer_mm);
-    if (session_->recorder().running()) recorded_windows_ += windowLine(window);
-  } catch (const Error& error) {
-    setForces(false);
-    host_->announce(QString::fromStdString(error.what()));
-  }
 }
 
 void HapticsPlugin::connectControls() {
@@ -129,6 +118,12 @@ void HapticsPlugin::connectControls() {
   connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
   connect(actions_.setup, &QAction::triggered, this, &HapticsPlugin::setUpDevice);
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
+  connect(panel_, &HapticsPanel::firmnessAsked, this, [this](const QString& file) {
+    if (!file.isEmpty()) return askFirmness(file, true);
+    firmness_awaited_.clear();
+    setFirmness(nullptr);
+    host_->announce(tr("The ground is firm where it was measured."));
+  });
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
     settings_ = panel_->settings();
     if (settings_.device != opened_) {
@@ -205,12 +200,6 @@ void HapticsPlugin::applySettings() {
   session_->setOptions(options);
 }
 
-void HapticsPlugin::applySurface() {
-  const bool texture_missing = settings_.feel.fields.texture_mm > 0 && !textured_;
-  if (!session_ || (surface_ == settings_.feel.surface && !texture_missing)) return;
-  if (const auto window = host_->shownWindow()) showWindow(*window);
-}
-
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
@@ -223,7 +212,8 @@ void HapticsPlugin::setRecording(bool on) {
     const DeviceInfo& device = session_->loop().device();
     const QString header = recordingHeaderLines(
         host_->recordingHeader(file), QString::fromStdString(device.name),
-        withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface, now);
+        withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface,
+        firmness_fits_ ? firmness_.get() : nullptr, now);
     session_->startRecording(file.toStdString(), header.toStdString());
     const auto window = host_->shownWindow();
     recorded_windows_ = window ? windowLine(*window) : QString();
@@ -411,6 +401,7 @@ void HapticsPlugin::restoreState(const QByteArray& state) {
   if (session_ && settings_.device != opened_) changeDevice();
   applySettings();
   applySurface();
+  if (host_ != nullptr) restoreFirmness();
 }
 
 }  // namespace relievo

@@ -48,6 +48,12 @@ class HapticsPlugin : public QObject, public Plugin {
   void changeStrength(int percent);
   void setRecording(bool on);
   void applySettings();
+  SceneMaps mapsUnder(const RegionWindow& window);
+  void askFirmness(const QString& file, bool chosen_now);
+  void restoreFirmness();  // What the settings say.
+  void takeFirmness(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
+                    const QString& problem);
+  void setFirmness(std::shared_ptr<const FirmnessMap> firmness);
   void applySurface();  // Another kind of the shown window's, if that was chosen.
   void frame();         // 60 times a second.
   void slowReadouts();  // About 8 times a second.
@@ -82,6 +88,10 @@ class HapticsPlugin : public QObject, public Plugin {
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
   bool textured_ = false;
+  std::shared_ptr<const FirmnessMap> firmness_;  // Null: the origins say where it is firm.
+  bool firmness_fits_ = true;                    // The open map.
+  QString firmness_awaited_;                     // Being read.
+  bool firmness_chosen_now_ = false;             // Not remembered.
   bool forces_asked_ = false;
   DeviceFault fault_ = DeviceFault::none;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/loop_session.h"
 
+#include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "core/region/hand.h"
@@ -15,6 +17,13 @@ namespace relievo {
 namespace {
 bool on(EngagePhase phase) {
   return phase != EngagePhase::off;
+}
+
+/// How a file is found from a folder; recordings and rasters may be moved together.
+std::string foundFrom(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::path relative = std::filesystem::relative(file, folder, error);
+  return (error || relative.empty() ? file : relative).generic_string();
 }
 }  // namespace
 
@@ -47,21 +56,27 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
   }
 }
 
-void LoopSession::show(const RegionWindow& window, SurfaceKind kind,
-                       std::span<const float> finer_mm) {
+void LoopSession::show(const RegionWindow& window, SurfaceKind kind, const SceneMaps& maps) {
   const HapticSample& last = update();
   std::optional<Anchor> touched;  // Stays under the hand.
   if (has_window_ && last.contact && !moving_) touched = Anchor{last.proxy_view, last.proxy};
   HapticSpace& space = loop_->spaces().back();
-  fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched);
-  fillTexture(space, finer_mm);
+  fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched,
+       maps.firmness);
+  fillTexture(space, maps.finer_mm);
   space.scene_id = ++scene_id_;
   constexpr std::size_t kScenesInUse = 4;  // Of the loop, its change, the mailbox and this one.
   if (!recorder_.running() && scene_lines_.size() >= kScenesInUse) {
     scene_lines_.erase(scene_lines_.begin());
   }
-  scene_lines_.push_back(sceneLine({scene_id_, window.id, window.region, window.gain, kind, touched,
-                                    space.texture.present, sceneChecksum(space)}));
+  RecordedScene scene{scene_id_, window.id, window.region, window.gain, kind, touched};
+  scene.textured = space.texture.present;
+  scene.checksum = sceneChecksum(space);
+  if (maps.firmness_from) {
+    scene.firmness = maps.firmness_from->sha256;
+    firmness_files_[scene.firmness] = maps.firmness_from->file;
+  }
+  scene_lines_.push_back(sceneLine(scene));
   loop_->spaces().publish();
   mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);
@@ -90,6 +105,7 @@ void LoopSession::setOptions(const HapticOptions& options) {
 
 void LoopSession::startRecording(const std::string& file, const std::string& header) {
   recorder_.start(file, header);
+  recording_folder_ = std::filesystem::path(file).parent_path().string();
   loop_->wantSnapshot();
 }
 
@@ -97,6 +113,12 @@ void LoopSession::stopRecording(const std::string& footer) {
   std::string lines = footer;
   for (const auto* list : {&scene_lines_, &options_lines_}) {
     for (const std::string& line : *list) lines += line;
+  }
+  for (const auto& [sha256, file] : firmness_files_) {
+    const bool named = std::any_of(scene_lines_.begin(), scene_lines_.end(), [&](const auto& line) {
+      return line.find(sha256) != std::string::npos;
+    });
+    if (named) lines += firmnessLine(sha256, foundFrom(recording_folder_, file));
   }
   recorder_.stop(lines);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "core/region/probe.h"
 #include "core/region/window.h"
+#include "core/session/firmness.h"
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/loop/haptic_loop.h"
@@ -17,6 +19,13 @@
 #include "plugins/api/plugin.h"
 
 namespace relievo {
+
+/// What a surface is made of besides its window.
+struct SceneMaps {
+  std::vector<float> finer_mm;  ///< See fillTexture(); empty: no texture.
+  std::vector<float> firmness;  ///< See fill(); empty: the window's origins say where it is firm.
+  std::shared_ptr<const FirmnessMap> firmness_from;  ///< For recordings; null: as `firmness`.
+};
 
 /// The running loop with one device, and the threads around it. All calls: GUI thread.
 class LoopSession {
@@ -30,8 +39,7 @@ class LoopSession {
   /// A new surface. The hand keeps its place sideways and its depth, so that a change of detail
   /// while touching goes on touching; so does another kind of surface of the same window.
   /// @throw ArgumentError
-  /// @param finer_mm  see fillTexture(); empty: no texture
-  void show(const RegionWindow& window, SurfaceKind kind, std::span<const float> finer_mm = {});
+  void show(const RegionWindow& window, SurfaceKind kind, const SceneMaps& maps = {});
   bool hasWindow() const noexcept { return has_window_; }
   /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
   /// does not care.
@@ -72,6 +80,8 @@ class LoopSession {
   // What a replay needs: since a recording began, or of the present and the last scene.
   std::uint64_t scene_id_ = 0, options_id_ = 0;
   std::vector<std::string> scene_lines_, options_lines_;
+  std::map<std::string, std::string> firmness_files_;  // By SHA-256.
+  std::string recording_folder_;
   bool has_window_ = false, moving_ = false;
 };
 

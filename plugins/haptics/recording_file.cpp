@@ -3,6 +3,7 @@
 
 #include <array>
 #include <QDir>
+#include <QFileInfo>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
@@ -31,7 +32,7 @@ QString flightFolder() {
 
 QString recordingHeaderLines(const QString& from_host, const QString& device,
                              const HapticOptions& options, SurfaceKind surface,
-                             const QDateTime& now) {
+                             const FirmnessMap* firmness, const QDateTime& now) {
   constexpr std::array<const char*, 3> kProxyNames{"converged", "equation", "successive"};
   const QString stiffness =
       options.stiffness_by_detail
@@ -52,6 +53,11 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
           .arg(options.proxy.static_friction)
           .arg(options.proxy.dynamic_friction)
           .arg(options.force.damping_n_s_per_mm)};
+  if (firmness != nullptr) {
+    lines << QStringLiteral("firmness %1, sha256 %2")
+                 .arg(QFileInfo(QString::fromStdString(firmness->file)).fileName(),
+                      QString::fromStdString(firmness->sha256));
+  }
   for (const QString& line : from_host.split('\n', Qt::SkipEmptyParts)) {
     // The host's lines may be comments already; the writer adds the sign.
     lines << (line.startsWith(QLatin1String("# ")) ? line.mid(2) : line);

@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "core/region/window.h"
+#include "core/session/firmness.h"
 #include "haptics/loop/haptic_core.h"
 
 namespace relievo {
@@ -17,9 +18,10 @@ QString proposedRecording(const QDateTime& now);
 QString flightFolder();
 
 /// Comment lines of a recording (conventions.md 5.5).
+/// @param firmness  null: the origins say where it is firm
 QString recordingHeaderLines(const QString& from_host, const QString& device,
                              const HapticOptions& options, SurfaceKind surface,
-                             const QDateTime& now);
+                             const FirmnessMap* firmness, const QDateTime& now);
 
 /// Where a window lay, for a recording's last lines.
 QString windowLine(const RegionWindow& window);

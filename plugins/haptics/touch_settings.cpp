@@ -43,6 +43,7 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"magnet_reach_mm", feel.fields.magnet_reach_mm},
                            {"contact_n", feel.transient.contact_n},
                            {"crossing_n", feel.transient.crossing_n},
+                           {"firmness", QString::fromStdString(settings.firmness)},
                            {"device", QString::fromStdString(settings.device)}};
   return QJsonDocument(object).toJson(QJsonDocument::Compact);
 }
@@ -72,6 +73,7 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
   TransientOptions& transient = feel.transient;
   transient.contact_n = within(object["contact_n"], 0, kMostContactN, transient.contact_n);
   transient.crossing_n = within(object["crossing_n"], 0, kMostCrossingN, transient.crossing_n);
+  settings.firmness = object["firmness"].toString().toStdString();
   const QString device = object["device"].toString();
   if (!device.isEmpty()) settings.device = device.toStdString();
   const int proxy = object["proxy"].toInt(0);

@@ -13,6 +13,7 @@ namespace relievo {
 struct TouchSettings {
   int strength_percent = 60;
   SurfaceFeel feel;
+  std::string firmness;          ///< A raster that says where it is firm; empty: the origins do.
   std::string device = "mouse";  ///< An id of deviceCatalog().
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };

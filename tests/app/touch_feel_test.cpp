@@ -53,11 +53,12 @@ TEST_F(TouchFeel, APresetOfTheWindowIsTakenAndOverriddenByWhatIsGiven) {
 }
 
 TEST_F(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
-  const auto grid = [this](const char* name, double part) {
+  const auto grid = [this](const char* name, double part, int side = 2) {
     const std::string file = path(name);
     std::ofstream out(file);
-    out << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n";
-    out << part << " " << part << "\n" << part << " " << part << "\n";
+    out << "ncols " << side << "\nnrows " << side
+        << "\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n";
+    for (int i = 0; i < side * side; ++i) out << part << "\n";
     return file;
   };
   const double firm = Json::parse(
@@ -69,6 +70,10 @@ TEST_F(TouchFeel, ARasterSaysWhereTheGroundIsFirm) {
   const CommandResult wrong = touch({"--firmness", grid("two.asc", 2), "--soft", "0.5"});
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.err.find("outside 0 to 1"), std::string::npos) << wrong.err;
+  const CommandResult square = touch({"--firmness", grid("square.asc", 1, 30)});
+  EXPECT_EQ(square.exit_code, 1);
+  EXPECT_NE(square.err.find("'square.asc' has 30 x 30 cells, but the map is"), std::string::npos)
+      << square.err;
 }
 
 TEST_F(TouchFeel, SaysWhatCannotBeFelt) {

@@ -5,8 +5,10 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QProcess>
+#include <QPushButton>
 #include <QtTest/QTest>
 
 #include "app/host.h"
@@ -23,15 +25,48 @@ class TouchWindowTest : public GuiTest {
     const QString text = child<QLabel>("status_force")->text();
     return text.endsWith("N") ? text.section('/', 0, 0).toDouble() : 0;
   }
-  /// What the program prints; it must succeed.
-  static QByteArray said(const QStringList& words) {
+  /// What the program prints; it must end so.
+  static QByteArray said(const QStringList& words, int exit_code = 0) {
     QProcess program;
+    program.setProcessChannelMode(QProcess::MergedChannels);
     program.start(QStringLiteral(RELIEVO_BINARY_DIR "/bin/relievo"), words);
     EXPECT_TRUE(program.waitForFinished(60'000));
     const QByteArray out = program.readAllStandardOutput();
-    EXPECT_EQ(program.exitCode(), 0)
-        << program.readAllStandardError().toStdString() << out.toStdString();
+    EXPECT_EQ(program.exitCode(), exit_code) << out.toStdString();
     return out;
+  }
+  void useOwnHome() {
+    qputenv("HOME", path("home").toLocal8Bit());
+    qputenv("XDG_CONFIG_HOME", path("home/config").toLocal8Bit());
+  }
+  /// The mouse presses on the middle of the detail view, with forces on.
+  void touchMiddle() {
+    auto& view = window().detailView();
+    const QPointF middle = QRectF(view.rect()).center();
+    move(view, middle);
+    QTest::keyClick(&view, Qt::Key_F5);
+    ASSERT_TRUE(
+        waitFor([&] { return view.sceneState().probe && view.sceneState().probe->forces_on; }));
+    press(view, middle);
+    ASSERT_TRUE(waitFor([this] { return forceShown() > 0.1; }));
+  }
+  /// Ends the recording that runs. @return its file; empty: none came
+  QString endRecording() {
+    action("record")->trigger();
+    const QDir folder(path("home/Documents/relievo"));
+    QStringList files;
+    const bool ended = waitFor([&] {
+      files = folder.entryList({"touch-*.csv"}, QDir::Files, QDir::Time);
+      QFile file(folder.filePath(files.value(0)));
+      return file.open(QIODevice::ReadOnly) && file.readAll().contains("# replay core ");
+    });
+    return ended ? folder.filePath(files.front()) : QString();
+  }
+  QString writeGrid(const QString& name, const QByteArray& values) {
+    QFile file(path(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("ncols 5\nnrows 4\nxllcorner 0\nyllcorner 0\ncellsize 1\n" + values);
+    return file.fileName();
   }
 };
 
@@ -78,8 +113,7 @@ TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
 }
 
 TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
-  qputenv("HOME", path("home").toLocal8Bit());
-  qputenv("XDG_CONFIG_HOME", path("home/config").toLocal8Bit());
+  useOwnHome();
   WindowHost host(window());
   PluginLoader plugins(host, window().settings());
   plugins.load();
@@ -87,12 +121,7 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   openRelief();
   auto& view = window().detailView();
   const QPointF middle = QRectF(view.rect()).center();
-  move(view, middle);
-  QTest::keyClick(&view, Qt::Key_F5);
-  ASSERT_TRUE(
-      waitFor([&] { return view.sceneState().probe && view.sceneState().probe->forces_on; }));
-  press(view, middle);
-  ASSERT_TRUE(waitFor([this] { return forceShown() > 0.1; }));
+  touchMiddle();
   // It begins while the hand touches; then window, level and feel change.
   action("record")->trigger();
   QTest::qWait(300);
@@ -103,22 +132,70 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   QTest::qWait(300);
   window().runCommand("coarser");
   QTest::qWait(600);
-  QStringList files;
-  action("record")->trigger();
-  const QDir folder(path("home/Documents/relievo"));
-  ASSERT_TRUE(waitFor([&] {
-    files = folder.entryList({"touch-*.csv"}, QDir::Files, QDir::Time);
-    QFile file(folder.filePath(files.value(0)));
-    return file.open(QIODevice::ReadOnly) && file.readAll().contains("# replay core ");
-  }));
+  const QString recording = endRecording();  // Knows where its scan lies.
   release(view, middle);
   plugins.detachAll();
-  const QString recording = folder.filePath(files.front());  // Knows where its scan lies.
+  ASSERT_FALSE(recording.isEmpty());
   EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
   // Packed for citation it is found and repeated as well.
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
+}
+
+TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRasterHasChanged) {
+  useOwnHome();
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_TRUE(plugins.has("haptics"));
+  openRelief();
+  auto* name = child<QLabel>("firmnessName");
+  const auto choose = [this](const QString& file) {
+    child<QPushButton>("firmnessChoose")->click();
+    auto* dialog = child<QFileDialog>("firmness_dialog");
+    ASSERT_NE(dialog, nullptr);
+    Q_EMIT dialog->fileSelected(file);
+    delete dialog;
+  };
+  const auto status = [this](const QString& text) {
+    return waitFor([&] { return child<QLabel>("status_message")->text().contains(text); });
+  };
+  // 250 x 200 mm: 5 x 4 cells. What cannot be used is said, and nothing changes.
+  choose(path("relief.ply"));
+  EXPECT_TRUE(status("relief.ply"));
+  EXPECT_EQ(name->text(), "where it was measured");
+  choose(writeGrid("two.asc", "2 2 2 2 2 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1\n"));
+  EXPECT_TRUE(status("outside 0 to 1, such as 2"));
+  QFile square(path("square.asc"));
+  ASSERT_TRUE(square.open(QIODevice::WriteOnly));
+  square.write("ncols 9\nnrows 5\nxllcorner 0\nyllcorner 0\ncellsize 1\n" +
+               QByteArray("1 ").repeated(45) + "\n");
+  square.close();
+  choose(square.fileName());
+  EXPECT_TRUE(status("'square.asc' has 9 x 5 cells, but the map is"));
+  EXPECT_EQ(name->text(), "where it was measured");
+  touchMiddle();
+  action("record")->trigger();
+  QTest::qWait(300);
+  const QString firm =
+      writeGrid("firm ground.asc", "1 0 1 0 1 0.5 1 0 1 0 1 0 0.2 0 1 0 1 0 1 0\n");
+  choose(firm);
+  ASSERT_TRUE(waitFor([&] { return name->text() == "firm ground.asc"; }));
+  QTest::qWait(600);
+  ASSERT_TRUE(window().runCommand("finer"));
+  QTest::qWait(600);
+  const QString recording = endRecording();
+  auto& view = window().detailView();
+  release(view, QRectF(view.rect()).center());
+  plugins.detachAll();
+  ASSERT_FALSE(recording.isEmpty());
+  EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
+  writeGrid("firm ground.asc", "1 0 1 0 1 0.5 1 0 1 0 1 0 0.3 0 1 0 1 0 1 0\n");
+  EXPECT_TRUE(said({"replay", recording, "--verify"}, 5)
+                  .contains("'firm ground.asc' is not the raster of firm ground that was felt"));
+  ASSERT_TRUE(QFile::remove(firm));
+  EXPECT_TRUE(said({"replay", recording, "--verify"}, 2).contains("is not there (E501)"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -261,6 +262,86 @@ TEST_F(HapticsPluginTest, SoftnessTextureKnockAndMagnetAreChosenAndRemembered) {
   EXPECT_EQ(inPanel<QDoubleSpinBox>("softPart")->value(), 100);
   EXPECT_EQ(inPanel<QDoubleSpinBox>("texture")->value(), 0);
   EXPECT_EQ(inPanel<QDoubleSpinBox>("magnet")->value(), 0);
+}
+
+TEST_F(HapticsPluginTest, ARasterOfFirmGroundIsChosenByKeysFeltAndRemembered) {
+  host_.window = flatWindow(5, 36);
+  host_.rasters = {{"/scans/soft.tif", 0.0F}};
+  attach();
+  inPanel<QDoubleSpinBox>("softPart")->setValue(50);
+  auto* name = inPanel<QLabel>("firmnessName");
+  auto* none = inPanel<QPushButton>("firmnessNone");
+  EXPECT_EQ(name->text(), "where it was measured");
+  EXPECT_FALSE(none->isEnabled());
+  hover();
+  host_.actions.at("forces")->trigger();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on && !p.touching; }));
+  press(1);
+  const auto settled = [](const Probe& p, double newton) {
+    return p.touching && std::abs(norm(p.force) - newton) < 0.005;
+  };
+  constexpr double kAtStrength = 0.6 * 0.8;  // N for 1 mm at Detail 1, where the ground is firm.
+  ASSERT_TRUE(probeBecomes([&](const Probe& p) { return settled(p, kAtStrength); }))
+      << norm(host_.probes.back().force);
+  QTest::keyClick(inPanel<QPushButton>("firmnessChoose"), Qt::Key_Space);
+  auto* dialog = inPanel<QFileDialog>("firmness_dialog");
+  Q_EMIT dialog->fileSelected("/scans/soft.tif");
+  EXPECT_EQ(host_.announcements.last(), "Firm ground: soft.tif.");
+  EXPECT_EQ(name->text(), "soft.tif");
+  EXPECT_EQ(inPanel<QPushButton>("firmnessChoose")->accessibleDescription(), "soft.tif");
+  EXPECT_TRUE(probeBecomes([&](const Probe& p) { return settled(p, 0.5 * kAtStrength); }))
+      << norm(host_.probes.back().force);
+  const QByteArray state = plugin_->saveState();
+  EXPECT_EQ(touchSettingsFromJson(state).firmness, "/scans/soft.tif");
+  // A preset does not change what is measured where.
+  inPanel<QComboBox>("surfacePreset")->setCurrentIndex(1);
+  EXPECT_EQ(touchSettingsFromJson(plugin_->saveState()).firmness, "/scans/soft.tif");
+  QTest::keyClick(none, Qt::Key_Space);
+  EXPECT_EQ(name->text(), "where it was measured");
+  EXPECT_EQ(touchSettingsFromJson(plugin_->saveState()).firmness, "");
+  plugin_->restoreState(state);
+  EXPECT_EQ(name->text(), "soft.tif");
+  EXPECT_EQ(plugin_->saveState(), state);
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
+  press(1);
+  EXPECT_TRUE(probeBecomes([&](const Probe& p) { return settled(p, 0.5 * kAtStrength); }))
+      << norm(host_.probes.back().force);
+}
+
+TEST_F(HapticsPluginTest, ARasterThatCannotBeUsedIsSaidAndTheOneBeforeStays) {
+  host_.window = flatWindow(5, 37);
+  host_.rasters = {{"/scans/a.tif", 0.0F}, {"/scans/b.tif", 1.0F}};
+  attach();
+  const auto choose = [this](const QString& file) {
+    inPanel<QPushButton>("firmnessChoose")->click();
+    auto* dialog = inPanel<QFileDialog>("firmness_dialog");
+    Q_EMIT dialog->fileSelected(file);
+    delete dialog;
+  };
+  const auto kept = [this] { return touchSettingsFromJson(plugin_->saveState()).firmness; };
+  choose("/scans/a.tif");
+  choose("/scans/missing.tif");
+  EXPECT_EQ(host_.announcements.last(), "There is no raster.");
+  EXPECT_EQ(kept(), "/scans/a.tif");
+  host_.rasters_fit = false;
+  choose("/scans/b.tif");
+  EXPECT_EQ(host_.announcements.last(), "It does not fit.");
+  EXPECT_EQ(kept(), "/scans/a.tif");
+  // Another map, which the chosen one does not fit: said once, and kept for its own map.
+  host_.announcements.clear();
+  host_.showWindow(flatWindow(5, 38));
+  host_.showWindow(flatWindow(5, 39));
+  EXPECT_EQ(host_.announcements.filter("It does not fit.").size(), 1);
+  EXPECT_EQ(inPanel<QLabel>("firmnessName")->text(), "a.tif (not of this map)");
+  host_.rasters_fit = true;
+  host_.showWindow(flatWindow(5, 40));
+  EXPECT_EQ(inPanel<QLabel>("firmnessName")->text(), "a.tif");
+  // One that was remembered and has gone is forgotten, in words.
+  plugin_->restoreState(R"({"firmness": "/scans/gone.tif"})");
+  EXPECT_EQ(host_.announcements.last(), "There is no raster.");
+  EXPECT_EQ(kept(), "");
+  EXPECT_EQ(inPanel<QLabel>("firmnessName")->text(), "where it was measured");
 }
 
 TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {

@@ -9,6 +9,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/session/firmness.h"
 #include "plugins/api/plugin.h"
 
 namespace relievo::test {
@@ -36,6 +38,24 @@ class TestHost : public Host {
     return true;
   }
   std::shared_ptr<const RegionWindow> shownWindow() const override { return window; }
+  /// Answers at once: a file is what `rasters` says, the same at every place.
+  void readFirmness(const QString& file) override {
+    const auto found = rasters.find(file);
+    if (found == rasters.end()) {
+      Q_EMIT firmnessRead(file, nullptr, QStringLiteral("There is no raster."));
+      return;
+    }
+    auto firmness = std::make_shared<FirmnessMap>();
+    firmness->file = file.toStdString();
+    firmness->sha256 = "a1b2";
+    firmness->parts = {found->second};
+    Q_EMIT firmnessRead(file, firmness, {});
+  }
+  std::vector<float> firmnessUnder(const FirmnessMap& firmness,
+                                   const RegionWindow& /*window*/) const override {
+    if (!rasters_fit) throw ArgumentError("It does not fit.");
+    return std::vector<float>(kWindowCount, firmness.parts.front());
+  }
   bool showRegion(const Region& region) override {
     regions.push_back(region);
     return true;
@@ -61,7 +81,9 @@ class TestHost : public Host {
   std::vector<PlotSample> plotted;
   TouchStatus status;
   QStringList announcements, commands;
-  std::vector<Region> regions;  ///< Asked to be shown.
+  std::vector<Region> regions;       ///< Asked to be shown.
+  std::map<QString, float> rasters;  ///< Names of files that can be read.
+  bool rasters_fit = true;
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;
   std::shared_ptr<const RegionWindow> window;

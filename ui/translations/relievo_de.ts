@@ -271,6 +271,14 @@
         <source>batlow</source>
         <translation>Batlow</translation>
     </message>
+    <message>
+        <source>%1 has %2 cells, but the map is %3 mm: it is not a raster of the whole map, and was not used. Cut it to the outline of the map.</source>
+        <translation>%1 hat %2 Zellen, die Karte aber misst %3 mm: es ist kein Raster der ganzen Karte und wurde nicht verwendet. Schneiden Sie es auf den Umriss der Karte zu.</translation>
+    </message>
+    <message>
+        <source>%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
+        <translation>%1 enthält Werte außerhalb von 0 bis 1, etwa %2, und wurde nicht verwendet. Skalieren Sie sie: 1, wo der Grund fest ist, 0, wo er am weichsten ist.</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -1954,6 +1962,54 @@
         <source>Pause, zoom, read values, and save as SVG or CSV.</source>
         <translation>Anhalten, vergrößern, Werte ablesen und als SVG oder CSV speichern.</translation>
     </message>
+    <message>
+        <source>Fi&amp;rm ground</source>
+        <translation>Feste&amp;r Grund</translation>
+    </message>
+    <message>
+        <source>What says where the ground is firm</source>
+        <translation>Was sagt, wo der Grund fest ist</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a raster that says where the ground is firm</source>
+        <translation>Ein Raster wählen, das sagt, wo der Grund fest ist</translation>
+    </message>
+    <message>
+        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
+        <translation>Ein Raster über die ganze Karte: 1, wo der Grund fest ist, 0, wo er so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Non&amp;e</source>
+        <translation>K&amp;eines</translation>
+    </message>
+    <message>
+        <source>No raster: firm where it was measured</source>
+        <translation>Kein Raster: fest, wo gemessen wurde</translation>
+    </message>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Raster of firm ground</source>
+        <translation>Raster des festen Grunds</translation>
+    </message>
+    <message>
+        <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
+        <translation>Raster (*.tif *.tiff *.asc *.png);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>where it was measured</source>
+        <translation>wo gemessen wurde</translation>
+    </message>
+    <message>
+        <source>%1 (not of this map)</source>
+        <translation>%1 (nicht von dieser Karte)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -2016,6 +2072,18 @@
     <message>
         <source>Buttons</source>
         <translation>Tasten am Gerät</translation>
+    </message>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>Der Grund ist fest, wo gemessen wurde.</translation>
+    </message>
+    <message>
+        <source>Firm ground: %1.</source>
+        <translation>Fester Grund: %1.</translation>
+    </message>
+    <message>
+        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>Fester Grund: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um ihn zu fühlen.</translation>
     </message>
 </context>
 <context>
@@ -4938,6 +5006,13 @@
     <message>
         <source>Seen from: %1</source>
         <translation>Gesehen von: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WindowHost</name>
+    <message>
+        <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
+        <translation>%1 ist zu groß für den Speicher und wurde nicht verwendet. Machen Sie es gröber; es wird über die ganze Karte gelegt.</translation>
     </message>
 </context>
 </TS>

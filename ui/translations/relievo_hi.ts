@@ -271,6 +271,14 @@
         <source>batlow</source>
         <translation>Batlow</translation>
     </message>
+    <message>
+        <source>%1 has %2 cells, but the map is %3 mm: it is not a raster of the whole map, and was not used. Cut it to the outline of the map.</source>
+        <translation>%1 में %2 सेल हैं, पर मानचित्र %3 mm का है: यह पूरे मानचित्र का ग्रिड नहीं है और काम में नहीं लिया गया। इसे मानचित्र की बाहरी सीमा तक काटें।</translation>
+    </message>
+    <message>
+        <source>%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
+        <translation>%1 में 0 से 1 के बाहर के मान हैं, जैसे %2, और यह काम में नहीं लिया गया। मान बदलें: जहाँ जगह ठोस है वहाँ 1, जहाँ सबसे नरम है वहाँ 0।</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -1954,6 +1962,54 @@
         <source>Pause, zoom, read values, and save as SVG or CSV.</source>
         <translation>रोकें, पास लाएँ, मान पढ़ें और SVG या CSV में सहेजें।</translation>
     </message>
+    <message>
+        <source>Fi&amp;rm ground</source>
+        <translation>ठोस जगह (&amp;R)</translation>
+    </message>
+    <message>
+        <source>What says where the ground is firm</source>
+        <translation>क्या बताता है कि जगह कहाँ ठोस है</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>चुनें…</translation>
+    </message>
+    <message>
+        <source>Choose a raster that says where the ground is firm</source>
+        <translation>ग्रिड चुनें जो बताए कि जगह कहाँ ठोस है</translation>
+    </message>
+    <message>
+        <source>A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set above. In place of where it was measured.</source>
+        <translation>पूरे मानचित्र पर ग्रिड: जहाँ जगह ठोस है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
+    </message>
+    <message>
+        <source>Non&amp;e</source>
+        <translation>कोई नहीं (&amp;E)</translation>
+    </message>
+    <message>
+        <source>No raster: firm where it was measured</source>
+        <translation>ग्रिड नहीं: जहाँ मापा गया वहाँ ठोस</translation>
+    </message>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
+    </message>
+    <message>
+        <source>Raster of firm ground</source>
+        <translation>ठोस जगह का ग्रिड</translation>
+    </message>
+    <message>
+        <source>Rasters (*.tif *.tiff *.asc *.png);;All files (*)</source>
+        <translation>ग्रिड (*.tif *.tiff *.asc *.png);;सभी फ़ाइलें (*)</translation>
+    </message>
+    <message>
+        <source>where it was measured</source>
+        <translation>जहाँ मापा गया</translation>
+    </message>
+    <message>
+        <source>%1 (not of this map)</source>
+        <translation>%1 (इस मानचित्र का नहीं)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -2016,6 +2072,18 @@
     <message>
         <source>Buttons</source>
         <translation>बटन</translation>
+    </message>
+    <message>
+        <source>The ground is firm where it was measured.</source>
+        <translation>जहाँ मापा गया वहाँ जगह ठोस है।</translation>
+    </message>
+    <message>
+        <source>Firm ground: %1.</source>
+        <translation>ठोस जगह: %1।</translation>
+    </message>
+    <message>
+        <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
+        <translation>ठोस जगह: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
     </message>
 </context>
 <context>
@@ -4938,6 +5006,13 @@
     <message>
         <source>Seen from: %1</source>
         <translation>किस ओर से: %1</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::WindowHost</name>
+    <message>
+        <source>%1 is too large for the memory and was not used. Make it coarser; it is laid over the whole map.</source>
+        <translation>%1 स्मृति के लिए बहुत बड़ा है और काम में नहीं लिया गया। इसे मोटा करें; यह पूरे मानचित्र पर बिछाया जाता है।</translation>
     </message>
 </context>
 </TS>

@@ -246,5 +246,28 @@ TEST(RecordedLoop, LinesOfASurfaceSayAllThatItIsMadeFrom) {
   EXPECT_EQ(loop->first_ns, 5);
 }
 
+TEST(RecordedLoop, TellsWhichRasterSaidWhereItIsFirmWhateverItsName) {
+  RecordedScene scene;
+  scene.id = 7;
+  scene.anchor = Anchor{{1, 2, 3}, {4, 5, 6}};
+  scene.checksum = 99;
+  scene.firmness = "a1b2";
+  const CoreSnapshot start{};
+  const std::string name = "../my scans/firm 100 %\n\xc3\xa4.tif";
+  const auto loop = recordedLoop(
+      sceneLine(scene) + firmnessLine("a1b2", name) + snapshotLine(start, 0, kBuild), kBuild);
+  ASSERT_TRUE(loop);
+  const RecordedScene& read = loop->scenes.at(7);
+  EXPECT_EQ(read.firmness, "a1b2");
+  EXPECT_EQ(read.checksum, 99U);
+  ASSERT_TRUE(read.anchor);
+  EXPECT_EQ(read.anchor->at.z, 6);
+  EXPECT_EQ(loop->firmness.at("a1b2"), name);
+  scene.firmness.clear();
+  const auto without = recordedLoop(sceneLine(scene) + snapshotLine(start, 0, kBuild), kBuild);
+  EXPECT_EQ(without->scenes.at(7).firmness, "");
+  EXPECT_THROW(recordedLoop("replay firmness a1b2 firm%2\n", kBuild), FileError);
+}
+
 }  // namespace
 }  // namespace relievo

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What lies under the hand: window, shape, texture, and where the ground is firm.
+#include <QFileInfo>
+#include <utility>
+
+#include "core/base/error.h"
+#include "plugins/haptics/haptics_plugin.h"
+#include "plugins/haptics/recording_file.h"
+
+namespace relievo {
+
+void HapticsPlugin::showWindow(const RegionWindow& window) {
+  shown_ = {};  // The host may have cleared its probe.
+  surface_ = settings_.feel.surface;
+  try {
+    session_->show(window, surface_, mapsUnder(window));
+    if (session_->recorder().running()) recorded_windows_ += windowLine(window);
+  } catch (const Error& error) {
+    setForces(false);
+    host_->announce(QString::fromStdString(error.what()));
+  }
+}
+
+void HapticsPlugin::applySurface() {
+  const bool texture_missing = settings_.feel.fields.texture_mm > 0 && !textured_;
+  if (!session_ || (surface_ == settings_.feel.surface && !texture_missing)) return;
+  if (const auto window = host_->shownWindow()) showWindow(*window);
+}
+
+SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
+  SceneMaps maps;
+  textured_ = settings_.feel.fields.texture_mm > 0;
+  if (textured_) maps.finer_mm = host_->finerHeights(window);
+  const bool fitted = std::exchange(firmness_fits_, true);
+  if (firmness_) {
+    try {
+      maps.firmness = host_->firmnessUnder(*firmness_, window);
+      maps.firmness_from = firmness_;
+    } catch (const Error& error) {
+      firmness_fits_ = false;
+      if (fitted) host_->announce(QString::fromUtf8(error.what()));  // Once, not for every window.
+    }
+  }
+  if (panel_) panel_->setFirmnessUsed(firmness_fits_);
+  return maps;
+}
+
+void HapticsPlugin::askFirmness(const QString& file, bool chosen_now) {
+  firmness_awaited_ = file;
+  firmness_chosen_now_ = chosen_now;
+  host_->readFirmness(file);
+}
+
+void HapticsPlugin::restoreFirmness() {
+  firmness_awaited_.clear();
+  const std::string before = firmness_ ? firmness_->file : std::string();
+  if (settings_.firmness == before) return;
+  if (settings_.firmness.empty()) return setFirmness(nullptr);
+  askFirmness(QString::fromStdString(settings_.firmness), false);
+}
+
+void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
+                                 const QString& problem) {
+  if (!session_ || file != firmness_awaited_) return;
+  firmness_awaited_.clear();
+  QString refusal = problem;
+  const auto window = host_->shownWindow();
+  if (firmness && firmness_chosen_now_ && window) {
+    try {
+      host_->firmnessUnder(*firmness, *window);
+    } catch (const Error& error) {
+      refusal = QString::fromUtf8(error.what());
+    }
+  }
+  if (refusal.isEmpty()) {
+    setFirmness(std::move(firmness));
+    if (!firmness_chosen_now_) return;
+    const QString name = QFileInfo(file).fileName();
+    host_->announce(
+        settings_.feel.fields.softest_part < 1
+            ? tr("Firm ground: %1.").arg(name)
+            : tr("Firm ground: %1. Set Not measured below 100 % to feel it.").arg(name));
+    return;
+  }
+  // What was chosen before stays; a remembered one that cannot be read is forgotten.
+  if (!firmness_chosen_now_) setFirmness(nullptr);
+  host_->announce(refusal);
+}
+
+void HapticsPlugin::setFirmness(std::shared_ptr<const FirmnessMap> firmness) {
+  firmness_ = std::move(firmness);
+  firmness_fits_ = true;
+  settings_.firmness = firmness_ ? firmness_->file : std::string();
+  if (panel_) panel_->setSettings(settings_);
+  if (const auto window = host_->shownWindow()) showWindow(*window);
+}
+
+}  // namespace relievo
