@@ -54,8 +54,9 @@ double firstPass(const Row& row, double level, bool from_right) {
   const int step = from_right ? -1 : 1;
   for (int x = from_right ? n - 1 : 0; x + step >= 0 && x + step < n; x += step) {
     const double here = row[static_cast<std::size_t>(x)];
-    const double next = row[static_cast<std::size_t>(x + step)];
-    if ((here < level) != (next < level)) return x + step * (level - here) / (next - here);
+    const int beside = x + step;
+    const double next = row[static_cast<std::size_t>(beside)];
+    if ((here < level) != (next < level)) return x + step * ((level - here) / (next - here));
   }
   ADD_FAILURE() << "no edge";
   return std::nan("");
