@@ -8,6 +8,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/project/caption.h"
 #include "ui/figure/figure.h"
 #include "ui/video/video.h"
 #include "ui/video/video_frames.h"
@@ -153,7 +154,7 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
   return {
       .json = json.dump(2),
       .lines = {a.out + ": " + std::to_string(facts.frames) + " frames, " +
-                Json(facts.seconds).dump() + " s, " + std::to_string(facts.bytes / 1024) + " kB"}};
+                shortNumber(facts.seconds) + " s, " + std::to_string(facts.bytes / 1024) + " kB"}};
 }
 
 void declareVideo(CLI::App& verb, VideoArguments& a) {

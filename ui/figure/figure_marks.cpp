@@ -141,8 +141,26 @@ QString valueOf(const DepthMap& map, const Measurement& m) {
            QString::fromUtf8(q.unit.data(), static_cast<int>(q.unit.size())));
 }
 
-void measurement(FigureInk& ink, const PanelSpace& space, const DepthMap& map,
-                 const Measurement& m) {
+/// A place for a label beside `at`: above, below, or below the labels that are there already.
+QRectF labelPlace(const FigureInk& ink, const QPointF& at, const QSizeF& size,
+                  const std::vector<QRectF>& taken) {
+  const double gap = ink.pt(3);
+  const auto in_the_way = [&](const QRectF& box) {
+    return std::find_if(taken.begin(), taken.end(),
+                        [&](const QRectF& other) { return other.intersects(box); });
+  };
+  QRectF box({at.x(), at.y() - gap - size.height()}, size);
+  if (in_the_way(box) == taken.end()) return box;
+  box.moveTop(at.y() + gap);
+  for (auto other = in_the_way(box); other != taken.end(); other = in_the_way(box)) {
+    box.moveTop(other->bottom() + 1);
+  }
+  return box;
+}
+
+/// @param taken  the places of the labels, to which this one's is added
+void measurement(FigureInk& ink, const PanelSpace& space, const DepthMap& map, const Measurement& m,
+                 std::vector<QRectF>& taken) {
   QPolygonF line;
   for (const PlaceMm& place : m.places) line << space.at(place.x, place.y);
   if (m.kind == MeasureKind::area) line << line.front();
@@ -161,8 +179,11 @@ void measurement(FigureInk& ink, const PanelSpace& space, const DepthMap& map,
   QPointF at = 0.5 * (line.front() + line[std::min(1, line.size() - 1)]) + QPointF(ink.pt(4), 0);
   at.setX(std::clamp(at.x(), space.box().left(),
                      std::max(space.box().left(), space.box().right() - width)));
-  plate(ink, {at.x(), at.y() - ink.lineHeight(0.9), width, ink.lineHeight(0.9)});
-  ink.text({at.x() + ink.pt(2), at.y() - 0.28 * ink.lineHeight(0.9)}, label, Qt::AlignLeft, 0.9);
+  const double height = ink.lineHeight(0.9);
+  const QRectF box = labelPlace(ink, at, {width, height}, taken);
+  taken.push_back(box);
+  plate(ink, box);
+  ink.text({box.left() + ink.pt(2), box.bottom() - 0.28 * height}, label, Qt::AlignLeft, 0.9);
 }
 
 void letterMark(FigureInk& ink, const PanelSpace& space, int letter, const QString& title) {
@@ -206,7 +227,10 @@ void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
   ink.painter().setClipRect(space.box());
   if (panel.whole && f.window_outline) outline(ink, space, project.region);
   if (f.measurements && !panel.whole) {
-    for (const Measurement& m : project.measurements) measurement(ink, space, surface.map, m);
+    std::vector<QRectF> labels;
+    for (const Measurement& m : project.measurements) {
+      measurement(ink, space, surface.map, m, labels);
+    }
   }
   if (f.scale_bar) scaleBar(ink, space);
   if (f.height_bar && !panel.whole) {

@@ -44,8 +44,8 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
   vtkShaderProperty* const shader = actor->GetShaderProperty();
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Dec", true,
                                      "//VTK::PositionVC::Dec\n"
-                                     "in vec2 reliefOrigin;\n"
-                                     "out vec2 originVSOutput;\n"
+                                     "in vec3 reliefOrigin;\n"
+                                     "out vec3 originVSOutput;\n"
                                      "out vec2 placeVSOutput;\n",
                                      false);
   shader->AddVertexShaderReplacement("//VTK::PositionVC::Impl", true,
@@ -56,17 +56,19 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
   shader->AddFragmentShaderReplacement(
       "//VTK::Color::Dec", true,
       "//VTK::Color::Dec\n"
-      "in vec2 originVSOutput;\n"
+      "in vec3 originVSOutput;\n"
       "in vec2 placeVSOutput;\n"
       "float stripe(float s, float soft) {\n"
       "  float d = abs(fract(s) - 0.5);\n"
       "  return 1.0 - smoothstep(0.09 - 0.5 * soft, 0.09 + 0.5 * soft, d);\n"
       "}\n",
       false);
-  // Interpolated cells: a light diagonal hatch. Base plane: darker, crossed.
+  // A cell with corners outside is drawn up to its middle. Interpolated cells: a light diagonal
+  // hatch. Base plane: darker, crossed.
   shader->AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
       "//VTK::Color::Impl\n"
+      "  if (originVSOutput.z > 0.5) discard;\n"
       "  vec2 lines = vec2(placeVSOutput.x + placeVSOutput.y,\n"
       "                    placeVSOutput.x - placeVSOutput.y) / hatchPeriod;\n"
       "  vec2 soft = clamp(fwidth(lines), 0.02, 0.4);\n"

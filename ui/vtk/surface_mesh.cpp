@@ -18,7 +18,7 @@ SurfaceMesh::SurfaceMesh() {
   vertices_->SetNumberOfComponents(3);
   normals_->SetNumberOfComponents(3);
   normals_->SetName("Normals");
-  origins_->SetNumberOfComponents(2);
+  origins_->SetNumberOfComponents(3);
   origins_->SetName(kOriginArray);
   vtkNew<vtkPoints> points;
   points->SetData(vertices_);
@@ -184,7 +184,7 @@ void SurfaceMesh::shadeRimCells() {
 void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
   const GridSize size = frame_.size, mesh = withRing(size);
   const auto count = static_cast<vtkIdType>(mesh.count());
-  if (!grid.origins) {
+  if (!grid.origins && all_inside_) {
     if (origins_are_zero_ && origins_->GetNumberOfTuples() == count) return;
     origins_->SetNumberOfTuples(count);
     origins_->Fill(0);
@@ -195,9 +195,11 @@ void SurfaceMesh::rebuildOrigins(const SurfaceGrid& grid) {
     for (int j = 0; j < mesh.rows; ++j) {
       const int row = sampleOf(j, size.rows);
       for (int i = 0; i < mesh.cols; ++i) {
-        const Origin origin = (*grid.origins)[size.index({sampleOf(i, size.cols), row})];
+        const std::size_t sample = size.index({sampleOf(i, size.cols), row});
+        const Origin origin = grid.origins ? (*grid.origins)[sample] : Origin::measured;
         *out++ = origin == Origin::interpolated ? 1.0F : 0.0F;
         *out++ = origin == Origin::base_plane ? 1.0F : 0.0F;
+        *out++ = inside_[sample] ? 0.0F : 1.0F;
       }
     }
     origins_are_zero_ = false;

@@ -16,7 +16,8 @@ namespace relievo {
 /// that their float coordinates are as fine on a site of kilometres as on a coin; `middle` puts
 /// them back. A ring of vertices half a spacing beyond the outermost samples, as high as they are,
 /// lets the picture fill the rectangle that a grid covers. Cells whose four corners are outside are
-/// left out.
+/// left out; of those with some outside, the scene draws the half next to the corners inside, so
+/// that an outline lies half a spacing beyond the last samples there, too.
 class SurfaceMesh {
  public:
   SurfaceMesh();
@@ -31,7 +32,7 @@ class SurfaceMesh {
   double maxMm() const { return max_mm_; }
   const GridFrame& frame() const { return frame_; }
 
-  /// Name of the per-vertex pair (share of interpolated, share of base plane).
+  /// Name of the three per-vertex shares: interpolated, base plane, outside.
   static constexpr const char* kOriginArray = "reliefOrigin";
 
  private:

@@ -217,6 +217,27 @@ TEST_F(FigureTest, VectorsKeepTextAsTextAroundThePictures) {
   EXPECT_THROW(writeFigure(*surface_, project_, folder_ / "missing" / "a.svg"), WriteError);
 }
 
+TEST_F(FigureTest, LabelsOfMeasurementsAtOnePlaceStandBelowEachOther) {
+  project_.figure.dpi = 100;
+  for (const char* name : {"one", "two", "three"}) {
+    project_.measurements.push_back({name, MeasureKind::depth, {{45, 45}, {70, 45}}, 0});
+  }
+  writeFigure(*surface_, project_, folder_ / "a.svg");
+  const std::string svg = bytesOf(folder_ / "a.svg");
+  std::vector<double> lines;
+  for (const char* label : {">one: ", ">two: ", ">three: "}) {
+    const std::size_t at = svg.find(label);
+    ASSERT_NE(at, std::string::npos) << label;
+    // The text's place is the end of the matrix before it: matrix(a,b,c,d,x,y).
+    const std::size_t end = svg.find(')', svg.rfind("matrix(", at));
+    lines.push_back(std::stod(svg.substr(svg.rfind(',', end) + 1)));
+  }
+  const double text_px = project_.figure.text_pt * project_.figure.dpi / 72;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    EXPECT_GE(lines[i], lines[i - 1] + 0.9 * text_px) << i;
+  }
+}
+
 TEST_F(FigureTest, TransparentPaperLetsThePageThrough) {
   project_.figure.dpi = 100;
   project_.figure.layout = FigureLayout::detail;

@@ -57,7 +57,7 @@ bool isAmber(const Rgb& c) {
 
 // A plate's edges fall where the rectangle says, to a hundredth of a pixel's brightness.
 TEST(ReliefScene, APictureOfTheRectangleShowsExactlyTheRectangle) {
-  // The cells that touch a sample inside are drawn: from 36.75 to 71.25 and from 27.75 to 80.25.
+  // Half a cell around each sample inside is drawn: from 37 to 71 and from 28 to 80.
   const SyntheticRelief relief = plate(37.2, 28.2, 70.8, 79.8);
   ReliefScene scene;
   scene.setSurface(relief.grid());
@@ -69,13 +69,13 @@ TEST(ReliefScene, APictureOfTheRectangleShowsExactlyTheRectangle) {
   double across = 0, first = 0;
   for (int x = 0; x < 600; ++x) across += at(image, x, 300)[0] / surface;
   for (int x = 0; x < 300; ++x) first += 1 - at(image, x, 300)[0] / surface;
-  EXPECT_NEAR(first, 8 * (36.75 - 20), 0.2);
-  EXPECT_NEAR(across, 8 * (71.25 - 36.75), 0.4);
+  EXPECT_NEAR(first, 8 * (37 - 20), 0.2);
+  EXPECT_NEAR(across, 8 * (71 - 37), 0.4);
   double top = 0, down = 0;
   for (int y = 0; y < 600; ++y) down += at(image, 300, y)[0] / surface;
   for (int y = 0; y < 300; ++y) top += 1 - at(image, 300, y)[0] / surface;
-  EXPECT_NEAR(top, 8 * (85 - 80.25), 0.2);  // The rectangle's upper edge is 10 + 75.
-  EXPECT_NEAR(down, 8 * (80.25 - 27.75), 0.4);
+  EXPECT_NEAR(top, 8 * (85 - 80), 0.2);  // The rectangle's upper edge is 10 + 75.
+  EXPECT_NEAR(down, 8 * (80 - 28), 0.4);
 }
 
 TEST(ReliefScene, ASurfaceFillsThePictureToTheLastPixel) {
