@@ -12,15 +12,14 @@
 namespace relievo {
 namespace {
 
-Cell nearest(const DepthMap& map, PlaceMm p) {
-  const GridFrame& f = map.frame;
+Cell nearest(const GridFrame& f, PlaceMm p) {
   return {.col = static_cast<int>(std::lround((p.x - f.first_x_mm) / f.spacing_mm)),
           .row = static_cast<int>(std::lround((p.y - f.first_y_mm) / f.spacing_mm))};
 }
 
 /// Bilinear over those of the four samples around that are on the object.
-double heightAt(const DepthMap& map, PlaceMm p) {
-  const GridFrame& f = map.frame;
+double heightAt(const MapPart& map, PlaceMm p) {
+  const GridFrame& f = map.frame();
   const double u = std::clamp((p.x - f.first_x_mm) / f.spacing_mm, 0.0, f.size.cols - 1.0);
   const double v = std::clamp((p.y - f.first_y_mm) / f.spacing_mm, 0.0, f.size.rows - 1.0);
   const int col = std::min(static_cast<int>(u), std::max(f.size.cols - 2, 0));
@@ -37,16 +36,16 @@ double heightAt(const DepthMap& map, PlaceMm p) {
       weights += weight;
     }
   }
-  return weights > 0 ? sum / weights : static_cast<double>(map.heightMm(nearest(map, p)));
+  return sum / weights;  // The nearest sample, which is on the object, has at least a quarter.
 }
 
-double halfRange(const DepthMap& map, Cell at) {
+double halfRange(const MapPart& map, Cell at) {
   float low = map.heightMm(at);
   float high = low;
   for (int dr = -1; dr <= 1; ++dr) {
     for (int dc = -1; dc <= 1; ++dc) {
       const Cell cell{.col = at.col + dc, .row = at.row + dr};
-      if (!map.frame.size.contains(cell) || map.origin(cell) == Origin::outside) continue;
+      if (!map.frame().size.contains(cell) || map.origin(cell) == Origin::outside) continue;
       low = std::min(low, map.heightMm(cell));
       high = std::max(high, map.heightMm(cell));
     }
@@ -96,7 +95,7 @@ double notMeasured(const std::vector<SurfacePoint>& points) {
   return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
 }
 
-void readProfile(const DepthMap& map, const Measurement& m, Reading& reading) {
+void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
   const std::vector<ProfileRow> rows = profile(map, m.places);
   if (rows.size() < 2) throw ArgumentError("The profile's line is not on the object.");
   std::vector<SurfacePoint> points;
@@ -115,7 +114,7 @@ void readProfile(const DepthMap& map, const Measurement& m, Reading& reading) {
     if (p.at.z == low) lowest_off = p.height_uncertainty_mm;
     if (p.at.z == high) highest_off = p.height_uncertainty_mm;
   }
-  const double s = map.frame.spacing_mm;
+  const double s = map.frame().spacing_mm;
   reading.quantities = {
       {.title = "length", .value = rows.back().along_mm, .uncertainty = s, .unit = "mm"},
       {.title = "height range",
@@ -126,7 +125,7 @@ void readProfile(const DepthMap& map, const Measurement& m, Reading& reading) {
   reading.not_measured = notMeasured(points);
 }
 
-void readArea(const DepthMap& map, const Measurement& m, Reading& reading) {
+void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
   const Piece piece = pieceOf(map, m.places, m.plane_mm);
   reading.quantities = {{.title = "area in the view",
                          .value = piece.area_mm2,
@@ -170,23 +169,29 @@ bool takesMore(MeasureKind kind) {
   return kind == MeasureKind::profile || kind == MeasureKind::area;
 }
 
-std::optional<SurfacePoint> surfacePoint(const DepthMap& map, PlaceMm place) {
+std::optional<SurfacePoint> surfacePoint(const MapCells& map, PlaceMm place) {
   if (!std::isfinite(place.x) || !std::isfinite(place.y)) return std::nullopt;
-  const double right = map.leftMm() + map.widthMm();
-  const double top = map.bottomMm() + map.heightExtentMm();
-  if (place.x < map.leftMm() || place.y < map.bottomMm() || place.x > right || place.y > top) {
+  const GridFrame& f = map.frame();
+  const double left = f.first_x_mm - 0.5 * f.spacing_mm;
+  const double bottom = f.first_y_mm - 0.5 * f.spacing_mm;
+  if (place.x < left || place.y < bottom || place.x > left + f.size.cols * f.spacing_mm ||
+      place.y > bottom + f.size.rows * f.spacing_mm) {
     return std::nullopt;
   }
-  Cell cell = nearest(map, place);
-  cell.col = std::clamp(cell.col, 0, map.frame.size.cols - 1);
-  cell.row = std::clamp(cell.row, 0, map.frame.size.rows - 1);
-  if (map.origin(cell) == Origin::outside) return std::nullopt;
-  return SurfacePoint{.at = {place.x, place.y, heightAt(map, place)},
-                      .height_uncertainty_mm = halfRange(map, cell),
-                      .origin = map.origin(cell)};
+  Cell cell = nearest(f, place);
+  cell.col = std::clamp(cell.col, 0, f.size.cols - 1);
+  cell.row = std::clamp(cell.row, 0, f.size.rows - 1);
+  // The four samples around the place are among the nine around its nearest.
+  const Cell first{.col = std::max(cell.col - 1, 0), .row = std::max(cell.row - 1, 0)};
+  const MapPart part = map.part(first, {.cols = std::min(cell.col + 2, f.size.cols) - first.col,
+                                        .rows = std::min(cell.row + 2, f.size.rows) - first.row});
+  if (part.origin(cell) == Origin::outside) return std::nullopt;
+  return SurfacePoint{.at = {place.x, place.y, heightAt(part, place)},
+                      .height_uncertainty_mm = halfRange(part, cell),
+                      .origin = part.origin(cell)};
 }
 
-Reading read(const DepthMap& map, const Measurement& m) {
+Reading read(const MapCells& map, const Measurement& m) {
   if (static_cast<int>(m.places.size()) < placesNeeded(m.kind)) {
     throw ArgumentError("A measurement of kind " + std::string(name(m.kind)) + " needs " +
                         std::to_string(placesNeeded(m.kind)) + " places.");
@@ -202,7 +207,7 @@ Reading read(const DepthMap& map, const Measurement& m) {
     reading.points.push_back(point.value_or(SurfacePoint{.at = {place.x, place.y, m.plane_mm}}));
   }
   reading.not_measured = notMeasured(reading.points);
-  const double s = map.frame.spacing_mm;
+  const double s = map.frame().spacing_mm;
   const auto distance = [](const std::vector<ViewMm>& p) { return norm(p[1] - p[0]); };
   const auto depth = [](const std::vector<ViewMm>& p) { return p[1].z - p[0].z; };
   switch (m.kind) {
@@ -233,11 +238,11 @@ Reading read(const DepthMap& map, const Measurement& m) {
   return reading;
 }
 
-std::vector<ProfileRow> profile(const DepthMap& map, const std::vector<PlaceMm>& places) {
+std::vector<ProfileRow> profile(const MapCells& map, const std::vector<PlaceMm>& places) {
   if (places.size() < 2) throw ArgumentError("A profile needs at least two places.");
   std::vector<ProfileRow> rows;
   double before = 0;
-  const double s = map.frame.spacing_mm;
+  const double s = map.frame().spacing_mm;
   for (std::size_t leg = 0; leg + 1 < places.size(); ++leg) {
     const PlaceMm a = places[leg];
     const PlaceMm b = places[leg + 1];

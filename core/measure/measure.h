@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/vec3.h"
-#include "core/depth/depth_map.h"
+#include "core/measure/map_cells.h"
 
 namespace relievo {
 
@@ -52,8 +52,9 @@ struct SurfacePoint {
   double height_uncertainty_mm = 0;  ///< Half the range of the 3 x 3 samples around.
   Origin origin = Origin::outside;   ///< Of the nearest sample.
 };
-/// Nothing beyond the map, or where the nearest sample is outside.
-std::optional<SurfacePoint> surfacePoint(const DepthMap& map, PlaceMm place);
+/// Nothing beyond the map, or where the nearest sample is outside. This and all below:
+/// @throw also what `map` throws when it reads
+std::optional<SurfacePoint> surfacePoint(const MapCells& map, PlaceMm place);
 
 /// A value and how far it may be off, both in `unit`.
 struct Quantity {
@@ -70,7 +71,7 @@ struct Reading {
   double not_measured = 0;           ///< Share of what was read that is not measured, [0, 1].
 };
 /// @throw ArgumentError  too few places, or one that is not on the object
-Reading read(const DepthMap& map, const Measurement& measurement);
+Reading read(const MapCells& map, const Measurement& measurement);
 
 struct ProfileRow {
   double along_mm = 0;  ///< From the first place, in the view plane.
@@ -78,6 +79,6 @@ struct ProfileRow {
 };
 /// One row per sample distance along the line, both ends included; rows off the object are left
 /// out. @throw ArgumentError  fewer than two places
-std::vector<ProfileRow> profile(const DepthMap& map, const std::vector<PlaceMm>& places);
+std::vector<ProfileRow> profile(const MapCells& map, const std::vector<PlaceMm>& places);
 
 }  // namespace relievo

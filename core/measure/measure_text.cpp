@@ -142,7 +142,7 @@ std::string curves(const std::vector<ProfileRow>& rows, const Axis& along, const
 
 }  // namespace
 
-std::string measurementsCsv(const DepthMap& map, const std::vector<Measurement>& list,
+std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
                             std::string_view header) {
   std::string text = comments(header) + "name,kind,quantity,value,uncertainty,unit,not_measured\n";
   for (const Measurement& m : list) {

@@ -14,7 +14,7 @@ namespace relievo {
 // text whose lines become comments with "#"; empty: none.
 
 /// One row per quantity: name, kind, quantity, value, uncertainty, unit, not_measured.
-std::string measurementsCsv(const DepthMap& map, const std::vector<Measurement>& list,
+std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
                             std::string_view header = {});
 
 /// One row per sample: along_mm, x_mm, y_mm, z_mm, uncertainty_mm, origin (its code).

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace relievo {
 namespace {
 
 constexpr int kParts = 4;
+constexpr int kRowsAtOnce = 128;
 
 /// Of each cell of one row: how many of its 4 x 4 points lie inside the outline, even-odd. Found
 /// from where the outline crosses each line of points, so that long outlines cost little.
@@ -56,55 +58,100 @@ class RowCounts {
 };
 
 /// Area of the surface over area in the view, from central differences.
-double stretch(const DepthMap& map, Cell at) {
+double stretch(const MapPart& map, Cell at) {
   const auto slope = [&](int dc, int dr) {
     const Cell before{.col = at.col - dc, .row = at.row - dr};
     const Cell after{.col = at.col + dc, .row = at.row + dr};
     const auto usable = [&](Cell c) {
-      return map.frame.size.contains(c) && map.origin(c) != Origin::outside;
+      return map.frame().size.contains(c) && map.origin(c) != Origin::outside;
     };
     const Cell from = usable(before) ? before : at;
     const Cell to = usable(after) ? after : at;
     const int steps = (to == at ? 0 : 1) + (from == at ? 0 : 1);
     if (steps == 0) return 0.0;
     return static_cast<double>(map.heightMm(to) - map.heightMm(from)) /
-           (steps * map.frame.spacing_mm);
+           (steps * map.frame().spacing_mm);
   };
   return std::sqrt(1 + std::pow(slope(1, 0), 2) + std::pow(slope(0, 1), 2));
 }
 
+/// First and last cell along one axis that an outline can touch; first > last if there is none.
+std::pair<int, int> cellsAlong(double low, double high, double first_mm, double spacing_mm,
+                               int count) {
+  const auto cell = [&](double mm) {
+    return std::clamp((mm - first_mm) / spacing_mm, -2.0, count + 1.0);
+  };
+  const int from = static_cast<int>(std::floor(cell(low))) - 1;
+  const int to = static_cast<int>(std::ceil(cell(high))) + 1;
+  return {std::max(from, 0), std::min(to, count - 1)};
+}
+
+/// What the cells add up to.
+class Sums {
+ public:
+  explicit Sums(const GridFrame& frame, double plane_mm)
+      : cell_mm2_(frame.spacing_mm * frame.spacing_mm), plane_mm_(plane_mm) {}
+
+  void add(const MapPart& map, Cell cell, int points) {
+    if (points == 0 || map.origin(cell) == Origin::outside) return;
+    const double part = static_cast<double>(points) / (kParts * kParts);
+    const double above = std::max(0.0, static_cast<double>(map.heightMm(cell)) - plane_mm_);
+    const double stretched = stretch(map, cell);
+    cells_ += part;
+    if (map.origin(cell) != Origin::measured) unmeasured_ += part;
+    piece_.area_mm2 += part * cell_mm2_;
+    piece_.surface_mm2 += part * cell_mm2_ * stretched;
+    piece_.volume_mm3 += part * cell_mm2_ * above;
+    if (part < 1) {  // On the outline, which may lie half a cell to either side.
+      piece_.area_off_mm2 += 0.5 * cell_mm2_;
+      piece_.surface_off_mm2 += 0.5 * cell_mm2_ * stretched;
+      piece_.volume_off_mm3 += 0.5 * cell_mm2_ * above;
+    }
+  }
+  Piece piece() const {
+    Piece piece = piece_;
+    piece.not_measured = cells_ > 0 ? unmeasured_ / cells_ : 0;
+    return piece;
+  }
+
+ private:
+  double cell_mm2_, plane_mm_;
+  double cells_ = 0, unmeasured_ = 0;
+  Piece piece_;
+};
+
 }  // namespace
 
-Piece pieceOf(const DepthMap& map, const std::vector<PlaceMm>& outline, double plane_mm) {
-  Piece piece;
-  const double s = map.frame.spacing_mm;
-  const double cell_mm2 = s * s;
-  double cells = 0;
-  double unmeasured = 0;
-  RowCounts row_counts(map.frame, outline);
-  for (int row = 0; row < map.frame.size.rows; ++row) {
-    const std::vector<int>& counts = row_counts.of(row);
-    for (int col = 0; col < map.frame.size.cols; ++col) {
-      const Cell cell{.col = col, .row = row};
-      const int points = counts[static_cast<std::size_t>(col)];
-      if (points == 0 || map.origin(cell) == Origin::outside) continue;
-      const double part = static_cast<double>(points) / (kParts * kParts);
-      const double above = std::max(0.0, static_cast<double>(map.heightMm(cell)) - plane_mm);
-      const double stretched = stretch(map, cell);
-      cells += part;
-      if (map.origin(cell) != Origin::measured) unmeasured += part;
-      piece.area_mm2 += part * cell_mm2;
-      piece.surface_mm2 += part * cell_mm2 * stretched;
-      piece.volume_mm3 += part * cell_mm2 * above;
-      if (part < 1) {  // On the outline, which may lie half a cell to either side.
-        piece.area_off_mm2 += 0.5 * cell_mm2;
-        piece.surface_off_mm2 += 0.5 * cell_mm2 * stretched;
-        piece.volume_off_mm3 += 0.5 * cell_mm2 * above;
+Piece pieceOf(const MapCells& map, const std::vector<PlaceMm>& outline, double plane_mm) {
+  const GridFrame& f = map.frame();
+  Sums sums(f, plane_mm);
+  const bool finite = std::all_of(outline.begin(), outline.end(), [](const PlaceMm& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y);
+  });
+  if (outline.empty() || !finite) return sums.piece();
+  const auto [leftmost, rightmost] = std::minmax_element(
+      outline.begin(), outline.end(), [](PlaceMm a, PlaceMm b) { return a.x < b.x; });
+  const auto [lowest, highest] = std::minmax_element(
+      outline.begin(), outline.end(), [](PlaceMm a, PlaceMm b) { return a.y < b.y; });
+  const auto [left, right] =
+      cellsAlong(leftmost->x, rightmost->x, f.first_x_mm, f.spacing_mm, f.size.cols);
+  const auto [bottom, top] =
+      cellsAlong(lowest->y, highest->y, f.first_y_mm, f.spacing_mm, f.size.rows);
+  if (left > right) return sums.piece();
+  RowCounts row_counts(f, outline);
+  for (int row = bottom; row <= top; row += kRowsAtOnce) {
+    const int end = std::min(row + kRowsAtOnce, top + 1);
+    const Cell first{.col = std::max(left - 1, 0), .row = std::max(row - 1, 0)};
+    const MapPart part = map.part(first, {.cols = std::min(right + 2, f.size.cols) - first.col,
+                                          .rows = std::min(end + 1, f.size.rows) - first.row});
+    for (int r = row; r < end; ++r) {
+      const std::vector<int>& counts = row_counts.of(r);
+      for (int col = left; col <= right; ++col) {
+        sums.add(part, {.col = col, .row = r}, counts[static_cast<std::size_t>(col)]);
       }
     }
   }
-  piece.not_measured = cells > 0 ? unmeasured / cells : 0;
-  return piece;
+  return sums.piece();
 }
 
 }  // namespace relievo

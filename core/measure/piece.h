@@ -16,6 +16,7 @@ struct Piece {
 };
 
 /// Counts each cell by the share of its 4 x 4 points that lie inside the outline (even-odd).
-Piece pieceOf(const DepthMap& map, const std::vector<PlaceMm>& outline, double plane_mm);
+/// Reads the rows that the outline spans, some at a time.
+Piece pieceOf(const MapCells& map, const std::vector<PlaceMm>& outline, double plane_mm);
 
 }  // namespace relievo

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <unordered_map>
 
 #include "core/base/error.h"
@@ -13,20 +14,31 @@
 namespace relievo {
 namespace {
 
+constexpr int kRowsAtOnce = 128;
+
 /// A line between two neighbouring samples: the lower or left one, and whether it runs upward.
 using EdgeId = std::uint64_t;
 /// Two edges of one cell, joined by a piece of a curve.
 using Piece = std::array<EdgeId, 2>;
 
+/// Where the plane cuts an edge, found while its cells are at hand.
+struct EdgePoint {
+  ViewMm at;
+  bool unmeasured = false;                 ///< One of its two samples is not measured.
+  std::array<std::size_t, 2> pieces = {};  ///< That end here, + 1; 0: none.
+};
+
 class Cutter {
  public:
-  Cutter(const DepthMap& map, const PlaneMm& plane) : map_(map), plane_(plane) {}
+  Cutter(const GridFrame& frame, const PlaneMm& plane, std::size_t most_points)
+      : frame_(frame), plane_(plane), most_points_(most_points) {}
 
-  std::vector<SectionCurve> curves() {
-    const GridSize size = map_.frame.size;
-    for (int row = 0; row + 1 < size.rows; ++row) {
-      for (int col = 0; col + 1 < size.cols; ++col) cutCell({.col = col, .row = row});
-    }
+  /// The cells between two rows. Rows come lowest first.
+  void cutRow(const MapPart& map, int row) {
+    for (int col = 0; col + 1 < frame_.size.cols; ++col) cutCell(map, {.col = col, .row = row});
+  }
+
+  std::vector<SectionCurve> curves() const {
     std::vector<SectionCurve> found;
     std::vector<bool> used(pieces_.size(), false);
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -41,22 +53,22 @@ class Cutter {
  private:
   /// Height of a sample over the plane, along the plane's normal. Exactly 0 counts as above, so
   /// that a curve through a sample is found once.
-  double over(Cell c) const {
-    return plane_.normal.x * map_.frame.xMm(c.col) + plane_.normal.y * map_.frame.yMm(c.row) +
-           plane_.normal.z * static_cast<double>(map_.heightMm(c)) - plane_.offset_mm;
+  double over(const MapPart& map, Cell c) const {
+    return plane_.normal.x * frame_.xMm(c.col) + plane_.normal.y * frame_.yMm(c.row) +
+           plane_.normal.z * static_cast<double>(map.heightMm(c)) - plane_.offset_mm;
   }
 
-  EdgeId edge(Cell c, bool upward) const { return 2 * map_.frame.size.index(c) + (upward ? 1 : 0); }
+  EdgeId edge(Cell c, bool upward) const { return 2 * frame_.size.index(c) + (upward ? 1 : 0); }
 
-  void cutCell(Cell c) {
+  void cutCell(const MapPart& map, Cell c) {
     const std::array<Cell, 4> corners{c,
                                       {.col = c.col + 1, .row = c.row},
                                       {.col = c.col + 1, .row = c.row + 1},
                                       {.col = c.col, .row = c.row + 1}};
     std::array<double, 4> h{};
     for (std::size_t i = 0; i < 4; ++i) {
-      if (map_.origin(corners[i]) == Origin::outside) return;
-      h[i] = over(corners[i]);
+      if (map.origin(corners[i]) == Origin::outside) return;
+      h[i] = over(map, corners[i]);
     }
     // Bottom, right, top, left: edge i joins corners i and i + 1.
     const std::array<EdgeId, 4> edges{edge(corners[0], false), edge(corners[1], true),
@@ -66,30 +78,36 @@ class Cutter {
     for (std::size_t i = 0; i < 4; ++i) {
       if ((h[i] >= 0) != (h[(i + 1) % 4] >= 0)) cut[count++] = i;
     }
-    if (count == 2) add(edges[cut[0]], edges[cut[1]]);
+    if (count == 2) add(map, edges[cut[0]], edges[cut[1]]);
     if (count != 4) return;
     // A saddle: the bilinear height in the middle says which corners belong together.
     const bool middle_above = h[0] + h[1] + h[2] + h[3] >= 0;
     const bool first_above = h[0] >= 0;
     if (middle_above == first_above) {
-      add(edges[0], edges[1]);
-      add(edges[2], edges[3]);
+      add(map, edges[0], edges[1]);
+      add(map, edges[2], edges[3]);
     } else {
-      add(edges[3], edges[0]);
-      add(edges[1], edges[2]);
+      add(map, edges[3], edges[0]);
+      add(map, edges[1], edges[2]);
     }
   }
 
-  void add(EdgeId a, EdgeId b) {
+  void add(const MapPart& map, EdgeId a, EdgeId b) {
     for (const EdgeId e : {a, b}) {
-      auto& at = at_edge_[e];
-      (at[0] ? at[1] : at[0]) = pieces_.size() + 1;
+      const auto [found, is_new] = at_edge_.try_emplace(e);
+      if (is_new) found->second = pointOn(map, e);
+      std::array<std::size_t, 2>& at = found->second.pieces;
+      (at[0] != 0 ? at[1] : at[0]) = pieces_.size() + 1;
     }
     pieces_.push_back({a, b});
+    if (at_edge_.size() > most_points_) {
+      throw ArgumentError("The plane cuts this map in more than " + std::to_string(most_points_) +
+                          " points. Choose another plane, or make a map with coarser cells.");
+    }
   }
 
   std::optional<std::size_t> nextAt(EdgeId e, const std::vector<bool>& used) const {
-    for (const std::size_t piece : at_edge_.at(e)) {
+    for (const std::size_t piece : at_edge_.at(e).pieces) {
       if (piece > 0 && !used[piece - 1]) return piece - 1;
     }
     return std::nullopt;
@@ -120,7 +138,11 @@ class Cutter {
     curve.closed = edges.size() > 2 && edges.front() == edges.back();
     if (curve.closed) edges.pop_back();
     double unmeasured = 0;
-    for (const EdgeId e : edges) curve.points.push_back(pointOn(e, unmeasured));
+    for (const EdgeId e : edges) {
+      const EdgePoint& point = at_edge_.at(e);
+      curve.points.push_back(point.at);
+      if (point.unmeasured) unmeasured += 1;
+    }
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
       curve.length_mm += norm(curve.points[i] - curve.points[i - 1]);
     }
@@ -129,37 +151,46 @@ class Cutter {
     return curve;
   }
 
-  ViewMm pointOn(EdgeId e, double& unmeasured) const {
+  EdgePoint pointOn(const MapPart& map, EdgeId e) const {
     const auto index = static_cast<std::int64_t>(e / 2);
-    const Cell a{.col = static_cast<int>(index % map_.frame.size.cols),
-                 .row = static_cast<int>(index / map_.frame.size.cols)};
+    const Cell a{.col = static_cast<int>(index % frame_.size.cols),
+                 .row = static_cast<int>(index / frame_.size.cols)};
     const Cell b =
         e % 2 == 1 ? Cell{.col = a.col, .row = a.row + 1} : Cell{.col = a.col + 1, .row = a.row};
-    if (map_.origin(a) != Origin::measured || map_.origin(b) != Origin::measured) unmeasured += 1;
-    const double ha = over(a);
-    const double t = ha / (ha - over(b));
+    const double ha = over(map, a);
+    const double t = ha / (ha - over(map, b));
     const auto at = [&](Cell c) {
-      return ViewMm{map_.frame.xMm(c.col), map_.frame.yMm(c.row),
-                    static_cast<double>(map_.heightMm(c))};
+      return ViewMm{frame_.xMm(c.col), frame_.yMm(c.row), static_cast<double>(map.heightMm(c))};
     };
-    return at(a) + t * (at(b) - at(a));
+    return {.at = at(a) + t * (at(b) - at(a)),
+            .unmeasured = map.origin(a) != Origin::measured || map.origin(b) != Origin::measured};
   }
 
-  const DepthMap& map_;
+  GridFrame frame_;
   PlaneMm plane_;
+  std::size_t most_points_;
   std::vector<Piece> pieces_;
-  std::unordered_map<EdgeId, std::array<std::size_t, 2>> at_edge_;  ///< Pieces + 1; 0: none.
+  std::unordered_map<EdgeId, EdgePoint> at_edge_;
 };
 
 }  // namespace
 
-std::vector<SectionCurve> section(const DepthMap& map, const PlaneMm& plane) {
+std::vector<SectionCurve> section(const MapCells& map, const PlaneMm& plane,
+                                  std::size_t most_points) {
   const double length = norm(plane.normal);
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(plane.offset_mm)) {
     throw ArgumentError("A section needs a plane with a direction and a distance.");
   }
-  return Cutter(map, {.normal = (1 / length) * plane.normal, .offset_mm = plane.offset_mm})
-      .curves();
+  const GridSize size = map.frame().size;
+  Cutter cutter(map.frame(), {.normal = (1 / length) * plane.normal, .offset_mm = plane.offset_mm},
+                most_points);
+  for (int row = 0; row + 1 < size.rows; row += kRowsAtOnce) {
+    const int end = std::min(row + kRowsAtOnce, size.rows - 1);
+    const MapPart part =
+        map.part({.col = 0, .row = row}, {.cols = size.cols, .rows = end + 1 - row});
+    for (int r = row; r < end; ++r) cutter.cutRow(part, r);
+  }
+  return cutter.curves();
 }
 
 }  // namespace relievo

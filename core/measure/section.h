@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/vec3.h"
-#include "core/depth/depth_map.h"
+#include "core/measure/map_cells.h"
 
 namespace relievo {
 
@@ -24,8 +24,11 @@ struct SectionCurve {
 
 /// Where a plane cuts the surface, longest curve first. Along the lines between neighbouring
 /// samples the curves are exactly on the bilinear surface; inside a cell they are straight. Cells
-/// with a corner outside are left out. [worker]
-/// @throw ArgumentError  no finite normal above 0, or offset not finite
-std::vector<SectionCurve> section(const DepthMap& map, const PlaneMm& plane);
+/// with a corner outside are left out. Reads some rows at a time. [worker]
+/// @throw ArgumentError  no finite normal above 0, offset not finite, or more than `most_points`
+/// points, which is 100 bytes of memory for each; also what `map` throws when it reads
+inline constexpr std::size_t kMostSectionPoints = 10'000'000;
+std::vector<SectionCurve> section(const MapCells& map, const PlaneMm& plane,
+                                  std::size_t most_points = kMostSectionPoints);
 
 }  // namespace relievo

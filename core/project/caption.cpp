@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/provenance/program.h"
+#include "core/session/map_facts.h"
 
 namespace relievo {
 namespace {
@@ -19,10 +20,11 @@ std::string counted(std::size_t count, const std::string& thing) {
 }
 
 std::string objectText(const Project& p, const Surface& surface) {
-  const DepthMap& map = surface.map;
-  const HeightRange z = heightRange(map);
-  return std::filesystem::path(p.file).filename().string() + ", " + shortNumber(map.widthMm()) +
-         " \u00d7 " + shortNumber(map.heightExtentMm()) + " \u00d7 " +
+  const HeightRange z = mapFacts(surface).heights;
+  const GridFrame& map = mapFrame(surface);
+  return std::filesystem::path(p.file).filename().string() + ", " +
+         shortNumber(map.size.cols * map.spacing_mm) + " \u00d7 " +
+         shortNumber(map.size.rows * map.spacing_mm) + " \u00d7 " +
          shortNumber(z.max_mm - z.min_mm) + " mm (unit " + std::string(name(surface.unit)) + ", " +
          std::string(name(surface.unit_source)) + "), view " + surface.view_name + ".";
 }
@@ -44,7 +46,7 @@ std::string holesText(const Project& p, const Surface& surface) {
 }
 
 std::string mapText(const Project& p, const Surface& surface) {
-  const GridFrame& frame = surface.map.frame;
+  const GridFrame& frame = mapFrame(surface);
   std::string text = "Depth map of " + std::to_string(frame.size.cols) + " \u00d7 " +
                      std::to_string(frame.size.rows) + " cells, " + shortNumber(frame.spacing_mm) +
                      " mm apart";

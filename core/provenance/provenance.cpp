@@ -8,6 +8,7 @@
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
 #include "core/session/large_map.h"
+#include "core/session/map_facts.h"
 
 namespace relievo {
 namespace {
@@ -83,7 +84,8 @@ Provenance provenanceFrom(const Json& json) {
 }  // namespace
 
 std::string madeText(const Surface& surface) {
-  return madeJson(surface, surface.map.frame, heightRange(surface.map), originShares(surface.map),
+  const MapFacts facts = mapFacts(surface);
+  return madeJson(surface, mapFrame(surface), facts.heights, facts.shares,
                   static_cast<std::size_t>(surface.ladder.levels()))
       .dump();
 }
@@ -116,7 +118,7 @@ SurfaceOptions resolved(const SurfaceOptions& options, const Surface& surface) {
   out.pyramid.threads = 0;  // The bytes are the same for every number.
   // A map of ours is taken as it is.
   if (surface.engine == "as stored" || surface.tiles) return out;
-  return writtenOut(out, surface, surface.is_raster, surface.map.frame.spacing_mm);
+  return writtenOut(out, surface, surface.is_raster, mapFrame(surface).spacing_mm);
 }
 
 std::string toJson(const Provenance& p, int indent) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/tiles/level_files.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -71,10 +72,7 @@ void LevelFiles::take(const LevelRow& row) {
       if (!outside) level.mask->set({.col = static_cast<int>(col), .row = row.row});
     } else {
       if (outside) level.line[col] = std::numeric_limits<float>::quiet_NaN();
-      // One multiplication per cell: it need not withstand an attack.
-      content_ =
-          (content_ ^ std::bit_cast<std::uint32_t>(row.heights_mm[col])) * 0x9e3779b97f4a7c15ULL;
-      content_ ^= content_ >> 29U;
+      takeFinest(row.heights_mm[col], row.origins[col]);
     }
   }
   const std::array<const void*, 1> heights{level.line.data()};
@@ -83,7 +81,21 @@ void LevelFiles::take(const LevelRow& row) {
   level.origins.add(origins);
 }
 
+void LevelFiles::takeFinest(float height_mm, Origin origin) {
+  // One multiplication per cell: it need not withstand an attack.
+  content_ = (content_ ^ std::bit_cast<std::uint32_t>(height_mm)) * 0x9e3779b97f4a7c15ULL;
+  content_ ^= content_ >> 29U;
+  ++counts_[static_cast<std::size_t>(origin)];
+  if (origin == Origin::outside) return;
+  low_mm_ = std::min(low_mm_, height_mm);
+  high_mm_ = std::max(high_mm_, height_mm);
+}
+
 void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& state) {
+  const bool any = low_mm_ <= high_mm_;
+  const std::array<double, 2> heights{any ? static_cast<double>(low_mm_) : 0,
+                                      any ? static_cast<double>(high_mm_) : 0};
+  const std::vector<double> origins(counts_.begin(), counts_.end());  // Exact: below 2^53.
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     const GridFrame& frame = frames_[l];
     RasterFacts facts{{"RELIEVO_UNIT", "mm"},
@@ -94,6 +106,8 @@ void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& s
                       {"RELIEVO_LEVEL", std::to_string(l)},
                       {"RELIEVO_LEVELS", std::to_string(levels_.size())},
                       {"RELIEVO_FACTOR", roundTripText(std::array{options_.factor})},
+                      {"RELIEVO_HEIGHTS", roundTripText(heights)},
+                      {"RELIEVO_ORIGINS", roundTripText(origins)},
                       {"RELIEVO_MAP_CONTENT", std::to_string(content_)}};
     if (!state.empty()) facts[kStateFact] = state;
     Level& level = *levels_[l];

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ std::filesystem::path originFile(const std::filesystem::path& level);
 /// origins (band 1) and of the share of measured cells in 1/255 (band 2). Each file says where its
 /// own nodes lie (cell centres at first + i M^l dx, exactly), so that every program that reads
 /// GeoTIFF sees every level in its place; overviews inside one file could not, because a GeoTIFF's
-/// overviews cover the same rectangle as the whole, which shifts the nodes. Cells outside the
+/// overviews cover the same rectangle as the whole, which shifts the nodes. Each also says the
+/// finest level's height range and how many of its cells are of which origin. Cells outside the
 /// object are NaN in the finest level and masked in the others. docs/adr/0037.
 class LevelFiles {
  public:
@@ -47,6 +49,7 @@ class LevelFiles {
  private:
   struct Level;
   void take(const LevelRow& row);
+  void takeFinest(float height_mm, Origin origin);
 
   std::filesystem::path finest_;
   PyramidOptions options_;
@@ -54,6 +57,9 @@ class LevelFiles {
   std::vector<std::unique_ptr<Level>> levels_;
   PyramidRows pyramid_;
   std::uint64_t content_ = 0;  ///< Of level 0; tells which levels belong together.
+  // What the files say of level 0, as heightRange and originCounts.
+  float low_mm_ = std::numeric_limits<float>::infinity(), high_mm_ = -low_mm_;
+  OriginCounts counts_{};
 };
 
 }  // namespace relievo

@@ -75,6 +75,7 @@ enum class TileKind { heights, origins };
 struct TiledMap::Impl {
   Impl(const std::filesystem::path& finest, std::size_t cache_bytes);
   void checkLevel(const LevelTiles& tiles, const RasterFacts& facts) const;
+  void takeWhole(const RasterFacts& facts);
   TileCache::Tile tile(const LevelTiles& tiles, TileKind kind, int number) const;
 
   std::filesystem::path file;
@@ -82,6 +83,8 @@ struct TiledMap::Impl {
   ViewFromFile view_from_file;
   std::vector<GridFrame> frames;
   DetailLadder ladder;
+  HeightRange heights;
+  std::array<double, kOriginCount> shares{};
   std::vector<std::unique_ptr<LevelTiles>> levels;
   mutable TileCache cache;
 };
@@ -119,6 +122,23 @@ TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_byte
             .spacings_mm = {},
             .factor = factor};
   for (const GridFrame& frame : frames) ladder.spacings_mm.push_back(frame.spacing_mm);
+  takeWhole(facts);
+}
+
+/// What nobody can see without reading every tile.
+void TiledMap::Impl::takeWhole(const RasterFacts& facts) {
+  const auto [low, high] = numbersOf<2>(facts, "RELIEVO_HEIGHTS", file);
+  if (!(low <= high)) refuse(file, "its lowest height is above its highest");
+  heights = {.min_mm = low, .max_mm = high};
+  const auto cells = static_cast<double>(frames[0].size.count());
+  const auto counts = numbersOf<kOriginCount>(facts, "RELIEVO_ORIGINS", file);
+  double all = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (!(counts[i] >= 0)) refuse(file, "its number of cells of one origin makes no sense");
+    all += counts[i];
+    shares[i] = counts[i] / cells;
+  }
+  if (all != cells) refuse(file, "its cells by origin are not all its cells");
 }
 
 void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& finest) const {
@@ -227,6 +247,12 @@ const ViewFromFile& TiledMap::viewFromFile() const noexcept {
 const DetailLadder& TiledMap::ladder() const noexcept {
   return impl_->ladder;
 }
+HeightRange TiledMap::heights() const noexcept {
+  return impl_->heights;
+}
+const std::array<double, kOriginCount>& TiledMap::shares() const noexcept {
+  return impl_->shares;
+}
 std::size_t TiledMap::tilesRead() const noexcept {
   return impl_->cache.loads();
 }
@@ -250,22 +276,31 @@ RegionWindow TiledMap::window(const Region& region, double gain) const {
                       region, gain);
 }
 
-DepthMap TiledMap::levelMap(Level number) const {
+DepthMap TiledMap::part(Level number, Cell first, GridSize size) const {
   const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(number.value)];
+  const GridFrame& frame = impl_->frames[static_cast<std::size_t>(number.value)];
   DepthMap map;
-  map.frame = impl_->frames[static_cast<std::size_t>(number.value)];
-  TileRows<float> heights(map.frame.size,
+  map.frame = frame;
+  map.frame.size = size;
+  map.frame.first_x_mm = frame.xMm(first.col);
+  map.frame.first_y_mm = frame.yMm(first.row);
+  map.heights_mm.reserve(size.count());
+  map.origins.reserve(size.count());
+  TileRows<float> heights(frame.size,
                           [&](int tile) { return impl_->tile(tiles, TileKind::heights, tile); });
-  TileRows<Origin> origins(map.frame.size,
+  TileRows<Origin> origins(frame.size,
                            [&](int tile) { return impl_->tile(tiles, TileKind::origins, tile); });
-  const int cols = map.frame.size.cols;
-  for (int row = 0; row < map.frame.size.rows; ++row) {
-    const float* z = heights(row, 0, cols);
-    map.heights_mm.insert(map.heights_mm.end(), z, z + cols);
-    const Origin* origin = origins(row, 0, cols);
-    map.origins.insert(map.origins.end(), origin, origin + cols);
+  for (int row = first.row; row < first.row + size.rows; ++row) {
+    const float* z = heights(row, first.col, size.cols);
+    map.heights_mm.insert(map.heights_mm.end(), z, z + size.cols);
+    const Origin* origin = origins(row, first.col, size.cols);
+    map.origins.insert(map.origins.end(), origin, origin + size.cols);
   }
   return map;
+}
+
+DepthMap TiledMap::levelMap(Level number) const {
+  return part(number, {}, impl_->frames[static_cast<std::size_t>(number.value)].size);
 }
 
 void TiledMap::prefetch(const Region& region) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -33,6 +34,8 @@ class TiledMap {
   const std::vector<GridFrame>& frames() const noexcept;  ///< Per level, finest first.
   const ViewFromFile& viewFromFile() const noexcept;
   const DetailLadder& ladder() const noexcept;
+  HeightRange heights() const noexcept;  ///< Of the finest level, as heightRange.
+  const std::array<double, kOriginCount>& shares() const noexcept;  ///< As originShares.
 
   /// What sampleWindow gives for the same map in memory, bit for bit; but the origins at a coarse
   /// level are those of its nodes, because the map's own would touch every tile. Takes what is not
@@ -40,8 +43,11 @@ class TiledMap {
   /// @throw ArgumentError  as sampleWindow. FileError  a file was damaged or cut meanwhile
   RegionWindow window(const Region& region, double gain = 1) const;
 
-  /// A whole level as a map of its own: heights as a window has them, origins of its nodes.
-  /// [any thread] @pre level exists @throw FileError
+  /// A rectangle of a level's nodes as a map of its own: heights as a window has them, origins of
+  /// the finest cells nearest to the nodes. Reads the tiles under it, one row of tiles at a time.
+  /// [any thread] @pre it lies within the level @throw FileError
+  DepthMap part(Level level, Cell first, GridSize size) const;
+  /// A whole level. [any thread] @pre level exists @throw FileError
   DepthMap levelMap(Level level) const;
 
   /// Loads the tiles that a window of this region needs. [any thread] @throw FileError
