@@ -28,7 +28,8 @@ struct RowReducer::Impl {
     before = -cols.front().first;
     const Taps& end = cols.back();
     after = std::max(0, end.first + static_cast<int>(end.weights.size()) - fine.cols);
-    padded.resize(static_cast<std::size_t>(before + fine.cols + after));
+    padded.resize(static_cast<std::size_t>(before) + static_cast<std::size_t>(fine.cols) +
+                  static_cast<std::size_t>(after));
   }
 
   Taps tapsOfRow(int row) const {

@@ -34,7 +34,7 @@ DepthMap levelCut(const Surface& surface, Level level, const LevelSamples& sampl
   cut.frame.size = size;
   cut.frame.first_x_mm = f.xMm(first.col);
   cut.frame.first_y_mm = f.yMm(first.row);
-  const std::vector<float>& heights =
+  const LargeArray<float>& heights =
       surface.pyramid.levels[static_cast<std::size_t>(level.value)].heights_mm;
   // As the levels of a map by tiles have them (PyramidRows): a node that lies between two cells has
   // the upper one, whatever the rounding of its place in millimetres.
