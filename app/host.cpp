@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
 #include "core/region/edges.h"
 #include "core/session/finer_heights.h"
@@ -135,6 +136,20 @@ void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
 
 QString WindowHost::recordingHeader(const QString& file) const {
   return window_.recordingHeader(file);
+}
+
+QString WindowHost::mapState(const QString& folder) const {
+  const Document& document = window_.document();
+  if (!document.isOpen()) return {};
+  const DocumentState& state = document.state();
+  Provenance made = provenanceOf(*state.surface, state.options);
+  made.input = {relativePath(QFile::encodeName(document.file()).toStdString(),
+                             QFile::encodeName(folder).toStdString()),
+                document.fileSha256().toStdString(),
+                static_cast<std::uint64_t>(QFileInfo(document.file()).size())};
+  // A state without a view shows nothing, and a recording has its own.
+  made.view = ViewState{.region = wholeRegion(state.surface->ladder)};
+  return QString::fromStdString(toJson(made, -1));
 }
 
 }  // namespace relievo

@@ -29,6 +29,7 @@ class WindowHost : public Host {
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
   QString recordingHeader(const QString& file) const override;
+  QString mapState(const QString& folder) const override;
 
  private:
   MainWindow& window_;

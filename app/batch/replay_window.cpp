@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/batch/state.h"
 #include "core/base/error.h"
+#include "core/project/carried_state.h"
 #include "core/provenance/sha256.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
@@ -22,8 +24,9 @@ namespace {
 /// The surfaces of a recording, each prepared once.
 class Scenes {
  public:
-  Scenes(Surface surface, const RecordedLoop& loop, std::filesystem::path recording, Task task)
-      : surface_(std::move(surface)),
+  /// @param header  what the recording's header says, its input found
+  Scenes(Project header, const RecordedLoop& loop, std::filesystem::path recording, Task task)
+      : header_(std::move(header)),
         loop_(loop),
         recording_(std::move(recording)),
         task_(std::move(task)) {}
@@ -36,24 +39,57 @@ class Scenes {
 
  private:
   std::unique_ptr<HapticSpace> made(const RecordedScene& scene) {
-    RegionWindow window = windowOf(surface_, scene.region, scene.gain);
+    const Surface& surface = surfaceUnder(scene);
+    RegionWindow window = windowOf(surface, scene.region, scene.gain);
     window.id = scene.window_id;
     auto space = std::make_unique<HapticSpace>();
-    const DetailLadder& ladder = surface_.ladder;
+    const DetailLadder& ladder = surface.ladder;
     std::vector<float> firmness;
     if (!scene.firmness.empty()) {
       firmness = firmnessUnder(firmnessOf(scene.firmness), ladder, scene.region);
     }
     fill(*space, window, {ladder.detailOf(scene.region.level), ladder.levels()}, scene.kind,
          scene.anchor, firmness);
-    if (scene.textured) fillTexture(*space, finerHeights(surface_, scene.region, scene.gain));
+    if (scene.textured) fillTexture(*space, finerHeights(surface, scene.region, scene.gain));
     space->scene_id = scene.id;
     if (sceneChecksum(*space) != scene.checksum) {
       throw FileError("Window " + std::to_string(scene.window_id) +
-                      " is not what was touched: the surface was changed during the recording, or "
-                      "its depth map cannot be made again. Nothing was replayed.");
+                      " is not what was touched: its depth map cannot be made again as it was. "
+                      "Nothing was replayed.");
     }
     return space;
+  }
+
+  /// One map at a time is in memory: the one that was touched last.
+  const Surface& surfaceUnder(const RecordedScene& scene) {
+    if (!surface_ || map_ != scene.map) {
+      surface_.reset();
+      surface_ = std::make_unique<Surface>(surfaceOf(projectOf(scene.map), task_));
+      map_ = scene.map;
+    }
+    if (scene.region.level.value >= surface_->ladder.levels()) {
+      throw FileError("The map of the recording has no level " +
+                      std::to_string(scene.region.level.value) + ". Nothing was replayed.");
+    }
+    return *surface_;
+  }
+
+  Project projectOf(std::uint64_t map) const {
+    if (map == 0) return header_;
+    const auto told = loop_.maps.find(map);
+    std::optional<Project> project;
+    if (told != loop_.maps.end()) project = carriedProject(recording_, told->second);
+    if (!project) {
+      throw FileError(
+          "The recording does not say how one of its maps was made. Nothing was "
+          "replayed.");
+    }
+    if (project->sha256 == header_.sha256) {  // Found already, wherever it is now.
+      project->file = header_.file;
+    } else {
+      findInput(*project, recording_, {}, false, task_);
+    }
+    return std::move(*project);
   }
 
   /// Read once, if it is the one that was felt.
@@ -79,10 +115,12 @@ class Scenes {
     return firmness_.emplace(sha256, readFirmness(file, task_)).first->second;
   }
 
-  Surface surface_;
+  Project header_;
   const RecordedLoop& loop_;
   std::filesystem::path recording_;
   Task task_;
+  std::unique_ptr<Surface> surface_;
+  std::uint64_t map_ = 0;                        ///< Of surface_.
   std::map<std::string, FirmnessMap> firmness_;  ///< By SHA-256.
   std::map<std::uint64_t, std::unique_ptr<HapticSpace>> spaces_;
 };
@@ -94,8 +132,7 @@ std::optional<ReplayResult> replayOfWindow(
     const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
   const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
   if (!loop) return std::nullopt;
-  Scenes scenes(loadStored({.from_image = file, .project = {}}, input, task).surface, *loop, file,
-                task);
+  Scenes scenes(storedProject({.from_image = file, .project = {}}, input, task), *loop, file, task);
   return replayLoop(
       *loop, log,
       [&scenes](const RecordedScene& scene) -> const HapticSpace& { return scenes.at(scene); },

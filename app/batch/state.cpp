@@ -16,40 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Sets file and checksum to what is there now.
-void findInput(Project& project, const fs::path& carrier, const std::string& given,
-               bool accept_changed, const Task& task) {
-  const fs::path file = given.empty() ? foundInput(carrier, project.file) : fs::path(given);
-  project.file = file.string();
-  if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
-  const std::string sha256 = sha256OfFile(file, task);
-  if (sha256 == project.sha256) return;
-  const std::string changed = "'" + file.filename().string() + "' is not the file that " +
-                              carrier.filename().string() +
-                              " was made from (checksum differs, E501).";
-  if (!accept_changed) {
-    throw ChangedInputError(
-        changed +
-            " Nothing was made. Give the right one as FILE, or --changed-input to use this one.",
-        "E501");
-  }
-  tell(changed + " It was used all the same.");
-  project.sha256 = sha256;  // What is drawn now comes from these bytes.
-  project.bytes = fs::file_size(file);
-}
-
 /// As carriedProject, and of HDF5 logs.
 std::optional<Project> projectIn(const fs::path& carrier) {
   if (readHead(carrier, 4) != "\x89HDF") return carriedProject(carrier);
   const auto state = hdf5State(carrier);
   return state ? carriedProject(carrier, *state) : std::nullopt;
-}
-
-Surface surfaceOf(const Project& project, const Task& task) {
-  if (TiledMap::isOne(project.file)) return openTiledSurface(project.file);
-  ImportOptions import;
-  import.accept_incomplete = project.accept_incomplete;
-  return loadForVerb(project.file, project.options, import, task);
 }
 
 Provenance withInput(Provenance provenance, const MapArguments& arguments, const fs::path& out,
@@ -72,6 +43,34 @@ fs::path foundInput(const fs::path& carrier, const fs::path& stored) {
   throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
                       "', which is not there (E501). Nothing was made. Give its place as FILE.",
                   "E501");
+}
+
+void findInput(Project& project, const fs::path& carrier, const std::string& given,
+               bool accept_changed, const Task& task) {
+  const fs::path file = given.empty() ? foundInput(carrier, project.file) : fs::path(given);
+  project.file = file.string();
+  if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
+  const std::string sha256 = sha256OfFile(file, task);
+  if (sha256 == project.sha256) return;
+  const std::string changed = "'" + file.filename().string() + "' is not the file that " +
+                              carrier.filename().string() +
+                              " was made from (checksum differs, E501).";
+  if (!accept_changed) {
+    throw ChangedInputError(
+        changed +
+            " Nothing was made. Give the right one as FILE, or --changed-input to use this one.",
+        "E501");
+  }
+  tell(changed + " It was used all the same.");
+  project.sha256 = sha256;  // What is drawn now comes from these bytes.
+  project.bytes = fs::file_size(file);
+}
+
+Surface surfaceOf(const Project& project, const Task& task) {
+  if (TiledMap::isOne(project.file)) return openTiledSurface(project.file);
+  ImportOptions import;
+  import.accept_incomplete = project.accept_incomplete;
+  return loadForVerb(project.file, project.options, import, task);
 }
 
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
@@ -126,7 +125,7 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
   }
 }
 
-Stored loadStored(const CarrierArguments& a, const std::string& given, const Task& task) {
+Project storedProject(const CarrierArguments& a, const std::string& given, const Task& task) {
   const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
   auto project = projectIn(carrier);
   if (!project) {
@@ -135,7 +134,13 @@ Stored loadStored(const CarrierArguments& a, const std::string& given, const Tas
                     "picture or log as relievo wrote it; other programs may drop what is inside.");
   }
   findInput(*project, carrier, given, a.changed_input, task);
-  Stored stored{.surface = surfaceOf(*project, task), .project = std::move(*project)};
+  return std::move(*project);
+}
+
+Stored loadStored(const CarrierArguments& a, const std::string& given, const Task& task) {
+  Project project = storedProject(a, given, task);
+  Surface surface = surfaceOf(project, task);
+  Stored stored{.surface = std::move(surface), .project = std::move(project)};
   // A region typed for one version of the file may not exist on another.
   if (stored.project.region.level.value >= stored.surface.ladder.levels()) {
     throw FileError("The map of '" + stored.project.file + "' has no level " +

@@ -41,10 +41,21 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& arguments);
 void refuseBeside(const CLI::App& verb, const CarrierArguments& arguments,
                   std::initializer_list<const char*> allowed);
 
+/// Sets file and checksum of a state to what is there now, as loadStored does; `given` empty:
+/// looked for. @throw FileError  E501, nowhere there  @throw ChangedInputError  not accepted
+void findInput(Project& project, const std::filesystem::path& carrier, const std::string& given,
+               bool accept_changed, const Task& task);
+Surface surfaceOf(const Project& project, const Task& task);
+
 /// Where the file is that a carrier names: as stored, beside the carrier, in the working folder, or
 /// in the folder of inputs of a package. @throw FileError  E501, nowhere there
 std::filesystem::path foundInput(const std::filesystem::path& carrier,
                                  const std::filesystem::path& stored);
+
+/// The state that a file carries, its input found and checked; no surface is made.
+/// @throw FileError, ChangedInputError  as loadStored
+Project storedProject(const CarrierArguments& arguments, const std::string& given,
+                      const Task& task);
 
 /// A state that came back, and the surface it belongs to.
 struct Stored {

@@ -111,9 +111,8 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
                         const HapticOptions& options) RELIEVO_REALTIME {
   const GridPoint hand = space.gridFromDevice(hip_);
   const GridPoint hip = options.frame ? SceneFrame::confined(hand) : hand;
-  const bool is_new = !placed_ || space.window_id != window_id_ || space.surface != surface_;
-  const bool from_previous = is_new && placed_ && previous != nullptr &&
-                             previous->window_id == window_id_ && previous->surface == surface_;
+  const bool is_new = !placed_ || !isFelt(space);
+  const bool from_previous = is_new && placed_ && previous != nullptr && isFelt(*previous);
   if (from_previous) {
     const double fixed = options.force.stiffness_n_per_mm;
     SpringChange spring{fixed, fixed};
@@ -129,6 +128,7 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
     change_.stop();
   }
   window_id_ = space.window_id;
+  scene_id_ = space.scene_id;
   surface_ = space.surface;
   placed_ = true;
   if (change_.running() && previous != nullptr) {

@@ -84,7 +84,7 @@ class HapticCore {
   bool changing() const RELIEVO_REALTIME { return change_.running(); }
   /// Would the next tick on this surface look at the one before, too?
   bool looksBackFrom(const HapticSpace& space) const RELIEVO_REALTIME {
-    return changing() || (placed_ && (space.window_id != window_id_ || space.surface != surface_));
+    return changing() || (placed_ && !isFelt(space));
   }
 
   /// No tick came for so long before `now_ns` that the force must start from zero: what is handed
@@ -103,6 +103,11 @@ class HapticCore {
   void reset() RELIEVO_REALTIME;
 
  private:
+  /// Is it the surface of the last tick? The same window is filled anew with another firmness.
+  bool isFelt(const HapticSpace& space) const RELIEVO_REALTIME {
+    return space.window_id == window_id_ && space.surface == surface_ &&
+           space.scene_id == scene_id_;
+  }
   void check(const ForceOptions& options, const ForceInput& input, bool paused, DeviceN before,
              DeviceN sent) RELIEVO_REALTIME;
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
@@ -142,7 +147,7 @@ class HapticCore {
   DeviceMm hip_;  // The last hand that was a place.
   DeviceFault fault_ = DeviceFault::none;
   std::uint64_t tick_ = 0;
-  std::uint64_t window_id_ = 0;
+  std::uint64_t window_id_ = 0, scene_id_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;
   std::int64_t last_ns_ = 0;  // Of the last tick.
   bool gated_ = false;        // In the last tick.

@@ -22,11 +22,6 @@ ProxyState liftedOn(const BlendedSurface& surface, ProxyState proxy) RELIEVO_REA
 }
 }  // namespace
 
-bool sameScene(const HapticSpace& a, const HapticSpace& b) RELIEVO_REALTIME {
-  return a.window_id == b.window_id && a.surface == b.surface &&
-         a.device_per_view == b.device_per_view && a.device_translation == b.device_translation;
-}
-
 /// What the whole change would do to the force of a proxy that keeps its place, in newtons: the
 /// height moves it, the slope turns the force, the spring scales it.
 double SceneChange::wholeDifference(const HapticSpace& was, const HapticSpace& now,

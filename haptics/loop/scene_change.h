@@ -53,7 +53,4 @@ class SceneChange {
   SpringChange spring_;
 };
 
-/// Do both stand for the same surface at the same place?
-bool sameScene(const HapticSpace& a, const HapticSpace& b) RELIEVO_REALTIME;
-
 }  // namespace relievo

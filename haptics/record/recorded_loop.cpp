@@ -47,7 +47,7 @@ bool fromHex(std::string_view text, T& value) {
   return true;
 }
 
-/// A file's name as one word of a line: blanks and what is no letter of ASCII as %XX.
+/// Any text as one word of a line: blanks and what is no letter of ASCII as %XX.
 std::string oneWord(std::string_view text) {
   std::string word;
   for (const char letter : text) {
@@ -115,7 +115,7 @@ std::string textOf(double value) {
 }
 
 RecordedScene sceneOf(const std::vector<std::string_view>& words) {
-  constexpr std::size_t kPlain = 13, kAnchored = kPlain + 6;
+  constexpr std::size_t kPlain = 14, kAnchored = kPlain + 6;
   if (words.size() != kPlain && words.size() != kAnchored) refuse("a surface is not told in full");
   const auto real = [&](std::size_t i) { return numberOf<double>(words[i]); };
   RecordedScene scene;
@@ -129,8 +129,9 @@ RecordedScene sceneOf(const std::vector<std::string_view>& words) {
   scene.textured = numberOf<int>(words[10]) != 0;
   scene.checksum = numberOf<std::uint64_t>(words[11]);
   if (words[12] != kNone) scene.firmness = words[12];
+  scene.map = numberOf<std::uint64_t>(words[13]);
   if (words.size() == kAnchored) {
-    scene.anchor = Anchor{{real(13), real(14), real(15)}, {real(16), real(17), real(18)}};
+    scene.anchor = Anchor{{real(14), real(15), real(16)}, {real(17), real(18), real(19)}};
   }
   return scene;
 }
@@ -153,7 +154,8 @@ std::string sceneLine(const RecordedScene& s) {
   for (const double v : {s.region.x_mm, s.region.y_mm, s.region.side_mm}) line += " " + textOf(v);
   line += " " + std::to_string(s.region.level.value) + " " + textOf(s.gain) + " " +
           std::to_string(static_cast<int>(s.kind)) + (s.textured ? " 1 " : " 0 ") +
-          std::to_string(s.checksum) + " " + (s.firmness.empty() ? std::string(kNone) : s.firmness);
+          std::to_string(s.checksum) + " " +
+          (s.firmness.empty() ? std::string(kNone) : s.firmness) + " " + std::to_string(s.map);
   if (s.anchor) {
     const ViewMm& p = s.anchor->point;
     const DeviceMm& at = s.anchor->at;
@@ -164,6 +166,10 @@ std::string sceneLine(const RecordedScene& s) {
 
 std::string firmnessLine(std::string_view sha256, std::string_view file) {
   return "replay firmness " + std::string(sha256) + " " + oneWord(file) + "\n";
+}
+
+std::string mapLine(std::uint64_t map, std::string_view state) {
+  return "replay map " + std::to_string(map) + " " + oneWord(state) + "\n";
 }
 
 std::string optionsLine(const HapticOptions& options) {
@@ -209,6 +215,10 @@ std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_vi
     } else if (words[1] == "scene") {
       const RecordedScene scene = sceneOf(words);
       loop.scenes[scene.id] = scene;
+    } else if (words[1] == "map") {
+      if (!fromWord(words[3], loop.maps[numberOf<std::uint64_t>(words[2])])) {
+        refuse("what it says of a map is damaged");
+      }
     } else if (words[1] == "firmness") {
       if (!fromWord(words[3], loop.firmness[std::string(words[2])])) {
         refuse("the name of its raster of firmness is damaged");

@@ -25,6 +25,7 @@ struct RecordedScene {
   std::optional<Anchor> anchor;
   bool textured = false;
   std::string firmness = {};   ///< SHA-256 of the raster that said where it is firm; or empty.
+  std::uint64_t map = 0;       ///< Of mapLine(); 0: the one in the recording's header.
   std::uint64_t checksum = 0;  ///< sceneChecksum().
 };
 
@@ -35,6 +36,8 @@ std::string sceneLine(const RecordedScene& scene);
 /// Where a raster of firmness is found that scenes name.
 /// @param file  from the recording's folder, or absolute
 std::string firmnessLine(std::string_view sha256, std::string_view file);
+/// How a map is made that scenes name. @param state  as text; what it says is not looked at here
+std::string mapLine(std::uint64_t map, std::string_view state);
 std::string optionsLine(const HapticOptions& options);
 /// @param build  names the program that wrote it
 std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
@@ -55,6 +58,7 @@ struct RecordedLoop {
   std::map<std::uint64_t, RecordedScene> scenes;
   std::map<std::uint64_t, LoopChange> changes;  ///< By tick.
   std::map<std::string, std::string> firmness;  ///< Files of firmnessLine(), by SHA-256.
+  std::map<std::uint64_t, std::string> maps;    ///< States of mapLine().
 };
 /// Nothing: the log has no such lines. @throw FileError  another build wrote them; or damaged
 std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build);

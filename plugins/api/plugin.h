@@ -83,6 +83,9 @@ class Host : public QObject {
   /// Comment lines for the header of a recording in `file`: input (its path from there), hash,
   /// unit, view, region (conventions.md 5.5).
   virtual QString recordingHeader(const QString& file) const = 0;
+  /// How the open map is made, in one line: its input (the path from `folder`), hash, every choice;
+  /// the same map gives the same line. Empty: nothing is open.
+  virtual QString mapState(const QString& folder) const = 0;
 
  Q_SIGNALS:
   void windowShown(std::shared_ptr<const RegionWindow> window);  ///< Also sent once after attach.

@@ -29,6 +29,7 @@ void HapticsPlugin::applySurface() {
 
 SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
   SceneMaps maps;
+  maps.map_state = host_->mapState(recordingFolder()).toStdString();
   textured_ = settings_.feel.fields.texture_mm > 0;
   if (textured_) maps.finer_mm = host_->finerHeights(window);
   const bool fitted = std::exchange(firmness_fits_, true);

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
 #include "haptics/proxy/texture.h"
-#include "haptics/record/recorded_loop.h"
 #include "haptics/rt/build_id.h"
 #include "plugins/haptics/recording_file.h"
 
@@ -65,18 +65,10 @@ void LoopSession::show(const RegionWindow& window, SurfaceKind kind, const Scene
        maps.firmness);
   fillTexture(space, maps.finer_mm);
   space.scene_id = ++scene_id_;
-  constexpr std::size_t kScenesInUse = 4;  // Of the loop, its change, the mailbox and this one.
-  if (!recorder_.running() && scene_lines_.size() >= kScenesInUse) {
-    scene_lines_.erase(scene_lines_.begin());
-  }
   RecordedScene scene{scene_id_, window.id, window.region, window.gain, kind, touched};
   scene.textured = space.texture.present;
   scene.checksum = sceneChecksum(space);
-  if (maps.firmness_from) {
-    scene.firmness = maps.firmness_from->sha256;
-    firmness_files_[scene.firmness] = maps.firmness_from->file;
-  }
-  scene_lines_.push_back(sceneLine(scene));
+  keep(std::move(scene), maps);
   loop_->spaces().publish();
   mapping_ = mappingOf(window, touched);
   const bool first = !std::exchange(has_window_, true);
@@ -86,6 +78,21 @@ void LoopSession::show(const RegionWindow& window, SurfaceKind kind, const Scene
   const double depth = norm(last.proxy - last.hip);
   const bool pressing = !first && last.contact;
   steered_->placeAt(mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth)));
+}
+
+void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
+  if (maps.firmness_from) {
+    scene.firmness = maps.firmness_from->sha256;
+    firmness_files_[scene.firmness] = maps.firmness_from->file;
+  }
+  if (!maps.map_state.empty()) {
+    const auto known = std::find(map_states_.begin(), map_states_.end(), maps.map_state);
+    scene.map = static_cast<std::uint64_t>(known - map_states_.begin()) + 1;
+    if (known == map_states_.end()) map_states_.push_back(maps.map_state);
+  }
+  constexpr std::size_t kScenesInUse = 4;  // Of the loop, its change, the mailbox and this one.
+  if (!recorder_.running() && scenes_.size() >= kScenesInUse) scenes_.erase(scenes_.begin());
+  scenes_.push_back(std::move(scene));
 }
 
 void LoopSession::moveHand(ViewMm target) {
@@ -111,15 +118,18 @@ void LoopSession::startRecording(const std::string& file, const std::string& hea
 
 void LoopSession::stopRecording(const std::string& footer) {
   std::string lines = footer;
-  for (const auto* list : {&scene_lines_, &options_lines_}) {
-    for (const std::string& line : *list) lines += line;
+  std::set<std::uint64_t> maps;
+  std::set<std::string> rasters;
+  for (const RecordedScene& scene : scenes_) {
+    lines += sceneLine(scene);
+    const bool new_map = scene.map > 0 && maps.insert(scene.map).second;
+    if (new_map) lines += mapLine(scene.map, map_states_[scene.map - 1]);
+    const bool new_raster = !scene.firmness.empty() && rasters.insert(scene.firmness).second;
+    if (!new_raster) continue;
+    lines += firmnessLine(scene.firmness,
+                          foundFrom(recording_folder_, firmness_files_.at(scene.firmness)));
   }
-  for (const auto& [sha256, file] : firmness_files_) {
-    const bool named = std::any_of(scene_lines_.begin(), scene_lines_.end(), [&](const auto& line) {
-      return line.find(sha256) != std::string::npos;
-    });
-    if (named) lines += firmnessLine(sha256, foundFrom(recording_folder_, file));
-  }
+  for (const std::string& line : options_lines_) lines += line;
   recorder_.stop(lines);
 }
 

@@ -14,6 +14,7 @@
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
+#include "haptics/record/recorded_loop.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
 #include "plugins/api/plugin.h"
@@ -24,7 +25,9 @@ namespace relievo {
 struct SceneMaps {
   std::vector<float> finer_mm;  ///< See fillTexture(); empty: no texture.
   std::vector<float> firmness;  ///< See fill(); empty: the window's origins say where it is firm.
-  std::shared_ptr<const FirmnessMap> firmness_from;  ///< For recordings; null: as `firmness`.
+  // For recordings.
+  std::shared_ptr<const FirmnessMap> firmness_from;  ///< Null: as an empty `firmness`.
+  std::string map_state;                             ///< Host::mapState().
 };
 
 /// The running loop with one device, and the threads around it. All calls: GUI thread.
@@ -63,6 +66,7 @@ class LoopSession {
   HapticLoop& loop() noexcept { return *loop_; }
 
  private:
+  void keep(RecordedScene scene, const SceneMaps& maps);
   void plotSink(std::span<const HapticSample> batch);  // [drain thread]
 
   // In this order: the drain goes first and still finds the recorder and the loop's ring.
@@ -79,8 +83,10 @@ class LoopSession {
   HandMapping mapping_;
   // What a replay needs: since a recording began, or of the present and the last scene.
   std::uint64_t scene_id_ = 0, options_id_ = 0;
-  std::vector<std::string> scene_lines_, options_lines_;
+  std::vector<RecordedScene> scenes_;
+  std::vector<std::string> options_lines_;
   std::map<std::string, std::string> firmness_files_;  // By SHA-256.
+  std::vector<std::string> map_states_;                // Map 1 is the first.
   std::string recording_folder_;
   bool has_window_ = false, moving_ = false;
 };

@@ -11,10 +11,14 @@
 
 namespace relievo {
 
-QString proposedRecording(const QDateTime& now) {
+QString recordingFolder() {
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  const QDir folder(documents + QStringLiteral("/relievo"));
-  if (documents.isEmpty() || !folder.mkpath(QStringLiteral("."))) {
+  return documents.isEmpty() ? QString() : documents + QStringLiteral("/relievo");
+}
+
+QString proposedRecording(const QDateTime& now) {
+  const QDir folder(recordingFolder());
+  if (recordingFolder().isEmpty() || !folder.mkpath(QStringLiteral("."))) {
     throw WriteError("The folder \"" + folder.path().toStdString() +
                      "\" for recordings cannot be made. Nothing is recorded.");
   }

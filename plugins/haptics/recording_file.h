@@ -10,6 +10,10 @@
 
 namespace relievo {
 
+/// The folder of recordings that nobody named a place for: relievo in the documents folder; empty:
+/// there is none. Not made here.
+QString recordingFolder();
+
 /// Where a recording goes that nobody named: the documents folder, relievo/touch-DATE-TIME.csv,
 /// with a number if that is taken. Makes the folder. @throw WriteError
 QString proposedRecording(const QDateTime& now);

@@ -320,11 +320,17 @@ QString ScopeDialog::exportTo(const QString& file) const {
 }
 
 void ScopeDialog::ask(const QString& filter, const QString& ending) {
-  QString file = QFileDialog::getSaveFileName(this, tr("Save the plots"), {}, filter);
-  if (file.isEmpty()) return;
-  if (!file.endsWith(ending, Qt::CaseInsensitive)) file += ending;
-  const QString wrong = exportTo(file);
-  values_->setText(wrong.isEmpty() ? tr("Saved: %1").arg(file) : wrong);
+  auto* dialog = new QFileDialog(this, tr("Save the plots"), {}, filter);
+  dialog->setObjectName(QStringLiteral("scope_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  // Before the question whether a file may be replaced.
+  dialog->setDefaultSuffix(ending.mid(1));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    const QString wrong = exportTo(file);
+    values_->setText(wrong.isEmpty() ? tr("Saved: %1").arg(file) : wrong);
+  });
+  dialog->open();
 }
 
 }  // namespace relievo

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The whole of it: window, host, loader and the haptics plugin that was built beside them.
+#include <array>
+#include <cmath>
+#include <cstring>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -49,6 +52,32 @@ class TouchWindowTest : public GuiTest {
         waitFor([&] { return view.sceneState().probe && view.sceneState().probe->forces_on; }));
     press(view, middle);
     ASSERT_TRUE(waitFor([this] { return forceShown() > 0.1; }));
+  }
+  /// The relief with a hole of 24 mm across beside its middle.
+  void openHoledRelief() {
+    QFile whole(writeRelief());
+    ASSERT_TRUE(whole.open(QIODevice::ReadOnly));
+    const QByteArray bytes = whole.readAll();
+    constexpr int kPoint = 3 * sizeof(float);
+    QByteArray points;
+    for (int at = bytes.indexOf("end_header\n") + 11; at < bytes.size(); at += kPoint) {
+      std::array<float, 3> p{};
+      std::memcpy(p.data(), bytes.constData() + at, kPoint);
+      if (std::hypot(p[0] - 140, p[1] - 100) > 12) points.append(bytes.constData() + at, kPoint);
+    }
+    QFile holed(path("holed.ply"));
+    ASSERT_TRUE(holed.open(QIODevice::WriteOnly));
+    holed.write("ply\nformat binary_little_endian 1.0\nelement vertex " +
+                QByteArray::number(points.size() / kPoint) +
+                "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + points);
+    holed.close();
+    OpenRequest request;
+    request.file = holed.fileName();
+    request.unit = LengthUnit::mm;
+    request.view = ViewChoice{"top", {}};
+    window().open(request);
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_EQ(document().surface()->holes.size(), 1U);
   }
   /// Ends the recording that runs. @return its file; empty: none came
   QString endRecording() {
@@ -141,6 +170,46 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
+}
+
+TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit) {
+  useOwnHome();
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_TRUE(plugins.has("haptics"));
+  openHoledRelief();
+  touchMiddle();
+  action("record")->trigger();
+  QTest::qWait(300);
+  const auto remade = [this](const std::function<void(SurfaceOptions&)>& change) {
+    SurfaceOptions options = document().state().options;
+    change(options);
+    const auto before = document().surface();
+    document().remake(options, "Change");
+    ASSERT_TRUE(waitFor([&] { return document().surface() != before && !document().busy(); }));
+    QTest::qWait(400);
+  };
+  // Fill, rotation, and back to the scan's other side.
+  remade([](SurfaceOptions& o) { o.holes = {HoleRule::membrane, 1e6}; });
+  ASSERT_TRUE(window().runCommand("finer"));
+  QTest::qWait(400);
+  remade([](SurfaceOptions& o) { o.view = ViewChoice{.name = "bottom", .rotation = {}}; });
+  remade([](SurfaceOptions& o) { o.cells = 300; });
+  const QString recording = endRecording();
+  auto& view = window().detailView();
+  release(view, QRectF(view.rect()).center());
+  plugins.detachAll();
+  ASSERT_FALSE(recording.isEmpty());
+  QFile file(recording);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(file.readAll().count("# replay map "), 4);
+  EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
+  // Another place is known by the checksum.
+  ASSERT_TRUE(QDir().mkpath(path("moved")));
+  ASSERT_TRUE(QFile::rename(path("holed.ply"), path("moved/scan.ply")));
+  EXPECT_TRUE(said({"replay", recording, "--verify", "--input", path("moved/scan.ply")})
+                  .contains("to the last bit"));
 }
 
 TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRasterHasChanged) {

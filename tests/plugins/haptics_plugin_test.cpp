@@ -376,6 +376,13 @@ TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {
 TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
   host_.window = flatWindow(5, 33);
   attach();
+  hover();
+  host_.actions.at("forces")->trigger();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on && !p.touching; }));
+  press(1);
+  constexpr double kPressedN = 0.6 * 0.8;  // 1 mm at 60 % of 0.8 N/mm.
+  const auto isPressed = [](double newton) { return std::abs(newton - kPressedN) < 0.01; };
+  ASSERT_TRUE(probeBecomes([&](const Probe& p) { return isPressed(norm(p.force)); }));
   QAction* record = host_.actions.at("record");
   record->trigger();
   ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 100; }));
@@ -393,6 +400,15 @@ TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
     // A dropped tick would be a consumer that the hang has stopped.
     ASSERT_EQ(tickOf(log.rows[i]), tickOf(log.rows[0]) + i);
   }
+  // A hand that nobody moves is still there. After a pause of the whole computer the force rises
+  // anew, hence not in every row.
+  constexpr std::size_t kForceZ = 10, kContact = 13;
+  std::size_t pressed = 0;
+  for (std::size_t i = 0; i < log.rows.size(); ++i) {
+    ASSERT_EQ(log.rows[i][kContact], 1);
+    if (2 * i > log.rows.size() && isPressed(log.rows[i][kForceZ])) ++pressed;
+  }
+  EXPECT_GT(20 * pressed, log.rows.size()) << "in the second half of the hang";
   // Positions had no age, and no force was cut for the GUI: the audit in the header tells.
   EXPECT_NE(log.header.find("watchdog cuts 0"), std::string::npos) << log.header;
   EXPECT_NE(log.header.find("zero violations 0, limit violations 0, step violations 0"),

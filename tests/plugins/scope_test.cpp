@@ -7,11 +7,13 @@
 #include <QAction>
 #include <QApplication>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QWheelEvent>
+#include <QXmlStreamReader>
 
 namespace relievo {
 namespace {
@@ -23,6 +25,12 @@ std::vector<PlotSample> samples(int from, int count) {
     made.push_back({0.005 * i, std::sin(0.01 * i), 1 + std::sin(0.01 * i), 0.001 * i});
   }
   return made;
+}
+
+/// Is what is drawn and exported as long as the zoom says?
+void expectShownAsLongAsItsSpan(const ScopeView& view) {
+  const double shown_s = view.shown().back().t_s - view.shown().front().t_s;
+  EXPECT_NEAR(shown_s, view.spanS(), 0.006);
 }
 
 void wheel(QWidget& widget, int steps) {
@@ -53,11 +61,33 @@ TEST(Scope, ZoomsWithWheelKeysAndCommandsWithinItsLimits) {
   EXPECT_LT(by_wheel, before);
   QTest::keyClick(&scope.view(), Qt::Key_Minus);
   EXPECT_GT(scope.view().spanS(), by_wheel);
+  expectShownAsLongAsItsSpan(scope.view());
   for (int i = 0; i < 30; ++i) scope.findChild<QAction*>("scopeZoomOut")->trigger();
   EXPECT_EQ(scope.view().spanS(), ScopeView::kMostSpanS);
+  expectShownAsLongAsItsSpan(scope.view());
   for (int i = 0; i < 30; ++i) QTest::keyClick(&scope.view(), Qt::Key_Plus);
   for (int i = 0; i < 30; ++i) scope.findChild<QAction*>("scopeZoomIn")->trigger();
   EXPECT_EQ(scope.view().spanS(), ScopeView::kLeastSpanS);
+  expectShownAsLongAsItsSpan(scope.view());
+}
+
+TEST(Scope, ZoomsAboutTheCursorWhilePaused) {
+  ScopeDialog scope(nullptr);
+  scope.show();
+  scope.add(samples(0, 8000));
+  scope.findChild<QAction*>("scopePause")->trigger();
+  // A click in the middle: 2.5 s before the end.
+  QTest::mouseClick(&scope.view(), Qt::LeftButton, {},
+                    {scope.view().width() / 2, scope.view().height() / 2});
+  const QString there = scope.view().cursorText();
+  EXPECT_TRUE(there.startsWith("At 37.49")) << there.toStdString();
+  scope.findChild<QAction*>("scopeZoomIn")->trigger();
+  expectShownAsLongAsItsSpan(scope.view());
+  EXPECT_EQ(scope.view().cursorText(), there) << "the cursor stays on its sample";
+  const double from_start_s = 37.5 - scope.view().shown().front().t_s;
+  EXPECT_NEAR(from_start_s, 0.5 * scope.view().spanS(), 0.03) << "and where it was drawn";
+  scope.findChild<QAction*>("scopeZoomOut")->trigger();
+  EXPECT_EQ(scope.view().cursorText(), there);
 }
 
 TEST(Scope, TheCursorsValuesAreText) {
@@ -86,15 +116,51 @@ TEST(Scope, ExportsWhatIsShown) {
   const QStringList lines = QString::fromUtf8(table.readAll()).split('\n', Qt::SkipEmptyParts);
   EXPECT_EQ(lines.size(), static_cast<int>(scope.view().shown().size()) + 1);
   EXPECT_EQ(lines[0], "t_s,hip_z_mm,proxy_z_mm,f_N");
-  EXPECT_TRUE(lines.back().startsWith("9.995,")) << lines.back().toStdString();
-  EXPECT_TRUE(lines.back().endsWith(",1.999"));
+  // sin 19.99 to nine digits.
+  EXPECT_EQ(lines.back(), "9.995,0.908818851,1.90881885,1.999") << lines.back().toStdString();
   QFile drawing(svg);
   ASSERT_TRUE(drawing.open(QIODevice::ReadOnly));
   const QByteArray text = drawing.readAll();
-  EXPECT_EQ(text.count("<polyline "), 3);
+  QXmlStreamReader xml(text);
+  std::vector<QStringList> curves;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement || xml.name() != "polyline") continue;
+    curves.push_back(xml.attributes().value("points").toString().split(' '));
+  }
+  EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+  ASSERT_EQ(curves.size(), 3U);
+  for (const QStringList& points : curves) {
+    EXPECT_EQ(points.size(), static_cast<int>(scope.view().shown().size()));
+  }
+  // The force rises from 0.999 to 1.999 N: over the right half of the lower strip's height.
+  const auto heightOf = [](const QString& point) { return point.section(',', 1).toDouble(); };
+  EXPECT_NEAR(heightOf(curves[2].front()) - heightOf(curves[2].back()), 100, 0.2);
   EXPECT_TRUE(text.contains("force (N)"));
   EXPECT_TRUE(text.endsWith("</svg>\n"));
   EXPECT_FALSE(scope.exportTo("/nowhere/at/all.csv").isEmpty()) << "and says why";
+}
+
+TEST(Scope, ACommandAsksWhereToSaveAndSaysThatItDid) {
+  QTemporaryDir folder;
+  ScopeDialog scope(nullptr);
+  scope.show();
+  scope.add(samples(0, 2000));
+  scope.findChild<QAction*>("scopePause")->trigger();
+  scope.add(samples(2000, 300));
+  for (const auto& [command, ending] : {std::pair{"scopeCsv", "csv"}, {"scopeSvg", "svg"}}) {
+    scope.findChild<QAction*>(command)->trigger();
+    auto* dialog = scope.findChild<QFileDialog*>("scope_dialog");
+    ASSERT_NE(dialog, nullptr) << command;
+    EXPECT_EQ(dialog->defaultSuffix(), ending);
+    const QString name = folder.filePath(QStringLiteral("saved.") + ending);
+    Q_EMIT dialog->fileSelected(name);
+    delete dialog;
+    EXPECT_EQ(scope.findChild<QLabel*>("scopeValues")->text(), "Saved: " + name);
+    EXPECT_GT(QFile(name).size(), 1000);
+  }
+  QFile table(folder.filePath("saved.csv"));
+  ASSERT_TRUE(table.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(table.readAll().contains("\n9.995,")) << "what is held still, not what came since";
 }
 
 TEST(Scope, EveryControlHasANameForSpeech) {

@@ -68,6 +68,7 @@ class TestHost : public Host {
   QString recordingHeader(const QString& /*file*/) const override {
     return QStringLiteral("input relief.ply\nunit mm");
   }
+  QString mapState(const QString& /*folder*/) const override { return map_state; }
 
   void showWindow(std::shared_ptr<const RegionWindow> shown) {
     window = std::move(shown);
@@ -84,6 +85,7 @@ class TestHost : public Host {
   std::vector<Region> regions;       ///< Asked to be shown.
   std::map<QString, float> rasters;  ///< Names of files that can be read.
   bool rasters_fit = true;
+  QString map_state;
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;
   std::shared_ptr<const RegionWindow> window;

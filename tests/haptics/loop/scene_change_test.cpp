@@ -141,6 +141,26 @@ TEST(SceneChange, PicksUpAHandThatTheNewSurfaceRisesOver) {
   EXPECT_NEAR(norm(last), kStiffness * 4, 1e-6) << "6 mm above a hand at 2 mm";
 }
 
+TEST(SceneChange, AnotherFirmnessOfTheSameWindowComesGradually) {
+  const RegionWindow window = test::windowOf(80, hills, 1);
+  const auto filled = [&window](float firm, std::uint64_t scene_id) {
+    auto space = std::make_unique<HapticSpace>();
+    const std::vector<float> firmness(kWindowCount, firm);
+    fill(*space, window, {}, SurfaceKind::gated, {}, firmness);
+    space->scene_id = scene_id;
+    return space;
+  };
+  const auto firm = filled(1, 5), soft = filled(0, 6);
+  HapticOptions options = bare();
+  options.fields.softest_part = 0.5;
+  const double firm_n = changeUnderAStillHand(*firm, *firm, {0, 0, -4}, options).last_n;
+  const Change softened = changeUnderAStillHand(*firm, *soft, {0, 0, -4}, options);
+  EXPECT_GT(firm_n, 100 * kMostStepN);
+  EXPECT_LE(softened.largest_step_n, kMostStepN);
+  EXPECT_NEAR(softened.last_n, 0.5 * firm_n, 1e-6);
+  EXPECT_LE(changeUnderAStillHand(*soft, *firm, {0, 0, -4}, options).largest_step_n, kMostStepN);
+}
+
 TEST(SceneChange, StiffnessOfAnotherDetailComesGradually) {
   const auto was = test::spaceOf(80, hills, 1, {1, 4}, SurfaceKind::gated);
   const auto now = test::spaceOf(80, hills, 2, {4, 4}, SurfaceKind::gated);

@@ -246,23 +246,28 @@ TEST(RecordedLoop, LinesOfASurfaceSayAllThatItIsMadeFrom) {
   EXPECT_EQ(loop->first_ns, 5);
 }
 
-TEST(RecordedLoop, TellsWhichRasterSaidWhereItIsFirmWhateverItsName) {
+TEST(RecordedLoop, TellsWhichMapAndWhichRasterOfFirmnessWhateverTheirNames) {
   RecordedScene scene;
   scene.id = 7;
   scene.anchor = Anchor{{1, 2, 3}, {4, 5, 6}};
   scene.checksum = 99;
+  scene.map = 2;
   scene.firmness = "a1b2";
   const CoreSnapshot start{};
   const std::string name = "../my scans/firm 100 %\n\xc3\xa4.tif";
-  const auto loop = recordedLoop(
-      sceneLine(scene) + firmnessLine("a1b2", name) + snapshotLine(start, 0, kBuild), kBuild);
+  const std::string state = R"({"file": "a b.ply", "of": "100 %"})";
+  const auto loop = recordedLoop(sceneLine(scene) + firmnessLine("a1b2", name) + mapLine(2, state) +
+                                     snapshotLine(start, 0, kBuild),
+                                 kBuild);
   ASSERT_TRUE(loop);
   const RecordedScene& read = loop->scenes.at(7);
   EXPECT_EQ(read.firmness, "a1b2");
   EXPECT_EQ(read.checksum, 99U);
+  EXPECT_EQ(read.map, 2U);
   ASSERT_TRUE(read.anchor);
   EXPECT_EQ(read.anchor->at.z, 6);
   EXPECT_EQ(loop->firmness.at("a1b2"), name);
+  EXPECT_EQ(loop->maps.at(2), state);
   scene.firmness.clear();
   const auto without = recordedLoop(sceneLine(scene) + snapshotLine(start, 0, kBuild), kBuild);
   EXPECT_EQ(without->scenes.at(7).firmness, "");
