@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace relievo {
 namespace {
@@ -11,33 +12,36 @@ std::uint8_t byteOf(double value_255) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value_255, 0.0, 255.0)));
 }
 
+/// A Catmull-Rom cubic through colours at even steps. Beyond the ends it goes on straight.
 template <std::size_t N>
-double polynomial(const std::array<double, N>& c, double t) {
-  double sum = 0;
-  for (std::size_t i = N; i-- > 0;) sum = sum * t + c[i];
-  return sum;
+Rgb8 cubicThrough(const std::array<Rgb8, N>& colours, double t) {
+  constexpr std::size_t kSteps = N - 1;
+  const double x = t * kSteps;
+  const std::size_t i = std::min(static_cast<std::size_t>(x), kSteps - 1);
+  const double u = x - static_cast<double>(i);
+  Rgb8 made{};
+  for (std::size_t channel = 0; channel < made.size(); ++channel) {
+    const double b = colours[i][channel];
+    const double c = colours[i + 1][channel];
+    const double a = i > 0 ? colours[i - 1][channel] : 2 * b - c;
+    const double d = i + 2 <= kSteps ? colours[i + 2][channel] : 2 * c - b;
+    made[channel] =
+        byteOf(b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a))));
+  }
+  return made;
 }
 
+// The colours were fitted to the published maps by least squares, then rounded.
 Rgb8 viridis(double t) {
-  constexpr std::array<double, 7> kRed{0.2777273272, 0.1050930431, -0.3308618287, -4.6342304990,
-                                       6.2282699363, 4.7763849977, -5.4354558559};
-  constexpr std::array<double, 7> kGreen{0.0054073445,  1.4046135299,   0.2148475595, -5.7991009734,
-                                         14.1799333668, -13.7451453777, 4.6458526122};
-  constexpr std::array<double, 7> kBlue{0.3340998053,  1.3845901626,   0.0950951630, -19.3324409563,
-                                        56.6905526007, -65.3530326334, 26.3124352496};
-  return {byteOf(255 * polynomial(kRed, t)), byteOf(255 * polynomial(kGreen, t)),
-          byteOf(255 * polynomial(kBlue, t))};
+  constexpr std::array<Rgb8, 25> kColours{
+      {{68, 1, 84},    {71, 17, 99},   {72, 31, 113},  {71, 45, 123},  {68, 58, 131},
+       {64, 70, 136},  {59, 82, 139},  {53, 93, 141},  {49, 104, 142}, {44, 114, 142},
+       {40, 124, 142}, {36, 134, 142}, {33, 144, 140}, {30, 154, 138}, {32, 164, 134},
+       {39, 174, 128}, {53, 183, 121}, {71, 192, 110}, {93, 201, 99},  {117, 208, 84},
+       {143, 214, 68}, {171, 220, 50}, {199, 224, 32}, {227, 228, 24}, {253, 231, 37}}};
+  return cubicThrough(kColours, t);
 }
 
-Rgb8 cividis(double t) {
-  constexpr std::array<double, 6> kRed{-4.54, -35.34, 2381.73, -6402.7, 7024.72, -2710.57};
-  constexpr std::array<double, 6> kGreen{32.49, 170.73, 52.82, -131.46, 176.58, -67.37};
-  constexpr std::array<double, 6> kBlue{81.24, 442.36, -2482.43, 6167.24, -6614.94, 2475.67};
-  return {byteOf(polynomial(kRed, t)), byteOf(polynomial(kGreen, t)), byteOf(polynomial(kBlue, t))};
-}
-
-/// A Catmull-Rom cubic through colours at even steps, which were fitted by least squares to the
-/// published map and rounded. Beyond the ends it goes on straight.
 Rgb8 batlow(double t) {
   constexpr std::array<Rgb8, 17> kColours{{{1, 25, 89},
                                            {13, 49, 93},
@@ -56,18 +60,40 @@ Rgb8 batlow(double t) {
                                            {253, 180, 180},
                                            {252, 192, 214},
                                            {250, 204, 250}}};
-  constexpr std::size_t kSteps = kColours.size() - 1;
-  const double x = t * kSteps;
-  const std::size_t i = std::min(static_cast<std::size_t>(x), kSteps - 1);
-  const double u = x - static_cast<double>(i);
+  return cubicThrough(kColours, t);
+}
+
+struct Knot {
+  double entry = 0;  ///< Of 256.
+  Rgb8 rgb{};
+};
+
+/// Straight between colours at uneven steps: where it leaves the gamut the published map bends
+/// sharply, which no cubic follows.
+Rgb8 cividis(double t) {
+  constexpr std::array<Knot, 14> kKnots{{{0, {0, 34, 78}},
+                                         {17, {0, 46, 108}},
+                                         {23, {1, 50, 113}},
+                                         {26, {12, 52, 112}},
+                                         {32, {26, 56, 111}},
+                                         {47, {49, 67, 109}},
+                                         {83, {85, 92, 109}},
+                                         {130, {126, 125, 120}},
+                                         {162, {157, 149, 118}},
+                                         {195, {191, 176, 107}},
+                                         {224, {222, 201, 88}},
+                                         {241, {241, 217, 69}},
+                                         {251, {253, 227, 52}},
+                                         {255, {254, 232, 56}}}};
+  const double entry = 255 * t;
+  const auto after = std::find_if(kKnots.begin() + 1, kKnots.end() - 1,
+                                  [entry](const Knot& knot) { return knot.entry >= entry; });
+  const Knot& low = *std::prev(after);
+  const double part = (entry - low.entry) / (after->entry - low.entry);
   Rgb8 made{};
   for (std::size_t channel = 0; channel < made.size(); ++channel) {
-    const double b = kColours[i][channel];
-    const double c = kColours[i + 1][channel];
-    const double a = i > 0 ? kColours[i - 1][channel] : 2 * b - c;
-    const double d = i + 2 <= kSteps ? kColours[i + 2][channel] : 2 * c - b;
-    made[channel] =
-        byteOf(b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a))));
+    made[channel] = byteOf(std::lerp(static_cast<double>(low.rgb[channel]),
+                                     static_cast<double>(after->rgb[channel]), part));
   }
   return made;
 }

@@ -138,11 +138,7 @@ void HapticsPlugin::connectControls() {
 void HapticsPlugin::connectButtons() {
   buttons_->setSettings(button_settings_);
   connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
-    const auto window = host_->shownWindow();
-    if (!window || !session_) return;
-    const double scale = handMapping(*window).device_per_view;
-    const ViewMm at = session_->update().hip_view;
-    session_->moveHand({at.x + by.x / scale, at.y + by.y / scale, at.z + by.z / scale});
+    if (session_ && host_->shownWindow()) session_->pushHand(by);
   });
   connect(buttons_.get(), &DeviceButtons::gateChanged, this, [this] {
     const bool moving = buttons_->moving();

@@ -77,7 +77,8 @@ void LoopSession::show(const RegionWindow& window, SurfaceKind kind, const Scene
   if (first) over = {window.region.centreX(), window.region.centreY(), 0};
   const double depth = norm(last.proxy - last.hip);
   const bool pressing = !first && last.contact;
-  steered_->placeAt(mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth)));
+  sent_ = mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth));
+  steered_->placeAt(sent_);
 }
 
 void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
@@ -96,7 +97,19 @@ void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
 }
 
 void LoopSession::moveHand(ViewMm target) {
-  if (has_window_ && steered_ != nullptr) steered_->moveTo(mapping_.device_from_view(target));
+  if (!has_window_ || steered_ == nullptr) return;
+  sent_ = mapping_.device_from_view(target);
+  steered_->moveTo(sent_);
+}
+
+void LoopSession::pushHand(DeviceMm by) {
+  if (!has_window_ || steered_ == nullptr) return;
+  const DeviceMm hip = update().hip;
+  const double lead = norm(sent_ - hip);
+  // A hand that a surface holds back is not pushed ever harder.
+  if (lead > kMostLeadMm) sent_ = hip + (kMostLeadMm / lead) * (sent_ - hip);
+  sent_ = sent_ + by;
+  steered_->moveTo(sent_);
 }
 
 void LoopSession::setOptions(const HapticOptions& options) {

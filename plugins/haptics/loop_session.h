@@ -47,6 +47,10 @@ class LoopSession {
   /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
   /// does not care.
   void moveHand(ViewMm target);
+  /// Carries the hand on from where it was last sent, not from where it is: pushes that come faster
+  /// than the hand follows add up. It never runs ahead by more than `kMostLeadMm`.
+  void pushHand(DeviceMm by);
+  static constexpr double kMostLeadMm = 6;
   void setOptions(const HapticOptions& options);
   /// Begins with one of the next ticks. @throw as Recorder::start
   void startRecording(const std::string& file, const std::string& header);
@@ -81,6 +85,7 @@ class LoopSession {
   falcon::FalconDevice* falcon_ = nullptr;
   std::unique_ptr<SampleDrain> drain_;
   HandMapping mapping_;
+  DeviceMm sent_;  // Where the hand was last sent.
   // What a replay needs: since a recording began, or of the present and the last scene.
   std::uint64_t scene_id_ = 0, options_id_ = 0;
   std::vector<RecordedScene> scenes_;

@@ -77,7 +77,7 @@ std::vector<Command> commandsOfPaper() {
 class Pages : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    folder_ = std::make_unique<test::TemporaryFolder>();
+    folder = std::make_unique<test::TemporaryFolder>();
     const fs::path samples = kSource / "data/samples";
     fs::create_symlink(samples, here("S"));
     fs::create_symlink(kSource / "data/strokes", here("D"));
@@ -101,9 +101,9 @@ class Pages : public testing::Test {
     }
     addPath(here("WORK.relievo.json"));
   }
-  static void TearDownTestSuite() { folder_.reset(); }
+  static void TearDownTestSuite() { folder.reset(); }
 
-  static fs::path here(const std::string& name) { return folder_->path() / name; }
+  static fs::path here(const std::string& name) { return folder->path() / name; }
 
   /// Two key views, a fifth of a second apart.
   static void addPath(const fs::path& file) {
@@ -124,10 +124,10 @@ class Pages : public testing::Test {
     fs::path made;
     if (!output.empty()) made = here(output.front()[1]);
     if (!made.empty()) fs::remove_all(made);
-    const std::string line = "cd '" + folder_->path().string() +
-                             "' && unset DISPLAY && export PATH=\"" RELIEVO_BINARY_DIR
-                             "/bin:$PATH\" HOME=\"$PWD\" XDG_CONFIG_HOME=\"$PWD/config\"" +
-                             " XDG_DATA_HOME=\"$PWD/data\" XDG_STATE_HOME=\"$PWD/state\" && { " +
+    const std::string line = "cd '" + folder->path().string() +
+                             "' && unset DISPLAY && export PATH='" RELIEVO_BINARY_DIR
+                             "/bin':$PATH HOME=$PWD XDG_CONFIG_HOME=$PWD/config" +
+                             " XDG_DATA_HOME=$PWD/data XDG_STATE_HOME=$PWD/state && { " +
                              command.words + "; } 2>&1";
     FILE* const pipe = ::popen(line.c_str(), "r");
     ASSERT_NE(pipe, nullptr);
@@ -150,8 +150,10 @@ class Pages : public testing::Test {
     EXPECT_TRUE(left) << command.words << " left no " << made.filename() << '\n' << said;
   }
 
-  static inline std::unique_ptr<test::TemporaryFolder> folder_;
+  static std::unique_ptr<test::TemporaryFolder> folder;
 };
+
+std::unique_ptr<test::TemporaryFolder> Pages::folder;
 
 TEST_F(Pages, ThePapersCommandsDoWhatTheirTableSays) {
   const std::vector<Command> commands = commandsOfPaper();

@@ -228,17 +228,50 @@ int largestDeviation(ColourMap map, std::span<const Anchor> published) {
   return largest;
 }
 
-TEST(ColourMaps, ViridisMeetsThePublishedColours) {
-  constexpr std::array<Anchor, 5> kPublished{{{0, {68, 1, 84}},
-                                              {0.25, {59, 82, 139}},
-                                              {0.5, {33, 145, 140}},
-                                              {0.75, {94, 201, 98}},
-                                              {1, {253, 231, 37}}}};
-  EXPECT_LE(largestDeviation(ColourMap::viridis, kPublished), 4);
+// Entries of the published 256, about halfway between our colours, where a fit is at its worst.
+
+TEST(ColourMaps, ViridisMeetsThePublishedColoursWithinOneStepAndItsEndsExactly) {
+  constexpr std::array<Anchor, 15> kPublished{{{5 / 255.0, {70, 8, 92}},
+                                               {16 / 255.0, {72, 24, 106}},
+                                               {27 / 255.0, {72, 38, 119}},
+                                               {37 / 255.0, {70, 51, 127}},
+                                               {48 / 255.0, {66, 64, 134}},
+                                               {69 / 255.0, {56, 88, 140}},
+                                               {90 / 255.0, {46, 109, 142}},
+                                               {112 / 255.0, {38, 130, 142}},
+                                               {133 / 255.0, {31, 149, 139}},
+                                               {154 / 255.0, {35, 169, 131}},
+                                               {175 / 255.0, {61, 188, 116}},
+                                               {197 / 255.0, {105, 205, 91}},
+                                               {218 / 255.0, {157, 217, 59}},
+                                               {239 / 255.0, {213, 226, 26}},
+                                               {250 / 255.0, {241, 229, 29}}}};
+  EXPECT_LE(largestDeviation(ColourMap::viridis, kPublished), 1);
+  EXPECT_EQ(colourOf(ColourMap::viridis, 0), (Rgb8{68, 1, 84}));
+  EXPECT_EQ(colourOf(ColourMap::viridis, 1), (Rgb8{253, 231, 37}));
+}
+
+TEST(ColourMaps, CividisMeetsThePublishedColoursWithinOneStepAndItsEndsExactly) {
+  constexpr std::array<Anchor, 14> kPublished{{{8 / 255.0, {0, 40, 91}},
+                                               {20 / 255.0, {0, 48, 112}},
+                                               {24 / 255.0, {5, 51, 113}},
+                                               {29 / 255.0, {20, 54, 112}},
+                                               {40 / 255.0, {39, 62, 110}},
+                                               {65 / 255.0, {68, 79, 108}},
+                                               {106 / 255.0, {106, 108, 113}},
+                                               {146 / 255.0, {142, 137, 120}},
+                                               {178 / 255.0, {173, 162, 114}},
+                                               {210 / 255.0, {207, 189, 98}},
+                                               {232 / 255.0, {231, 209, 80}},
+                                               {246 / 255.0, {247, 222, 62}},
+                                               {252 / 255.0, {254, 228, 52}},
+                                               {253 / 255.0, {254, 229, 53}}}};
+  EXPECT_LE(largestDeviation(ColourMap::cividis, kPublished), 1);
+  EXPECT_EQ(colourOf(ColourMap::cividis, 0), (Rgb8{0, 34, 78}));
+  EXPECT_EQ(colourOf(ColourMap::cividis, 1), (Rgb8{254, 232, 56}));
 }
 
 TEST(ColourMaps, BatlowMeetsThePublishedColoursWithinOneStepAndItsEndsExactly) {
-  // Entries of the published 256, halfway between our colours, where a fit is at its worst.
   constexpr std::array<Anchor, 12> kPublished{{{8 / 255.0, {8, 37, 91}},
                                                {24 / 255.0, {15, 59, 95}},
                                                {40 / 255.0, {19, 75, 97}},
