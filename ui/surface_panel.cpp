@@ -91,6 +91,20 @@ QString holesText(const std::vector<Hole>& holes, HoleRule rule) {
              : QStringLiteral("%1: %2").arg(holes.size()).arg(parts.join(QStringLiteral(", ")));
 }
 
+/// A map that is taken as it was stored knows its cells, not which of them make one hole.
+QString holesText(const Surface& surface, HoleRule rule) {
+  if (surface.engine != "as stored") return holesText(surface.holes, rule);
+  const auto shares = mapFacts(surface).shares;
+  const auto percent = [&](Origin origin) {
+    return 100 * shares.at(static_cast<std::size_t>(origin));
+  };
+  const double on_base = percent(Origin::base_plane);
+  const double filled = percent(Origin::interpolated);
+  if (on_base + filled == 0) return SurfacePanel::tr("none");
+  return SurfacePanel::tr("not counted; %1 % of the cells on the base plane, %2 % interpolated")
+      .arg(numberText(on_base, 2), numberText(filled, 2));
+}
+
 }  // namespace
 
 SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
@@ -136,7 +150,7 @@ void SurfacePanel::showSurface() {
   QStringList notes;
   for (const std::string& message : s.messages) notes << QString::fromStdString(message);
   cells_->setToolTip(notes.join('\n'));
-  holes_->setText(holesText(s.holes, document_.state().options.holes.rule));
+  holes_->setText(holesText(s, document_.state().options.holes.rule));
   const QSignalBlocker quiet_unit(unit_);
   const QSignalBlocker quiet_engine(engine_);
   unit_->setCurrentIndex(unit_->findData(static_cast<int>(s.unit)));

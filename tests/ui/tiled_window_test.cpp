@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QFile>
 #include <QLabel>
+#include <QRegExp>
 #include <QSignalSpy>
 #include <QTableWidget>
 
@@ -85,6 +86,8 @@ TEST_F(TiledWindowTest, ReferenceAndPanelsShowTheWholeAsOfTheMapInMemory) {
   EXPECT_EQ(grid->heights_mm, level.heights_mm);
   EXPECT_TRUE(child<QLabel>("surface_cells")->text().startsWith("1400 \u00d7 900"))
       << child<QLabel>("surface_cells")->text().toStdString();
+  EXPECT_TRUE(child<QLabel>("surface_holes")->text().contains(QRegExp("0[.,]40")))
+      << child<QLabel>("surface_holes")->text().toStdString();
   EXPECT_EQ(reliefPicture(*document().surface(), 256), reliefPicture(whole(), 256));
   EXPECT_EQ(ReliefPictures::kept(file()).size(), reliefPicture(whole(), kPicturePx).size());
 }

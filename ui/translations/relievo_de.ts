@@ -4640,6 +4640,10 @@
         <source>left open</source>
         <translation>offen gelassen</translation>
     </message>
+    <message>
+        <source>not counted; %1 % of the cells on the base plane, %2 % interpolated</source>
+        <translation>nicht gezählt; %1 % der Zellen auf der Grundebene, %2 % interpoliert</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TimePlot</name>

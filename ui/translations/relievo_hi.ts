@@ -4640,6 +4640,10 @@
         <source>left open</source>
         <translation>खुला छोड़ा</translation>
     </message>
+    <message>
+        <source>not counted; %1 % of the cells on the base plane, %2 % interpolated</source>
+        <translation>गिने नहीं गए; %1 % कोष्ठ आधार तल पर, %2 % अंतर्वेशित</translation>
+    </message>
 </context>
 <context>
     <name>relievo::TimePlot</name>
