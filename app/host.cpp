@@ -75,7 +75,7 @@ std::shared_ptr<const RegionWindow> WindowHost::shownWindow() const {
 
 std::vector<float> WindowHost::finerHeights(const RegionWindow& window) const {
   const auto surface = window_.document().surface();
-  if (!surface || surface->tiles) return {};
+  if (!surface) return {};
   return relievo::finerHeights(*surface, window.region, window.gain);
 }
 

@@ -8,6 +8,8 @@
 
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
+#include "core/session/tiled_surface.h"
+#include "core/tiles/tiled_map.h"
 #include "ui/depth_map_preview.h"
 #include "ui/relief_picture.h"
 #include "ui/spoken_error.h"
@@ -33,12 +35,13 @@ class StateCommand : public QUndoCommand {
         after_(std::move(after)),
         merge_id_(merge_id) {}
 
-  void undo() override { document_.apply(before_); }
-  void redo() override { document_.apply(after_); }
+  // A step to what cannot be read leaves the history.
+  void undo() override { setObsolete(!document_.apply(before_)); }
+  void redo() override { setObsolete(!document_.apply(after_)); }
   int id() const override { return merge_id_; }
   const DocumentState& before() const { return before_; }
   bool mergeWith(const QUndoCommand* later) override {
-    if (later->id() != merge_id_) return false;
+    if (later->id() != merge_id_ || later->isObsolete()) return false;
     after_ = static_cast<const StateCommand*>(later)->after_;
     return true;
   }
@@ -135,8 +138,18 @@ void Document::setUnit(LengthUnit unit) {
   remake(options, tr("Unit %1 \u2192 %2").arg(text(state_.surface->unit), text(unit)));
 }
 
+bool Document::canRemake() {
+  if (!isOpen()) return false;
+  if (!state_.surface->tiles) return true;
+  Q_EMIT failed(tr("This map is read by tiles, as it was made; nothing was changed. To make it "
+                   "otherwise, run relievo depthmap --memory on its scan, with the choices you "
+                   "want."),
+                {}, {});
+  return false;
+}
+
 void Document::remake(const SurfaceOptions& options, const QString& name) {
-  if (!isOpen()) return;
+  if (!canRemake()) return;
   Work work;
   work.source = source_;
   work.options = options;
@@ -187,7 +200,9 @@ void Document::showFirstViews(const std::shared_ptr<Work>& work, const Task& tas
 void Document::read(Work& w, const Task& task) {
   const std::filesystem::path file = w.path();
   const ImportOptions import = w.import();
-  if (looksLikeRaster(file)) {
+  if (TiledMap::isOne(file)) {
+    w.source.tiled = std::make_shared<const Surface>(openTiledSurface(file));
+  } else if (looksLikeRaster(file)) {
     w.source.raster = std::make_shared<const RasterMap>(importRaster(file, import, task));
   } else {
     w.source.scan = std::make_shared<const Scan>(importScan(file, import, task));
@@ -234,10 +249,6 @@ void Document::showOpened(const Work& work) {
   revert();
   DocumentState next{work.outcome.surface, work.options, wholeRegion(work.outcome.surface->ladder),
                      1};
-  file_ = work.open.file;
-  sha256_ = work.sha256;
-  source_ = work.source;
-  history_.clear();
   const DetailLadder& ladder = next.surface->ladder;
   try {
     if (work.open.exact_region && work.open.exact_region->level.value < ladder.levels()) {
@@ -250,8 +261,14 @@ void Document::showOpened(const Work& work) {
       next.region = relievo::finer(ladder, next.region, about).value_or(next.region);
     }
   } catch (const ArgumentError& error) {
-    Q_EMIT failed(spokenError(error), {}, file_);
+    Q_EMIT failed(spokenError(error), {}, work.open.file);
   }
+  if (next.surface->tiles && !windowFor(next)) return;  // What was shown stays.
+  file_ = work.open.file;
+  sha256_ = work.sha256;
+  source_ = work.source;
+  history_.clear();
+  ahead_ = next.surface->tiles ? std::make_unique<TilePrefetcher>(next.surface->tiles) : nullptr;
   restoreSteps(work, next);
   Q_EMIT opened(file_);
 }
@@ -265,10 +282,8 @@ void Document::restoreSteps(const Work& work, const DocumentState& now) {
                     std::all_of(undo.begin(), undo.end(), [&](const NamedRegion& step) {
                       return step.region.level.value < levels;
                     });
-  if (!fits || undo.empty() || now.region != work.open.exact_region) {
-    apply(now);
-    return;
-  }
+  apply(now);
+  if (!fits || undo.empty() || now.region != work.open.exact_region) return;
   earlier_steps_.resize(earlier_steps_.size() - undo.size());
   const auto stateOf = [&](const NamedRegion& step) {
     DocumentState state = now;
@@ -276,11 +291,14 @@ void Document::restoreSteps(const Work& work, const DocumentState& now) {
     state.gain = step.gain;
     return state;
   };
-  apply(stateOf(undo.front()));
+  // They end at what is shown already: of all the windows on the way none is needed.
+  steps_come_back_ = true;
+  state_ = stateOf(undo.front());
   for (std::size_t i = 0; i < undo.size(); ++i) {
     const DocumentState after = i + 1 < undo.size() ? stateOf(undo[i + 1]) : now;
     push(after, QString::fromStdString(undo[i].name));
   }
+  steps_come_back_ = false;
 }
 
 std::vector<std::string> Document::stepNames() const {
@@ -423,17 +441,33 @@ void Document::revert() {
   apply(*std::exchange(gesture_start_, std::nullopt));
 }
 
-void Document::apply(const DocumentState& state) {
+std::shared_ptr<const RegionWindow> Document::windowFor(const DocumentState& state) {
+  try {
+    return std::make_shared<const RegionWindow>(windowOf(*state.surface, state.region, state.gain));
+  } catch (const FileError& error) {
+    Q_EMIT failed(spokenError(error), {}, {});
+    return nullptr;
+  }
+}
+
+bool Document::apply(const DocumentState& state) {
+  if (steps_come_back_) {
+    state_ = state;
+    return true;
+  }
   const bool other_surface = state.surface != state_.surface;
   const bool other_window =
       other_surface || !window_ || state.region != state_.region || state.gain != state_.gain;
-  state_ = state;
   if (other_window) {
-    window_ = std::make_shared<const RegionWindow>(
-        sampleWindow(state_.surface->map, state_.surface->pyramid, state_.region, state_.gain));
+    auto window = windowFor(state);
+    if (!window) return false;
+    window_ = std::move(window);
   }
+  state_ = state;
+  if (ahead_ && other_window) ahead_->around(state_.region);
   if (other_surface) Q_EMIT surfaceChanged();
   if (other_window) Q_EMIT windowChanged();
+  return true;
 }
 
 }  // namespace relievo

@@ -20,6 +20,8 @@
 
 namespace relievo {
 
+class TilePrefetcher;  // core/tiles/tiled_map.h
+
 /// What to open and how; nothing chosen means the defaults of `SurfaceOptions`.
 struct OpenRequest {
   QString file;
@@ -81,6 +83,8 @@ class Document : public QObject {
   /// The last of these steps that can be undone after a restart: each with where it began.
   std::vector<NamedRegion> undoSteps() const;
 
+  /// False, and told by failed(), for a map by tiles: its heights are in files as they were made.
+  bool canRemake();
   // Made anew from the scan in memory, in the worker.
   void setView(const ViewChoice& view);
   void setEngine(const QString& engine);
@@ -112,8 +116,9 @@ class Document : public QObject {
   void revert();
   bool inGesture() const { return gesture_start_.has_value(); }
 
-  /// For the history's commands only: shows a state as it is.
-  void apply(const DocumentState& state);
+  /// For the history's commands only: shows a state as it is. False, and told by failed(), if its
+  /// window cannot be read from a map by tiles; then nothing changes.
+  bool apply(const DocumentState& state);
 
  Q_SIGNALS:
   void workStarted();  ///< What was told of earlier work is past.
@@ -142,6 +147,8 @@ class Document : public QObject {
   void showOpened(const Work& work);
   void restoreSteps(const Work& work, const DocumentState& now);
   void go(const std::optional<Region>& region, const QString& name);
+  /// Null, and told by failed(), if it cannot be read from a map by tiles.
+  std::shared_ptr<const RegionWindow> windowFor(const DocumentState& state);
   void push(DocumentState after, const QString& name, int merge_id = -1);
 
   DepthEngine depth_buffer_;
@@ -154,6 +161,8 @@ class Document : public QObject {
   std::optional<DocumentState> gesture_start_;
   QUndoStack history_;
   std::vector<std::string> earlier_steps_;  ///< Of earlier runs, beyond undoing.
+  bool steps_come_back_ = false;            ///< Steps enter the history without being shown.
+  std::unique_ptr<TilePrefetcher> ahead_;   ///< While the surface is one by tiles.
 
   LatestWorker worker_;  ///< Last: its job ends before anything else goes.
 };

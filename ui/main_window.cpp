@@ -19,6 +19,7 @@
 #include <QToolButton>
 #include <QUrl>
 
+#include "core/session/map_facts.h"
 #include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
 #include "ui/first_view.h"
@@ -317,13 +318,13 @@ void MainWindow::showSurface() {
   enableCommands();
   if (!is_open) return;
   const Surface& surface = *document_.surface();
-  const HeightRange heights = heightRange(surface.map);
+  const HeightRange heights = mapFacts(surface).heights;
   stereo_panel_->setHeights(heights.min_mm, heights.max_mm);
   view_panel_->showView(QString::fromStdString(surface.view_name));
   detail_->straighten();
   setWindowTitle(tr("%1 \u2013 relievo").arg(QFileInfo(document_.file()).fileName()));
   reference_title_->setText(tr("REFERENCE"));
-  reference_note_->setText(sizeText({surface.map.widthMm(), surface.map.heightExtentMm()}));
+  reference_note_->setText(sizeText({surface.ladder.width_mm, surface.ladder.height_mm}));
 }
 
 void MainWindow::showWindow() {

@@ -278,7 +278,7 @@ void MainWindow::chooseImage() {
 }
 
 void MainWindow::chooseDepthMap() {
-  if (!document_.isOpen() || document_.busy()) return;
+  if (document_.busy() || !document_.canRemake()) return;
   auto* dialog = new DepthMapDialog(document_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &DepthMapDialog::unitChosen, this, [this](LengthUnit unit) {

@@ -54,22 +54,6 @@ QString quantityText(const Quantity& q) {
            word(q.unit));
 }
 
-/// All that a measurement reads, one line each; or why it reads nothing.
-QString readingText(const DepthMap& map, const Measurement& m) {
-  try {
-    const Reading reading = read(map, m);
-    QStringList lines;
-    for (const Quantity& q : reading.quantities) lines << quantityText(q);
-    if (reading.not_measured > 0) {
-      lines << MeasurePanel::tr("%1 % of it is not measured")
-                   .arg(numberText(100 * reading.not_measured, 0));
-    }
-    return lines.join('\n');
-  } catch (const Error& error) {
-    return spokenError(error);
-  }
-}
-
 QString quoted(QString text) {
   return '"' + text.replace('"', QLatin1String("\"\"")) + '"';
 }
@@ -83,6 +67,7 @@ QString exact(double value) {
 MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
+      readings_(new MeasureReadings(document, this)),
       hint_(new QLabel),
       list_(new QTableWidget(0, 2)),
       remove_(new QPushButton(tr("Delete"))),
@@ -127,6 +112,7 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
     if (!showing_ && item->column() == 0) rename(item->row(), item->text());
   });
   connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
+  connect(readings_, &MeasureReadings::changed, this, &MeasurePanel::showReadings);
   tellNext();
   showList();
 }
@@ -171,15 +157,37 @@ void MeasurePanel::follow(const TouchSample& sample) {
 void MeasurePanel::keep(Measurement done) {
   done.name = tr("%1").arg(measurements_.size() + 1).toStdString();
   measurements_.push_back(std::move(done));
-  Q_EMIT said(readingText(document_.surface()->map, measurements_.back()).section('\n', 0, 0));
+  tell_last_ = true;
+  showReadings();
+}
+
+/// All that a measurement reads, one line each; or why it reads nothing.
+QString MeasurePanel::readingText(const Measurement& m) const {
+  const auto entry = readings_->of(m);
+  if (!entry) return tr("Being read\u2026");
+  if (!entry->reading) return entry->problem;
+  QStringList lines;
+  for (const Quantity& q : entry->reading->quantities) lines << quantityText(q);
+  if (entry->reading->not_measured > 0) {
+    lines
+        << tr("%1 % of it is not measured").arg(numberText(100 * entry->reading->not_measured, 0));
+  }
+  return lines.join('\n');
+}
+
+void MeasurePanel::showReadings() {
   showList();
+  if (!tell_last_ || measurements_.empty() || !readings_->of(measurements_.back())) return;
+  tell_last_ = false;
+  Q_EMIT said(readingText(measurements_.back()).section('\n', 0, 0));
 }
 
 void MeasurePanel::addPlace(double x_mm, double y_mm) {
   if (!making_) return;
-  if (!surfacePoint(document_.surface()->map, {x_mm, y_mm})) {
-    Q_EMIT said(tr("There is no surface here"));
-    return;
+  try {
+    if (!readings_->pointAt({x_mm, y_mm})) return Q_EMIT said(tr("There is no surface here"));
+  } catch (const FileError& error) {
+    return Q_EMIT said(spokenError(error));
   }
   making_->places.push_back({x_mm, y_mm});
   const int placed = static_cast<int>(making_->places.size());
@@ -195,12 +203,17 @@ void MeasurePanel::addPlace(double x_mm, double y_mm) {
 void MeasurePanel::finish() {
   if (!making_ || !takesMore(making_->kind)) return;
   if (static_cast<int>(making_->places.size()) < placesNeeded(making_->kind)) return;
-  Measurement done = *std::exchange(making_, std::nullopt);
+  Measurement done = *making_;
   // The volume counts from the lowest of the corners, which a change of the list can move.
-  for (std::size_t i = 0; i < done.places.size(); ++i) {
-    const auto point = surfacePoint(document_.surface()->map, done.places[i]);
-    if (point) done.plane_mm = i == 0 ? point->at.z : std::min(done.plane_mm, point->at.z);
+  try {
+    for (std::size_t i = 0; i < done.places.size(); ++i) {
+      const auto point = readings_->pointAt(done.places[i]);
+      if (point) done.plane_mm = i == 0 ? point->at.z : std::min(done.plane_mm, point->at.z);
+    }
+  } catch (const FileError& error) {
+    return Q_EMIT said(spokenError(error));
   }
+  making_.reset();
   keep(std::move(done));
   tellNext();
   Q_EMIT changed();
@@ -239,12 +252,13 @@ void MeasurePanel::tellNext() {
 
 void MeasurePanel::showList() {
   showing_ = true;
+  readings_->keepOnly(measurements_);
   const int selected_row = list_->currentRow();
   list_->setRowCount(static_cast<int>(measurements_.size()));
   for (int row = 0; row < list_->rowCount(); ++row) {
     const Measurement& m = measurements_[static_cast<std::size_t>(row)];
     list_->setItem(row, 0, new QTableWidgetItem(QString::fromStdString(m.name)));
-    const QString text = document_.isOpen() ? readingText(document_.surface()->map, m) : QString();
+    const QString text = document_.isOpen() ? readingText(m) : QString();
     auto* reads = new QTableWidgetItem(text);
     reads->setFlags(reads->flags() & ~Qt::ItemIsEditable);
     reads->setToolTip(kindText(m.kind));
@@ -278,10 +292,18 @@ void MeasurePanel::removeSelected() {
 std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
   std::vector<std::vector<ViewMm>> lines;
   if (!document_.isOpen()) return lines;
+  // What cannot be read from a map by tiles is said in the list.
+  const auto pointAt = [&](const PlaceMm& place) -> std::optional<SurfacePoint> {
+    try {
+      return readings_->pointAt(place);
+    } catch (const FileError&) {
+      return std::nullopt;
+    }
+  };
   const auto add = [&](const Measurement& m) {
     std::vector<ViewMm> line;
     for (const PlaceMm& place : m.places) {
-      const auto point = surfacePoint(document_.surface()->map, place);
+      const auto point = pointAt(place);
       const double gain = document_.state().gain;
       line.push_back({place.x, place.y, point ? gain * point->at.z : 0});
     }
@@ -293,6 +315,15 @@ std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
   return lines;
 }
 
+std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Measurement& m) const {
+  auto entry = readings_->of(m);
+  if (entry) return entry;
+  throw ArgumentError(
+      tr("%1 is still being read. Nothing was saved. Save again when the list shows its value.")
+          .arg(QString::fromStdString(m.name))
+          .toStdString());
+}
+
 QString MeasurePanel::csv() const {
   QStringList rows{QStringLiteral("# relievo %1, input %2, sha256 %3")
                        .arg(QStringLiteral(RELIEVO_VERSION_STRING),
@@ -301,21 +332,21 @@ QString MeasurePanel::csv() const {
   for (const Measurement& m : measurements_) {
     QStringList places;
     for (const PlaceMm& place : m.places) places << exact(place.x) + ' ' + exact(place.y);
-    try {
-      const Reading reading = read(document_.surface()->map, m);
-      for (const Quantity& q : reading.quantities) {
-        rows << QStringList{quoted(QString::fromStdString(m.name)),
-                            word(name(m.kind)),
-                            quoted(word(q.title)),
-                            exact(q.value),
-                            exact(q.uncertainty),
-                            word(q.unit),
-                            exact(reading.not_measured),
-                            quoted(places.join(QStringLiteral("; ")))}
-                    .join(',');
-      }
-    } catch (const Error& error) {
-      rows << QStringLiteral("# %1: %2").arg(QString::fromStdString(m.name), spokenError(error));
+    const auto entry = readEntry(m);
+    if (!entry->reading) {
+      rows << QStringLiteral("# %1: %2").arg(QString::fromStdString(m.name), entry->problem);
+      continue;
+    }
+    for (const Quantity& q : entry->reading->quantities) {
+      rows << QStringList{quoted(QString::fromStdString(m.name)),
+                          word(name(m.kind)),
+                          quoted(word(q.title)),
+                          exact(q.value),
+                          exact(q.uncertainty),
+                          word(q.unit),
+                          exact(entry->reading->not_measured),
+                          quoted(places.join(QStringLiteral("; ")))}
+                  .join(',');
     }
   }
   return rows.join('\n') + '\n';
@@ -327,7 +358,9 @@ void MeasurePanel::writeProfile(const QString& file) const {
     throw ArgumentError(tr("Select a profile in the list first.").toStdString());
   }
   const Measurement& m = measurements_[static_cast<std::size_t>(*row)];
-  const std::vector<ProfileRow> rows = profile(document_.surface()->map, m.places);
+  const auto entry = readEntry(m);
+  if (!entry->reading) throw ArgumentError(entry->problem.toStdString());
+  const std::vector<ProfileRow>& rows = entry->rows;
   const std::string text =
       file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
           ? profileSvg(rows)

@@ -7,6 +7,7 @@
 #include "core/measure/measure.h"
 #include "core/measure/touch_marks.h"
 #include "ui/document.h"
+#include "ui/measure_readings.h"
 
 class QDoubleSpinBox;
 class QLabel;
@@ -40,6 +41,7 @@ class MeasurePanel : public QWidget {
   void cancel();
 
   /// Every row of the list: name, kind, value, uncertainty, unit, share not measured, places.
+  /// @throw ArgumentError  one of them is still being read
   QString csv() const;
   /// Heights along the profile that is selected. @throw ArgumentError, WriteError
   void writeProfile(const QString& file) const;
@@ -55,6 +57,9 @@ class MeasurePanel : public QWidget {
 
  private:
   void showList();
+  void showReadings();
+  QString readingText(const Measurement& m) const;
+  std::shared_ptr<const MeasureReadings::Entry> readEntry(const Measurement& m) const;
   void rename(int row, const QString& name);
   void removeSelected();
   void start(MeasureKind kind, bool by_touch);
@@ -66,6 +71,8 @@ class MeasurePanel : public QWidget {
   std::vector<Measurement> measurements_;
   std::optional<Measurement> making_;
   bool by_touch_ = false;
+  bool tell_last_ = false;  ///< What the last one reads is said as soon as it is known.
+  MeasureReadings* readings_;
   TouchMarks touched_;
   QLabel* hint_;
   QTableWidget* list_;

@@ -7,6 +7,9 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "core/base/error.h"
+#include "core/session/level_cut.h"
+#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -25,30 +28,16 @@ constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cel
 
 /// The coarsest detail that still fills the view.
 std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
-  std::size_t level = 0;
-  const auto& levels = surface.pyramid.levels;
-  while (level + 1 < levels.size() &&
-         std::max(levels[level].frame.size.cols, levels[level].frame.size.rows) > kMostSamples) {
-    ++level;
+  Level level;
+  for (; level.value + 1 < surface.ladder.levels(); ++level.value) {
+    const GridSize size = levelFrame(surface, level).size;
+    if (std::max(size.cols, size.rows) <= kMostSamples) break;
   }
+  DepthMap map = levelCut(surface, level);
   auto grid = std::make_shared<HeldGrid>();
-  grid->frame = levels[level].frame;
-  grid->heights_mm.assign(levels[level].heights_mm.begin(), levels[level].heights_mm.end());
-  const GridSize size = grid->frame.size;
-  const GridFrame& finest = surface.map.frame;
-  const auto nearest = [](double position, double first, double spacing, int count) {
-    return std::clamp(static_cast<int>(std::lround((position - first) / spacing)), 0, count - 1);
-  };
-  grid->origins.reserve(size.count());
-  for (int row = 0; row < size.rows; ++row) {
-    const int r =
-        nearest(grid->frame.yMm(row), finest.first_y_mm, finest.spacing_mm, finest.size.rows);
-    for (int col = 0; col < size.cols; ++col) {
-      const int c =
-          nearest(grid->frame.xMm(col), finest.first_x_mm, finest.spacing_mm, finest.size.cols);
-      grid->origins.push_back(surface.map.origin({c, r}));
-    }
-  }
+  grid->frame = map.frame;
+  grid->heights_mm = std::move(map.heights_mm);
+  grid->origins = std::move(map.origins);
   return grid;
 }
 
@@ -119,7 +108,12 @@ void ReferenceView::showSurface() {
     return;
   }
   const Surface& surface = *document_.surface();
-  setGrid(referenceGrid(surface));
+  try {
+    setGrid(referenceGrid(surface));
+  } catch (const FileError& error) {  // Of a map by tiles whose files went meanwhile.
+    setGrid(nullptr);
+    setWhereAmI(spokenError(error));
+  }
   setCamera({.rect = fittedRect(surface.ladder)});
 }
 

@@ -11,7 +11,10 @@
 #include "core/base/error.h"
 #include "core/depth/rasterize.h"
 #include "core/relief/relief_image.h"
+#include "core/session/level_cut.h"
 #include "core/session/load.h"
+#include "core/session/tiled_surface.h"
+#include "core/tiles/tiled_map.h"
 
 namespace relievo {
 namespace {
@@ -34,19 +37,19 @@ QString pathFor(const QString& file) {
 }  // namespace
 
 QImage reliefPicture(const Surface& surface, int longest_px) {
-  if (surface.pyramid.levels.empty()) return {};  // By tiles.
   // The coarsest level that is fine enough.
-  const PyramidLevel* from = &surface.pyramid.levels.front();
-  for (const PyramidLevel& level : surface.pyramid.levels) {
-    if (std::max(level.frame.size.cols, level.frame.size.rows) >= longest_px) from = &level;
-  }
-  const DepthMap map{from->frame,
-                     {from->heights_mm.begin(), from->heights_mm.end()},
-                     std::vector<Origin>(from->heights_mm.size(), Origin::measured)};
+  Level from{surface.ladder.levels() - 1};
+  const auto longest = [&] {
+    const GridSize size = levelFrame(surface, from).size;
+    return std::max(size.cols, size.rows);
+  };
+  while (from.value > 0 && longest() < longest_px) --from.value;
+  DepthMap map = levelCut(surface, from);
+  std::fill(map.origins.begin(), map.origins.end(), Origin::measured);
   ReliefLook look;
   look.kind = ReliefKind::multi_hillshade;
   const std::vector<std::uint8_t> colours = reliefColours(reliefValues(map, look), look);
-  const GridSize size = from->frame.size;
+  const GridSize size = map.frame.size;
   return QImage(colours.data(), size.cols, size.rows, 3 * size.cols, QImage::Format_RGB888)
       .mirrored()  // Row 0 of a map is its lowest.
       .scaled(longest_px, longest_px, Qt::KeepAspectRatio, Qt::SmoothTransformation);
@@ -78,8 +81,10 @@ void ReliefPictures::make(const QStringList& files) {
         try {
           SurfaceOptions options;
           options.cells = kCells;
-          const Surface surface = loadSurface(QFile::encodeName(file).toStdString(), options,
-                                              rasterize, ImportOptions{}, task);
+          const std::filesystem::path path = QFile::encodeName(file).toStdString();
+          const Surface surface = TiledMap::isOne(path)
+                                      ? openTiledSurface(path)
+                                      : loadSurface(path, options, rasterize, {}, task);
           *picture = reliefPicture(surface, kPicturePx);
         } catch (const std::exception&) {
           return;  // Opening it will say what is wrong; here it only has no picture.

@@ -15,7 +15,7 @@ struct Surface;
 /// Longest side of the pictures on the start page.
 inline constexpr int kPicturePx = 160;
 
-/// A small hillshade of the whole surface, without a graphics card; null for one by tiles.
+/// A small hillshade of the whole surface, without a graphics card. @throw FileError (tiles)
 /// [any thread]
 QImage reliefPicture(const Surface& surface, int longest_px);
 

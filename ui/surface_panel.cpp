@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include "core/session/map_facts.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -90,6 +91,20 @@ QString holesText(const std::vector<Hole>& holes, HoleRule rule) {
              : QStringLiteral("%1: %2").arg(holes.size()).arg(parts.join(QStringLiteral(", ")));
 }
 
+/// A map that is taken as it was stored knows its cells, not which of them make one hole.
+QString holesText(const Surface& surface, HoleRule rule) {
+  if (surface.engine != "as stored") return holesText(surface.holes, rule);
+  const auto shares = mapFacts(surface).shares;
+  const auto percent = [&](Origin origin) {
+    return 100 * shares.at(static_cast<std::size_t>(origin));
+  };
+  const double on_base = percent(Origin::base_plane);
+  const double filled = percent(Origin::interpolated);
+  if (on_base + filled == 0) return SurfacePanel::tr("none");
+  return SurfacePanel::tr("not counted; %1 % of the cells on the base plane, %2 % interpolated")
+      .arg(numberText(on_base, 2), numberText(filled, 2));
+}
+
 }  // namespace
 
 SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
@@ -115,6 +130,7 @@ SurfacePanel::SurfacePanel(Document& document, QWidget* parent)
   connect(&document_, &Document::surfaceChanged, this, &SurfacePanel::showSurface);
   // A choice that was not carried out must not stay on show.
   connect(&document_, &Document::busyChanged, this, &SurfacePanel::showSurface);
+  connect(&document_, &Document::failed, this, &SurfacePanel::showSurface);
   showSurface();
 }
 
@@ -122,19 +138,19 @@ void SurfacePanel::showSurface() {
   setEnabled(document_.isOpen());
   if (!document_.isOpen() || document_.busy()) return;
   const Surface& s = *document_.surface();
-  const HeightRange z = heightRange(s.map);
-  const GridSize grid = s.map.frame.size;
+  const HeightRange z = mapFacts(s).heights;
+  const GridFrame& grid = mapFrame(s);
   file_->setText(QFileInfo(document_.file()).fileName());
   file_->setToolTip(document_.file());
-  size_->setText(sizeText({s.map.widthMm(), s.map.heightExtentMm(), z.max_mm - z.min_mm}));
+  size_->setText(sizeText({s.ladder.width_mm, s.ladder.height_mm, z.max_mm - z.min_mm}));
   cells_->setText(tr("%1 \u00d7 %2, %3 apart")
-                      .arg(grid.cols)
-                      .arg(grid.rows)
-                      .arg(lengthText(s.map.frame.spacing_mm)));
+                      .arg(grid.size.cols)
+                      .arg(grid.size.rows)
+                      .arg(lengthText(grid.spacing_mm)));
   QStringList notes;
   for (const std::string& message : s.messages) notes << QString::fromStdString(message);
   cells_->setToolTip(notes.join('\n'));
-  holes_->setText(holesText(s.holes, document_.state().options.holes.rule));
+  holes_->setText(holesText(s, document_.state().options.holes.rule));
   const QSignalBlocker quiet_unit(unit_);
   const QSignalBlocker quiet_engine(engine_);
   unit_->setCurrentIndex(unit_->findData(static_cast<int>(s.unit)));
@@ -223,7 +239,7 @@ void RegionPanel::showWindow() {
   const Surface& s = *document_.surface();
   const double step = window->region.side_mm / 10;
   for (QDoubleSpinBox* box : {x_, y_, side_}) {
-    box->setDecimals(s.map.frame.spacing_mm < 0.05 ? 4 : 2);
+    box->setDecimals(mapFrame(s).spacing_mm < 0.05 ? 4 : 2);
     box->setSingleStep(step);
   }
   x_->setValue(window->region.x_mm);

@@ -39,6 +39,7 @@ SurfaceOutcome outcomeOf(const std::function<std::shared_ptr<const Surface>()>& 
 std::shared_ptr<const Surface> makeSurface(const SurfaceSource& source,
                                            const SurfaceOptions& options,
                                            const DepthEngine& depth_buffer, const Task& task) {
+  if (source.tiled) return source.tiled;
   if (source.raster) {
     return std::make_shared<const Surface>(makeSurface(*source.raster, options, task));
   }

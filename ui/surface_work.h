@@ -10,12 +10,13 @@
 
 namespace relievo {
 
-/// What surfaces are made from: one of the two.
+/// What surfaces are made from: one of the three.
 struct SurfaceSource {
   std::shared_ptr<const Scan> scan;
   std::shared_ptr<const RasterMap> raster;
+  std::shared_ptr<const Surface> tiled;  ///< A map by tiles is its own surface, as it is.
 
-  const ScanInfo& info() const { return scan ? scan->info : raster->info; }
+  const ScanInfo& info() const { return scan ? scan->info : raster ? raster->info : tiled->info; }
 };
 
 /// A surface, or why there is none.

@@ -4,10 +4,12 @@
 
 #include "app/batch/figure_arguments.h"
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/project/caption.h"
+#include "core/session/map_facts.h"
 #include "ui/figure/figure.h"
 #include "ui/vtk/picture_file.h"
 
@@ -25,7 +27,7 @@ struct Arguments {
 
 Stored fromArguments(const Arguments& a, const Task& task) {
   const FigureRequest request = figureRequest(a.figure);  // Refused before the work.
-  Stored state{.surface = loadForVerb(a.map, task), .project = {}};
+  Stored state{.surface = openForVerb(a.map, task), .project = {}};
   state.project = projectOfVerb(a.map, state.surface, chosenRegion(state.surface, a.region),
                                 a.region.gain, task);
   state.project.figure = request;
@@ -45,8 +47,9 @@ Stored fromState(const Arguments& a, const Task& task) {
 
 Json measurementsJson(const Surface& surface, const Project& project) {
   Json list = Json::array();
+  const MapCells cells = mapCells(surface);
   for (const Measurement& m : project.measurements) {
-    const Reading reading = read(surface.map, m);
+    const Reading reading = read(cells, m);
     Json entry{{"name", m.name}, {"kind", name(m.kind)}};
     for (const Quantity& q : reading.quantities) {
       entry["values"].push_back({{"what", q.title},

@@ -5,12 +5,14 @@
 #include <utility>
 
 #include "app/batch/json.h"
+#include "app/batch/large.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
+#include "core/session/map_facts.h"
 
 namespace relievo::batch {
 namespace {
@@ -116,7 +118,7 @@ const Measurement& onlyProfile(const std::vector<Measurement>& list, const std::
   return *found;
 }
 
-Json sectionJson(const MeasureArguments& a, const DepthMap& map, const std::string& header) {
+Json sectionJson(const MeasureArguments& a, const MapCells& map, const std::string& header) {
   const std::vector<double> n = numberList("--section", a.section, 4);
   const std::vector<SectionCurve> curves =
       section(map, {.normal = {n[0], n[1], n[2]}, .offset_mm = n[3]});
@@ -126,7 +128,7 @@ Json sectionJson(const MeasureArguments& a, const DepthMap& map, const std::stri
     list.push_back({{"points", curve.points.size()},
                     {"closed", curve.closed},
                     {"length_mm", curve.length_mm},
-                    {"uncertainty_mm", map.frame.spacing_mm},
+                    {"uncertainty_mm", map.frame().spacing_mm},
                     {"not_measured", curve.not_measured}});
   }
   if (!a.section_csv.empty()) writeTextFile(a.section_csv, sectionCsv(curves, header));
@@ -140,27 +142,27 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   }
   if (!a.profile_csv.empty()) onlyProfile(list, "--profile-csv");
   if (!a.profile_svg.empty()) onlyProfile(list, "--profile-svg");
-  const Surface surface = loadForVerb(a.map, task);
+  const Surface surface = openForVerb(a.map, task);
+  const MapCells cells = mapCells(surface, task);
   const auto header = [&](const std::string& out) {
     return stateLine(toJson(provenanceOfVerb(a.map, surface, out, task), -1));
   };
   Json json;
   Outcome outcome;
-  json["spacing_mm"] = surface.map.frame.spacing_mm;
+  json["spacing_mm"] = cells.frame().spacing_mm;
   json["measurements"] = Json::array();
   for (const Measurement& m : list) {
-    const Reading reading = read(surface.map, m);
+    const Reading reading = read(cells, m);
     json["measurements"].push_back(readingJson(m, reading));
     outcome.lines.push_back(lineFor(m, reading));
   }
   if (!a.section.empty()) {
-    json["section"] =
-        sectionJson(a, surface.map, a.section_csv.empty() ? "" : header(a.section_csv));
+    json["section"] = sectionJson(a, cells, a.section_csv.empty() ? "" : header(a.section_csv));
     outcome.lines.push_back("section: " + std::to_string(json["section"].size()) + " curves");
   }
   if (!a.profile_csv.empty() || !a.profile_svg.empty()) {
     const Measurement& m = onlyProfile(list, "--profile-csv");
-    const std::vector<ProfileRow> rows = profile(surface.map, m.places);
+    const std::vector<ProfileRow> rows = profile(cells, m.places);
     if (!a.profile_csv.empty()) {
       writeTextFile(a.profile_csv, profileCsv(rows, header(a.profile_csv)));
     }
@@ -175,8 +177,8 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
     if (as_json) {
       json["provenance"] = Json::parse(toJson(provenanceOfVerb(a.map, surface, a.out, task)));
     }
-    writeTextFile(
-        a.out, as_json ? json.dump(2) + "\n" : measurementsCsv(surface.map, list, header(a.out)));
+    writeTextFile(a.out,
+                  as_json ? json.dump(2) + "\n" : measurementsCsv(cells, list, header(a.out)));
   }
   return outcome;
 }

@@ -67,6 +67,7 @@ double angleDeg(const std::vector<ViewMm>& p) {
 Quantity propagated(std::string_view title, std::string_view unit, const Function& f,
                     const std::vector<SurfacePoint>& points, double spacing_mm) {
   std::vector<ViewMm> at;
+  at.reserve(points.size());
   for (const SurfacePoint& p : points) at.push_back(p.at);
   const double value = f(at);
   double uncertainty = 0;

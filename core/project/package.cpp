@@ -10,11 +10,13 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/project/project_files.h"
 #include "core/provenance/program.h"
+#include "core/tiles/tiled_map.h"
 
 namespace relievo {
 namespace {
@@ -225,9 +227,17 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   std::vector<std::string> figure_sums;
   for (const auto& figure : contents.figures) figure_sums.push_back(sha256OfFile(figure, task));
 
+  std::vector<std::pair<std::filesystem::path, std::string>> levels;
+  if (contents.with_input && TiledMap::isOne(project.file)) {
+    for (const auto& file : TiledMap(project.file).otherFiles()) {
+      levels.emplace_back(file, sha256OfFile(file, task));
+    }
+  }
+
   PackageWriter writer(target);
   packed.file = contents.with_input ? writer.addFile("input", project.file, project.sha256)
                                     : std::filesystem::path(project.file).filename().string();
+  for (const auto& [level, sha256] : levels) writer.addFile("input", level, sha256);
   for (InputFile& recording : packed.recordings) {
     recording.file = writer.addFile("recordings", recording.file, recording.sha256);
   }

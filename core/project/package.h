@@ -16,9 +16,9 @@ struct PackageContents {
   std::vector<std::filesystem::path> figures;
 };
 
-/// One zip that can be cited: project.json, input/, recordings/, figures/, README.txt, and
-/// manifest-sha256.txt (the form of `sha256sum -c`) over all of them. The same contents give the
-/// same bytes. Written beside the target and renamed. [worker]
+/// One zip that can be cited: project.json, input/ (of a map by tiles with all levels),
+/// recordings/, figures/, README.txt, and manifest-sha256.txt (the form of `sha256sum -c`) over all
+/// of them. The same contents give the same bytes. Written beside the target and renamed. [worker]
 /// @throw FileError  a file of the project is missing or changed  @throw WriteError, Cancelled
 void writePackage(const std::filesystem::path& target, const Project& project,
                   const PackageContents& contents, const Task& task = {});

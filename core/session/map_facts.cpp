@@ -10,8 +10,9 @@ const GridFrame& mapFrame(const Surface& surface) {
 }
 
 MapFacts mapFacts(const Surface& surface) {
-  if (surface.tiles)
+  if (surface.tiles) {
     return {.heights = surface.tiles->heights(), .shares = surface.tiles->shares()};
+  }
   return {.heights = heightRange(surface.map), .shares = originShares(surface.map)};
 }
 

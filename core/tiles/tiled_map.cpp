@@ -238,6 +238,14 @@ TiledMap::~TiledMap() = default;
 const std::filesystem::path& TiledMap::file() const noexcept {
   return impl_->file;
 }
+std::vector<std::filesystem::path> TiledMap::otherFiles() const {
+  std::vector<std::filesystem::path> files;
+  for (const auto& level : impl_->levels) {
+    if (level->level > 0) files.push_back(level->heights_file);
+    files.push_back(level->origins_file);
+  }
+  return files;
+}
 const std::vector<GridFrame>& TiledMap::frames() const noexcept {
   return impl_->frames;
 }

@@ -31,6 +31,8 @@ class TiledMap {
   TiledMap& operator=(const TiledMap&) = delete;
 
   const std::filesystem::path& file() const noexcept;
+  /// What lies beside it and belongs to it: origins, coarser levels and theirs.
+  std::vector<std::filesystem::path> otherFiles() const;
   const std::vector<GridFrame>& frames() const noexcept;  ///< Per level, finest first.
   const ViewFromFile& viewFromFile() const noexcept;
   const DetailLadder& ladder() const noexcept;

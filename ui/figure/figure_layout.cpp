@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
+#include "core/session/map_facts.h"
 
 namespace relievo {
 namespace {
@@ -37,7 +38,7 @@ Level levelOfWhole(const DetailLadder& map) {
 bool needsLegend(const Surface& surface, const FigureRequest& f) {
   if (!f.legend) return false;
   if (hasLegend(f.look.kind)) return true;
-  const auto shares = originShares(surface.map);
+  const auto shares = mapFacts(surface).shares;
   return f.hatch && shares[static_cast<std::size_t>(Origin::interpolated)] +
                             shares[static_cast<std::size_t>(Origin::base_plane)] >
                         0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/project/caption.h"
+#include "core/session/map_facts.h"
 #include "ui/vtk/scale_length.h"
 
 namespace relievo {
@@ -130,7 +131,7 @@ void outline(FigureInk& ink, const PanelSpace& space, const Region& r) {
   ink.painter().drawRect(frame);
 }
 
-QString valueOf(const DepthMap& map, const Measurement& m) {
+QString valueOf(const MapCells& map, const Measurement& m) {
   const Quantity q = read(map, m).quantities.front();
   // As many decimals as the uncertainty leaves meaning to.
   const int decimals = q.uncertainty >= 10 ? 0 : q.uncertainty >= 1 ? 1 : 2;
@@ -159,7 +160,7 @@ QRectF labelPlace(const FigureInk& ink, const QPointF& at, const QSizeF& size,
 }
 
 /// @param taken  the places of the labels, to which this one's is added
-void measurement(FigureInk& ink, const PanelSpace& space, const DepthMap& map, const Measurement& m,
+void measurement(FigureInk& ink, const PanelSpace& space, const MapCells& map, const Measurement& m,
                  std::vector<QRectF>& taken) {
   QPolygonF line;
   for (const PlaceMm& place : m.places) line << space.at(place.x, place.y);
@@ -227,9 +228,10 @@ void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
   ink.painter().setClipRect(space.box());
   if (panel.whole && f.window_outline) outline(ink, space, project.region);
   if (f.measurements && !panel.whole) {
+    const MapCells cells = mapCells(surface);
     std::vector<QRectF> labels;
     for (const Measurement& m : project.measurements) {
-      measurement(ink, space, surface.map, m, labels);
+      measurement(ink, space, cells, m, labels);
     }
   }
   if (f.scale_bar) scaleBar(ink, space);
@@ -252,7 +254,7 @@ struct Swatch {
 std::vector<Swatch> swatchesOf(const Surface& surface, const FigureRequest& f) {
   std::vector<Swatch> swatches;
   if (!f.hatch) return swatches;
-  const auto shares = originShares(surface.map);
+  const auto shares = mapFacts(surface).shares;
   for (const auto& [origin, words, crossed] :
        {std::tuple{Origin::interpolated, "interpolated", false},
         std::tuple{Origin::base_plane, "hole, on the base plane", true}}) {

@@ -51,15 +51,7 @@ Eyes eyesFor(const DepthMap& map, const FigureRequest& f, double paper_per_mm) {
 }  // namespace
 
 DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int margin, double gain) {
-  if (surface.pyramid.levels.empty()) {
-    throw ArgumentError(
-        "A map that is read by tiles is not drawn as a figure by this version. Nothing was drawn. "
-        "Make a map with coarser cells, which fits the memory.");
-  }
-  if (level.value < 0 || level.value >= static_cast<int>(surface.pyramid.levels.size())) {
-    throw ArgumentError("There is no level " + std::to_string(level.value) + ".");
-  }
-  const GridFrame& f = surface.pyramid.levels[static_cast<std::size_t>(level.value)].frame;
+  const GridFrame& f = levelFrame(surface, level);
   const auto range = [&](double low, double high, double first, int count) {
     const int a = static_cast<int>(std::floor((low - first) / f.spacing_mm)) - margin;
     const int b = static_cast<int>(std::ceil((high - first) / f.spacing_mm)) + margin;

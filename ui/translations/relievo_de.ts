@@ -1216,6 +1216,10 @@
         <source>Zoom</source>
         <translation>Vergrößern</translation>
     </message>
+    <message>
+        <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
+        <translation>Diese Karte wird in Kacheln gelesen, so wie sie gemacht wurde; nichts wurde geändert. Um sie anders zu machen, rufen Sie relievo depthmap --memory mit ihrem Scan und der gewünschten Auswahl auf.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FigureDialog</name>
@@ -3561,6 +3565,14 @@
         <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
         <translation>Durch Tasten: bei eingeschalteten Kräften (F5) zwei Stellen antippen für ihren Tiefenunterschied, oder einen Strich ziehen für ein Profil. Escape beendet.</translation>
     </message>
+    <message>
+        <source>Being read…</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
+        <translation>%1 wird noch gelesen. Nichts wurde gespeichert. Speichern Sie erneut, sobald die Liste den Wert zeigt.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -4695,6 +4707,10 @@
     <message>
         <source>left open</source>
         <translation>offen gelassen</translation>
+    </message>
+    <message>
+        <source>not counted; %1 % of the cells on the base plane, %2 % interpolated</source>
+        <translation>nicht gezählt; %1 % der Zellen auf der Grundebene, %2 % interpoliert</translation>
     </message>
 </context>
 <context>

@@ -1216,6 +1216,10 @@
         <source>Zoom</source>
         <translation>पास लाएँ</translation>
     </message>
+    <message>
+        <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
+        <translation>यह मानचित्र टाइलों में, जैसा बना था वैसा ही पढ़ा जाता है; कुछ नहीं बदला गया। इसे दूसरे ढंग से बनाने के लिए इसके स्कैन पर अपने विकल्पों के साथ relievo depthmap --memory चलाएँ।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FigureDialog</name>
@@ -3561,6 +3565,14 @@
         <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
         <translation>स्पर्श से: बल चालू रखकर (F5) दो जगह टैप करें, गहराई का अंतर मिलेगा; या रेखा खींचें, प्रोफ़ाइल मिलेगी। Escape समाप्त करता है।</translation>
     </message>
+    <message>
+        <source>Being read…</source>
+        <translation>पढ़ा जा रहा है…</translation>
+    </message>
+    <message>
+        <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
+        <translation>%1 अभी पढ़ा जा रहा है। कुछ सहेजा नहीं गया। सूची में इसका मान दिखने पर फिर सहेजें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
@@ -4695,6 +4707,10 @@
     <message>
         <source>left open</source>
         <translation>खुला छोड़ा</translation>
+    </message>
+    <message>
+        <source>not counted; %1 % of the cells on the base plane, %2 % interpolated</source>
+        <translation>गिने नहीं गए; %1 % कोष्ठ आधार तल पर, %2 % अंतर्वेशित</translation>
     </message>
 </context>
 <context>

@@ -36,7 +36,7 @@ int levelFor(const DetailLadder& ladder, double width_mm) {
 
 /// Samples of a level in a rectangle.
 DepthMap cut(const Surface& surface, int level, const RectMm& rect, double gain) {
-  const GridFrame& f = surface.pyramid.levels[static_cast<std::size_t>(level)].frame;
+  const GridFrame& f = levelFrame(surface, {level});
   const auto index = [&](double at, double first, int count) {
     return std::clamp(static_cast<int>(std::lround((at - first) / f.spacing_mm)), 0, count - 1);
   };
@@ -68,11 +68,6 @@ void VideoSurface::showWindow(ReliefScene& scene, const Region& region, double g
 }
 
 void VideoSurface::showPart(ReliefScene& scene, const RectMm& rect, double gain) {
-  if (surface_.pyramid.levels.empty()) {  // By tiles: their windows are all there is.
-    const double side = std::max(rect.width_mm, rect.height_mm);
-    showWindow(scene, {rect.x_mm, rect.y_mm, side, defaultLevel(surface_.ladder, side)}, gain);
-    return;
-  }
   const int level = levelFor(surface_.ladder, std::max(rect.width_mm, rect.height_mm));
   const RectMm part = widened(rect);
   if (part_ == part && part_level_ == level && gain_ == gain) return;

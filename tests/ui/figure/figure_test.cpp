@@ -13,6 +13,7 @@
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
 #include "core/provenance/embedded.h"
+#include "tests/core/session/tiled_fixture.h"
 #include "ui/vtk/picture_file.h"
 #include "ui/vtk/scale_length.h"
 
@@ -337,6 +338,28 @@ TEST_F(FigureTest, TheCaptionNamesWhatTheFigureRestsOn) {
 TEST_F(FigureTest, ARegionBesideTheObjectIsRefused) {
   project_.region = {.x_mm = 500, .y_mm = 500, .side_mm = 10, .level = {0}};
   EXPECT_THROW(draw(), ArgumentError);
+}
+
+TEST_F(FigureTest, OfAMapByTilesIsThatOfTheMapInMemory) {
+  const test::BothWays both({.cols = 1400, .rows = 900});
+  project_.region = {.x_mm = 20, .y_mm = 10, .side_mm = 60, .level = {1}};
+  project_.figure.dpi = 60;
+  project_.measurements = {{"step", MeasureKind::depth, {{40, 30}, {70, 60}}, 0},
+                           {"cut", MeasureKind::profile, {{25, 20}, {75, 65}}, 0}};
+  for (const FigureLayout layout : {FigureLayout::reference_detail, FigureLayout::levels}) {
+    project_.figure.layout = layout;
+    const Figure tiled = drawFigure(both.tiled, project_);
+    const Figure whole = drawFigure(both.whole, project_);
+    EXPECT_EQ(tiled.image.rgba, whole.image.rgba);
+    EXPECT_NE(tiled.facts.caption.find("1400"), std::string::npos) << tiled.facts.caption;
+  }
+  project_.figure.layout = FigureLayout::detail;
+  project_.region.level = {0};
+  EXPECT_EQ(drawFigure(both.tiled, project_).image.rgba,
+            drawFigure(both.whole, project_).image.rgba);
+  writeHeightsTiff(both.tiled, project_, folder_ / "tiled.tif");
+  writeHeightsTiff(both.whole, project_, folder_ / "whole.tif");
+  EXPECT_EQ(readRaster(folder_ / "tiled.tif").values, readRaster(folder_ / "whole.tif").values);
 }
 
 }  // namespace
