@@ -288,6 +288,11 @@ void DepthMapDialog::showMade(const Made& made) {
   if (take_when_made_) take();
 }
 
+void DepthMapDialog::done(int result) {
+  worker_.outliveJob(*this);
+  QDialog::done(result);
+}
+
 void DepthMapDialog::showBusy(bool busy) {
   bar_->setVisible(busy);
   step_->setVisible(busy);

@@ -28,6 +28,7 @@ class DepthMapDialog : public QDialog {
 
   bool isStale() const { return stale_; }
   QString summary() const;  ///< The sentences on show.
+  void done(int result) override;
 
  Q_SIGNALS:
   void unitChosen(relievo::LengthUnit unit);

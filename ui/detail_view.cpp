@@ -10,8 +10,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kWheelStep = 120;       // One notch, in eighths of a degree.
-constexpr int kAppearsAfterMs = 100;  // The reference goes first.
+constexpr int kWheelStep = 120;  // One notch, in eighths of a degree.
 constexpr double kZoomStep = 1.25;
 constexpr double kDepthStepMm = 0.25;  // Of hand, per notch or key press.
 constexpr double kMostDepthMm = 10;
@@ -35,8 +34,8 @@ std::shared_ptr<const HeldGrid> gridOf(const RegionWindow& window) {
 
 }  // namespace
 
-DetailView::DetailView(Document& document, QWidget* parent)
-    : SurfaceView(kAppearsAfterMs, parent), document_(document) {
+DetailView::DetailView(Document& document, PictureTurns& turns, QWidget* parent)
+    : SurfaceView(turns, parent), document_(document) {
   setObjectName(QStringLiteral("detail_view"));
   setAccessibleName(tr("Detail view"));
   setWhatsThis(

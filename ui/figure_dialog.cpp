@@ -180,7 +180,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   stop_->setAccessibleName(tr("Stop"));
   stop_->setToolTip(tr("Stop the work; nothing is written"));
   stop_->setAutoDefault(false);
-  connect(stop_, &QPushButton::clicked, &worker_, &LatestWorker::cancel);
+  connect(stop_, &QPushButton::clicked, this, &FigureDialog::stop);
 
   auto* left = new QScrollArea;
   left->setWidget(form);
@@ -464,6 +464,19 @@ void FigureDialog::write() {
         Q_EMIT written(target);
         accept();
       });
+}
+
+void FigureDialog::stop() {
+  if (writing_) {
+    problem_->setText(tr("Stopped. Nothing was written."));
+    problem_->show();
+  }
+  worker_.cancel();
+}
+
+void FigureDialog::done(int result) {
+  worker_.outliveJob(*this);
+  QDialog::done(result);
 }
 
 void FigureDialog::showBusy(bool busy) {

@@ -34,6 +34,7 @@ class FigureDialog : public QDialog {
 
   FigureRequest request() const;
   QString file() const;
+  void done(int result) override;
 
  Q_SIGNALS:
   void written(const QString& file);
@@ -50,6 +51,7 @@ class FigureDialog : public QDialog {
   void changed();
   void preview();
   void write();
+  void stop();
   void showBusy(bool busy);
   void showFacts(const FigureFacts& facts);
   Project wanted() const;

@@ -2,6 +2,7 @@
 #include "ui/latest_worker.h"
 
 #include <chrono>
+#include <QWidget>
 
 namespace relievo {
 namespace {
@@ -37,6 +38,14 @@ bool LatestWorker::cancel() {
   return true;
 }
 
+void LatestWorker::outliveJob(QWidget& closing) {
+  cancel();
+  if (!running_ || !closing.testAttribute(Qt::WA_DeleteOnClose)) return;
+  closing.setAttribute(Qt::WA_DeleteOnClose, false);
+  closing.setObjectName({});  // The next of its kind may be there before it is gone.
+  connect(this, &LatestWorker::left, &closing, &QObject::deleteLater);
+}
+
 void LatestWorker::launch(Request request) {
   if (thread_.joinable()) thread_.join();
   running_ = true;
@@ -66,10 +75,12 @@ void LatestWorker::launch(Request request) {
 void LatestWorker::finish(std::uint64_t id, const Done& done) {
   running_ = false;
   if (pending_) launch(std::move(*std::exchange(pending_, nullptr)));
-  if (id != wanted_) return;  // Cancelled, or a newer job took its place.
-  wanted_ = 0;
-  Q_EMIT busyChanged(false);
-  done();
+  if (id == wanted_) {  // Else cancelled, or a newer job took its place.
+    wanted_ = 0;
+    Q_EMIT busyChanged(false);
+    done();
+  }
+  if (!running_) Q_EMIT left();
 }
 
 }  // namespace relievo

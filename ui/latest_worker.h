@@ -9,6 +9,8 @@
 
 #include "core/base/task.h"
 
+class QWidget;
+
 namespace relievo {
 
 /// Runs one job at a time off the GUI thread. A newer job, or cancel(), stops the older one; its
@@ -26,10 +28,17 @@ class LatestWorker : public QObject {
   /// @return false: nothing was running
   bool cancel();
   bool busy() const { return wanted_ != 0; }
+  /// Is a job still on its way out, wanted or not? A driver that compiles a shader hears of no
+  /// cancel, so this may last some tenths of a second after one. The destructor waits for it.
+  bool running() const { return running_; }
+  /// For a dialog that closes and would be deleted (Qt::WA_DeleteOnClose): cancels, and lets it
+  /// live unseen until the job has left, so that its end holds nobody up.
+  void outliveJob(QWidget& closing);
 
  Q_SIGNALS:
   void busyChanged(bool busy);
   void progressed(const QString& step, double fraction);  ///< At most 30 times a second.
+  void left();                                            ///< Nothing is running any more.
 
  private:
   struct Request {

@@ -163,8 +163,8 @@ void MainWindow::layOut() {
   auto* row = new QHBoxLayout(work);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  reference_ = new ReferenceView(document_);
-  detail_ = new DetailView(document_);
+  reference_ = new ReferenceView(document_, picture_turns_);
+  detail_ = new DetailView(document_, picture_turns_);
   inset_ = new OverviewInset(document_, detail_);
   reference_title_ = headerLabel(QStringLiteral("reference_title"));
   reference_note_ = headerLabel(QStringLiteral("reference_note"));
@@ -364,6 +364,8 @@ void MainWindow::showWindow() {
 void MainWindow::showBusy(bool busy) {
   if (busy) {
     status_->beginWork();
+    reference_->warmUp();  // Pictures will be wanted.
+    detail_->warmUp();
   } else {
     status_->endWork();
   }

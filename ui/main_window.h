@@ -12,6 +12,7 @@
 #include "ui/document.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
+#include "ui/picture_turns.h"
 #include "ui/replay_control.h"
 #include "ui/settings.h"
 #include "ui/touch_readout.h"
@@ -233,6 +234,7 @@ class MainWindow : public QMainWindow {
 
   Settings settings_;
   Document document_;
+  PictureTurns picture_turns_;  ///< Before the views, which are children and go first.
   MessageStrip* strip_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   FirstViewCard* first_view_ = nullptr;

@@ -85,8 +85,8 @@ QString nameOf(PinkPart part) {
 
 }  // namespace
 
-ReferenceView::ReferenceView(Document& document, QWidget* parent)
-    : SurfaceView(0, parent), document_(document) {
+ReferenceView::ReferenceView(Document& document, PictureTurns& turns, QWidget* parent)
+    : SurfaceView(turns, parent), document_(document) {
   setObjectName(QStringLiteral("reference_view"));
   setAccessibleName(tr("Reference view"));
   setToolTip({});

@@ -11,15 +11,17 @@
 #include <cstdint>
 #include <QAccessible>
 #include <QAccessibleWidget>
-#include <QBasicTimer>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPainter>
 #include <QResizeEvent>
-#include <QTimerEvent>
 #include <span>
 
 #include "core/relief/relief_image.h"
 #include "core/relief/stereo.h"
 #include "ui/colour_bar.h"
+#include "ui/picture_turns.h"
+#include "ui/vtk/first_draws.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -95,53 +97,101 @@ class MixingWindow : public vtkGenericOpenGLRenderWindow {
 };
 vtkStandardNewMacro(MixingWindow);
 
-/// The OpenGL part; sees no mouse and no keys.
+/// The OpenGL part; sees no mouse and no keys. Hidden until it is warm: its parent's colour is in
+/// its place.
 class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  public:
-  Canvas(SurfaceView* view, ReliefScene& scene) : QVTKOpenGLNativeWidget(view), scene_(scene) {
+  Canvas(SurfaceView* view, ReliefScene& scene, PictureTurns& turns)
+      : QVTKOpenGLNativeWidget(view), scene_(scene), turns_(turns) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     setAcceptDrops(false);
     setEnableHiDPI(true);
     setDefaultCursor(Qt::ArrowCursor);
-    window_->follow(&scene);
     setRenderWindow(window_);
     if (interactor() != nullptr) interactor()->SetInteractorStyle(nullptr);
-    scene_.attachTo(window_);
+  }
+
+  void warmUp() {
+    if (stage_ != Stage::cold) return;
+    stage_ = Stage::warming;
+    turns_.ask(this, [this] { warmUpStep(); });
+  }
+  void appearWhenWarm() {
+    wanted_ = true;
+    if (stage_ == Stage::warm) {
+      show();
+    } else {
+      warmUp();
+    }
+  }
+  void appearNow() {
+    wanted_ = true;
+    if (stage_ != Stage::warm) attachScene();
+    drawn_ = true;
+    show();
   }
 
   /// Many changes between two frames are one picture.
   void requestRender() {
+    if (stale_) return;
     stale_ = true;
-    if (!later_.isActive()) later_.start(0, this);
+    turns_.ask(this, [this] { renderIfStale(); });
   }
   void renderIfStale() {
     if (!stale_ || !isVisible()) return;
     stale_ = false;
-    later_.stop();
+    drawn_ = true;
     prepare();
     renderWindow()->Render();
   }
 
  protected:
-  void timerEvent(QTimerEvent* event) override {
-    if (event->timerId() != later_.timerId()) {
-      QVTKOpenGLNativeWidget::timerEvent(event);
-      return;
-    }
-    later_.stop();
-    renderIfStale();
-  }
   void showEvent(QShowEvent* event) override {
     QVTKOpenGLNativeWidget::showEvent(event);
+    stale_ = false;
     requestRender();
   }
   void paintGL() override {
+    if (!drawn_) {  // Qt compiles, too, to compose a window with OpenGL in it: in another turn.
+      context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
+      return;
+    }
     prepare();  // After a change of size VTK draws in here.
     QVTKOpenGLNativeWidget::paintGL();
   }
 
  private:
+  enum class Stage { cold, warming, warm };
+
+  void warmUpStep() {
+    if (stage_ != Stage::warming) return;
+    if (!first_draws_) {
+      grabFramebuffer();  // Makes the context of a hidden widget.
+      if (!isValid()) {   // The window was not on screen yet.
+        stage_ = Stage::cold;
+        return;
+      }
+      first_draws_ = std::make_unique<FirstDraws>(window_);
+    } else if (first_draws_->step()) {
+      // One more thing is drawn.
+    } else if (!copied_) {
+      copied_ = drawn_ = true;
+      grabFramebuffer();  // From VTK's frame buffer into Qt's, which is a shader, too.
+      drawn_ = false;
+    } else {
+      attachScene();
+      if (wanted_) show();
+      return;
+    }
+    turns_.ask(this, [this] { warmUpStep(); });
+  }
+  void attachScene() {
+    first_draws_.reset();
+    window_->follow(&scene_);
+    scene_.attachTo(window_);
+    stage_ = Stage::warm;
+  }
   void prepare() {
     const QSize pixels = size() * devicePixelRatioF();
     // Lines grow with the screen's density and, like text, with the dots that the desktop asks for.
@@ -150,19 +200,19 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   }
 
   ReliefScene& scene_;
-  QBasicTimer later_;
-  bool stale_ = false;
+  PictureTurns& turns_;
+  Stage stage_ = Stage::cold;
+  bool wanted_ = false, copied_ = false, drawn_ = false, stale_ = false;
   vtkNew<MixingWindow> window_;
+  std::unique_ptr<FirstDraws> first_draws_;
 };
 
-SurfaceView::SurfaceView(int appears_after_ms, QWidget* parent)
-    : QWidget(parent),
-      appears_after_ms_(appears_after_ms),
-      scene_(std::make_unique<ReliefScene>()) {
+SurfaceView::SurfaceView(PictureTurns& turns, QWidget* parent)
+    : QWidget(parent), scene_(std::make_unique<ReliefScene>()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 120);
-  canvas_ = new Canvas(this, *scene_);
+  canvas_ = new Canvas(this, *scene_, turns);
   canvas_->hide();
   bar_ = new ColourBar(this);
   state_.applyTo(*scene_);
@@ -173,22 +223,17 @@ SurfaceView::~SurfaceView() {
   delete canvas_;
 }
 
+void SurfaceView::warmUp() {
+  if (window()->windowHandle() != nullptr) canvas_->warmUp();
+}
+
 void SurfaceView::appear() {
-  appears_.stop();
-  canvas_->show();
+  canvas_->appearNow();
 }
 
 void SurfaceView::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (canvas_->isHidden()) appears_.start(appears_after_ms_, this);
-}
-
-void SurfaceView::timerEvent(QTimerEvent* event) {
-  if (event->timerId() == appears_.timerId()) {
-    appear();
-  } else {
-    QWidget::timerEvent(event);
-  }
+  if (canvas_->isHidden()) canvas_->appearWhenWarm();
 }
 
 void SurfaceView::requestRender() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QBasicTimer>
 #include <QImage>
 #include <QWidget>
 
@@ -10,6 +9,7 @@
 namespace relievo {
 
 class ColourBar;
+class PictureTurns;
 
 /// A relief on screen: one scene in one OpenGL widget. Mouse and keys come to this widget as
 /// ordinary Qt events; VTK's own interaction is off. Accessible as one named object whose value is
@@ -38,15 +38,16 @@ class SurfaceView : public QWidget {
 
   double mmPerPixel() const;  ///< Of the widget, at the view's centre.
 
-  /// Draws from now on; else the first picture comes a moment after the view is first shown.
+  /// Compiles what pictures need, a step in a turn, if the window is on screen. The first picture
+  /// waits for it; to be asked for as soon as one will be wanted.
+  void warmUp();
+  /// Draws now; else the first picture comes in its turn, after the view is first shown.
   void appear();
 
  protected:
-  /// @param appears_after_ms  of being shown for the first time: OpenGL's own start, some tens of
-  /// milliseconds for a view, must not come in one piece for all of them
-  explicit SurfaceView(int appears_after_ms, QWidget* parent);
+  /// @param turns  of all views of the window; outlives this
+  SurfaceView(PictureTurns& turns, QWidget* parent);
   void showEvent(QShowEvent* event) override;
-  void timerEvent(QTimerEvent* event) override;
   void setGrid(std::shared_ptr<const HeldGrid> grid);
   void setCamera(const ReliefCamera& camera);
   void setPink(const std::optional<RectMm>& pink);
@@ -66,8 +67,6 @@ class SurfaceView : public QWidget {
   void requestRender();
   void paintGrid();
 
-  const int appears_after_ms_;
-  QBasicTimer appears_;
   SceneState state_;
   std::shared_ptr<const HeldGrid> plain_;  ///< As set; state_.grid may be painted.
   std::unique_ptr<ReliefScene> scene_;

@@ -62,7 +62,7 @@ std::optional<std::string> pngState(const std::filesystem::path& file) {
 
 /// A map's description is its state; a picture's has it after the caption.
 std::optional<std::string> tiffState(const std::filesystem::path& file) {
-  const auto words = rasterState(file);
+  auto words = rasterState(file);
   if (!words || words->starts_with('{')) return words;
   const std::string line = "\n" + std::string(kStateKey) + "\n";
   const std::size_t at = words->find(line);

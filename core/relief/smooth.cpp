@@ -34,10 +34,9 @@ std::vector<float> filtered(const std::vector<float>& in, GridSize size,
         const int to = std::min(radius, count - 1 - at);
         const std::size_t i = size.index({col, row});
         const float* value = in.data() + i - static_cast<std::size_t>(-from) * stride;
+        const float* weight = weights.data() + radius + from;
         float sum = 0;
-        for (int k = from; k <= to; ++k, value += stride) {
-          sum += weights[static_cast<std::size_t>(k + radius)] * *value;
-        }
+        for (int k = from; k <= to; ++k, value += stride) sum += *weight++ * *value;
         out[i] = sum;
       }
     }

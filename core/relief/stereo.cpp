@@ -41,7 +41,9 @@ std::uint8_t codedOf(double linear) {
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = byteOf(static_cast<double>(i) / kSteps);
     return t;
   }();
-  return kTable[static_cast<std::size_t>(std::clamp(linear, 0.0, 1.0) * kSteps + 0.5)];
+  // Not std::lround: it is a call, and each picture makes three a pixel.
+  const double rounded = std::clamp(linear, 0.0, 1.0) * kSteps + 0.5;
+  return kTable[static_cast<std::size_t>(rounded)];
 }
 
 using Pixel = std::array<double, 3>;

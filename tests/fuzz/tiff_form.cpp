@@ -78,7 +78,7 @@ void changeBinaryNumber(std::string& bytes, std::size_t width, Chance& chance) {
   if (width == 8) {
     constexpr std::array<double, 8> kOdd{
         0, -1, 1e-9, 1e300, std::numeric_limits<double>::infinity(), -0.5, 0.3048, 1};
-    const double old = loadAs<double>(bytes.data() + at, ByteOrder::little);
+    const auto old = loadAs<double>(bytes.data() + at, ByteOrder::little);
     const double number = chance.oneIn(2) ? -old : kOdd[chance.below(kOdd.size())];
     bytes.replace(at, width, bytesOf(number));
     return;

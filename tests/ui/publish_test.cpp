@@ -39,7 +39,7 @@ class PublishTest : public GuiTest {
   QString reads(int row) { return child<QTableWidget>("measure_list")->item(row, 1)->text(); }
   FigureDialog& openDialog() {
     EXPECT_TRUE(window().runCommand("figure"));
-    auto* dialog = window().findChild<FigureDialog*>();
+    auto* dialog = window().findChild<FigureDialog*>("figure_dialog");
     EXPECT_NE(dialog, nullptr);
     auto* caption = dialog->findChild<QPlainTextEdit*>("figure_caption");
     EXPECT_TRUE(waitFor([caption] { return !caption->toPlainText().isEmpty(); }));
@@ -64,6 +64,44 @@ TEST_F(PublishTest, AFigureIsWrittenAsItsPreviewShowsAndCarriesTheState) {
   const auto state = embeddedState(file.toStdString());
   ASSERT_TRUE(state);
   EXPECT_EQ(projectFromJson(*state, "out.png").region, document().state().region);
+}
+
+// The worker may be in the driver, which cannot be stopped halfway: nobody waits for it.
+TEST_F(PublishTest, AFigureStoppedInItsFirstMomentIsAnsweredAtOnceAndCanBeSavedAgain) {
+  openRelief();
+  FigureDialog& dialog = openDialog();
+  const QString file = path("again.png");
+  dialog.findChild<QLineEdit*>("figure_file")->setText(file);
+  auto* save = dialog.findChild<QPushButton*>("figure_save");
+  auto* stop = dialog.findChild<QPushButton*>("figure_stop");
+  QTest::mouseClick(save, Qt::LeftButton);
+  ASSERT_TRUE(stop->isVisible());
+  QTest::mouseClick(stop, Qt::LeftButton);
+  EXPECT_FALSE(stop->isVisible());
+  auto* problem = dialog.findChild<QLabel*>("figure_problem");
+  EXPECT_TRUE(problem->isVisible());
+  EXPECT_EQ(problem->text(), "Stopped. Nothing was written.");
+  EXPECT_FALSE(QFile::exists(file));
+  QTest::mouseClick(save, Qt::LeftButton);
+  EXPECT_TRUE(waitFor([&] { return QFile::exists(file); }));
+}
+
+TEST_F(PublishTest, TheFigureDialogClosesWhileItsFirstPreviewIsDrawnAndOpensAgain) {
+  openRelief();
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_TRUE(window().runCommand("figure"));
+    auto* dialog = window().findChild<FigureDialog*>("figure_dialog");
+    ASSERT_NE(dialog, nullptr);
+    dialog->reject();
+    EXPECT_FALSE(dialog->isVisible());
+  }
+  openDialog();
+  EXPECT_TRUE(waitFor([this] { return window().findChildren<FigureDialog*>().size() == 1; }))
+      << "the closed ones go";
+  // And the end of the program comes in the middle of one.
+  window().findChild<FigureDialog*>("figure_dialog")->reject();
+  ASSERT_TRUE(window().runCommand("figure"));
+  restart();
 }
 
 TEST_F(PublishTest, ADialogsFigureIsThatOfTheSameRecordDrawnElsewhere) {

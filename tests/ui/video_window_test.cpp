@@ -104,6 +104,29 @@ TEST_F(VideoWindowTest, AReplayBecomesAVideoInTheBackgroundAndEscapeEndsIt) {
   EXPECT_TRUE(waitFor([this] { return !QFile::exists(path("long")); })) << "nothing is left";
 }
 
+TEST_F(VideoWindowTest, AVideoCancelledInItsFirstMomentIsAnsweredAtOnceAndCanBeMadeAgain) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(0.1); });
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  QFile(path("touch.csv")).open(QIODevice::WriteOnly);
+  for (int i = 0; i < 3; ++i) {
+    window().writeVideo(pictures(), path("frames"));
+    QTest::keyClick(&window().detailView(), Qt::Key_Escape);
+    EXPECT_FALSE(video().writing());
+    EXPECT_TRUE(action("video")->isEnabled());
+    EXPECT_TRUE(said().contains("Cancelled")) << said().toStdString();
+  }
+  window().writeVideo(pictures(), path("frames"));
+  ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
+  EXPECT_EQ(QDir(path("frames")).entryList({"*.png"}).size(), 4)
+      << said().toStdString() << window().message().toStdString();
+  // The end of the program comes in the middle of one.
+  window().writeVideo(pictures(), path("left"));
+  restart();
+  EXPECT_FALSE(QFile::exists(path("left")));
+}
+
 TEST_F(VideoWindowTest, SizeAndRateAreChosenInTheDialog) {
   window().setRecordingReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(0.5); });

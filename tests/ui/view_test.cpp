@@ -89,6 +89,17 @@ TEST_F(ViewTest, FitLooksStraightDownAgain) {
   EXPECT_FALSE(window().detailView().isTurned());
 }
 
+TEST_F(ViewTest, BothViewsDrawByThemselvesInTheirTurns) {
+  // grab() takes what is there: the plain background until the first picture had its turn.
+  for (SurfaceView* view : {static_cast<SurfaceView*>(&window().referenceView()),
+                            static_cast<SurfaceView*>(&window().detailView())}) {
+    EXPECT_TRUE(waitFor([&] {
+      const QImage seen = view->grab().toImage();
+      return qGray(seen.pixel(seen.rect().center())) > 90;
+    })) << view->objectName().toStdString();
+  }
+}
+
 TEST_F(ViewTest, TheAnaglyphSwitchesOnAndOffInBothViewsAndChangesTheirPixels) {
   auto& detail = window().detailView();
   // A steep flank, so that the eyes see different pictures.

@@ -1575,6 +1575,10 @@
         <source>. Parallax %1° of %2° with %3° between the eyes</source>
         <translation>. Parallaxe %1° von %2° bei %3° zwischen den Augen</translation>
     </message>
+    <message>
+        <source>Stopped. Nothing was written.</source>
+        <translation>Abgebrochen. Nichts wurde geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirstViewCard</name>
@@ -3458,6 +3462,14 @@
         <source>&amp;Batlow</source>
         <translation>&amp;Batlow</translation>
     </message>
+    <message>
+        <source>&amp;Answer the message</source>
+        <translation>&amp;Meldung beantworten</translation>
+    </message>
+    <message>
+        <source>Press the first button of the message above the views</source>
+        <translation>Den ersten Knopf der Meldung über den Ansichten drücken</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3587,6 +3599,10 @@
     <message>
         <source>Close message</source>
         <translation>Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Key of the first button</source>
+        <translation>Taste des ersten Knopfes</translation>
     </message>
 </context>
 <context>

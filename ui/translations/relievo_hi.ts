@@ -1575,6 +1575,10 @@
         <source>. Parallax %1° of %2° with %3° between the eyes</source>
         <translation>। लंबन %2° में से %1°, आँखों के बीच %3°</translation>
     </message>
+    <message>
+        <source>Stopped. Nothing was written.</source>
+        <translation>रोका गया। कुछ नहीं लिखा गया।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::FirstViewCard</name>
@@ -3458,6 +3462,14 @@
         <source>&amp;Batlow</source>
         <translation>Batlow (&amp;B)</translation>
     </message>
+    <message>
+        <source>&amp;Answer the message</source>
+        <translation>संदेश का उत्तर दें (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Press the first button of the message above the views</source>
+        <translation>दृश्यों के ऊपर के संदेश का पहला बटन दबाएँ</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3587,6 +3599,10 @@
     <message>
         <source>Close message</source>
         <translation>संदेश बंद करें</translation>
+    </message>
+    <message>
+        <source>Key of the first button</source>
+        <translation>पहले बटन की कुंजी</translation>
     </message>
 </context>
 <context>
