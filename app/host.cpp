@@ -73,14 +73,12 @@ std::shared_ptr<const RegionWindow> WindowHost::shownWindow() const {
   return window_.document().window();
 }
 
-std::vector<float> WindowHost::finerHeights(const RegionWindow& window) const {
-  const auto surface = window_.document().surface();
-  if (!surface) return {};
-  return relievo::finerHeights(*surface, window.region, window.gain);
-}
-
 namespace {
-/// What a worker leaves for the GUI thread.
+/// What workers leave for the GUI thread.
+struct FinerReply {
+  std::vector<float> finer_mm;
+  QString problem;
+};
 struct FirmnessReply {
   std::shared_ptr<const FirmnessMap> firmness;
   QString problem;
@@ -101,6 +99,26 @@ FirmnessReply firmnessIn(const QString& file, const Task& task) {
   }
 }
 }  // namespace
+
+std::vector<float> WindowHost::finerHeights(const RegionWindow& window) {
+  const auto surface = window_.document().surface();
+  finer_worker_.cancel();
+  if (!surface) return {};
+  if (!surface->tiles) return relievo::finerHeights(*surface, window.region, window.gain);
+  auto reply = std::make_shared<FinerReply>();
+  finer_worker_.start(
+      [surface, region = window.region, gain = window.gain, reply](const Task&) {
+        try {
+          reply->finer_mm = relievo::finerHeights(*surface, region, gain);
+        } catch (const Error& error) {
+          reply->problem = spokenError(error);
+        }
+      },
+      [this, id = window.id, reply] {
+        Q_EMIT finerHeightsRead(id, reply->finer_mm, reply->problem);
+      });
+  return {};
+}
 
 void WindowHost::readFirmness(const QString& file) {
   auto reply = std::make_shared<FirmnessReply>();

@@ -21,7 +21,7 @@ class WindowHost : public Host {
   void announce(const QString& text) override;
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;
-  std::vector<float> finerHeights(const RegionWindow& window) const override;
+  std::vector<float> finerHeights(const RegionWindow& window) override;
   void readFirmness(const QString& file) override;
   std::vector<float> firmnessUnder(const FirmnessMap& firmness,
                                    const RegionWindow& window) const override;
@@ -33,7 +33,7 @@ class WindowHost : public Host {
 
  private:
   MainWindow& window_;
-  LatestWorker firmness_worker_;
+  LatestWorker firmness_worker_, finer_worker_;
 };
 
 }  // namespace relievo

@@ -64,8 +64,9 @@ class Host : public QObject {
   virtual bool run(const QString& command) = 0;
   virtual std::shared_ptr<const RegionWindow> shownWindow() const = 0;  ///< May be null.
   /// What the next finer level says about a shown window, 400 x 400 heights with its gain
-  /// (core/session/finer_heights.h). Empty: nothing, or it would have to be read from disk.
-  virtual std::vector<float> finerHeights(const RegionWindow& /*window*/) const { return {}; }
+  /// (core/session/finer_heights.h). Empty: nothing; or it is read from disk, off the GUI thread,
+  /// and finerHeightsRead() answers, unless a newer call took the place of this one.
+  virtual std::vector<float> finerHeights(const RegionWindow& /*window*/) { return {}; }
   /// Reads a raster that says where the ground is firm, off the GUI thread; firmnessRead() answers.
   /// A newer call takes the place of an older one.
   virtual void readFirmness(const QString& file) = 0;
@@ -90,6 +91,9 @@ class Host : public QObject {
  Q_SIGNALS:
   void windowShown(std::shared_ptr<const RegionWindow> window);  ///< Also sent once after attach.
   void handMoved(const HandTarget& target);
+  /// @param problem  a sentence, if they cannot be read
+  void finerHeightsRead(quint64 window_id, const std::vector<float>& finer_mm,
+                        const QString& problem);
   /// @param firmness  with its checksum; null: `problem` says why not, in a sentence
   void firmnessRead(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
                     const QString& problem);

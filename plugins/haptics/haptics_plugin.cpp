@@ -94,6 +94,7 @@ void HapticsPlugin::detach() noexcept {
   forces_asked_ = false;
   firmness_.reset();
   firmness_awaited_.clear();
+  finer_window_ = 0;
   shown_ = {};
   host_ = nullptr;
 }
@@ -106,6 +107,7 @@ void HapticsPlugin::connectHost() {
   connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
     if (session_) session_->moveHand(target.position);
   });
+  connect(host_, &Host::finerHeightsRead, this, &HapticsPlugin::takeFiner);
   connect(host_, &Host::firmnessRead, this, &HapticsPlugin::takeFirmness);
   connect(host_, &Host::closing, this, [this] { setForces(false); });
 }

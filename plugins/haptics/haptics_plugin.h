@@ -49,6 +49,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void setRecording(bool on);
   void applySettings();
   SceneMaps mapsUnder(const RegionWindow& window);
+  void takeFiner(quint64 window_id, const std::vector<float>& finer_mm, const QString& problem);
   void askFirmness(const QString& file, bool chosen_now);
   void restoreFirmness();  // What the settings say.
   void takeFirmness(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
@@ -88,6 +89,8 @@ class HapticsPlugin : public QObject, public Plugin {
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
   bool textured_ = false;
+  std::vector<float> finer_mm_;  // That came late; of the window below.
+  quint64 finer_window_ = 0;
   std::shared_ptr<const FirmnessMap> firmness_;  // Null: the origins say where it is firm.
   bool firmness_fits_ = true;                    // The open map.
   QString firmness_awaited_;                     // Being read.

@@ -31,7 +31,9 @@ SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
   SceneMaps maps;
   maps.map_state = host_->mapState(recordingFolder()).toStdString();
   textured_ = settings_.feel.fields.texture_mm > 0;
-  if (textured_) maps.finer_mm = host_->finerHeights(window);
+  if (textured_) {
+    maps.finer_mm = finer_window_ == window.id ? finer_mm_ : host_->finerHeights(window);
+  }
   const bool fitted = std::exchange(firmness_fits_, true);
   if (firmness_) {
     try {
@@ -44,6 +46,16 @@ SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
   }
   if (panel_) panel_->setFirmnessUsed(firmness_fits_);
   return maps;
+}
+
+void HapticsPlugin::takeFiner(quint64 window_id, const std::vector<float>& finer_mm,
+                              const QString& problem) {
+  if (!problem.isEmpty()) host_->announce(problem);
+  const auto window = host_->shownWindow();
+  if (!textured_ || finer_mm.empty() || !window || window->id != window_id) return;
+  finer_mm_ = finer_mm;
+  finer_window_ = window_id;
+  showWindow(*window);
 }
 
 void HapticsPlugin::askFirmness(const QString& file, bool chosen_now) {

@@ -344,6 +344,36 @@ TEST_F(HapticsPluginTest, ARasterThatCannotBeUsedIsSaidAndTheOneBeforeStays) {
   EXPECT_EQ(inPanel<QLabel>("firmnessName")->text(), "where it was measured");
 }
 
+TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
+  host_.window = flatWindow(5, 44);
+  attach();
+  EXPECT_EQ(host_.finer_asked, std::vector<std::uint64_t>{44});
+  const std::vector<float> finer_mm(TextureMap::kCount, 5.01F);
+  Q_EMIT host_.finerHeightsRead(43, finer_mm, {});  // Of a window that has gone.
+  Q_EMIT host_.finerHeightsRead(44, finer_mm, {});
+  inPanel<QComboBox>("surfaceKind")->setCurrentIndex(2);  // The same window again.
+  EXPECT_EQ(host_.finer_asked.size(), 1U) << "known by now";
+  host_.showWindow(flatWindow(5, 45));
+  EXPECT_EQ(host_.finer_asked.back(), 45U);
+  Q_EMIT host_.finerHeightsRead(45, {}, "Cannot read a tile.");
+  EXPECT_EQ(host_.announcements.last(), "Cannot read a tile.");
+  QAction* record = host_.actions.at("record");
+  record->trigger();
+  ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 100; }));
+  record->trigger();
+  ASSERT_TRUE(
+      eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
+  const QDir folder(home_.file("Documents/relievo"));
+  const LogTable log =
+      readLog(folder.filePath(folder.entryList({"touch-*.csv"}).value(0)).toStdString());
+  QStringList textured;
+  for (const QString& line : QString::fromStdString(log.footer).split('\n')) {
+    const QStringList words = line.split(' ');
+    if (words.value(1) == "scene") textured << words.value(3) + ':' + words.value(10);
+  }
+  EXPECT_EQ(textured.join(' ').toStdString(), "44:0 44:1 44:1 45:0");
+}
+
 TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {
   // Beside a step the facets are flat; a spline rings there.
   host_.window = std::make_shared<RegionWindow>(test::windowOf(

@@ -38,6 +38,11 @@ class TestHost : public Host {
     return true;
   }
   std::shared_ptr<const RegionWindow> shownWindow() const override { return window; }
+  /// Read from disk, and so later: the test answers.
+  std::vector<float> finerHeights(const RegionWindow& asked) override {
+    finer_asked.push_back(asked.id);
+    return {};
+  }
   /// Answers at once: a file is what `rasters` says, the same at every place.
   void readFirmness(const QString& file) override {
     const auto found = rasters.find(file);
@@ -82,8 +87,9 @@ class TestHost : public Host {
   std::vector<PlotSample> plotted;
   TouchStatus status;
   QStringList announcements, commands;
-  std::vector<Region> regions;       ///< Asked to be shown.
-  std::map<QString, float> rasters;  ///< Names of files that can be read.
+  std::vector<Region> regions;             ///< Asked to be shown.
+  std::vector<std::uint64_t> finer_asked;  ///< Windows.
+  std::map<QString, float> rasters;        ///< Names of files that can be read.
   bool rasters_fit = true;
   QString map_state;
   std::uint8_t at_edges = 0;
