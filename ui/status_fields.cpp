@@ -50,8 +50,8 @@ class Field : public QLabel {
       QLabel::paintEvent(event);
       return;
     }
-    QFrame::paintEvent(event);
     QPainter painter(this);
+    drawFrame(&painter);
     style()->drawItemText(&painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(),
                           isEnabled(), shown, foregroundRole());
   }
