@@ -76,7 +76,12 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
     request.view = options.view;
     request.detail = options.detail;
     request.region = options.region;
-    window.open(request);
+    const bool as_asked = request.unit || request.view || request.detail || request.region;
+    if (as_asked) {
+      window.open(request);
+    } else {
+      window.open(request.file);  // A project or a picture brings its own state.
+    }
   }
   return QApplication::exec();
 }

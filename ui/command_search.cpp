@@ -9,6 +9,8 @@
 #include <QPointer>
 #include <QVBoxLayout>
 
+#include "ui/dialog_size.h"
+
 namespace relievo {
 namespace {
 
@@ -54,7 +56,7 @@ CommandSearch::CommandSearch(const QList<QAction*>& commands, QWidget* parent)
   connect(words_, &QLineEdit::textChanged, this, &CommandSearch::showMatches);
   connect(words_, &QLineEdit::returnPressed, this, &CommandSearch::run);
   connect(list_, &QListWidget::itemActivated, this, &CommandSearch::run);
-  resize(520, 380);
+  resizeToText(*this, {74, 22});
   showMatches();
 }
 

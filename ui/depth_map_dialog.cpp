@@ -14,6 +14,7 @@
 
 #include "ui/core_words.h"
 #include "ui/depth_map_form.h"
+#include "ui/dialog_size.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -232,7 +233,7 @@ void DepthMapDialog::layOut() {
   auto* all = new QVBoxLayout(this);
   all->addLayout(columns, 1);
   all->addLayout(bottom);
-  resize(940, 600);
+  resizeToText(*this, {134, 36});
 }
 
 QString DepthMapDialog::summary() const {

@@ -19,6 +19,7 @@ namespace {
 enum class CellChoice { automatic, count, size };
 
 /// "" stands for: from the data.
+constexpr int kLeastCharacters = 16;  // That a field shows.
 constexpr std::array<const char*, 7> kRules{"front", "second", "topmean",  "median",
                                             "mean",  "splat",  "quadratic"};
 
@@ -36,7 +37,7 @@ Widget* DepthMapForm::field(QFormLayout* layout, const QString& title, const cha
   widget->setObjectName(QString::fromLatin1(name));
   widget->setAccessibleName(QString(title).remove('&'));
   widget->setToolTip(tip);
-  widget->setMinimumWidth(120);
+  widget->setMinimumWidth(kLeastCharacters * widget->fontMetrics().averageCharWidth());
   layout->addRow(title, widget);
   if constexpr (std::is_base_of_v<QComboBox, Widget>) {
     widget->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);

@@ -26,12 +26,14 @@
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
 #include "ui/core_words.h"
+#include "ui/dialog_size.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
 namespace {
 
+constexpr int kLeastCharacters = 16;  // That a field shows.
 constexpr int kDelayMs = 300;
 constexpr int kPreviewPx = 900;
 
@@ -117,7 +119,7 @@ Widget* FigureDialog::field(QFormLayout* layout, const QString& title, const cha
     layout->addRow(widget);
     connect(widget, &QCheckBox::toggled, this, &FigureDialog::changed);
   } else {
-    widget->setMinimumWidth(110);
+    widget->setMinimumWidth(kLeastCharacters * widget->fontMetrics().averageCharWidth());
     layout->addRow(title, widget);
   }
   if constexpr (std::is_base_of_v<QComboBox, Widget>) {
@@ -213,7 +215,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   auto* all = new QVBoxLayout(this);
   all->addLayout(columns, 1);
   all->addLayout(bottom);
-  resize(1000, 620);
+  resizeToText(*this, {142, 37});
   delay_->setSingleShot(true);
   delay_->setInterval(kDelayMs);
   connect(delay_, &QTimer::timeout, this, &FigureDialog::preview);

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/core_words.h"
+#include "ui/dialog_size.h"
 
 namespace relievo {
 namespace {
@@ -57,7 +58,7 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
 KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog(parent) {
   setObjectName(QStringLiteral("keys_sheet"));
   setWindowTitle(tr("Keys"));
-  resize(640, 620);
+  resizeToText(*this, {92, 36});
   const QList<Row> rows = rowsOf(commands);
   auto* table = new QTableWidget(rows.size(), 2);
   table->setAccessibleName(tr("Keys"));

@@ -149,6 +149,8 @@ void MainWindow::makeToolBar() {
   tools_->addSeparator();
   tools_->addAction(command("coarser"));
   detail_choice_ = new QComboBox;
+  // It is filled later; nothing beside it jumps then.
+  detail_choice_->setMinimumContentsLength(tr("Detail %1 of %2").arg(9).arg(9).size() - 2);
   detail_choice_->setObjectName(QStringLiteral("detail_choice"));
   detail_choice_->setAccessibleName(tr("Detail"));
   detail_choice_->setToolTip(tr("Which detail feeds the window"));

@@ -19,6 +19,7 @@
 
 #include "core/relief/look.h"
 #include "ui/core_words.h"
+#include "ui/dialog_size.h"
 #include "ui/language.h"
 #include "ui/palette.h"
 #include "ui/text.h"
@@ -67,7 +68,7 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
   connect(words_, &QLineEdit::textChanged, this, &PreferencesDialog::search);
   connect(pages_, &QListWidget::currentRowChanged, stack_, &QStackedWidget::setCurrentIndex);
   pages_->setCurrentRow(0);
-  resize(fontMetrics().averageCharWidth() * 90, fontMetrics().height() * 26);
+  resizeToText(*this, {90, 26});
 }
 
 QFormLayout* PreferencesDialog::addPage(const QString& title) {

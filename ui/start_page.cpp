@@ -131,6 +131,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   QFont font = title->font();
   font.setPointSizeF(font.pointSizeF() * 1.7);
   title->setFont(font);
+  title->setWordWrap(true);
   column->addWidget(title);
   auto* hint = new QLabel(
       tr("Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). "

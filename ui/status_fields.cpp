@@ -5,8 +5,10 @@
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QProgressBar>
 #include <QStatusBar>
+#include <QStyle>
 #include <QTimer>
 #include <QToolButton>
 
@@ -33,11 +35,25 @@ constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
     {QT_TRANSLATE_NOOP("relievo::StatusFields", "Recording"), ""},
 }};
 
+/// Text that a narrow window has no room for ends in dots.
 class Field : public QLabel {
  public:
   explicit Field(QWidget* parent) : QLabel(parent) {
     setContentsMargins(6, 1, 6, 1);
     setStyleSheet(QStringLiteral("QLabel:focus { border: 1px solid palette(highlight); }"));
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
+    if (shown == text()) {
+      QLabel::paintEvent(event);
+      return;
+    }
+    QPainter painter(this);
+    drawFrame(&painter);
+    style()->drawItemText(&painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(),
+                          isEnabled(), shown, foregroundRole());
   }
 };
 

@@ -15,14 +15,11 @@
 namespace relievo {
 namespace {
 
-constexpr double kLabelPoints = 8;
-constexpr double kTickEveryS = 2;
+constexpr double kLabelSize = 0.85;      // Of the window's text.
+constexpr double kLargeTextPoints = 14;  // From here on fewer numbers fit beside the plot.
+constexpr double kTickEveryS = 2, kLargeTickEveryS = 5;
 
-QwtText small(const QString& text) {
-  QwtText label(text);
-  QFont font = label.font();
-  font.setPointSizeF(kLabelPoints);
-  font.setBold(false);
+QwtText labelIn(const QFont& font, QwtText label) {
   label.setFont(font);
   return label;
 }
@@ -31,27 +28,22 @@ QwtText small(const QString& text) {
 
 StripPlot::StripPlot(const QString& name, const QString& axis, const QStringList& curves,
                      double seconds, QWidget* parent)
-    : plot_(new QwtPlot(parent)) {
+    : plot_(new QwtPlot(parent)), seconds_(seconds) {
   plot_->setAccessibleName(name);
   plot_->setToolTip(name);
-  plot_->setAxisTitle(QwtPlot::yLeft, small(axis));
-  plot_->setAxisScale(QwtPlot::xBottom, -seconds, 0, kTickEveryS);
-  plot_->setAxisMaxMajor(QwtPlot::yLeft, 4);
+  plot_->setAxisTitle(QwtPlot::yLeft, axis);
   auto* canvas = new QwtPlotCanvas(plot_);
   canvas->setFrameStyle(QFrame::NoFrame);
   canvas->setFocusPolicy(Qt::NoFocus);
   plot_->setCanvas(canvas);
   for (const int which : {QwtPlot::xBottom, QwtPlot::yLeft}) {
-    QFont font = plot_->axisFont(which);
-    font.setPointSizeF(kLabelPoints);
-    plot_->setAxisFont(which, font);
     plot_->axisScaleDraw(which)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
   }
   auto* grid = new QwtPlotGrid;
   grid->enableX(false);
   grid->attach(plot_);
   for (const QString& title : curves) {
-    auto* curve = new QwtPlotCurve(small(title));
+    auto* curve = new QwtPlotCurve(title);
     curve->setPaintAttribute(QwtPlotCurve::FilterPoints);
     curve->setRenderHint(QwtPlotItem::RenderAntialiased);
     curve->setLegendAttribute(QwtPlotCurve::LegendShowLine);
@@ -62,6 +54,21 @@ StripPlot::StripPlot(const QString& name, const QString& axis, const QStringList
   auto* legend = new QwtLegend;
   legend->setMaxColumns(1);
   plot_->insertLegend(legend, QwtPlot::RightLegend);
+  takeFont(plot_->font());
+}
+
+void StripPlot::takeFont(const QFont& text) {
+  QFont font = text;
+  font.setPointSizeF(kLabelSize * text.pointSizeF());
+  font.setBold(false);
+  for (const int which : {QwtPlot::xBottom, QwtPlot::yLeft}) plot_->setAxisFont(which, font);
+  plot_->setAxisTitle(QwtPlot::yLeft, labelIn(font, plot_->axisTitle(QwtPlot::yLeft)));
+  for (QwtPlotCurve* curve : curves_) curve->setTitle(labelIn(font, curve->title()));
+  const bool large = text.pointSizeF() >= kLargeTextPoints;
+  plot_->setAxisMaxMajor(QwtPlot::yLeft, large ? 2 : 4);
+  if (seconds_ > 0) {
+    plot_->setAxisScale(QwtPlot::xBottom, -seconds_, 0, large ? kLargeTickEveryS : kTickEveryS);
+  }
 }
 
 QWidget* StripPlot::widget() const {
@@ -87,6 +94,7 @@ void StripPlot::setCurve(int index, const QVector<QPointF>& points) {
 }
 
 void StripPlot::setTimes(double low_s, double high_s) {
+  seconds_ = 0;
   plot_->setAxisScale(QwtPlot::xBottom, low_s, high_s);
 }
 

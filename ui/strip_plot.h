@@ -23,6 +23,8 @@ class StripPlot {
             QWidget* parent);
 
   QWidget* widget() const;
+  /// Axes and legend in a little less than this size.
+  void takeFont(const QFont& text);
   void setColours(const QColor& background, const QColor& grid, const QColor& text,
                   const QVector<QPen>& pens);
   /// Another part of time than the last seconds.
@@ -38,6 +40,7 @@ class StripPlot {
 
  private:
   QwtPlot* plot_;
+  double seconds_;                   ///< On show before now; 0: what setTimes() said.
   QVector<QwtPlotCurve*> curves_;    ///< Owned by the plot.
   QwtPlotMarker* cursor_ = nullptr;  ///< Likewise; null: never set.
 };

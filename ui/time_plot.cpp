@@ -2,6 +2,7 @@
 #include "ui/time_plot.h"
 
 #include <algorithm>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPen>
 #include <QTimer>
@@ -45,6 +46,12 @@ void TimePlot::takeColours() {
   heights_.setColours(c.base, c.border, c.quiet_text,
                       {QPen(c.hip, 1.5, Qt::DashLine), QPen(c.proxy, 1.8)});
   forces_.setColours(c.base, c.border, c.quiet_text, {QPen(c.force, 1.8)});
+}
+
+void TimePlot::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::FontChange) return;
+  for (StripPlot* plot : {&heights_, &forces_}) plot->takeFont(font());
 }
 
 void TimePlot::add(std::span<const TouchPlotPoint> points) {

@@ -26,6 +26,7 @@ class TimePlot : public QWidget {
   std::size_t points() const { return points_.size(); }
 
  protected:
+  void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 

@@ -2,12 +2,14 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QtTest/QTest>
 
 #include "core/relief/stereo.h"
@@ -44,6 +46,23 @@ TEST_F(PreferencesTest, EverySettingHasANameAnExplanationAndIsReachedByTab) {
     EXPECT_NE(focus->focusPolicy() & Qt::TabFocus, 0) << field->objectName().toStdString();
   }
   EXPECT_GE(settings, 11);
+}
+
+TEST_F(PreferencesTest, DialogsStayOnTheScreenAtTheLargestText) {
+  openRelief();
+  applyTextSize(kMostTextPercent);
+  const QSize screen = window().screen()->availableGeometry().size();
+  for (const char* command : {"preferences", "keys", "search_commands", "figure", "depth_map"}) {
+    ASSERT_TRUE(window().runCommand(QString::fromLatin1(command))) << command;
+    QDialog* dialog = nullptr;
+    for (auto* one : window().findChildren<QDialog*>()) {
+      if (one->isVisible()) dialog = one;
+    }
+    ASSERT_NE(dialog, nullptr) << command;
+    EXPECT_EQ(dialog->size().boundedTo(screen), dialog->size()) << command;
+    dialog->close();
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
 }
 
 TEST_F(PreferencesTest, WordsFindASettingOnAnyPage) {

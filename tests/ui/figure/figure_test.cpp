@@ -186,9 +186,15 @@ TEST_F(FigureTest, TheSameRequestGivesTheSamePixelsAndAPreviewShowsTheSameCrop) 
 
 TEST_F(FigureTest, AStateReadFromTheFileDrawsTheSamePixelsAgain) {
   project_.figure.dpi = 150;
-  project_.figure.look.kind = ReliefKind::openness;
   project_.measurements = {{"step", MeasureKind::depth, {{45, 45}, {70, 45}}, 0}};
-  for (const char* name : {"a.png", "a.tif"}) {
+  project_.gain = 1.3;
+  const ReliefLook lit{.light = {.azimuth_deg = 120, .elevation_deg = 30}};
+  const ReliefLook open{.kind = ReliefKind::openness,
+                        .colours = ColourMap::cividis,
+                        .radius_mm = 3,
+                        .range = {{60, 95}}};
+  for (const auto& [name, look] : {std::pair{"a.png", lit}, std::pair{"a.tif", open}}) {
+    project_.figure.look = look;
     writeFigure(*surface_, project_, folder_ / name);
     const auto state = embeddedState(folder_ / name);
     ASSERT_TRUE(state) << name;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The program itself, started with a file: a project or a picture brings back its state.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <thread>
+
+#include "tests/app/command_test.h"
+#include "tests/app/program_window.h"
+
+namespace relievo {
+namespace {
+
+/// Generous: what happens is tested here, not how fast.
+bool eventually(const std::function<bool()>& holds) {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(90);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > give_up) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
+}
+
+class OpenArgument : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    for (const char* variable : {"XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
+      ASSERT_EQ(::setenv(variable, path(variable).c_str(), 1), 0);
+    }
+    ASSERT_EQ(test::runRelievo({"render", plane(), "-o", path("fig.png")}).exit_code, 0);
+    ASSERT_EQ(test::runRelievo({"project", "new", path("fig.png"), "-o", path("work.relievo.json")})
+                  .exit_code,
+              0);
+  }
+  /// The window's title names what was opened.
+  bool opensThePlaneOf(const std::string& file) const {
+    test::ProgramWindow window({path(file)});
+    return eventually([&] { return window.title().starts_with("plane.xyz"); });
+  }
+};
+
+TEST_F(OpenArgument, OpensWhatAProjectShows) {
+  EXPECT_TRUE(opensThePlaneOf("work.relievo.json"));
+}
+
+TEST_F(OpenArgument, OpensWhatAPictureShows) {
+  EXPECT_TRUE(opensThePlaneOf("fig.png"));
+}
+
+}  // namespace
+}  // namespace relievo
