@@ -69,7 +69,8 @@ class PackageWriter {
 
   void close(const Task& task) {
     std::string lines;
-    for (const auto& [name, sha256] : manifest_) lines.append(sha256 + "  " + name + "\n");
+    for (const auto& [name, sha256] : manifest_)
+      lines.append(sha256).append("  ").append(name).append("\n");
     addText(kManifest, lines);
     // Everything is read, packed and written here.
     zip_register_cancel_callback_with_state(
