@@ -285,7 +285,7 @@ void Document::restoreSteps(const Work& work, const DocumentState& now) {
   apply(now);
   if (!fits || undo.empty() || now.region != work.open.exact_region) return;
   earlier_steps_.resize(earlier_steps_.size() - undo.size());
-  const auto stateOf = [&](const NamedRegion& step) {
+  const auto state_of = [&](const NamedRegion& step) {
     DocumentState state = now;
     state.region = step.region;
     state.gain = step.gain;
@@ -293,9 +293,9 @@ void Document::restoreSteps(const Work& work, const DocumentState& now) {
   };
   // They end at what is shown already: of all the windows on the way none is needed.
   steps_come_back_ = true;
-  state_ = stateOf(undo.front());
+  state_ = state_of(undo.front());
   for (std::size_t i = 0; i < undo.size(); ++i) {
-    const DocumentState after = i + 1 < undo.size() ? stateOf(undo[i + 1]) : now;
+    const DocumentState after = i + 1 < undo.size() ? state_of(undo[i + 1]) : now;
     push(after, QString::fromStdString(undo[i].name));
   }
   steps_come_back_ = false;

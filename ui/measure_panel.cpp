@@ -293,7 +293,7 @@ std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
   std::vector<std::vector<ViewMm>> lines;
   if (!document_.isOpen()) return lines;
   // What cannot be read from a map by tiles is said in the list.
-  const auto pointAt = [&](const PlaceMm& place) -> std::optional<SurfacePoint> {
+  const auto point_at = [&](const PlaceMm& place) -> std::optional<SurfacePoint> {
     try {
       return readings_->pointAt(place);
     } catch (const FileError&) {
@@ -303,7 +303,7 @@ std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
   const auto add = [&](const Measurement& m) {
     std::vector<ViewMm> line;
     for (const PlaceMm& place : m.places) {
-      const auto point = pointAt(place);
+      const auto point = point_at(place);
       const double gain = document_.state().gain;
       line.push_back({place.x, place.y, point ? gain * point->at.z : 0});
     }

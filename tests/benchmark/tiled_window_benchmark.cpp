@@ -52,6 +52,7 @@ void say(const char* what, std::vector<double>& times) {
   std::vector<float> from(kWindowCount);
   std::vector<float> to(kWindowCount);
   std::vector<double> copies;
+  copies.reserve(kSteps);
   for (int i = 0; i < kSteps; ++i) {
     copies.push_back(
         seconds([&] { std::memcpy(to.data(), from.data(), sizeof(float) * from.size()); }));

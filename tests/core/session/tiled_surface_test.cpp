@@ -26,6 +26,7 @@ bool sameMap(const DepthMap& a, const DepthMap& b) {
 
 std::vector<PlaceMm> circle(double x, double y, double radius) {
   std::vector<PlaceMm> places;
+  places.reserve(40);
   for (int i = 0; i < 40; ++i) {
     places.push_back(
         {.x = x + radius * std::cos(i * 0.157), .y = y + radius * std::sin(i * 0.157)});
