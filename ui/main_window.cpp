@@ -2,6 +2,7 @@
 #include "ui/main_window.h"
 
 #include <algorithm>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDragEnterEvent>
@@ -285,6 +286,9 @@ void MainWindow::connectParts() {
   connectPlaces();
   connectReplay();
   connectVideo();
+  strip_->setOfferKey(command("answer")->shortcut());
+  command("answer")->setEnabled(strip_->hasOffer());
+  connect(strip_, &MessageStrip::offerChanged, command("answer"), &QAction::setEnabled);
   connect(reference_, &ReferenceView::left, detail_, [this] { detail_->setFocus(); });
 }
 
@@ -412,7 +416,8 @@ void MainWindow::askUnit() {
     if (unit == LengthUnit::in && assumed) continue;  // Rare; the panel has every unit.
     QString text = unitText(unit);
     text[0] = text[0].toUpper();
-    buttons.push_back({text, [this, unit] { chooseUnit(unit); }});
+    const MessageStrip::Button button{text, [this, unit] { chooseUnit(unit); }};
+    buttons.insert(unit == likely ? buttons.begin() : buttons.end(), button);  // For Ctrl+Return.
     const double mm = mmPer(unit);
     sizes << tr("in %1 %2").arg(unitText(unit), sizeText({mm * size.x, mm * size.y, mm * size.z}));
   }

@@ -7,6 +7,7 @@
 #include "ui/command_search.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
+#include "ui/message_strip.h"
 #include "ui/reference_view.h"
 #include "ui/side_panels.h"
 #include "ui/stereo_panel.h"
@@ -92,6 +93,12 @@ void MainWindow::makeCommands() {
         {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
         tr("Redo"),
         [this] { document_.history().redo(); },
+        {}});
+  make({"answer",
+        tr("&Answer the message"),
+        {QKeySequence("Ctrl+Return"), QKeySequence("Ctrl+Enter")},
+        tr("Press the first button of the message above the views"),
+        [this] { strip_->takeOffer(); },
         {}});
   make({"keys",
         tr("&Keys"),

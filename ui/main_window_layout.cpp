@@ -13,6 +13,7 @@
 
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
+#include "ui/message_strip.h"
 #include "ui/overview_inset.h"
 #include "ui/preferences_dialog.h"
 #include "ui/reference_view.h"
@@ -61,8 +62,9 @@ void MainWindow::setFullScreenDetail(bool on) {
 }
 
 void MainWindow::focusNextPart(int direction) {
-  // Order of the window: toolbar, reference, detail, panels, plot, status.
-  const std::array<QWidget*, 6> parts{tools_, reference_, detail_, panels_, plot_, statusBar()};
+  // Order of the window: message, toolbar, reference, detail, panels, plot, status.
+  const std::array<QWidget*, 7> parts{strip_,  tools_, reference_, detail_,
+                                      panels_, plot_,  statusBar()};
   const QWidget* focused = QApplication::focusWidget();
   int now = direction > 0 ? -1 : 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -76,6 +78,7 @@ void MainWindow::focusNextPart(int direction) {
     if (!part->isVisible()) continue;
     const auto inside = part->findChildren<QWidget*>();
     QWidget* target = (part->focusPolicy() & Qt::TabFocus) != 0 ? part : nullptr;
+    if (part == strip_) target = strip_->firstControl();
     for (QWidget* child : inside) {
       if (target != nullptr) break;
       const bool takes =

@@ -49,7 +49,8 @@ void MainWindow::makeMenus() {
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
   add(file, {"save_project", "save_project_as", "-", "figure", "image", "-", "quit"});
-  add(menu(QStringLiteral("edit"), tr("&Edit")), {"undo", "redo", "history", "-", "preferences"});
+  add(menu(QStringLiteral("edit"), tr("&Edit")),
+      {"undo", "redo", "history", "-", "answer", "-", "preferences"});
   QMenu* view = menu(QStringLiteral("view"), tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
   QMenu* turn = view->addMenu(tr("Turn &detail view"));

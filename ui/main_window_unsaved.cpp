@@ -14,13 +14,12 @@ namespace relievo {
 namespace {
 
 /// What of a state cost somebody work, as text. Where the window stands is not work: to look about
-/// must not end in a question. @param settings  also how the surface is made and looked at: of a
-/// state that a project file holds
+/// must not end in a question; recordings are files already. @param settings  also how the surface
+/// is made and looked at: of a state that a project file holds
 std::string workIn(const Project& state, bool settings) {
   Project work;
   work.places = state.places;
   work.measurements = state.measurements;
-  work.recordings = state.recordings;
   work.paths = state.paths;
   if (settings) {
     work.options = state.options;

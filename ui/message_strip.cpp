@@ -12,25 +12,31 @@
 namespace relievo {
 
 MessageStrip::MessageStrip(QWidget* parent)
-    : QFrame(parent), label_(new QLabel(this)), buttons_(new QHBoxLayout) {
+    : QFrame(parent),
+      label_(new QLabel(this)),
+      key_(new QLabel(this)),
+      closer_(new QToolButton(this)),
+      buttons_(new QHBoxLayout) {
   setObjectName(QStringLiteral("message_strip"));
   setAccessibleName(tr("Message"));
   setAutoFillBackground(true);
   label_->setWordWrap(true);
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   label_->setAccessibleName(tr("Message"));
-  auto* closer = new QToolButton(this);
-  closer->setText(QStringLiteral("\u00d7"));
-  closer->setAutoRaise(true);
-  closer->setToolTip(tr("Close this message"));
-  closer->setAccessibleName(tr("Close message"));
-  connect(closer, &QToolButton::clicked, this, &MessageStrip::close);
+  key_->setObjectName(QStringLiteral("message_key"));
+  key_->setAccessibleName(tr("Key of the first button"));
+  closer_->setText(QStringLiteral("\u00d7"));
+  closer_->setAutoRaise(true);
+  closer_->setToolTip(tr("Close this message"));
+  closer_->setAccessibleName(tr("Close message"));
+  connect(closer_, &QToolButton::clicked, this, &MessageStrip::close);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 6, 6, 6);
   row->setSpacing(8);
   row->addWidget(label_, 1);
   row->addLayout(buttons_);
-  row->addWidget(closer);
+  row->addWidget(key_);
+  row->addWidget(closer_);
   hide();
 }
 
@@ -41,6 +47,7 @@ void MessageStrip::show(const QString& text, const std::vector<Button>& buttons)
   strip.setColor(QPalette::WindowText, currentColours().text);
   setPalette(strip);
   label_->setText(text);
+  QWidget* before = nullptr;
   for (const Button& b : buttons) {
     auto* button = new QPushButton(b.text, this);
     button->setAccessibleName(b.text);
@@ -50,7 +57,13 @@ void MessageStrip::show(const QString& text, const std::vector<Button>& buttons)
       if (action) action();
     });
     buttons_->addWidget(button);
+    if (before != nullptr) setTabOrder(before, button);
+    if (offer_ == nullptr) offer_ = button;
+    before = button;
   }
+  if (before != nullptr) setTabOrder(before, closer_);
+  showOfferKey();
+  Q_EMIT offerChanged(hasOffer());
   setVisible(true);
   QAccessibleEvent event(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&event);
@@ -70,6 +83,35 @@ void MessageStrip::close() {
     }
     delete item;
   }
+  if (offer_ == nullptr) return;
+  offer_ = nullptr;
+  Q_EMIT offerChanged(false);
+}
+
+void MessageStrip::setOfferKey(const QKeySequence& key) {
+  key_->setText(key.toString(QKeySequence::NativeText));
+  showOfferKey();
+}
+
+void MessageStrip::showOfferKey() {
+  key_->setVisible(hasOffer() && !key_->text().isEmpty());
+  if (!key_->isVisibleTo(this)) {
+    setAccessibleDescription(label_->text());
+    return;
+  }
+  const QString name = offer_->text().remove('&');
+  offer_->setToolTip(QStringLiteral("%1 (%2)").arg(name, key_->text()));
+  setAccessibleDescription(QStringLiteral("%1 %2: %3").arg(label_->text(), key_->text(), name));
+}
+
+bool MessageStrip::takeOffer() {
+  if (offer_ == nullptr) return false;
+  offer_->click();
+  return true;
+}
+
+QWidget* MessageStrip::firstControl() const {
+  return offer_ != nullptr ? static_cast<QWidget*>(offer_) : closer_;
 }
 
 }  // namespace relievo

@@ -3,14 +3,18 @@
 
 #include <functional>
 #include <QFrame>
+#include <QKeySequence>
 #include <vector>
 
 class QHBoxLayout;
 class QLabel;
+class QPushButton;
+class QToolButton;
 
 namespace relievo {
 
-/// A sentence above the views with buttons; never modal. One message at a time. [GUI thread]
+/// A sentence above the views with buttons; never modal, and takes no focus: the hand may be at
+/// work below it. One message at a time. [GUI thread]
 class MessageStrip : public QFrame {
   Q_OBJECT
  public:
@@ -24,9 +28,23 @@ class MessageStrip : public QFrame {
   void show(const QString& text, const std::vector<Button>& buttons = {});
   QString text() const;
   void close();
+  /// The key that presses the first button; shown beside it.
+  void setOfferKey(const QKeySequence& key);
+  bool hasOffer() const { return offer_ != nullptr; }
+  /// As if the first button were pressed. @return false: there is none
+  bool takeOffer();
+  /// Where the keyboard goes in here: the first button, or what closes the message.
+  QWidget* firstControl() const;
+
+ Q_SIGNALS:
+  void offerChanged(bool has_offer);
 
  private:
-  QLabel* label_;
+  void showOfferKey();
+
+  QLabel *label_, *key_;
+  QToolButton* closer_;
+  QPushButton* offer_ = nullptr;  ///< First of buttons_.
   QHBoxLayout* buttons_;
 };
 

@@ -152,6 +152,13 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     stale_ = false;
     requestRender();
   }
+  // A layout may give several sizes one after the other. Qt would draw each at once; the last one
+  // is drawn with the window.
+  void resizeEvent(QResizeEvent* event) override {
+    setUpdatesEnabled(false);
+    QVTKOpenGLNativeWidget::resizeEvent(event);
+    setUpdatesEnabled(true);
+  }
   void paintGL() override {
     if (!drawn_) {  // Qt compiles, too, to compose a window with OpenGL in it: in another turn.
       context()->functions()->glClear(GL_COLOR_BUFFER_BIT);

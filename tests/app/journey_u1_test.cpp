@@ -17,6 +17,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QtTest/QTest>
+#include <thread>
 
 #include "app/batch/recording.h"
 #include "core/provenance/embedded.h"
@@ -30,7 +31,6 @@
 #include "ui/figure/figure.h"
 #include "ui/figure_dialog.h"
 #include "ui/measure_panel.h"
-#include "ui/message_strip.h"
 
 namespace relievo {
 namespace {
@@ -44,10 +44,6 @@ constexpr Triple kFarOut{0, 0, 172}, kFarIn{0, 0, 90};
 constexpr double kAboveZ = 150, kBelowZ = 108;  // Of the grip, over and under the relief.
 constexpr double kLightZ = 121;                 // A light press at the finest detail.
 const QString kRelief = QStringLiteral(RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply");
-
-/// Of 255. A window made anew in one process can draw the edges of letters a little differently;
-/// programs of their own give the same pixels (journey_test, figure_test).
-constexpr int kTextEdge = 6;
 
 class JourneyU1 : public Journey {
  protected:
@@ -206,9 +202,7 @@ void JourneyU1::dropScan() {
       << window().message().toStdString();
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   picture("1_unit");
-  for (auto* button : child<MessageStrip>("message_strip")->findChildren<QPushButton*>()) {
-    if (button->text() == "Millimetres") QTest::keyClick(button, Qt::Key_Space);
-  }
+  QTest::keyClick(&window().detailView(), Qt::Key_Return, Qt::ControlModifier);
   ASSERT_TRUE(settled());
   EXPECT_EQ(document().surface()->unit_source, UnitSource::given);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
@@ -481,10 +475,13 @@ void JourneyU1::openElsewhere() {
   EXPECT_EQ(window().findChild<MeasurePanel*>()->measurements().size(), measured_);
   const Project project = window().project();
   EXPECT_EQ(project.figure.dpi, 600);
-  writeFigure(*document().surface(), project, path("again.png").toStdString());
+  // As the window does, not on its thread (ui/figure/figure.h).
+  std::thread([&] {
+    writeFigure(*document().surface(), project, path("again.png").toStdString());
+  }).join();
   const QImage first(kept("9_figure.png"));
   ASSERT_FALSE(first.isNull());
-  EXPECT_LE(largestDifference(first, QImage(path("again.png"))), kTextEdge) << "the same figure";
+  EXPECT_EQ(largestDifference(first, QImage(path("again.png"))), 0) << "the same figure";
   picture("10_elsewhere");
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long the window's thread is held up while a scan is loaded, a figure exported and a video
 // made, and how long work goes on after Cancel. Prints a table for docs/dev/ui-figures.md.
-// ui_blocking [SCAN]; needs a display.
+// ui_blocking [SCAN]; needs a display. As on a computer where Mesa cannot keep what it compiled:
+// MESA_SHADER_CACHE_DISABLE=true ui_blocking.
 #include <QVTKOpenGLNativeWidget.h>
 #include <algorithm>
 #include <atomic>
@@ -20,6 +21,7 @@
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
+#include <string>
 #include <thread>
 
 #include "core/depth/rasterize.h"
@@ -151,6 +153,17 @@ void run(const QString& scan) {
   }
   measured(
       "finer", [&] { window.runCommand("finer"); }, [] { return true; });
+  for (const char* command :
+       {"relief_height", "relief_hillshade", "relief_multi", "relief_slope", "relief_local",
+        "relief_skyview", "relief_openness", "relief_lit", "stereo", "full_screen"}) {
+    measured((std::string("first use of ") + command).c_str(),
+             [&] {
+               if (!window.runCommand(command)) std::printf("There is no command %s.\n", command);
+             },
+             [] { return true; });
+  }
+  window.runCommand("full_screen");
+  window.runCommand("stereo");
   measured(
       "figure, 180 mm at 600 dpi",
       [&] {

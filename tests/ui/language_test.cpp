@@ -55,8 +55,8 @@ class PseudoTranslator : public QTranslator {
 bool isTranslated(const QString& text) {
   if (text.contains(QChar(0x27e6))) return true;
   // Units, numbers, letters of axes, names of files and of the program are no words.
-  static const QSet<QString> kNames{"relievo", "relief", "ply",     "mm",      "Ctrl",  "Shift",
-                                    "Alt",     "Esc",    "English", "Deutsch", "Dubois"};
+  static const QSet<QString> kNames{"relievo", "relief", "ply",    "mm",      "Ctrl",    "Shift",
+                                    "Alt",     "Esc",    "Return", "English", "Deutsch", "Dubois"};
   QString word;
   for (const QChar c : text + ' ') {
     if (c.isLetter()) {

@@ -113,6 +113,37 @@ TEST_F(OpenTest, AnUnknownUnitIsAskedForWithoutBlockingAndRememberedForTheFolder
   EXPECT_TRUE(window().message().isEmpty());
 }
 
+TEST_F(OpenTest, TheFirstButtonOfAMessageIsPressedByItsKeyFromWhereverTheFocusIs) {
+  EXPECT_FALSE(action("answer")->isEnabled());
+  window().open(writeRelief());
+  ASSERT_TRUE(waitFor([this] { return !window().message().isEmpty(); }));
+  EXPECT_EQ(QApplication::focusWidget(), &window().detailView()) << "the hand keeps the keys";
+  auto* strip = child<MessageStrip>("message_strip");
+  const auto* key = child<QLabel>("message_key");
+  EXPECT_TRUE(key->isVisible());
+  EXPECT_EQ(key->text(), action("answer")->shortcut().toString(QKeySequence::NativeText));
+  EXPECT_TRUE(strip->accessibleDescription().contains(key->text())) << "a screen reader says it";
+  EXPECT_TRUE(strip->accessibleDescription().contains("Millimetres"));
+  QTest::keyClick(&window().detailView(), Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(window().message().isEmpty());
+  EXPECT_FALSE(action("answer")->isEnabled());
+  ASSERT_TRUE(waitFor([this] { return document().surface()->unit_source != UnitSource::assumed; }));
+  EXPECT_EQ(document().surface()->unit, LengthUnit::mm) << "the likely one comes first";
+}
+
+TEST_F(OpenTest, F6AndTabReachEveryButtonOfAMessage) {
+  window().open(writeRelief());
+  ASSERT_TRUE(waitFor([this] { return !window().message().isEmpty(); }));
+  QTest::keyClick(&window().detailView(), Qt::Key_F6, Qt::ShiftModifier);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+  EXPECT_EQ(QApplication::focusWidget(), stripButton("Millimetres"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget(), stripButton("Centimetres"));
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  EXPECT_EQ(QApplication::focusWidget(), stripButton("Metres"));
+}
+
 TEST_F(OpenTest, ADroppedFileOpens) {
   drop({QUrl::fromLocalFile(writeRelief())});
   ASSERT_TRUE(waitFor([this] { return document().isOpen(); }));

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QTableWidget>
 #include <QtTest/QTest>
+#include <thread>
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
@@ -102,6 +103,23 @@ TEST_F(PublishTest, TheFigureDialogClosesWhileItsFirstPreviewIsDrawnAndOpensAgai
   window().findChild<FigureDialog*>("figure_dialog")->reject();
   ASSERT_TRUE(window().runCommand("figure"));
   restart();
+}
+
+// Not on the window's thread, as the window does it (ui/figure/figure.h).
+TEST_F(PublishTest, AFigureIsTheSameAfterTheWindowWasMadeAnew) {
+  openRelief();
+  Project project = window().project();
+  project.figure.dpi = 60;
+  const auto surface = document().surface();
+  const auto drawn = [&] {
+    Figure figure;
+    std::thread([&] { figure = drawFigure(*surface, project); }).join();
+    return figure.image.rgba;
+  };
+  const auto before = drawn();
+  restart();
+  openRelief();
+  EXPECT_EQ(drawn(), before);
 }
 
 TEST_F(PublishTest, ADialogsFigureIsThatOfTheSameRecordDrawnElsewhere) {

@@ -17,6 +17,7 @@
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/places_panel.h"
+#include "ui/replay_control.h"
 
 namespace relievo {
 namespace {
@@ -220,6 +221,24 @@ TEST_F(UnsavedTest, LookingAboutIsNotAskedAbout) {
   openRelief();
   document().setRect({40, 40, 60, 60});
   window().runCommand("relief_slope");
+  EXPECT_FALSE(window().hasUnsavedWork());
+  EXPECT_TRUE(window().close());
+  EXPECT_EQ(question(), nullptr);
+}
+
+TEST_F(UnsavedTest, ARecordingThatWasShownIsAFileAlreadyAndNotAskedAbout) {
+  openRelief();
+  window().setRecordingReader([](const std::filesystem::path&, const Task&) {
+    TouchRecording recording;
+    TouchRow row;
+    row.window_id = 1;
+    recording.rows = {row, row};
+    recording.rows.back().t_s = 1;
+    recording.windows = {{1, {50, 50, 100, {1}}, 1, true}};
+    return recording;
+  });
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
   EXPECT_FALSE(window().hasUnsavedWork());
   EXPECT_TRUE(window().close());
   EXPECT_EQ(question(), nullptr);
