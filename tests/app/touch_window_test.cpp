@@ -34,7 +34,7 @@ class TouchWindowTest : public GuiTest {
     program.setProcessChannelMode(QProcess::MergedChannels);
     program.start(QStringLiteral(RELIEVO_BINARY_DIR "/bin/relievo"), words);
     EXPECT_TRUE(program.waitForFinished(60'000));
-    const QByteArray out = program.readAllStandardOutput();
+    QByteArray out = program.readAllStandardOutput();
     EXPECT_EQ(program.exitCode(), exit_code) << out.toStdString();
     return out;
   }

@@ -390,14 +390,14 @@ TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {
   }));
   over(true);
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.touching; }));
-  const auto isFlat = [](const Probe& p) { return p.touching && std::abs(p.proxy.z - 7) < 1e-4; };
-  EXPECT_TRUE(probeBecomes(isFlat));
+  const auto is_flat = [](const Probe& p) { return p.touching && std::abs(p.proxy.z - 7) < 1e-4; };
+  EXPECT_TRUE(probeBecomes(is_flat));
   shape->setCurrentIndex(1);
   EXPECT_TRUE(
       probeBecomes([](const Probe& p) { return p.touching && std::abs(p.proxy.z - 7) > 0.02; }));
   const std::size_t before = host_.probes.size();
   shape->setCurrentIndex(2);
-  EXPECT_TRUE(probeBecomes(isFlat)) << "and back";
+  EXPECT_TRUE(probeBecomes(is_flat)) << "and back";
   for (std::size_t i = before; i < host_.probes.size(); ++i) {
     EXPECT_TRUE(host_.probes[i].touching) << "never let go";
   }
@@ -411,8 +411,8 @@ TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on && !p.touching; }));
   press(1);
   constexpr double kPressedN = 0.6 * 0.8;  // 1 mm at 60 % of 0.8 N/mm.
-  const auto isPressed = [](double newton) { return std::abs(newton - kPressedN) < 0.01; };
-  ASSERT_TRUE(probeBecomes([&](const Probe& p) { return isPressed(norm(p.force)); }));
+  const auto is_pressed = [](double newton) { return std::abs(newton - kPressedN) < 0.01; };
+  ASSERT_TRUE(probeBecomes([&](const Probe& p) { return is_pressed(norm(p.force)); }));
   QAction* record = host_.actions.at("record");
   record->trigger();
   ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 100; }));
@@ -436,7 +436,7 @@ TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
   std::size_t pressed = 0;
   for (std::size_t i = 0; i < log.rows.size(); ++i) {
     ASSERT_EQ(log.rows[i][kContact], 1);
-    if (2 * i > log.rows.size() && isPressed(log.rows[i][kForceZ])) ++pressed;
+    if (2 * i > log.rows.size() && is_pressed(log.rows[i][kForceZ])) ++pressed;
   }
   EXPECT_GT(20 * pressed, log.rows.size()) << "in the second half of the hang";
   // Positions had no age, and no force was cut for the GUI: the audit in the header tells.

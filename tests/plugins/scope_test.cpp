@@ -133,8 +133,8 @@ TEST(Scope, ExportsWhatIsShown) {
     EXPECT_EQ(points.size(), static_cast<int>(scope.view().shown().size()));
   }
   // The force rises from 0.999 to 1.999 N: over the right half of the lower strip's height.
-  const auto heightOf = [](const QString& point) { return point.section(',', 1).toDouble(); };
-  EXPECT_NEAR(heightOf(curves[2].front()) - heightOf(curves[2].back()), 100, 0.2);
+  const auto height_of = [](const QString& point) { return point.section(',', 1).toDouble(); };
+  EXPECT_NEAR(height_of(curves[2].front()) - height_of(curves[2].back()), 100, 0.2);
   EXPECT_TRUE(text.contains("force (N)"));
   EXPECT_TRUE(text.endsWith("</svg>\n"));
   EXPECT_FALSE(scope.exportTo("/nowhere/at/all.csv").isEmpty()) << "and says why";
