@@ -101,7 +101,7 @@ Figure onPixels(const Surface& surface, const Project& project, double dpi, cons
   painter.end();
   page = page.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
   Figure figure{{page.width(), page.height(), {}}, sheet.facts};
-  const auto row_bytes = static_cast<std::size_t>(4 * page.width());
+  const std::size_t row_bytes = 4 * static_cast<std::size_t>(page.width());
   figure.image.rgba.reserve(row_bytes * static_cast<std::size_t>(page.height()));
   for (int row = 0; row < page.height(); ++row) {
     const uchar* line = page.constScanLine(row);

@@ -155,8 +155,8 @@ class Sheet {
     side_mm_ = side(across);
     for (int i = 0; i < count; ++i) {
       const double step = side_mm_ + kGapMm;
-      FigurePanel panel = regionPanel(
-          p_, {(i % across) * step, static_cast<double>(i / across) * step, side_mm_, side_mm_});
+      const int row = i / across;
+      FigurePanel panel = regionPanel(p_, {(i % across) * step, row * step, side_mm_, side_mm_});
       panel.level = {count - 1 - i};
       panel.title =
           QStringLiteral("level %1, %2 mm")

@@ -105,17 +105,17 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
   made.parallax_deg = eyes.parallax_deg;
   const PictureOptions options{
       .width = pixels.width(), .height = pixels.height(), .transparent = f.transparent};
-  const auto seenBy = [&](int eye) {
+  const auto seen_by = [&](int eye) {
     scene.setEyeTurn(eye * 0.5 * eyes.angle_deg);
     return renderPicture(scene, options, task);
   };
   if (isAnaglyph(f.stereo) && panel.eye == 0) {
     const int red = f.swap_eyes ? 1 : -1;
-    RgbaImage left = seenBy(red);
-    mixAnaglyph(f.stereo, left.rgba, seenBy(-red).rgba);
+    RgbaImage left = seen_by(red);
+    mixAnaglyph(f.stereo, left.rgba, seen_by(-red).rgba);
     made.image = imageOf(left);
   } else {
-    made.image = imageOf(seenBy(panel.eye));
+    made.image = imageOf(seen_by(panel.eye));
   }
   return made;
 }
