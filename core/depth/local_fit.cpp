@@ -127,7 +127,13 @@ std::optional<LocalFit::Fit> LocalFit::fitWithin(const RowPoints& rows, int col,
       }
     }
     const double freedom = static_cast<double>(window_.size()) - static_cast<double>(kUnknowns);
-    const Fit found{.height = (*fit)[0], .rms = std::sqrt(squares / freedom)};
+    const auto [low, high] =
+        std::minmax_element(window_.begin(), window_.end(),
+                            [](const PlacedPoint& a, const PlacedPoint& b) { return a.z < b.z; });
+    const Fit found{.height = (*fit)[0],
+                    .rms = std::sqrt(squares / freedom),
+                    .low = static_cast<double>(low->z),
+                    .high = static_cast<double>(high->z)};
     if (found.rms <= allowed_mm_) return found;
     if (!first) first = found;
     // A flyer or two spoil a fit that is good without them; an edge stays one.
@@ -145,8 +151,8 @@ std::optional<double> LocalFit::heightAt(const RowPoints& rows, int col, int row
   for (; radius >= 1; --radius) {
     const std::optional<Fit> fit = fitWithin(rows, col, row, radius);
     if (!fit) break;
-    if (fit->rms <= allowed_mm_) return fit->height;
-    if (!widest) widest = fit->height;
+    if (fit->rms <= allowed_mm_ && fit->isNearPoints()) return fit->height;
+    if (!widest) widest = std::clamp(fit->height, fit->low, fit->high);
   }
   const auto own = rows.of(col, col + 1, row);
   if (!own.empty()) return meanOf(own);

@@ -14,7 +14,7 @@ namespace relievo {
 /// The window grows from the cell's own 3 x 3 until it holds `kEnoughToFit` points. A point far off
 /// the fit is left out and the fit made again. Where the fit misses its points by more than the
 /// noise allows (an edge, a step) the window shrinks, and at last the cell's own points alone
-/// count. One per thread.
+/// count. A fit that leaves the heights of its points behind does not count either. One per thread.
 class LocalFit {
  public:
   /// @param noise_mm  standard deviation of the points about the surface; see `noiseOf`
@@ -31,8 +31,15 @@ class LocalFit {
 
  private:
   struct Fit {
-    double height = 0;  ///< At the sample.
-    double rms = 0;     ///< Of the residuals, for the degrees of freedom left.
+    double height = 0;         ///< At the sample.
+    double rms = 0;            ///< Of the residuals, for the degrees of freedom left.
+    double low = 0, high = 0;  ///< Of the points.
+
+    /// Points on one side only can send a quadratic anywhere; between them it stays near them.
+    bool isNearPoints() const noexcept {
+      const double beyond = 0.25 * (high - low);
+      return height >= low - beyond && height <= high + beyond;
+    }
   };
   std::optional<Fit> fitWithin(const RowPoints& rows, int col, int row, int radius);
   void gather(const RowPoints& rows, int col, int row, int radius);

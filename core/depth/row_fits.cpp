@@ -215,7 +215,14 @@ void solve(const double* windows, std::ptrdiff_t stride, int blocks, double* hei
     }
     const Lanes freedom = count - static_cast<double>(kUnknowns);
     const Lanes variance = (rest > zero ? rest : zero) / freedom;
-    const Lanes is_fitted = count >= RowFits::kFewest ? good : zero;
+    // Points all around keep a quadratic's middle near their mean: a bowl's is 1.73 deviations off,
+    // a slope's at the corner of the map 2.45. Beyond, LocalFit says whether to believe it.
+    const Lanes mean = sums(heightPlane(0, 0)) / count;
+    const Lanes square = sums(kSquares) / count;
+    const Lanes off = y[0] - mean;
+    const Lanes rounding = 1e-12 * square;
+    const Lanes near = off * off <= 6.25 * (square - mean * mean) + rounding ? good : zero;
+    const Lanes is_fitted = count >= RowFits::kFewest ? near : zero;
     lanesAt(heights + to) = y[0];
     lanesAt(rms + to) = variance;
     lanesAt(fitted + to) = is_fitted;
