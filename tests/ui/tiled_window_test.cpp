@@ -6,6 +6,7 @@
 #include <QRegExp>
 #include <QSignalSpy>
 #include <QTableWidget>
+#include <algorithm>
 
 #include "core/measure/measure_text.h"
 #include "core/session/finer_heights.h"
