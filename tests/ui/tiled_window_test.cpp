@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A map by tiles in the window: never read whole, and the same as if it were.
+#include <algorithm>
 #include <QAction>
 #include <QFile>
 #include <QLabel>
 #include <QRegExp>
 #include <QSignalSpy>
 #include <QTableWidget>
-#include <algorithm>
 
 #include "core/measure/measure_text.h"
 #include "core/session/finer_heights.h"
