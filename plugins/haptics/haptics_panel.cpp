@@ -131,11 +131,11 @@ QFormLayout* HapticsPanel::rows() {
   labelled(tr("Fr&iction"), friction_, friction_);
   labelled(tr("Dam&ping"), damping_, damping_);
   labelled(tr("Not &measured"), soft_, soft_);
-  auto* firmness_row = new QHBoxLayout;
-  firmness_row->addWidget(firmness_name_, 1);
+  labelled(tr("Fi&rm ground"), firmness_choose_, firmness_name_);
+  auto* firmness_row = new QHBoxLayout;  // Of its own: beside them a name has no room.
   firmness_row->addWidget(firmness_choose_);
   firmness_row->addWidget(firmness_none_);
-  labelled(tr("Fi&rm ground"), firmness_choose_, firmness_row);
+  form->addRow(firmness_row);
   labelled(tr("Tic&k there"), tick_, tick_);
   labelled(tr("Text&ure"), texture_, texture_);
   labelled(tr("K&nock"), knock_, knock_);
