@@ -27,8 +27,9 @@ struct ScanInfo {
   std::uint64_t finite_points = 0;  ///< Of these, with three finite coordinates.
   std::uint64_t faces = 0;          ///< Polygons stored.
   std::uint64_t dropped_faces = 0;  ///< Faces left out: index out of range, or a non-finite corner.
-  std::optional<FileBounds> bounds;   ///< Over finite points, double; nothing if there are none.
-  std::optional<LengthUnit> unit;     ///< If the file states one.
+  std::optional<FileBounds> bounds;  ///< Over finite points, double; nothing if there are none.
+  std::optional<LengthUnit> unit;    ///< If the file states one.
+  double height_step = 0;  ///< Rasters of whole numbers: of their heights, file unit; 0: others.
   std::vector<std::string> warnings;  ///< For people; each one sentence.
 };
 

@@ -387,7 +387,11 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
   raster.first = placement.first;
   readOwnMap(*dataset, raster);
   raster.info.points = raster.size.count();
-  HeightRows rows(band, heightRule(band, unit_factor), raster.size.cols);
+  const HeightRule rule = heightRule(band, unit_factor);
+  if (GDALDataTypeIsInteger(band.GetRasterDataType()) != 0) {
+    raster.info.height_step = std::abs(rule.scale);
+  }
+  HeightRows rows(band, rule, raster.size.cols);
   return passRows(rows, placement.rows_from_top, errors, raster, sink, task);
 }
 

@@ -5,14 +5,22 @@
 #include <vector>
 
 #include "core/depth/depth_map.h"
+#include "core/depth/quality.h"
 
 namespace relievo {
+
+/// What is known of how far the heights of a map may be off, beside what their neighbours tell.
+struct HeightErrors {
+  double step_mm = 0;                   ///< Between heights that could be stored; 0: not known.
+  const QualityMap* quality = nullptr;  ///< Of the cells, or null. Must outlive this.
+  bool of_one_point = false;  ///< A height is one of its cell's points, not a mean of them.
+};
 
 /// A rectangle of cells of a map, asked for by their places in the whole map.
 class MapPart {
  public:
   /// All cells of a map, which must outlive this.
-  explicit MapPart(const DepthMap& map);
+  explicit MapPart(const DepthMap& map, const HeightErrors& errors = {});
   /// @param frame  of the whole map  @param first  of `cells`, its lower left one
   MapPart(const GridFrame& frame, Cell first, DepthMap cells);
   MapPart(MapPart&&) = default;
@@ -25,6 +33,10 @@ class MapPart {
   // @pre within the rectangle
   float heightMm(Cell c) const noexcept { return heights_mm_[index(c)]; }
   Origin origin(Cell c) const noexcept { return origins_[index(c)]; }
+  /// How far a cell's height may be off: half a step of the heights, never less than single
+  /// precision rounds lengths of the map's size, and twice the standard error of the mean of the
+  /// cell's points (of one point: twice their spread). Above 0.
+  double heightErrorMm(Cell c) const noexcept;
 
  private:
   std::size_t index(Cell c) const noexcept {
@@ -35,6 +47,7 @@ class MapPart {
   Cell first_;
   GridSize cells_;
   DepthMap own_;  ///< Empty for a part of a map in memory.
+  HeightErrors errors_;
   const float* heights_mm_;
   const Origin* origins_;
 };
@@ -46,7 +59,7 @@ class MapCells {
   using ReadPart = std::function<MapPart(Cell first, GridSize size)>;
 
   /// Of a map in memory, which must outlive this. Not explicit: it is the map.
-  MapCells(const DepthMap& map);
+  MapCells(const DepthMap& map, const HeightErrors& errors = {});
   /// @param read  gives at least the cells of a rectangle that lies within the map
   MapCells(const GridFrame& frame, ReadPart read);
 

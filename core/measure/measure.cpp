@@ -103,30 +103,48 @@ void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
   double low = rows.front().point.at.z;
   double high = low;
   double surface = 0;
+  double surface_off = 0;
+  std::vector<ViewMm> path;
+  std::vector<double> off_mm;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     points.push_back(rows[i].point);
+    path.push_back(rows[i].point.at);
+    off_mm.push_back(rows[i].point.height_error_mm);
     low = std::min(low, rows[i].point.at.z);
     high = std::max(high, rows[i].point.at.z);
-    if (i > 0) surface += norm(rows[i].point.at - rows[i - 1].point.at);
+    if (i == 0) continue;
+    const SurfacePoint& a = rows[i - 1].point;
+    const SurfacePoint& b = rows[i].point;
+    const double across = std::hypot(b.at.x - a.at.x, b.at.y - a.at.y);
+    const double climbed = std::abs(b.at.z - a.at.z);
+    surface += std::hypot(across, climbed);
+    surface_off += std::hypot(across, climbed + a.height_error_mm + b.height_error_mm) -
+                   std::hypot(across, climbed);
   }
   double lowest_off = 0;
   double highest_off = 0;
   for (const SurfacePoint& p : points) {
-    if (p.at.z == low) lowest_off = p.height_uncertainty_mm;
-    if (p.at.z == high) highest_off = p.height_uncertainty_mm;
+    if (p.at.z == low) lowest_off = std::max(lowest_off, p.height_uncertainty_mm);
+    if (p.at.z == high) highest_off = std::max(highest_off, p.height_uncertainty_mm);
   }
   const double s = map.frame().spacing_mm;
+  surface_off += wallsOff(path, off_mm, false);
+  // Half a cell more or less at each end, as steep as the line is there.
+  surface_off += 0.5 * std::max(s, norm(points[1].at - points[0].at)) +
+                 0.5 * std::max(s, norm(points.back().at - points[points.size() - 2].at));
   reading.quantities = {
       {.title = "length", .value = rows.back().along_mm, .uncertainty = s, .unit = "mm"},
       {.title = "height range",
        .value = high - low,
        .uncertainty = lowest_off + highest_off,
        .unit = "mm"},
-      {.title = "along the surface", .value = surface, .uncertainty = s, .unit = "mm"}};
+      {.title = "along the surface", .value = surface, .uncertainty = surface_off, .unit = "mm"}};
   reading.not_measured = notMeasured(points);
 }
 
 void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
+  const std::string problem = outlineProblem(m.places);
+  if (!problem.empty()) throw ArgumentError(problem);
   const Piece piece = pieceOf(map, m.places, m.plane_mm);
   reading.quantities = {{.title = "area in the view",
                          .value = piece.area_mm2,
@@ -143,6 +161,23 @@ void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
   reading.not_measured = piece.not_measured;
 }
 
+void readSection(const MapCells& map, const Measurement& m, Reading& reading) {
+  reading.curves = section(map, planeOf(m));
+  if (reading.curves.empty()) {
+    throw ArgumentError("The plane does not cut the surface. Choose another plane.");
+  }
+  Quantity length{.title = "length of the cut", .unit = "mm"};
+  double points = 0;
+  for (const SectionCurve& curve : reading.curves) {
+    length.value += curve.length_mm;
+    length.uncertainty += curve.length_off_mm;
+    points += static_cast<double>(curve.points.size());
+    reading.not_measured += curve.not_measured * static_cast<double>(curve.points.size());
+  }
+  reading.not_measured /= points;
+  reading.quantities = {length};
+}
+
 }  // namespace
 
 std::optional<MeasureKind> measureKind(std::string_view name) {
@@ -154,6 +189,7 @@ std::optional<MeasureKind> measureKind(std::string_view name) {
 int placesNeeded(MeasureKind kind) {
   switch (kind) {
     case MeasureKind::point:
+    case MeasureKind::section:
       return 1;
     case MeasureKind::distance:
     case MeasureKind::depth:
@@ -166,8 +202,18 @@ int placesNeeded(MeasureKind kind) {
   return 1;
 }
 
+int placesAtMost(MeasureKind kind) {
+  if (kind == MeasureKind::section) return 3;
+  const bool any = kind == MeasureKind::profile || kind == MeasureKind::area;
+  return any ? std::numeric_limits<int>::max() : placesNeeded(kind);
+}
+
 bool takesMore(MeasureKind kind) {
-  return kind == MeasureKind::profile || kind == MeasureKind::area;
+  return placesAtMost(kind) > placesNeeded(kind);
+}
+
+bool hasPlane(MeasureKind kind) {
+  return kind == MeasureKind::area || kind == MeasureKind::section;
 }
 
 std::optional<SurfacePoint> surfacePoint(const MapCells& map, PlaceMm place) {
@@ -187,17 +233,23 @@ std::optional<SurfacePoint> surfacePoint(const MapCells& map, PlaceMm place) {
   const MapPart part = map.part(first, {.cols = std::min(cell.col + 2, f.size.cols) - first.col,
                                         .rows = std::min(cell.row + 2, f.size.rows) - first.row});
   if (part.origin(cell) == Origin::outside) return std::nullopt;
+  const double error = part.heightErrorMm(cell);
   return SurfacePoint{.at = {place.x, place.y, heightAt(part, place)},
-                      .height_uncertainty_mm = halfRange(part, cell),
+                      .height_uncertainty_mm = halfRange(part, cell) + error,
+                      .height_error_mm = error,
                       .origin = part.origin(cell)};
 }
 
 Reading read(const MapCells& map, const Measurement& m) {
+  Reading reading;
+  if (m.kind == MeasureKind::section) {
+    readSection(map, m, reading);
+    return reading;
+  }
   if (static_cast<int>(m.places.size()) < placesNeeded(m.kind)) {
     throw ArgumentError("A measurement of kind " + std::string(name(m.kind)) + " needs " +
                         std::to_string(placesNeeded(m.kind)) + " places.");
   }
-  Reading reading;
   for (const PlaceMm& place : m.places) {
     const auto point = surfacePoint(map, place);
     // A piece's corners and a profile's ends may lie beside the object.
@@ -234,6 +286,8 @@ Reading read(const MapCells& map, const Measurement& m) {
       break;
     case MeasureKind::area:
       readArea(map, m, reading);
+      break;
+    case MeasureKind::section:
       break;
   }
   return reading;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "core/base/vec3.h"
 #include "core/measure/map_cells.h"
+#include "core/measure/section.h"
 
 namespace relievo {
 
@@ -19,9 +21,10 @@ enum class MeasureKind {
   angle,     ///< Three points: at the second one.
   profile,   ///< Two or more points: heights along the line.
   area,      ///< Three or more corners: the piece of surface among them, above a plane.
+  section,   ///< The curves in which a plane cuts the whole surface.
 };
-inline constexpr std::array<std::string_view, 6> kMeasureKindNames{"point", "distance", "depth",
-                                                                   "angle", "profile",  "area"};
+inline constexpr std::array<std::string_view, 7> kMeasureKindNames{
+    "point", "distance", "depth", "angle", "profile", "area", "section"};
 inline constexpr std::string_view name(MeasureKind kind) noexcept {
   return kMeasureKindNames[static_cast<std::size_t>(kind)];
 }
@@ -33,24 +36,44 @@ struct PlaceMm {
 };
 
 /// What somebody measured: where, not what came out, so that it can be read again on another map.
+/// A section keeps its plane and no places (docs/adr/0077).
 struct Measurement {
   std::string name = {};
   MeasureKind kind = MeasureKind::point;
   std::vector<PlaceMm> places = {};
-  double plane_mm = 0;  ///< Of `area`: heights count from here.
+  double plane_mm = 0;  ///< Of `area`: heights count from here. Of `section`: PlaneMm::offset_mm.
+  ViewMm normal{0, 0, 1};  ///< Of `section`'s plane.
   friend bool operator==(const Measurement&, const Measurement&) = default;
 };
 
-/// How many places a kind needs at least.
+/// How many places a kind needs at least, to be made: a section's plane is through one (level),
+/// two (upright) or three.
 int placesNeeded(MeasureKind kind);
-/// May more places follow? Of profile and area.
+/// And at most.
+int placesAtMost(MeasureKind kind);
+/// May more places follow? Of profile, area and section.
 bool takesMore(MeasureKind kind);
+/// Has it a plane that can be set? Of area and section.
+bool hasPlane(MeasureKind kind);
+/// @pre m.kind is section
+inline PlaneMm planeOf(const Measurement& m) {
+  return {.normal = m.normal, .offset_mm = m.plane_mm};
+}
+
+/// Places that cannot be the corners of one piece: why not, in one sentence; empty if they can.
+/// Outlines of fewer than three places have no fault yet.
+std::string outlineProblem(const std::vector<PlaceMm>& places);
+/// Does the last side of an outline that is still open cross an earlier one?
+bool lastSideCrosses(const std::vector<PlaceMm>& places);
 
 /// A point of the map. Heights are bilinear between samples.
 struct SurfacePoint {
   ViewMm at = {};
-  double height_uncertainty_mm = 0;  ///< Half the range of the 3 x 3 samples around.
-  Origin origin = Origin::outside;   ///< Of the nearest sample.
+  /// Half the range of the 3 x 3 samples around, and what the sample itself may be off
+  /// (MapPart::heightErrorMm).
+  double height_uncertainty_mm = 0;
+  double height_error_mm = 0;       ///< The latter alone.
+  Origin origin = Origin::outside;  ///< Of the nearest sample.
 };
 /// Nothing beyond the map, or where the nearest sample is outside. This and all below:
 /// @throw also what `map` throws when it reads
@@ -63,14 +86,18 @@ struct Quantity {
   std::string_view unit;  ///< "mm", "\u00b0", "mm\u00b2", "mm\u00b3"
 };
 
-/// What a measurement reads on a map. Uncertainties are bounds: every place may be half a sample
-/// off in x and y, and as far in height as its neighbours differ; a piece's outline half a sample.
+/// What a measurement reads on a map. Uncertainties are bounds, in closed form
+/// (docs/user/measure.md, docs/adr/0078): every place may be half a sample off in x and y, and as
+/// far in height as its neighbours differ and its own height is uncertain; a piece's outline half a
+/// sample.
 struct Reading {
   std::vector<Quantity> quantities;  ///< The first is what was asked for.
   std::vector<SurfacePoint> points;  ///< One for each place.
+  std::vector<SectionCurve> curves;  ///< Of a section, longest first.
   double not_measured = 0;           ///< Share of what was read that is not measured, [0, 1].
 };
-/// @throw ArgumentError  too few places, or one that is not on the object
+/// @throw ArgumentError  too few places, one that is not on the object, an outline that crosses
+/// itself or has no area, or a plane that does not cut the surface
 Reading read(const MapCells& map, const Measurement& measurement);
 
 struct ProfileRow {

@@ -59,6 +59,9 @@ std::string escaped(std::string_view text) {
 // ---- drawing of a profile ------------------------------------------------------------------
 
 constexpr double kWidth = 640, kHeight = 300;
+constexpr const char* kSheet =
+    "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 300' width='640' height='300' "
+    "font-family='sans-serif' font-size='11'>\n<rect width='640' height='300' fill='white'/>\n";
 constexpr double kLeft = 64, kRight = 20, kTop = 36, kBottom = 48;
 
 /// 1, 2 or 5 times a power of ten; about four ticks over a range.
@@ -140,17 +143,132 @@ std::string curves(const std::vector<ProfileRow>& rows, const Axis& along, const
   return svg;
 }
 
+// ---- drawing of a section -------------------------------------------------------------------
+
+/// Two directions in a plane at right angles; the second as far upward as it can be.
+struct InPlane {
+  ViewMm right, up;
+
+  explicit InPlane(const ViewMm& normal) {
+    const double across = std::hypot(normal.x, normal.y);
+    const double length = norm(normal);
+    right =
+        across > 1e-9 * length ? ViewMm{-normal.y / across, normal.x / across, 0} : ViewMm{1, 0, 0};
+    if (right.x < 0 || (right.x == 0 && right.y < 0)) right = -1.0 * right;
+    const ViewMm n = (1 / length) * normal;
+    up = {n.y * right.z - n.z * right.y, n.z * right.x - n.x * right.z,
+          n.x * right.y - n.y * right.x};
+    if (up.z < 0 || (up.z == 0 && up.y < 0)) up = -1.0 * up;
+  }
+};
+
+/// An axis around `low` ... `high`, `px_per_mm` to scale.
+Axis axisAround(double low, double high, double px_per_mm, double from_px, double to_px) {
+  const double half = 0.5 * std::abs(to_px - from_px) / px_per_mm;
+  const double middle = 0.5 * (low + high);
+  return {.low = middle - half, .high = middle + half, .from_px = from_px, .to_px = to_px};
+}
+
+bool isLevel(const ViewMm& normal) {
+  return std::hypot(normal.x, normal.y) <= 1e-9 * norm(normal);
+}
+
+bool isUpright(const ViewMm& normal) {
+  return std::abs(normal.z) <= 1e-9 * norm(normal);
+}
+
 }  // namespace
+
+std::string planeNumbers(const Measurement& m) {
+  if (m.kind == MeasureKind::area) return "0 0 1 " + numberText(m.plane_mm);
+  if (m.kind != MeasureKind::section) return {};
+  return numberText(m.normal.x) + " " + numberText(m.normal.y) + " " + numberText(m.normal.z) +
+         " " + numberText(m.plane_mm);
+}
+
+std::string planeText(const Measurement& m) {
+  if (!hasPlane(m.kind)) return {};
+  if (m.kind == MeasureKind::area || isLevel(m.normal)) {
+    const double sign = m.kind == MeasureKind::section && m.normal.z < 0 ? -1 : 1;
+    return "level at " + shortText(sign * m.plane_mm) + " mm";
+  }
+  std::string text = isUpright(m.normal) ? "upright: " : "oblique: ";
+  const double length = norm(m.normal);
+  std::string between;
+  for (const auto& [value, axis] :
+       {std::pair{m.normal.x, " x"}, {m.normal.y, " y"}, {m.normal.z, " z"}}) {
+    const double part = value / length;
+    if (std::abs(part) < 1e-9) continue;
+    text += between.empty() ? (part < 0 ? "\u2212" : "") : (part < 0 ? " \u2212 " : " + ");
+    text += shortText(std::abs(part)) + axis;
+    between = "+";
+  }
+  return text + " = " + shortText(m.plane_mm) + " mm";
+}
+
+int decimalsFor(double uncertainty) {
+  if (!(uncertainty > 0)) return 3;
+  const int first_digit = static_cast<int>(std::ceil(-std::log10(uncertainty)));
+  return std::clamp(first_digit > 2 ? first_digit : first_digit + 1, 0, 9);
+}
+
+std::string sectionSvg(const std::vector<SectionCurve>& curves, const PlaneMm& plane,
+                       std::string_view title) {
+  std::string svg = kSheet;
+  if (curves.empty()) return svg + textAt(kWidth / 2, kHeight / 2, "middle", title) + "</svg>\n";
+  const InPlane in(plane.normal);
+  const ViewMm first = curves.front().points.front();
+  double left = dot(in.right, first);
+  double right = left;
+  double low = dot(in.up, first);
+  double high = low;
+  for (const SectionCurve& curve : curves) {
+    for (const ViewMm& p : curve.points) {
+      left = std::min(left, dot(in.right, p));
+      right = std::max(right, dot(in.right, p));
+      low = std::min(low, dot(in.up, p));
+      high = std::max(high, dot(in.up, p));
+    }
+  }
+  const double px_per_mm = std::min((kWidth - kLeft - kRight) / std::max(right - left, 1e-9),
+                                    (kHeight - kTop - kBottom) / std::max(high - low, 1e-9));
+  const Axis along = axisAround(left, right, px_per_mm, kLeft, kWidth - kRight);
+  const Axis height = axisAround(low, high, px_per_mm, kHeight - kBottom, kTop);
+  svg += textAt(kLeft, 20, "start", title) + ticks(along, height);
+  svg += lineFrom(kLeft, kTop, kLeft, kHeight - kBottom);
+  svg += lineFrom(kLeft, kHeight - kBottom, kWidth - kRight, kHeight - kBottom);
+  for (const SectionCurve& curve : curves) {
+    svg += "<" + std::string(curve.closed ? "polygon" : "polyline") +
+           " fill='none' stroke='#1f5fd0' stroke-width='1.2'" +
+           (curve.not_measured > 0 ? " stroke-dasharray='4 3'" : "") + " points='";
+    for (const ViewMm& p : curve.points) {
+      svg +=
+          shortText(along.px(dot(in.right, p))) + "," + shortText(height.px(dot(in.up, p))) + " ";
+    }
+    svg.back() = '\'';
+    svg += "/>\n";
+  }
+  const bool level = isLevel(plane.normal);
+  svg += textAt(0.5 * (kLeft + kWidth - kRight), kHeight - 8, "middle",
+                level ? "x (mm)" : "along the plane (mm)");
+  svg += textAt(kWidth - kRight, 20, "end",
+                std::string(level                     ? "y (mm)"
+                            : isUpright(plane.normal) ? "height (mm)"
+                                                      : "up the plane (mm)") +
+                    ", true to scale");
+  return svg + "</svg>\n";
+}
 
 std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
                             std::string_view header) {
-  std::string text = comments(header) + "name,kind,quantity,value,uncertainty,unit,not_measured\n";
+  std::string text =
+      comments(header) + "name,kind,quantity,value,uncertainty,unit,not_measured,plane\n";
   for (const Measurement& m : list) {
     const Reading reading = read(map, m);
     for (const Quantity& q : reading.quantities) {
       text += quoted(m.name) + "," + std::string(name(m.kind)) + "," + std::string(q.title) + "," +
               numberText(q.value) + "," + numberText(q.uncertainty) + "," + std::string(q.unit) +
-              "," + numberText(reading.not_measured) + "\n";
+              "," + numberText(reading.not_measured) + "," + planeNumbers(m) + "\n";
     }
   }
   return text;
@@ -168,9 +286,7 @@ std::string profileCsv(const std::vector<ProfileRow>& rows, std::string_view hea
 }
 
 std::string profileSvg(const std::vector<ProfileRow>& rows, std::string_view title) {
-  std::string svg =
-      "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 640 300' width='640' height='300' "
-      "font-family='sans-serif' font-size='11'>\n<rect width='640' height='300' fill='white'/>\n";
+  std::string svg = kSheet;
   if (rows.size() < 2) return svg + textAt(kWidth / 2, kHeight / 2, "middle", title) + "</svg>\n";
   const Axis along{.low = rows.front().along_mm,
                    .high = std::max(rows.back().along_mm, rows.front().along_mm + 1e-9),

@@ -13,7 +13,17 @@ namespace relievo {
 // Files of measurements. Numbers in round-trip form with decimal points, LF, UTF-8. `header` is a
 // text whose lines become comments with "#"; empty: none.
 
-/// One row per quantity: name, kind, quantity, value, uncertainty, unit, not_measured.
+/// The plane of a measurement that has one, for people: "level at 2.5 mm", "upright: 0.6 x + 0.8 y
+/// = 12 mm"; of others empty.
+std::string planeText(const Measurement& m);
+/// The same for programs, in round-trip form: "NX NY NZ OFFSET".
+std::string planeNumbers(const Measurement& m);
+
+/// How many decimals of a value its uncertainty leaves meaning to: the first digit of the
+/// uncertainty is always seen, of larger ones the second.
+int decimalsFor(double uncertainty);
+
+/// One row per quantity: name, kind, quantity, value, uncertainty, unit, not_measured, plane.
 std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
                             std::string_view header = {});
 
@@ -24,6 +34,11 @@ std::string profileCsv(const std::vector<ProfileRow>& rows, std::string_view hea
 /// heights would then fill less than a tenth of the width; not measured parts are dashed. Text
 /// stays text.
 std::string profileSvg(const std::vector<ProfileRow>& rows, std::string_view title);
+
+/// The section as a drawing in its plane, the same scale on both axes: seen from above if it is
+/// level, from the side with heights upward if it is upright, else along its normal.
+std::string sectionSvg(const std::vector<SectionCurve>& curves, const PlaneMm& plane,
+                       std::string_view title);
 
 /// One row per point: curve (from 1, longest first), closed (0, 1), x_mm, y_mm, z_mm.
 std::string sectionCsv(const std::vector<SectionCurve>& curves, std::string_view header = {});

@@ -7,7 +7,8 @@
 
 namespace relievo {
 
-/// A piece of surface inside a closed outline. Outside cells do not count.
+/// A piece of surface inside a closed outline. Outside cells do not count. What each may be off:
+/// docs/adr/0078.
 struct Piece {
   double area_mm2 = 0, area_off_mm2 = 0;        ///< Seen along the view.
   double surface_mm2 = 0, surface_off_mm2 = 0;  ///< Of the relief itself, by its slopes.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -25,6 +26,7 @@ using Piece = std::array<EdgeId, 2>;
 struct EdgePoint {
   ViewMm at;
   bool unmeasured = false;                 ///< One of its two samples is not measured.
+  double off_mm = 0;                       ///< How far their errors may move it.
   std::array<std::size_t, 2> pieces = {};  ///< That end here, + 1; 0: none.
 };
 
@@ -138,17 +140,32 @@ class Cutter {
     curve.closed = edges.size() > 2 && edges.front() == edges.back();
     if (curve.closed) edges.pop_back();
     double unmeasured = 0;
+    std::vector<double> off_mm;
     for (const EdgeId e : edges) {
       const EdgePoint& point = at_edge_.at(e);
       curve.points.push_back(point.at);
+      off_mm.push_back(point.off_mm);
       if (point.unmeasured) unmeasured += 1;
     }
-    for (std::size_t i = 1; i < curve.points.size(); ++i) {
-      curve.length_mm += norm(curve.points[i] - curve.points[i - 1]);
+    for (std::size_t i = curve.closed ? 0 : 1; i < curve.points.size(); ++i) {
+      const std::size_t before = i > 0 ? i - 1 : curve.points.size() - 1;
+      const double length = norm(curve.points[i] - curve.points[before]);
+      curve.length_mm += length;
+      curve.length_off_mm += std::hypot(length, off_mm[i] + off_mm[before]) - length;
     }
-    if (curve.closed) curve.length_mm += norm(curve.points.front() - curve.points.back());
+    curve.length_off_mm += endsOff(curve) + wallsOff(curve.points, off_mm, curve.closed);
     curve.not_measured = unmeasured / static_cast<double>(edges.size());
     return curve;
+  }
+
+  /// What half a cell does to the length: a closed curve d farther out all round is 2 pi d longer
+  /// (Steiner's formula); an open one has two ends, each as steep as its last piece.
+  double endsOff(const SectionCurve& curve) const {
+    const double s = frame_.spacing_mm;
+    if (curve.closed) return std::numbers::pi * s;
+    const std::vector<ViewMm>& p = curve.points;
+    return 0.5 * std::max(s, norm(p[1] - p[0])) +
+           0.5 * std::max(s, norm(p.back() - p[p.size() - 2]));
   }
 
   EdgePoint pointOn(const MapPart& map, EdgeId e) const {
@@ -158,12 +175,18 @@ class Cutter {
     const Cell b =
         e % 2 == 1 ? Cell{.col = a.col, .row = a.row + 1} : Cell{.col = a.col + 1, .row = a.row};
     const double ha = over(map, a);
-    const double t = ha / (ha - over(map, b));
+    const double hb = over(map, b);
+    const double t = ha / (ha - hb);
     const auto at = [&](Cell c) {
       return ViewMm{frame_.xMm(c.col), frame_.yMm(c.row), static_cast<double>(map.heightMm(c))};
     };
+    // Along the edge, where the plane leans; up and down with the surface, where it stands.
+    const double error = std::max(map.heightErrorMm(a), map.heightErrorMm(b));
+    const double upright = std::sqrt(std::max(0.0, 1 - plane_.normal.z * plane_.normal.z));
+    const double along = std::min(error * std::abs(plane_.normal.z) / std::abs(ha - hb), 1.0);
     return {.at = at(a) + t * (at(b) - at(a)),
-            .unmeasured = map.origin(a) != Origin::measured || map.origin(b) != Origin::measured};
+            .unmeasured = map.origin(a) != Origin::measured || map.origin(b) != Origin::measured,
+            .off_mm = along * norm(at(b) - at(a)) + upright * error};
   }
 
   GridFrame frame_;
@@ -174,6 +197,54 @@ class Cutter {
 };
 
 }  // namespace
+
+double wallsOff(const std::vector<ViewMm>& points, const std::vector<double>& off_mm, bool closed) {
+  struct Step {
+    double across = 0, up = 0, error = 0;
+  };
+  std::vector<Step> steps;
+  for (std::size_t i = closed ? 0 : 1; i < points.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : points.size() - 1;
+    const ViewMm d = points[i] - points[before];
+    steps.push_back({std::hypot(d.x, d.y), d.z, off_mm[i] + off_mm[before]});
+  }
+  double off = 0;
+  const auto wall = [&](const Step& at, const Step& beside) {
+    if (!(beside.across > 0)) return 0.0;
+    const double shared = beside.up / beside.across * at.across;
+    const double part = std::abs(at.up - shared);
+    return part > 2 * at.error ? std::min(part, std::abs(at.up)) : 0;
+  };
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    double most = 0;
+    if (i > 0 || closed) most = wall(steps[i], steps[i > 0 ? i - 1 : steps.size() - 1]);
+    if (i + 1 < steps.size() || closed) {
+      most = std::max(most, wall(steps[i], steps[(i + 1) % steps.size()]));
+    }
+    off += std::hypot(steps[i].across, std::abs(steps[i].up) - most) + most -
+           std::hypot(steps[i].across, steps[i].up);
+  }
+  return off;
+}
+
+PlaneMm planeThrough(const std::vector<ViewMm>& p) {
+  if (p.size() == 1) return {.normal = {0, 0, 1}, .offset_mm = p[0].z};
+  if (p.size() != 2 && p.size() != 3) {
+    throw ArgumentError("A section's plane goes through one, two or three places.");
+  }
+  const ViewMm a = p[1] - p[0];
+  const ViewMm b = p.size() == 2 ? ViewMm{0, 0, 1} : p[2] - p[0];
+  const ViewMm normal{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  const double length = norm(normal);
+  // On one line but for rounding.
+  if (!(length > 1e-9 * norm(a) * norm(b))) {
+    throw ArgumentError(p.size() == 2
+                            ? "Two places, one above the other, give no plane. Choose another."
+                            : "Three places on one line give no plane. Choose another.");
+  }
+  const ViewMm unit = (1 / length) * normal;
+  return {.normal = unit, .offset_mm = dot(unit, p[0])};
+}
 
 std::vector<SectionCurve> section(const MapCells& map, const PlaneMm& plane,
                                   std::size_t most_points) {

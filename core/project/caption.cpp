@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/provenance/program.h"
+#include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
 
 namespace relievo {
@@ -65,12 +66,12 @@ std::string regionText(const Project& p, const Surface& surface) {
          (p.gain == 1 ? " (true to scale)." : ".");
 }
 
-std::string lookText(const ReliefLook& look) {
+/// @param spacing_mm  of the samples, which decides a radius that the look leaves open
+std::string lookText(const ReliefLook& look, double spacing_mm) {
   const std::string light = "light from " + shortNumber(look.light.azimuth_deg) + "\u00b0, " +
                             shortNumber(look.light.elevation_deg) + "\u00b0 above the plane";
   const std::string colours = " in " + std::string(name(look.colours));
-  const std::string around = look.radius_mm > 0 ? ", radius " + shortNumber(look.radius_mm) + " mm"
-                                                : ", radius 10 samples";
+  const std::string around = ", radius " + shortNumber(radiusMm(look, spacing_mm)) + " mm";
   switch (look.kind) {
     case ReliefKind::lit:
       return "Lit relief, " + light;
@@ -106,8 +107,8 @@ std::string stereoText(const CaptionFacts& facts) {
          (facts.swap_eyes ? ", eyes swapped" : "");
 }
 
-std::string seenText(const Project& p, const CaptionFacts& facts) {
-  std::string text = lookText(facts.look);
+std::string seenText(const Project& p, const CaptionFacts& facts, double spacing_mm) {
+  std::string text = lookText(facts.look, spacing_mm);
   if (p.azimuth_deg != 0 || p.elevation_deg != 0) {
     text += "; turned by " + shortNumber(p.azimuth_deg) + "\u00b0 and " +
             shortNumber(p.elevation_deg) + "\u00b0";
@@ -129,12 +130,7 @@ std::string scaleText(const CaptionFacts& facts) {
 
 /// Of the picture, not of the whole map: what the reader sees.
 std::string windowSharesText(const RegionWindow& window) {
-  std::array<double, kOriginCount> shares{};
-  for (const Origin origin : window.origins) shares.at(static_cast<std::size_t>(origin)) += 1;
-  for (double& share : shares) {
-    share /= static_cast<double>(std::max<std::size_t>(window.origins.size(), 1));
-  }
-  return "Of the cells of this region " + sharesText(shares) + ".";
+  return "Of the cells of this region " + sharesText(sharesOf(window)) + ".";
 }
 
 std::string sourceText(const Project& p) {
@@ -156,6 +152,15 @@ std::string shortNumber(double value, int digits) {
                                  is_whole ? std::chars_format::fixed : std::chars_format::general,
                                  is_whole ? 0 : digits);
   return {text.data(), end.ptr};
+}
+
+std::array<double, kOriginCount> sharesOf(const RegionWindow& window) {
+  std::array<double, kOriginCount> shares{};
+  for (const Origin origin : window.origins) shares.at(static_cast<std::size_t>(origin)) += 1;
+  for (double& share : shares) {
+    share /= static_cast<double>(std::max<std::size_t>(window.origins.size(), 1));
+  }
+  return shares;
 }
 
 std::string sharesText(const std::array<double, kOriginCount>& shares) {
@@ -181,8 +186,8 @@ CaptionFacts pictureFacts(const Project& p, double mm_per_pixel) {
 std::string captionOf(const Project& p, const Surface& surface, const RegionWindow& window,
                       const CaptionFacts& facts) {
   return objectText(p, surface) + " " + mapText(p, surface) + " " + regionText(p, surface) + " " +
-         seenText(p, facts) + scaleText(facts) + " " + windowSharesText(window) + " " +
-         sourceText(p);
+         seenText(p, facts, window.spacingMm()) + scaleText(facts) + " " +
+         windowSharesText(window) + " " + sourceText(p);
 }
 
 }  // namespace relievo

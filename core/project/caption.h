@@ -35,6 +35,9 @@ std::string captionOf(const Project& project, const Surface& surface, const Regi
 /// next integer, without an exponent.
 std::string shortNumber(double value, int digits = 4);
 
+/// Of a window's samples by origin, 0 to 1.
+std::array<double, kOriginCount> sharesOf(const RegionWindow& window);
+
 /// "87.2 % measured, 1 % interpolated": measured ones always, others where there are any.
 /// @param shares  of all cells by origin, 0 to 1
 std::string sharesText(const std::array<double, kOriginCount>& shares);

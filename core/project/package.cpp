@@ -118,13 +118,32 @@ class PackageWriter {
 };
 
 /// The file is there and is the one the project means.
-void requireAsBefore(const FileCheck& check) {
+void requireAsBefore(const FileCheck& check, const std::string& what_to_do) {
   if (check.state == FileState::as_before) return;
   throw FileError("'" + check.file.file + "' " +
                       (check.state == FileState::missing ? "is not there"
                                                          : "has changed since (checksum differs)") +
-                      ". Nothing was packed. Relink it, or take it out of the project.",
+                      ". Nothing was packed. " + what_to_do,
                   "E501");
+}
+
+/// What the recordings need beyond the input, each file once.
+std::vector<InputFile> companionsOf(const Project& project, const PackageContents& contents,
+                                    const Task& task) {
+  std::vector<InputFile> all;
+  if (!contents.companions) return all;
+  std::set<std::string> known{project.sha256};
+  for (const InputFile& recording : project.recordings) {
+    for (InputFile& file : contents.companions(recording.file, task)) {
+      if (!known.insert(file.sha256).second) continue;
+      requireAsBefore(checkFile(file, task),
+                      "It is needed to repeat '" +
+                          std::filesystem::path(recording.file).filename().string() +
+                          "': put it back, or take the recording out.");
+      all.push_back(std::move(file));
+    }
+  }
+  return all;
 }
 
 std::string readmeText(const Project& project, bool with_input) {
@@ -134,7 +153,7 @@ std::string readmeText(const Project& project, bool with_input) {
          project.sha256 +
          (with_input ? ", in input/" : ", not included; needed to make the figures again") +
          "\n\nproject.json         the work: views, regions, measurements; open it with relievo\n"
-         "recordings/          what was felt, one row per millisecond, CSV\n"
+         "recordings/          what was felt, one row per millisecond, and files it needs\n"
          "figures/             each carries the state that it was made from\n" +
          kManifest +
          "  checksums of all files; check with: sha256sum -c\n\n"
@@ -224,7 +243,10 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   Project packed = project;
   std::vector<FileCheck> checks = checkFiles(project, task);
   if (!contents.with_input) checks.erase(checks.begin());
-  for (const FileCheck& check : checks) requireAsBefore(check);
+  for (const FileCheck& check : checks) {
+    requireAsBefore(check, "Relink it, or take it out of the project.");
+  }
+  const std::vector<InputFile> companions = companionsOf(project, contents, task);
   std::vector<std::string> figure_sums;
   for (const auto& figure : contents.figures) figure_sums.push_back(sha256OfFile(figure, task));
 
@@ -242,6 +264,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   for (InputFile& recording : packed.recordings) {
     recording.file = writer.addFile("recordings", recording.file, recording.sha256);
   }
+  for (const InputFile& file : companions) writer.addFile("recordings", file.file, file.sha256);
   for (std::size_t i = 0; i < figure_sums.size(); ++i) {
     writer.addFile("figures", contents.figures[i], figure_sums[i]);
   }

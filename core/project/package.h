@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,17 @@ namespace relievo {
 /// What goes into a package for citation besides the project itself.
 struct PackageContents {
   bool with_input = true;  ///< False: only its name and checksum, if it may not be given away.
-  std::vector<std::filesystem::path> figures;
+  std::vector<std::filesystem::path> figures = {};
+  /// Which other files a recording needs to be repeated (rasters of firm ground, other scans);
+  /// empty: none. They are packed beside it. [worker]
+  std::function<std::vector<InputFile>(const std::filesystem::path& recording, const Task& task)>
+      companions = {};
 };
 
 /// One zip that can be cited: project.json, input/ (of a map by tiles with all levels),
-/// recordings/, figures/, README.txt, and manifest-sha256.txt (the form of `sha256sum -c`) over all
-/// of them. The same contents give the same bytes. Written beside the target and renamed. [worker]
+/// recordings/ with what else they need, figures/, README.txt, and manifest-sha256.txt (the form of
+/// `sha256sum -c`) over all of them. The same contents give the same bytes. Written beside the
+/// target and renamed. [worker]
 /// @throw FileError  a file of the project is missing or changed  @throw WriteError, Cancelled
 void writePackage(const std::filesystem::path& target, const Project& project,
                   const PackageContents& contents, const Task& task = {});

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/text_file.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
@@ -90,8 +91,10 @@ FigureRequest figureFrom(const Json& json) {
 Json measurementJson(const Measurement& m) {
   Json places = Json::array();
   for (const PlaceMm& place : m.places) places.push_back({place.x, place.y});
-  return {
+  Json json{
       {"name", m.name}, {"kind", name(m.kind)}, {"places_mm", places}, {"plane_mm", m.plane_mm}};
+  if (m.kind == MeasureKind::section) json["normal"] = {m.normal.x, m.normal.y, m.normal.z};
+  return json;
 }
 
 Measurement measurementFrom(const Json& json) {
@@ -102,6 +105,10 @@ Measurement measurementFrom(const Json& json) {
     m.places.push_back({.x = place.at(0).get<double>(), .y = place.at(1).get<double>()});
   }
   m.plane_mm = json.value("plane_mm", 0.0);
+  if (m.kind == MeasureKind::section) {
+    const Json& normal = json.at("normal");
+    m.normal = {normal.at(0).get<double>(), normal.at(1).get<double>(), normal.at(2).get<double>()};
+  }
   return m;
 }
 
@@ -175,15 +182,7 @@ CameraPath pathFrom(const Json& json) {
 }
 
 Project projectFrom(Json json) {
-  if (!json.is_object() || !json.contains("relievo_project")) {
-    throw FileError("There is no 'relievo_project' in it.");
-  }
-  const int schema = json.at("relievo_project").get<int>();
-  if (schema < 1 || schema > kProjectSchema) {
-    throw FileError("It is of schema " + std::to_string(schema) + "; this version reads up to " +
-                    std::to_string(kProjectSchema) + ".");
-  }
-  if (schema == 1) json = fromSchema1(std::move(json));
+  if (json.at("relievo_project").get<int>() == 1) json = fromSchema1(std::move(json));
   Project p;
   p.version = json.at("program").at("version").get<std::string>();
   const InputFile input = inputFrom(json.at("input"));
@@ -211,6 +210,30 @@ Project projectFrom(Json json) {
   for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(placeFrom(step));
   p.others = unknownKeys(json);
   return p;
+}
+
+/// Whole, but nothing that this version opens as a project.
+struct OtherFile : FileError {
+  using FileError::FileError;
+};
+
+void refuseOthers(const Json& json, const std::string& source) {
+  if (!json.is_object() || !json.contains("relievo_project")) {
+    throw OtherFile(shownName(source) +
+                    " is not a project of relievo. Nothing was changed. Choose another file.");
+  }
+  const int schema = json.at("relievo_project").get<int>();
+  if (schema < 1 || schema > kProjectSchema) {
+    throw OtherFile("The project " + shownName(source) +
+                    " was written by another relievo (schema " + std::to_string(schema) +
+                    "; this one reads up to " + std::to_string(kProjectSchema) +
+                    "). Nothing was changed. Use that version, or choose another file.");
+  }
+}
+
+FileError damaged(const std::string& source, const std::string& where) {
+  return FileError("The project " + shownName(source) + " is damaged (" + where +
+                   "). Nothing was changed. Choose another file.");
 }
 
 }  // namespace
@@ -263,13 +286,21 @@ std::string projectJson(const Project& p) {
 
 Project projectFromJson(std::string_view json, const std::string& source) {
   try {
-    return projectFrom(parsedJson(json));
-  } catch (const nlohmann::json::exception& error) {
-    throw FileError("'" + source + "' is not a project that this version can read (" +
-                    error.what() + "). Nothing was changed.");
+    Json read = parsedJson(json);
+    refuseOthers(read, source);
+    return projectFrom(std::move(read));
+  } catch (const nlohmann::json::parse_error& error) {
+    const std::string_view before = json.substr(0, std::max<std::size_t>(error.byte, 1) - 1);
+    throw damaged(source,
+                  "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')));
+  } catch (const nlohmann::json::exception&) {
+    throw damaged(source, "a part is missing or has another form");
+  } catch (const OtherFile&) {
+    throw;
   } catch (const FileError& error) {
-    throw FileError("'" + source + "' is not a project that this version can read. " +
-                    error.what() + " Nothing was changed.");
+    std::string_view reason = error.what();
+    if (reason.ends_with('.')) reason.remove_suffix(1);
+    throw damaged(source, std::string(reason));
   }
 }
 

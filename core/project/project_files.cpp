@@ -18,13 +18,50 @@ FileState stateOf(const InputFile& file, const Task& task) {
 
 }  // namespace
 
+FileCheck checkFile(const InputFile& file, const Task& task) {
+  return {.file = file, .state = stateOf(file, task)};
+}
+
 std::vector<FileCheck> checkFiles(const Project& project, const Task& task) {
-  const InputFile input{.file = project.file, .sha256 = project.sha256};
-  std::vector<FileCheck> checks{{.file = input, .state = stateOf(input, task)}};
-  for (const InputFile& file : project.recordings) {
-    checks.push_back({.file = file, .state = stateOf(file, task)});
-  }
+  std::vector<FileCheck> checks{checkFile({.file = project.file, .sha256 = project.sha256}, task)};
+  for (const InputFile& file : project.recordings) checks.push_back(checkFile(file, task));
   return checks;
+}
+
+std::filesystem::path foundInput(const std::filesystem::path& carrier,
+                                 const std::filesystem::path& stored) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(carrier, error).parent_path();
+  for (const std::filesystem::path& candidate :
+       {stored, folder / stored.filename(), stored.filename(),
+        (folder / "../input" / stored.filename()).lexically_normal()}) {
+    if (std::filesystem::is_regular_file(candidate, error)) return candidate;
+  }
+  throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
+                      "', which is not there (E501). Nothing was made. Give its place as FILE.",
+                  "E501");
+}
+
+std::filesystem::path foundInput(const std::filesystem::path& carrier,
+                                 const std::filesystem::path& stored, const std::string& sha256,
+                                 const Task& task) {
+  const std::filesystem::path first = foundInput(carrier, stored);
+  const auto is_it = [&](const std::filesystem::path& file) {
+    return sha256.empty() || sha256OfFile(file, task) == sha256;
+  };
+  if (is_it(first)) return first;
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(carrier, error).parent_path();
+  if (const std::filesystem::path beside = folder / stored.filename();
+      std::filesystem::is_regular_file(beside, error) && is_it(beside)) {
+    return beside;
+  }
+  for (int i = 2;; ++i) {
+    const std::filesystem::path numbered =
+        folder / (std::to_string(i) + "-" + stored.filename().string());
+    if (!std::filesystem::is_regular_file(numbered, error)) return first;
+    if (is_it(numbered)) return numbered;
+  }
 }
 
 std::optional<std::filesystem::path> foundByChecksum(const InputFile& wanted,

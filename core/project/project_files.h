@@ -14,8 +14,22 @@ struct FileCheck {
   InputFile file;
   FileState state = FileState::as_before;
 };
+/// [worker] @throw Cancelled
+FileCheck checkFile(const InputFile& file, const Task& task = {});
 /// The input first, then the recordings. [worker] @throw Cancelled
 std::vector<FileCheck> checkFiles(const Project& project, const Task& task = {});
+
+/// Where the file is that a carrier names: as stored, beside the carrier, in the working folder, or
+/// in the folder of inputs of a package. @throw FileError  E501, nowhere there
+std::filesystem::path foundInput(const std::filesystem::path& carrier,
+                                 const std::filesystem::path& stored);
+
+/// The same of a file with this checksum, which may have a number before its name beside the
+/// carrier, as in packages; another one of that name if none has it. [worker]
+/// @param sha256  empty: not known, any is taken
+std::filesystem::path foundInput(const std::filesystem::path& carrier,
+                                 const std::filesystem::path& stored, const std::string& sha256,
+                                 const Task& task);
 
 /// A file with these very bytes in a folder or below it; the name does not count. Links to folders
 /// are not followed. [worker] @throw Cancelled

@@ -3,10 +3,13 @@
 
 #include <png.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
@@ -17,6 +20,9 @@ namespace {
 
 constexpr std::size_t kMostStateBytes = 16U << 20U;
 constexpr int kMostCommentLines = 1000;  // Of a CSV file, before its columns.
+constexpr std::string_view kNamespace = "urn:relievo:";
+constexpr std::array<std::pair<char, std::string_view>, 5> kEntities{
+    {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}}};
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -84,7 +90,83 @@ std::optional<std::string> commentState(const std::filesystem::path& file) {
   return std::nullopt;
 }
 
+/// Reads on to the end of `mark`. @return what stood before it; nothing: it does not come, or only
+/// after more than `most` bytes
+std::optional<std::string> textUpTo(std::istream& in, std::string_view mark, std::size_t most) {
+  std::string text;
+  for (int c = in.get(); c != EOF && text.size() < most; c = in.get()) {
+    text += static_cast<char>(c);
+    if (text.ends_with(mark)) return text.substr(0, text.size() - mark.size());
+  }
+  return std::nullopt;
+}
+
+/// As textUpTo, but keeps nothing of what comes before the mark.
+bool skipTo(std::istream& in, std::string_view mark) {
+  constexpr std::size_t kBlock = 1U << 20U;
+  std::string block;
+  while (in) {
+    const std::size_t kept = std::min(block.size(), mark.size() - 1);
+    block.erase(0, block.size() - kept);
+    const auto begin = static_cast<std::streamoff>(in.tellg()) - static_cast<std::streamoff>(kept);
+    block.resize(kept + kBlock);
+    in.read(block.data() + kept, static_cast<std::streamsize>(kBlock));
+    block.resize(kept + static_cast<std::size_t>(in.gcount()));
+    const std::size_t at = block.find(mark);
+    if (at == std::string::npos) continue;
+    in.clear();
+    in.seekg(begin + static_cast<std::streamoff>(at + mark.size()));
+    return true;
+  }
+  return false;
+}
+
+std::string withoutEntities(std::string_view text) {
+  std::string plain;
+  while (!text.empty()) {
+    const auto* const entity =
+        std::find_if(kEntities.begin(), kEntities.end(),
+                     [text](const auto& e) { return text.starts_with(e.second); });
+    plain += entity == kEntities.end() ? text.front() : entity->first;
+    text.remove_prefix(entity == kEntities.end() ? 1 : entity->second.size());
+  }
+  return plain;
+}
+
+/// Of an SVG, or of the XMP packet of a PDF, which is neither packed nor encrypted.
+std::optional<std::string> markupState(const std::filesystem::path& file) {
+  const std::string key(kStateKey);
+  std::ifstream in(file, std::ios::binary);
+  if (!skipTo(in, "<" + key) || !textUpTo(in, ">", kMostStateBytes)) return std::nullopt;
+  const auto text = textUpTo(in, "</" + key, kMostStateBytes);
+  if (!text) {
+    throw FileError("Cannot read " + shownName(file) +
+                    ": what it carries of relievo is cut off. Nothing was restored.");
+  }
+  return withoutEntities(*text);
+}
+
 }  // namespace
+
+std::string markupText(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    const auto* const entity = std::find_if(kEntities.begin(), kEntities.end(),
+                                            [c](const auto& e) { return e.first == c; });
+    if (entity == kEntities.end()) {
+      safe += c;
+    } else {
+      safe += entity->second;
+    }
+  }
+  return safe;
+}
+
+std::string stateElement(std::string_view json) {
+  const std::string key(kStateKey);
+  return "<" + key + " xmlns:relievo=\"" + std::string(kNamespace) + "\">" + markupText(json) +
+         "</" + key + ">";
+}
 
 std::string stateLine(std::string_view json) {
   return std::string(kStateKey).append(" ").append(json);
@@ -98,6 +180,9 @@ std::optional<std::string> embeddedState(const std::filesystem::path& file) {
     return tiffState(file);
   }
   if (head.starts_with('#')) return commentState(file);
+  if (head.starts_with("%PDF-") || head.starts_with("<?xml") || head.starts_with("<svg")) {
+    return markupState(file);
+  }
   return std::nullopt;
 }
 

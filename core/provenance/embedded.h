@@ -8,14 +8,20 @@
 
 namespace relievo {
 
-/// Name of the entry that carries a state: PNG text chunk, comment line of a CSV file, and line of
-/// a TIFF's description after the caption.
+/// Name of the entry that carries a state: PNG text chunk, comment line of a CSV file, line of a
+/// TIFF's description after the caption, and element of an SVG's or a PDF's metadata.
 inline constexpr std::string_view kStateKey = "relievo:state";
 
 /// A provenance as a comment line of a CSV file, without the leading "#" and the line end.
 std::string stateLine(std::string_view json);
 
-/// The state that a PNG, a TIFF, or a CSV file of ours carries, as JSON: a provenance, or in
+/// Text for the content of an XML element.
+std::string markupText(std::string_view text);
+
+/// A state as an XML element, for an SVG's <metadata> and the XMP packet of a PDF.
+std::string stateElement(std::string_view json);
+
+/// The state that a PNG, TIFF, PDF, SVG or CSV file of ours carries, as JSON: a provenance, or in
 /// pictures a project; nothing if it has none. The file is told by its content, not by its name.
 /// [worker]
 /// @throw FileError  missing, or damaged before the entry

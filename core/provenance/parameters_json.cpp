@@ -212,8 +212,54 @@ ViewState viewFrom(const Json& json) {
   return view;
 }
 
+namespace {
+
+template <class Vector>
+Json triple(const Vector& v) {
+  return {v.x, v.y, v.z};
+}
+
+template <class Vector>
+Vector tripleFrom(const Json& json) {
+  if (json.size() != 3) throw FileError("a place of a picture has not 3 numbers.");
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+DrawnHand handFrom(const Json& json) {
+  return {.proxy = tripleFrom<ViewMm>(json.at("proxy_mm")),
+          .hip = tripleFrom<ViewMm>(json.at("hip_mm")),
+          .force = tripleFrom<DeviceN>(json.at("force_n")),
+          .force_limit_n = number(json, "force_limit_n", 0, kAny),
+          .touching = json.at("touching").get<bool>(),
+          .forces_on = json.at("forces_on").get<bool>(),
+          .ball_radius_mm = number(json, "ball_radius_mm", 0, kAny)};
+}
+
+bool isColour(const std::string& text) {
+  return text.size() == 7 && text[0] == '#' &&
+         text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
+}
+
+}  // namespace
+
 Json jsonOf(const PictureChoice& picture) {
-  return {{"pixels", {picture.width_px, picture.height_px}}, {"scale_bar", picture.scale_bar}};
+  Json json{{"pixels", {picture.width_px, picture.height_px}}, {"scale_bar", picture.scale_bar}};
+  if (picture.source != PictureChoice{}.source) json["source"] = picture.source;
+  if (!picture.background.empty()) json["background"] = picture.background;
+  for (const auto& line : picture.lines) {
+    Json& points = json["lines_mm"].emplace_back(Json::array());
+    for (const ViewMm& point : line) points.push_back(triple(point));
+  }
+  if (picture.hand) {
+    json["hand"] = {{"proxy_mm", triple(picture.hand->proxy)},
+                    {"hip_mm", triple(picture.hand->hip)},
+                    {"force_n", triple(picture.hand->force)},
+                    {"force_limit_n", picture.hand->force_limit_n},
+                    {"touching", picture.hand->touching},
+                    {"forces_on", picture.hand->forces_on},
+                    {"ball_radius_mm", picture.hand->ball_radius_mm}};
+  }
+  return json;
 }
 
 PictureChoice pictureFrom(const Json& json) {
@@ -226,6 +272,18 @@ PictureChoice pictureFrom(const Json& json) {
       picture.height_px > kMost) {
     throw FileError("'pixels' is beyond what it may be.");
   }
+  picture.source = json.value("source", picture.source);
+  picture.background = json.value("background", picture.background);
+  if (!picture.background.empty() && !isColour(picture.background)) {
+    throw FileError("'background' is no colour.");
+  }
+  if (json.contains("lines_mm")) {
+    for (const Json& points : json.at("lines_mm")) {
+      std::vector<ViewMm>& line = picture.lines.emplace_back();
+      for (const Json& point : points) line.push_back(tripleFrom<ViewMm>(point));
+    }
+  }
+  if (json.contains("hand")) picture.hand = handFrom(json.at("hand"));
   return picture;
 }
 

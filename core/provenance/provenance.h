@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/base/vec3.h"
 #include "core/provenance/sha256.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
@@ -23,10 +25,25 @@ struct ViewState {
   friend bool operator==(const ViewState&, const ViewState&) = default;
 };
 
+/// The hand as a picture shows it.
+struct DrawnHand {
+  ViewMm proxy, hip;
+  DeviceN force;
+  double force_limit_n = 0;
+  bool touching = false, forces_on = false;
+  double ball_radius_mm = 1;
+  friend bool operator==(const DrawnHand&, const DrawnHand&) = default;
+};
+
 /// How a view becomes a picture of exactly the region.
 struct PictureChoice {
   int width_px = 0, height_px = 0;
   bool scale_bar = false;
+  /// What of the window it shows: `detail`; others only the window can draw again.
+  std::string source = "detail";
+  std::string background = {};                   ///< "#rrggbb"; empty: the usual dark grey.
+  std::vector<std::vector<ViewMm>> lines = {};   ///< Measurements, as drawn.
+  std::optional<DrawnHand> hand = std::nullopt;  ///< Nothing: no hand was on the surface.
   friend bool operator==(const PictureChoice&, const PictureChoice&) = default;
 };
 

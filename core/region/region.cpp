@@ -135,4 +135,11 @@ std::optional<Region> atLevel(const DetailLadder& ladder, const Region& from, Le
   return to;
 }
 
+bool onMap(const DetailLadder& ladder, const Region& region) noexcept {
+  return region.x_mm < ladder.left_mm + ladder.width_mm &&
+         region.x_mm + region.side_mm > ladder.left_mm &&
+         region.y_mm < ladder.bottom_mm + ladder.height_mm &&
+         region.y_mm + region.side_mm > ladder.bottom_mm;
+}
+
 }  // namespace relievo

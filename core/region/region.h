@@ -67,6 +67,8 @@ std::optional<Region> coarser(const DetailLadder& ladder, const Region& from,
                               const StepAbout& about);
 /// Moves the window by dx, dy in parts of its side (0.25 = the 25 % step), kept on the map.
 std::optional<Region> moved(const DetailLadder& ladder, const Region& from, double dx, double dy);
+/// Does the square cover a part of the map?
+bool onMap(const DetailLadder& ladder, const Region& region) noexcept;
 /// Same square at another level.
 std::optional<Region> atLevel(const DetailLadder& ladder, const Region& from, Level level);
 

@@ -164,6 +164,15 @@ std::vector<float> compute(const DepthMap& map, const ReliefLook& look, const Ta
 
 }  // namespace
 
+bool hasRadius(ReliefKind kind) {
+  return kind == ReliefKind::local_relief || kind == ReliefKind::sky_view ||
+         kind == ReliefKind::openness;
+}
+
+double radiusMm(const ReliefLook& look, double spacing_mm) {
+  return look.radius_mm > 0 ? look.radius_mm : kFirstRadiusSamples * spacing_mm;
+}
+
 bool isLit(ReliefKind kind) {
   return kind == ReliefKind::lit || kind == ReliefKind::height;
 }

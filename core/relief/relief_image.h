@@ -27,6 +27,11 @@ struct ReliefValues {
 /// @throw Cancelled
 ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Task& task = {});
 
+/// Does the look depend on a radius?
+bool hasRadius(ReliefKind kind);
+/// The look's radius; where it says none, 10 samples.
+double radiusMm(const ReliefLook& look, double spacing_mm);
+
 /// Is the picture lit by lamps on top of its colours? Otherwise it is drawn as it is.
 bool isLit(ReliefKind kind);
 /// Does a bar of colours explain the picture? Not of stone and of the hillshades.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "core/base/error.h"
 
@@ -113,6 +114,16 @@ double comfortableEyeAngle(double height_mm, double paper_per_mm, double most_de
   const double sine = paper / std::max(2 * height_mm * paper_per_mm, 1e-12);
   if (sine >= std::sin(0.5 * most_deg * kDegree)) return most_deg;
   return 2 * std::asin(sine) / kDegree;
+}
+
+void checkZeroPlane(double zero_plane_mm, double low_mm, double high_mm, double side_mm) {
+  const double margin = std::max(high_mm - low_mm, side_mm);
+  if (zero_plane_mm >= low_mm - margin && zero_plane_mm <= high_mm + margin) return;
+  std::ostringstream words;
+  words << "The plane of zero parallax, " << zero_plane_mm
+        << " mm, lies far from the heights here, " << low_mm << " to " << high_mm
+        << " mm. Nothing was drawn. Choose one among them.";
+  throw ArgumentError(words.str());
 }
 
 }  // namespace relievo

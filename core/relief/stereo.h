@@ -52,4 +52,8 @@ Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm,
 double comfortableEyeAngle(double height_mm, double paper_per_mm, double most_deg,
                            double distance_mm = kReadingDistanceMm);
 
+/// A plane of zero parallax far above or below the heights would move the eyes' pictures out of
+/// sight. @throw ArgumentError  farther from them than they reach, or than `side_mm` is wide
+void checkZeroPlane(double zero_plane_mm, double low_mm, double high_mm, double side_mm);
+
 }  // namespace relievo

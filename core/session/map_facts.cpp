@@ -1,9 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/session/map_facts.h"
 
+#include "core/depth/point_rule.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {
+namespace {
+
+/// Rules that take one of a cell's points for its height, by their words in Surface::rule.
+bool takesOnePoint(const std::string& rule) {
+  return rule.ends_with(describe(PointRule::front)) || rule.ends_with(describe(PointRule::second));
+}
+
+HeightErrors heightErrors(const Surface& surface) {
+  HeightErrors errors;
+  errors.step_mm = surface.depth_buffer ? 2 * surface.depth_buffer->accuracyMm()
+                                        : surface.info.height_step * mmPer(surface.unit);
+  if (!surface.quality.empty()) errors.quality = &surface.quality;
+  errors.of_one_point = takesOnePoint(surface.rule);
+  return errors;
+}
+
+}  // namespace
 
 const GridFrame& mapFrame(const Surface& surface) {
   return surface.tiles ? surface.tiles->frames().front() : surface.map.frame;
@@ -17,7 +35,7 @@ MapFacts mapFacts(const Surface& surface) {
 }
 
 MapCells mapCells(const Surface& surface, const Task& task) {
-  if (!surface.tiles) return {surface.map};
+  if (!surface.tiles) return {surface.map, heightErrors(surface)};
   const GridFrame& frame = surface.tiles->frames().front();
   return {frame, [tiles = surface.tiles, task, frame](Cell first, GridSize size) {
             task.check();

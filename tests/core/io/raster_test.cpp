@@ -231,6 +231,8 @@ TEST(Raster, NodataScaleAndOffsetAreHonoured) {
   EXPECT_TRUE(std::isnan(raster.values[4]));
   EXPECT_FLOAT_EQ(raster.values[3], 100.1F);
   EXPECT_NEAR(raster.info.bounds->max.z, 100.6, 1e-5);
+  EXPECT_DOUBLE_EQ(raster.info.height_step, 0.1);
+  EXPECT_EQ(readRaster(ForeignRaster{}.write(folder)).info.height_step, 0) << "floating point";
 }
 
 TEST(Raster, UnitComesFromTheProjection) {

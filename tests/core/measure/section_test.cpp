@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/measure/measure.h"
 #include "tests/core/measure/made_map.h"
 
 namespace relievo {
@@ -113,6 +114,38 @@ TEST(Section, CellsOutsideAreLeftOutAndGapsAreTold) {
   EXPECT_FALSE(curves[0].closed);
   EXPECT_NEAR(curves[0].length_mm, std::numbers::pi * 20, 0.6);
   EXPECT_NEAR(curves[0].not_measured, 0.5, 0.02);
+}
+
+TEST(Section, APlaneThroughPlacesHoldsThem) {
+  const ViewMm a{10, 20, 3}, b{40, 60, 7}, c{80, 30, 1};
+  const auto off = [](const PlaneMm& plane, const ViewMm& p) {
+    return dot(plane.normal, p) - plane.offset_mm;
+  };
+  const PlaneMm level = planeThrough({a});
+  EXPECT_EQ(level.normal, (ViewMm{0, 0, 1}));
+  EXPECT_EQ(level.offset_mm, 3);
+  const PlaneMm upright = planeThrough({a, b});
+  EXPECT_EQ(upright.normal.z, 0);
+  const PlaneMm through = planeThrough({a, b, c});
+  for (const PlaneMm& plane : {upright, through}) {
+    EXPECT_NEAR(norm(plane.normal), 1, 1e-12);
+    for (const ViewMm& p : {a, b}) EXPECT_NEAR(off(plane, p), 0, 1e-9);
+  }
+  EXPECT_NEAR(off(through, c), 0, 1e-9);
+  EXPECT_THROW(planeThrough({a, a}), ArgumentError);
+  EXPECT_THROW(planeThrough({a, {10, 20, 9}}), ArgumentError) << "one above the other";
+  EXPECT_THROW(planeThrough({a, b, 0.5 * (a + b)}), ArgumentError) << "on one line";
+}
+
+TEST(Section, AsAMeasurementItReadsWhatTheCutHas) {
+  const Measurement m{.kind = MeasureKind::section, .plane_mm = 10};
+  const Reading r = read(mapOf(cone), m);
+  const auto curves = section(mapOf(cone), planeOf(m));
+  ASSERT_EQ(r.curves.size(), 1U);
+  EXPECT_EQ(r.curves[0].points, curves[0].points);
+  EXPECT_EQ(r.quantities[0].value, curves[0].length_mm);
+  EXPECT_EQ(r.quantities[0].uncertainty, curves[0].length_off_mm);
+  EXPECT_THROW(read(mapOf(cone), {.kind = MeasureKind::section, .plane_mm = 99}), ArgumentError);
 }
 
 TEST(Section, APlaneWithoutDirectionIsRefusedAndOneThatMissesIsEmpty) {

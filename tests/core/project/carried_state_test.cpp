@@ -52,6 +52,22 @@ constexpr const char* kPicture = R"({
   "made": {"cells": [3, 4]}
 })";
 
+TEST(CarriedState, MarkupCarriesItWhateverStandsAroundIt) {
+  const test::TemporaryFolder folder;
+  const std::string element = stateElement(kSchema1);
+  EXPECT_EQ(element.find("\"openness\""), std::string::npos) << "no quotes of JSON";
+  // Longer than a block that is read at once, with the mark across the blocks' border.
+  const std::string before = "%PDF-1.4\n" + std::string((1U << 20U) - 14, ' ');
+  for (const std::string& start : {std::string("<svg><metadata>"), before}) {
+    const auto p = carriedProject(folder.write("f.svg", start + element + "</metadata>"));
+    ASSERT_TRUE(p);
+    EXPECT_EQ(p->figure.dpi, 600);
+  }
+  EXPECT_FALSE(carriedProject(folder.write("other.svg", "<?xml version='1.0'?><svg></svg>")));
+  EXPECT_THROW(carriedProject(folder.write("cut.svg", "<svg>" + element.substr(0, 900))),
+               FileError);
+}
+
 TEST(CarriedState, AFigureOfAnOlderVersionOpensWhole) {
   const auto p = projectFromState(kSchema1, "f.png");
   ASSERT_TRUE(p);

@@ -18,7 +18,9 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class OnDisk : public testing::Test {
  protected:
@@ -89,7 +91,8 @@ void expectRefused(const std::string& text) {
     projectFromJson(text, "p.json");
     ADD_FAILURE() << "accepted: " << text.substr(0, 200);
   } catch (const FileError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("'p.json' is not a project"));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("p.json"), HasSubstr("Nothing was changed. "),
+                                    Not(HasSubstr("json.exception"))));
   }
 }
 
@@ -182,15 +185,44 @@ TEST_F(OnDisk, APackageIsWholeAndTheSameEachTime) {
   const fs::path figure = folder_.write("fig.png", "a figure");
   fs::create_directories(folder("b"));
   const fs::path same_name = folder_.write("b/fig.png", "another");
-  const PackageContents contents{.figures = {figure, same_name}};
+  PackageContents contents;
+  contents.figures = {figure, same_name};
   writePackage(folder("one.zip"), project_, contents);
   writePackage(folder("two.zip"), project_, contents);
   EXPECT_EQ(sha256OfFile(folder("one.zip")), sha256OfFile(folder("two.zip")));
   const PackageCheck check = verifyPackage(folder("one.zip"));
   EXPECT_EQ(check.problems, std::vector<std::string>{});
   EXPECT_EQ(check.files, 6U);
-  writePackage(folder("bare.zip"), project_, {.with_input = false, .figures = {}});
+  writePackage(folder("bare.zip"), project_, {.with_input = false});
   EXPECT_EQ(verifyPackage(folder("bare.zip")).files, 3U);
+}
+
+TEST_F(OnDisk, WhatARecordingNeedsIsPackedBesideItOnce) {
+  const fs::path raster = folder_.write("firm.tif", "where it is firm");
+  const std::string sha256 = sha256OfFile(raster);
+  PackageContents contents;
+  contents.companions = [&](const fs::path& recording, const Task&) {
+    EXPECT_EQ(recording.filename(), "log.csv");
+    const InputFile one{.file = raster.string(), .sha256 = sha256};
+    const InputFile scan{.file = project_.file, .sha256 = project_.sha256};
+    return std::vector<InputFile>{one, one, scan};
+  };
+  writePackage(folder("one.zip"), project_, contents);
+  EXPECT_EQ(verifyPackage(folder("one.zip")).files, 5U) << "four, and the raster";
+  fs::create_directories(folder("unpacked"));
+  unpackPackage(folder("one.zip"), folder("unpacked"));
+  EXPECT_EQ(sha256OfFile(folder("unpacked/recordings/firm.tif")), sha256);
+
+  folder_.write("firm.tif", "where it is not");
+  fs::remove(folder("one.zip"));
+  try {
+    writePackage(folder("one.zip"), project_, contents);
+    ADD_FAILURE() << "another raster was packed";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("needed to repeat 'log.csv'"), std::string::npos)
+        << error.what();
+  }
+  EXPECT_FALSE(fs::exists(folder("one.zip")));
 }
 
 TEST_F(OnDisk, ADamagedPackageIsTold) {
@@ -221,10 +253,9 @@ TEST_F(OnDisk, APackageIsNotMadeFromChangedFiles) {
   fs::remove(scan_);
   EXPECT_THROW(writePackage(folder("one.zip"), project_, {}), FileError);
   EXPECT_FALSE(fs::exists(folder("one.zip")));
-  writePackage(folder("one.zip"), project_, {.with_input = false, .figures = {}});
+  writePackage(folder("one.zip"), project_, {.with_input = false});
   EXPECT_TRUE(fs::exists(folder("one.zip")));
-  EXPECT_THROW(writePackage(folder("none/one.zip"), project_, {.with_input = false, .figures = {}}),
-               WriteError);
+  EXPECT_THROW(writePackage(folder("none/one.zip"), project_, {.with_input = false}), WriteError);
 }
 
 }  // namespace

@@ -75,7 +75,8 @@ Project fullProject() {
   p.figure.recording = "run.csv";
   p.places = {{"nose", p.region, 2}, {"ear", p.region, 2, viewOf(p)}};
   p.measurements = {{"step", MeasureKind::depth, {{1, 2}, {3, 4}}, 0},
-                    {"piece", MeasureKind::area, {{1, 2}, {3, 4}, {5, 6}}, 1.5}};
+                    {"piece", MeasureKind::area, {{1, 2}, {3, 4}, {5, 6}}, 1.5},
+                    {"cut", MeasureKind::section, {}, 7.25, {0.6, 0, 0.8}}};
   p.history = {"Depth map", "Detail 1 \u2192 2"};
   p.undo = {{"Detail 1 \u2192 2", p.region, 1.5}};
   return p;

@@ -45,7 +45,13 @@ Provenance fullRecord() {
       .stereo = {.mode = StereoMode::anaglyph, .eye_angle_deg = 3.3, .zero_plane_mm = 0.25},
       .azimuth_deg = 10,
       .elevation_deg = -20};
-  p.picture = PictureChoice{.width_px = 640, .height_px = 480, .scale_bar = true};
+  p.picture = PictureChoice{.width_px = 640,
+                            .height_px = 480,
+                            .scale_bar = true,
+                            .source = "reference view",
+                            .background = "#23262a",
+                            .lines = {{{1, 2, 3}, {4, 5, 6}}, {}},
+                            .hand = DrawnHand{{1, 2, 3}, {4, 5, 6}, {0, 0.5, 1}, 2, true, true, 3}};
   p.touch = R"({"proxy":"converged"})";
   p.made = R"({"cells":[3,4]})";
   p.figure = R"({"dpi":300})";

@@ -45,7 +45,8 @@ std::vector<Measurement> someOfEach() {
           {.name = "profile", .kind = profile, .places = {{-3, 4}, {120, 67}, {174, 112}}},
           {.name = "piece", .kind = area, .places = circle(88, 56, 50), .plane_mm = 2.5},
           {.name = "all", .kind = area, .places = {{-9, -9}, {300, -9}, {300, 300}, {-9, 300}}},
-          {.name = "beside", .kind = area, .places = {{-9, 4}, {-5, 4}, {-5, 20}}}};
+          {.name = "beside", .kind = area, .places = {{-9, 4}, {-5, 4}, {-5, 20}}},
+          {.name = "cut", .kind = section, .plane_mm = 3.2, .normal = {0.01, 0.02, 1}}};
 }
 
 TEST(TiledSurface, HasTheCutsOfTheMapInMemoryAtEveryLevel) {
