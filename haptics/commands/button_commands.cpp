@@ -15,7 +15,7 @@ constexpr double kStepMm = 20, kBackMm = 10;
 struct Word {
   std::string_view name, words;
 };
-constexpr std::array<Word, 20> kWords{{{"", "Nothing"},
+constexpr std::array<Word, 21> kWords{{{"", "Nothing"},
                                        {"finer", "Finer detail"},
                                        {"coarser", "Coarser detail"},
                                        {"whole", "Whole object"},
@@ -23,6 +23,7 @@ constexpr std::array<Word, 20> kWords{{{"", "Nothing"},
                                        {"whereAmI", "Where am I"},
                                        {"whereAmILong", "Where am I, in full"},
                                        {"forces", "Forces on or off"},
+                                       {"forcesOff", "Forces off"},
                                        {"moveMode", "Move mode"},
                                        {"moveDone", "Moved"},
                                        {"moveBack", "Back to the old window"},
@@ -87,14 +88,14 @@ void ButtonCommands::press(std::uint8_t button, bool down, double time_s) {
 
 void ButtonCommands::edge(std::size_t index, bool down, double time_s) {
   Button& b = buttons_[index];
+  const bool another = anyDown();
   b.down = down;
   b.edge_s = time_s;
   if (down) {
     b.since_s = time_s;
     b.used = b.ticked = false;
     if (options_.one_button) {
-      b.used = true;
-      scan(time_s);
+      b.used = another;  // A hand that comes down on two of them has pressed once.
     } else if (buttons_[kPlus].down && buttons_[kMinus].down) {
       together_ = true;
       together_said_ = 0;
@@ -108,6 +109,8 @@ void ButtonCommands::edge(std::size_t index, bool down, double time_s) {
 }
 
 void ButtonCommands::released(std::size_t index, double held_s) {
+  // However slowly a finger leaves the button: all that is no stop is a press.
+  if (options_.one_button) return scan(buttons_[index].edge_s);
   if (held_s <= kShortS) shortPress(index, buttons_[index].edge_s);
 }
 
@@ -154,8 +157,13 @@ void ButtonCommands::held(std::size_t index, double held_s) {
     b.ticked = true;
     outcomes_.push_back({ButtonOutcome::Kind::tick, ButtonCommand::none});
   }
-  if (held_s < (index == kCentre ? kLongCentreS : kLongS)) return;
+  if (held_s < (index == kCentre || options_.one_button ? kLongCentreS : kLongS)) return;
   b.used = true;
+  if (options_.one_button) {
+    offered_ = -1;
+    run(ButtonCommand::stop_forces);
+    return;
+  }
   longPress(index);
 }
 
@@ -172,6 +180,11 @@ void ButtonCommands::heldTogether(double held_s) {
 
 ButtonCommand ButtonCommands::offer(int index) const {
   return (moving_ ? kScanMoving : kScan)[static_cast<std::size_t>(index)];
+}
+
+bool ButtonCommands::anyDown() const {
+  return std::any_of(buttons_.begin(), buttons_.end(),
+                     [](const Button& button) { return button.down; });
 }
 
 void ButtonCommands::scan(double time_s) {
@@ -219,7 +232,8 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
   if (together_ && buttons_[kPlus].down && buttons_[kMinus].down) {
     heldTogether(now_s - std::max(buttons_[kPlus].since_s, buttons_[kMinus].since_s));
   }
-  if (offered_ >= 0 && now_s - offered_s_ >= options_.scan_s) {
+  // The offer that is taken is the one that was said when the button went down.
+  if (offered_ >= 0 && !anyDown() && now_s - offered_s_ >= options_.scan_s) {
     offered_s_ = now_s;
     ++offered_;
     if (offered_ == static_cast<int>(kScan.size())) {
@@ -234,16 +248,19 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
 std::string_view ButtonCommands::help() const noexcept {
   if (options_.one_button) {
     return moving_ ? "Move mode. Push the grip to a side to go there. Press: I offer done, next "
-                     "place, previous place, back, forces. Press again to take it."
+                     "place, previous place, back, forces. Press again to take it. Hold for a "
+                     "second and a half: forces off."
                    : "One button. Press: I offer where am I, finer, coarser, move, forces. Press "
-                     "again to take what I said last.";
+                     "again to take what I said last. Hold for a second and a half: forces off.";
   }
   if (moving_) {
     return "Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous "
-           "place. Forward: done. Centre: back.";
+           "place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two "
+           "seconds: help; for five: introduction.";
   }
-  return "Plus: finer. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: "
-         "where am I; long: forces off.";
+  return "Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; "
+         "long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two "
+         "seconds: help; for five: introduction.";
 }
 
 }  // namespace relievo

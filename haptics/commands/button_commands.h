@@ -22,6 +22,7 @@ enum class ButtonCommand : std::uint8_t {
   where_am_i,
   where_am_i_long,
   toggle_forces,
+  stop_forces,
   begin_move,
   confirm_move,
   cancel_move,
@@ -42,7 +43,7 @@ std::string_view commandWords(ButtonCommand command) noexcept;
 
 struct ButtonOptions {
   /// Any button: the first press starts a scan through a few commands, the next one takes what was
-  /// offered last.
+  /// offered last. Held for 1.5 s it stops the forces, and never switches them on.
   bool one_button = false;
   double scan_s = 1.5;  ///< Time for each offer; 0.5 to 5.
 };
@@ -96,6 +97,7 @@ class ButtonCommands {
   void heldTogether(double held_s);
   void shortPress(std::size_t index, double time_s);
   void longPress(std::size_t index);
+  bool anyDown() const;
   void scan(double time_s);
   ButtonCommand offer(int index) const;
   void run(ButtonCommand command);

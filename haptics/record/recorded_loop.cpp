@@ -192,14 +192,39 @@ std::string changeLine(const HapticSample* before, const HapticSample& now) {
          (now.resumed ? " 1\n" : " 0\n");
 }
 
-std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build) {
-  RecordedLoop loop;
-  bool started = false;
+namespace {
+/// The words of each line "replay ..." with at least four.
+template <class Take>
+void forEachReplayLine(std::string_view footer, const Take& take) {
   while (!footer.empty()) {
     const std::size_t end = std::min(footer.find('\n'), footer.size());
     const std::vector<std::string_view> words = wordsOf(footer.substr(0, end));
     footer.remove_prefix(std::min(end + 1, footer.size()));
-    if (words.size() < 4 || words[0] != "replay") continue;
+    if (words.size() >= 4 && words[0] == "replay") take(words);
+  }
+}
+}  // namespace
+
+RecordedFiles recordedFiles(std::string_view footer) {
+  RecordedFiles files;
+  forEachReplayLine(footer, [&files](const std::vector<std::string_view>& words) {
+    if (words[1] == "map") {
+      if (!fromWord(words[3], files.maps[numberOf<std::uint64_t>(words[2])])) {
+        refuse("what it says of a map is damaged");
+      }
+    } else if (words[1] == "firmness") {
+      if (!fromWord(words[3], files.firmness[std::string(words[2])])) {
+        refuse("the name of its raster of firmness is damaged");
+      }
+    }
+  });
+  return files;
+}
+
+std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build) {
+  RecordedLoop loop;
+  bool started = false;
+  forEachReplayLine(footer, [&](const std::vector<std::string_view>& words) {
     if (words[1] == "core") {
       if (words[2] != build) {
         refuse("it was made by build " + std::string(words[2]) + ", and this is " +
@@ -215,20 +240,13 @@ std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_vi
     } else if (words[1] == "scene") {
       const RecordedScene scene = sceneOf(words);
       loop.scenes[scene.id] = scene;
-    } else if (words[1] == "map") {
-      if (!fromWord(words[3], loop.maps[numberOf<std::uint64_t>(words[2])])) {
-        refuse("what it says of a map is damaged");
-      }
-    } else if (words[1] == "firmness") {
-      if (!fromWord(words[3], loop.firmness[std::string(words[2])])) {
-        refuse("the name of its raster of firmness is damaged");
-      }
     } else if (words[1] == "at" && words.size() == 7) {
       loop.changes[numberOf<std::uint64_t>(words[2])] = {
           numberOf<std::uint64_t>(words[3]), numberOf<std::uint64_t>(words[4]),
           static_cast<DeviceFault>(numberOf<std::uint8_t>(words[5])), numberOf<int>(words[6]) != 0};
     }
-  }
+  });
+  loop.files = recordedFiles(footer);
   if (!started) return std::nullopt;
   return loop;
 }

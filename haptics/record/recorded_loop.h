@@ -45,6 +45,14 @@ std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
 /// Empty: the sample goes on as the one before.
 std::string changeLine(const HapticSample* before, const HapticSample& now);
 
+/// The files that such lines name beyond the recording's own input; of any build.
+struct RecordedFiles {
+  std::map<std::string, std::string> firmness;  ///< Files of firmnessLine(), by SHA-256.
+  std::map<std::uint64_t, std::string> maps;    ///< States of mapLine().
+};
+/// @throw FileError  such a line is damaged
+RecordedFiles recordedFiles(std::string_view footer);
+
 struct LoopChange {
   std::uint64_t scene_id = 0, options_id = 0;
   DeviceFault fault = DeviceFault::none;
@@ -57,8 +65,7 @@ struct RecordedLoop {
   std::map<std::uint64_t, HapticOptions> options;
   std::map<std::uint64_t, RecordedScene> scenes;
   std::map<std::uint64_t, LoopChange> changes;  ///< By tick.
-  std::map<std::string, std::string> firmness;  ///< Files of firmnessLine(), by SHA-256.
-  std::map<std::uint64_t, std::string> maps;    ///< States of mapLine().
+  RecordedFiles files;
 };
 /// Nothing: the log has no such lines. @throw FileError  another build wrote them; or damaged
 std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build);

@@ -15,6 +15,7 @@
 #include <ctime>
 
 #include "haptics/rt/rtkit.h"
+#include "haptics/rt/signal_stack.h"
 
 namespace relievo {
 
@@ -121,6 +122,7 @@ bool lockMemory(std::span<const MemoryRegion> regions, RealtimeGrant& grant) {
 }  // namespace
 
 RealtimeGrant requestRealtime(int fifo_priority, std::span<const MemoryRegion> lock) {
+  giveSignalStack();
   RealtimeGrant grant;
   if (fifo_priority > 0) {
     grant.realtime = askForFifo(fifo_priority, grant.note);

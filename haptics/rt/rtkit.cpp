@@ -15,6 +15,7 @@ namespace relievo {
 namespace {
 constexpr int kMostPriority = 20;        // RealtimeKit's own default limit.
 constexpr rlim_t kMostWorkUs = 200'000;  // Likewise; it refuses processes without such a limit.
+constexpr rlim_t kEndingWorkUs = 150'000;
 constexpr int kAnswerTimeoutMs = 1'000;
 
 /// A private connection: closing it touches nobody else's.
@@ -42,14 +43,18 @@ class BusError {
 };
 }  // namespace
 
+bool limitRealtimeWork() {
+  const rlimit work{kEndingWorkUs, kMostWorkUs};
+  return ::setrlimit(RLIMIT_RTTIME, &work) == 0;
+}
+
 std::string askRealtimeKit(int priority) {
   BusError error;
   const std::unique_ptr<DBusConnection, CloseConnection> bus(
       dbus_bus_get_private(DBUS_BUS_SYSTEM, error.get()));
   if (!bus) return error.text();
   dbus_connection_set_exit_on_disconnect(bus.get(), FALSE);
-  const rlimit work{kMostWorkUs, kMostWorkUs};
-  if (::setrlimit(RLIMIT_RTTIME, &work) != 0) return "its limit of work could not be set";
+  if (!limitRealtimeWork()) return "its limit of work could not be set";
 
   constexpr const char* kName = "org.freedesktop.RealtimeKit1";
   const std::unique_ptr<DBusMessage, FreeMessage> call(dbus_message_new_method_call(

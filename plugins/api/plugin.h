@@ -59,6 +59,9 @@ class Host : public QObject {
   virtual void plot(std::span<const PlotSample> samples) = 0;
   virtual void showStatus(const TouchStatus& status) = 0;
   virtual void announce(const QString& text) = 0;  ///< Status text, accessible event, speech.
+  /// A sentence about a failure above the views; it stays until it is closed.
+  /// @param code  of the catalogue ("E401"), or empty
+  virtual void showError(const QString& sentence, const QString& code) = 0;
   /// Runs a command by its object name ("finer", "coarser", "whole"): the same path as keys.
   /// @return false: unknown or disabled
   virtual bool run(const QString& command) = 0;
@@ -84,6 +87,8 @@ class Host : public QObject {
   /// Comment lines for the header of a recording in `file`: input (its path from there), hash,
   /// unit, view, region (conventions.md 5.5).
   virtual QString recordingHeader(const QString& file) const = 0;
+  /// A recording of the open map is on the disk and belongs to the work.
+  virtual void recordingSaved(const QString& file) = 0;
   /// How the open map is made, in one line: its input (the path from `folder`), hash, every choice;
   /// the same map gives the same line. Empty: nothing is open.
   virtual QString mapState(const QString& folder) const = 0;

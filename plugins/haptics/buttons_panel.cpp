@@ -33,8 +33,8 @@ ButtonsPanel::ButtonsPanel(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout(this);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->addRow(one_button_);
-  form->addRow(tr("Each offer (&g)"), scan_);
-  form->addRow(tr("SpaceMouse moves (&w)"), space_mouse_);
+  form->addRow(tr("Each offer"), scan_);
+  form->addRow(tr("SpaceMouse moves"), space_mouse_);
   setSettings({});
   connect(one_button_, &QCheckBox::toggled, this, &ButtonsPanel::changed);
   connect(scan_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,

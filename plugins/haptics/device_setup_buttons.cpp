@@ -35,6 +35,11 @@ void DeviceButtons::readHid(double now_s) {
   for (const std::string& name : news.arrived) {
     host_.announce(tr("%1 connected.").arg(QString::fromStdString(name)));
   }
+  for (const std::string& name : news.forbidden) {
+    host_.announce(tr("%1 is plugged in but this account may not use it. Install the rule that "
+                      "'relievo devices rule' prints, once, then replug.")
+                       .arg(QString::fromStdString(name)));
+  }
   for (const std::string& name : news.left) {
     host_.announce(tr("%1 disconnected.").arg(QString::fromStdString(name)));
   }
@@ -78,7 +83,8 @@ void DeviceButtons::takeOutcomes(double now_s) {
         host_.announce(tr("%1?").arg(spokenText(commandWords(outcome.command))));
         break;
       case ButtonOutcome::Kind::tick:
-        break;  // Heard, not said.
+        Q_EMIT ticked();
+        break;
       case ButtonOutcome::Kind::run:
         carryOut(outcome.command);
         break;
@@ -105,7 +111,9 @@ void DeviceButtons::carryOut(ButtonCommand command) {
   // The window's own command, as by key or menu; it announces its result.
   const std::string_view name = commandName(command);
   if (!host_.run(QString::fromLatin1(name.data(), static_cast<int>(name.size())))) {
-    host_.announce(tr("%1 is not possible here.").arg(spokenText(commandWords(command))));
+    host_.announce(command == ButtonCommand::stop_forces
+                       ? tr("Forces are off.")
+                       : tr("%1 is not possible here.").arg(spokenText(commandWords(command))));
   }
   if (!gate_.on) return;
   MoveGate gate = gate_;

@@ -40,6 +40,8 @@ class DeviceButtons : public QObject {
  Q_SIGNALS:
   /// A SpaceMouse pushes the hand by so much, mm of hand.
   void handPushed(relievo::DeviceMm by);
+  /// A button is held long now: for the ear, nothing is done yet.
+  void ticked();
   /// Move mode began, moved or ended: gate() is another one.
   void gateChanged();
 

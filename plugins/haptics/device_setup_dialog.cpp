@@ -28,7 +28,6 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
-#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -66,8 +65,8 @@ constexpr std::array<const char*, 3> kResults{
 }  // namespace
 
 DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> device,
-                                     const falcon::FalconSettings& settings, QWidget* parent)
-    : QDialog(parent), device_(std::move(device)), settings_(settings) {
+                                     falcon::FalconSettings settings, QWidget* parent)
+    : QDialog(parent), device_(std::move(device)), settings_(std::move(settings)) {
   setObjectName(QStringLiteral("deviceSetup"));
   setWindowTitle(tr("Device set-up"));
   build();
@@ -236,11 +235,7 @@ void DeviceSetupDialog::step() {
 
 void DeviceSetupDialog::showStatus() {
   const falcon::LinkStatus& status = device_->status();
-  const falcon::LinkMessage message = falcon::describe(status);
-  const QString screen = QString::fromStdString(message.screen);
-  setTextIfNew(state_, message.code.empty()
-                           ? screen
-                           : QString::fromStdString(message.code) + QStringLiteral(": ") + screen);
+  setTextIfNew(state_, screenText(falcon::describe(status)));
   const bool forbidden = status.state == LinkState::forbidden;
   rule_->setVisible(forbidden);
   copy_rule_->setEnabled(forbidden);
@@ -274,7 +269,7 @@ void DeviceSetupDialog::showStatus() {
   const bool waits =
       calibrating && calibration_->phase() == falcon::Calibration::Phase::hang_weight;
   calibrate_->setEnabled(ready && !testing && (!calibrating || waits));
-  calibrate_->setText(waits ? tr("Continue (&a)") : tr("C&alibrate"));
+  calibrate_->setText(waits ? tr("Contin&ue") : tr("C&alibrate"));
   weight_->setEnabled(!calibrating);
   save_->setEnabled(ready && !testing && !calibrating);
   const bool under_way = status.state == LinkState::starting || status.state == LinkState::homing ||
@@ -284,7 +279,8 @@ void DeviceSetupDialog::showStatus() {
     close_->setText(leave);
     close_->setAccessibleName(leave);
   }
-  if (!testing && !calibrating) say(spokenText(message.spoken));
+  if (testing || calibrating) return;
+  for (const QString& words : news_.take(status)) say(words);
 }
 
 void DeviceSetupDialog::showTest() {
@@ -377,6 +373,8 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
 
 void DeviceSetupDialog::save() {
   settings_.left_handed = left_handed_->isChecked();
+  // Stored when it is installed; the preferences may have changed it since.
+  settings_.firmware = falcon::readSettings(falcon::settingsFile()).firmware;
   try {
     falcon::writeSettings(settings_, falcon::settingsFile());
   } catch (const Error& error) {

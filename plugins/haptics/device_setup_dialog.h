@@ -11,6 +11,7 @@
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/self_test.h"
+#include "plugins/haptics/falcon_news.h"
 
 class QCheckBox;
 class QDoubleSpinBox;
@@ -29,8 +30,8 @@ class DeviceSetupDialog : public QDialog {
   Q_OBJECT
  public:
   /// @param device  the Falcon, closed; it is opened as soon as one is plugged in
-  DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> device,
-                    const falcon::FalconSettings& settings, QWidget* parent = nullptr);
+  DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> device, falcon::FalconSettings settings,
+                    QWidget* parent = nullptr);
   ~DeviceSetupDialog() override;
 
   /// Checks the file and copies it to the user's folder; then the Falcon is started.
@@ -64,6 +65,7 @@ class DeviceSetupDialog : public QDialog {
   std::optional<falcon::Calibration> calibration_;
   QTimer timer_;
   QString last_said_, notice_;
+  FalconNews news_;
   int frames_ = 0;
 
   QLabel *state_ = nullptr, *firmware_ = nullptr;

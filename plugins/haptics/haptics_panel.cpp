@@ -457,7 +457,8 @@ void HapticsPanel::setForcesAsked(bool on) {
 
 void HapticsPanel::show(const LoopReport& report) {
   const HapticSample& sample = report.sample;
-  setTextIfNew(state_, stateText(report));
+  const QString state = stateText(report);
+  setTextIfNew(state_, report.stand_in.isEmpty() ? state : report.stand_in + '\n' + state);
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <QAction>
+#include <QApplication>
 #include <QDir>
+#include <QFile>
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
 #include "core/region/hand.h"
+#include "haptics/device/falcon/presence.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
 #include "plugins/haptics/spoken_words.h"
@@ -17,7 +20,20 @@ namespace relievo {
 
 namespace {
 constexpr const char* kMouse = "mouse";  // Always there.
+constexpr int kReadoutsPerLook = 16;     // About two seconds.
+
+/// With the words for speech that belong to it.
+falcon::LinkMessage messageOf(const DeviceError& error) {
+  using enum falcon::Presence;
+  for (const falcon::Presence presence : {absent, forbidden, busy}) {
+    falcon::Opening opening;
+    opening.presence = presence;
+    falcon::LinkMessage message = falcon::describe(opening);
+    if (message.screen == error.what()) return message;
+  }
+  return {error.code, error.what(), error.what()};
 }
+}  // namespace
 
 HapticsPlugin::~HapticsPlugin() {
   detach();
@@ -50,17 +66,28 @@ void HapticsPlugin::attach(Host& host) {
 
 void HapticsPlugin::openDevice() {
   session_.reset();  // One program at a time can hold a device.
-  device_said_.clear();
+  news_ = {};
+  stand_in_.clear();
+  readouts_until_look_ = 0;
   opened_ = settings_.device;
   try {
     session_ = std::make_unique<LoopSession>(settings_.device);
   } catch (const DeviceError& error) {
     if (settings_.device == kMouse) throw;
-    host_->announce(tr("%1 The mouse is the hand now.").arg(QString::fromUtf8(error.what())));
+    showStandIn(messageOf(error));
     settings_.device = opened_ = kMouse;
     session_ = std::make_unique<LoopSession>(kMouse);
     if (panel_) panel_->setSettings(settings_);
   }
+}
+
+void HapticsPlugin::showStandIn(const falcon::LinkMessage& message) {
+  const bool absent = message.screen == falcon::describe(falcon::Opening{}).screen;
+  readouts_until_look_ = wish_ == falcon::kFalconId && !absent ? kReadoutsPerLook : 0;
+  const QString text = tr("%1 The mouse is the hand now.").arg(screenText(message));
+  if (text == stand_in_) return;
+  stand_in_ = text;
+  host_->announce(tr("%1 The mouse is the hand now.").arg(spokenText(message.spoken)));
 }
 
 void HapticsPlugin::changeDevice() {
@@ -142,6 +169,7 @@ void HapticsPlugin::connectButtons() {
   connect(buttons_.get(), &DeviceButtons::handPushed, this, [this](const DeviceMm& by) {
     if (session_ && host_->shownWindow()) session_->pushHand(by);
   });
+  connect(buttons_.get(), &DeviceButtons::ticked, qApp, &QApplication::beep);
   connect(buttons_.get(), &DeviceButtons::gateChanged, this, [this] {
     const bool moving = buttons_->moving();
     actions_.move_mode->setChecked(moving);
@@ -255,6 +283,7 @@ void HapticsPlugin::slowReadouts() {
   report.device = QString::fromStdString(device.name);
   watchDevice(report);
   report.actuated = device.max_force_n > 0;
+  report.stand_in = stand_in_;
   if (panel_) panel_->show(report);
 
   TouchStatus status;
@@ -275,14 +304,9 @@ void HapticsPlugin::slowReadouts() {
 void HapticsPlugin::watchDevice(LoopReport& report) {
   const falcon::LinkStatus* status = session_->falconStatus();
   if (status == nullptr) return;
-  const falcon::LinkMessage message = falcon::describe(*status);
-  const QString text = QString::fromStdString(
-      message.code.empty() ? message.screen : message.code + ": " + message.screen);
-  report.device = spokenText(message.spoken);
-  if (status->state != falcon::LinkState::ready) report.not_ready = text;
-  if (text == device_said_) return;
-  device_said_ = text;
-  host_->announce(text);
+  report.device = spokenText(falcon::describe(*status).spoken);
+  if (status->state != falcon::LinkState::ready) report.not_ready = windowText(*status);
+  for (const QString& words : news_.take(*status)) host_->announce(words);
 }
 
 void HapticsPlugin::watchSleep(const HapticSample& sample) {
@@ -304,13 +328,30 @@ void HapticsPlugin::watchSleep(const HapticSample& sample) {
   if (++frames_at_zero_ == kFramesUntilSent) sleep_->letSleep();
 }
 
+void HapticsPlugin::lookAgain() {
+  try {
+    falcon::UsbBus bus;
+    const falcon::Opening opening = bus.open();
+    if (opening.presence != falcon::Presence::present) {
+      showStandIn(falcon::describe(opening));
+      return;
+    }
+  } catch (const DeviceError&) {
+    readouts_until_look_ = kReadoutsPerLook;
+    return;  // What stands there is still true.
+  }
+  chooseDevice(wish_);
+}
+
 void HapticsPlugin::watchPlugs() {
+  // Who lets go of it, and who gives access to it, tells nobody.
+  if (readouts_until_look_ > 0 && !setup_ && --readouts_until_look_ == 0) lookAgain();
   if (!plugs_ || !plugs_->changed()) return;
   if (panel_) panel_->listDevices();
   if (setup_ || opened_.starts_with("falcon")) return;  // They wait for it themselves.
   const bool here = !falcon::seenFalcons().empty();
   if (here && wish_ == falcon::kFalconId) {
-    chooseDevice(wish_);
+    lookAgain();
   } else if (here) {
     host_->announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
   }
@@ -344,9 +385,12 @@ void HapticsPlugin::watchRecording() {
   const QSignalBlocker blocker(actions_.record);
   actions_.record->setChecked(false);
   if (!end->error.empty()) {
-    host_->announce(QString::fromStdString(end->error));
+    host_->announce(tr("The recording has ended early."));
+    host_->showError(QString::fromStdString(end->error), QStringLiteral("E401"));
+    host_->recordingSaved(QFile::decodeName(end->file.c_str()));  // What is there is complete.
     return;
   }
+  host_->recordingSaved(QFile::decodeName(end->file.c_str()));
   host_->announce(tr("Recording saved: %1, %2 samples in %3")
                       .arg(durationText(end->samples))
                       .arg(end->samples)

@@ -12,6 +12,7 @@
 #include "plugins/haptics/buttons_panel.h"
 #include "plugins/haptics/device_setup_buttons.h"
 #include "plugins/haptics/device_setup_dialog.h"
+#include "plugins/haptics/falcon_news.h"
 #include "plugins/haptics/haptics_panel.h"
 #include "plugins/haptics/loop_session.h"
 #include "plugins/haptics/touch_actions.h"
@@ -63,6 +64,8 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchRecording();
   void watchDevice(LoopReport& report);  // Announces its news, and adds them.
   void watchPlugs();
+  void lookAgain();  // For a Falcon that was there and could not be opened.
+  void showStandIn(const falcon::LinkMessage& message);
   void watchSleep(const HapticSample& sample);
   void runButtons(const HapticSample& sample);
   void setUpDevice();
@@ -74,7 +77,9 @@ class HapticsPlugin : public QObject, public Plugin {
   QPointer<DeviceSetupDialog> setup_;
   std::string opened_;          // Id of the session's device.
   std::string wish_ = "mouse";  // Of the person; the mouse stands in for one that is not there.
-  QString device_said_;         // Its last message.
+  FalconNews news_;
+  QString stand_in_;  // Why the mouse is the hand and not what was wished; on the screen.
+  int readouts_until_look_ = 0;  // For the one that was wished; 0: a plug event will tell.
   std::unique_ptr<falcon::PlugWatch> plugs_;
   std::unique_ptr<SleepWatch> sleep_;
   int frames_at_zero_ = -1;  // Since sleep was announced; -1: it was not.

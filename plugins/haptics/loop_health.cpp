@@ -15,7 +15,7 @@ namespace relievo {
 
 namespace {
 QString tr(const char* text) {
-  return QCoreApplication::translate("relievo::LoopHealth", text);
+  return QCoreApplication::translate("relievo", text);  // Where lupdate puts a free tr().
 }
 
 QString number(std::uint64_t count) {

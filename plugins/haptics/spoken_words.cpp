@@ -20,6 +20,7 @@ constexpr const char* kContext = "relievo::SpokenWords";
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Where am I"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Where am I, in full"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Forces on or off"),
+    QT_TRANSLATE_NOOP("relievo::SpokenWords", "Forces off"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Move mode"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Moved"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Back to the old window"),
@@ -34,17 +35,20 @@ constexpr const char* kContext = "relievo::SpokenWords";
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Introduction"),
     // What the buttons do now.
     QT_TRANSLATE_NOOP("relievo::SpokenWords",
-                      "Plus: finer. Minus: coarser; long: whole object. Forward: move; long: "
-                      "beacon. Centre: where am I; long: forces off."),
+                      "Plus: finer; long: detail and scale. Minus: coarser; long: whole object. "
+                      "Forward: move; long: beacon. Centre: where am I; long: forces off or on. "
+                      "Plus and Minus for two seconds: help; for five: introduction."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords",
                       "Move mode. Push the grip to a side to go there. Plus: next place. Minus: "
-                      "previous place. Forward: done. Centre: back."),
+                      "previous place. Forward: done. Centre: back; long: forces off or on. Plus "
+                      "and Minus for two seconds: help; for five: introduction."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords",
                       "One button. Press: I offer where am I, finer, coarser, move, forces. Press "
-                      "again to take what I said last."),
+                      "again to take what I said last. Hold for a second and a half: forces off."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords",
                       "Move mode. Push the grip to a side to go there. Press: I offer done, next "
-                      "place, previous place, back, forces. Press again to take it."),
+                      "place, previous place, back, forces. Press again to take it. Hold for a "
+                      "second and a half: forces off."),
     // Faults.
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "the device did not answer in time"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "the device was unplugged"),
@@ -71,7 +75,7 @@ constexpr const char* kContext = "relievo::SpokenWords";
     QT_TRANSLATE_NOOP("relievo::SpokenWords",
                       "The Falcon did not start. You can continue with the mouse."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords",
-                      "Please push the grip fully in, then pull it fully out."),
+                      "Please pull the grip fully out, then push it fully in."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Straight out, straight in; do not twist the grip."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Pull the grip fully out."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Falcon ready."),

@@ -79,6 +79,7 @@ std::optional<std::size_t> FalconEmulator::control(const std::array<std::uint8_t
     case 0:
       // 2 empties what waits for the host; 1 the other side, which this model keeps empty.
       if (value == 2 || value == 0) to_host_.clear();
+      if (value == 1 || value == 2) purged_[static_cast<std::size_t>(value) - 1] = true;
       return 0;
     case 1: {
       const bool dtr = (value & 0x0100) != 0 ? (value & 1) != 0 : dtr_;
@@ -94,6 +95,7 @@ std::optional<std::size_t> FalconEmulator::control(const std::array<std::uint8_t
     }
     case 3:
       baud_divisor_ = value;
+      if (value == kUploadDivisor) clear_to_send_at_ = now + options_.clear_to_send_delay_ns;
       return 0;
     case 9:
       latency_ms_ = std::max(1, value & 0xff);
@@ -148,7 +150,8 @@ void FalconEmulator::receive(std::uint8_t byte, std::int64_t now) {
       if (baud_divisor_ == kHelloDivisor) bootByte(byte, now);
       return;
     case Mode::hello_done:
-      if (baud_divisor_ == kUploadDivisor && byte == 'A') {
+      if (baud_divisor_ == kUploadDivisor && byte == 'A' && now >= clear_to_send_at_) {
+        if (!purged_[0] || !purged_[1]) ++unpurged_uploads_;
         send('A', now);
         mode_ = Mode::loading;
         image_.clear();
@@ -188,6 +191,7 @@ void FalconEmulator::bootByte(std::uint8_t byte, std::int64_t now) {
   }
   owed_hellos_ = 0;
   mode_ = Mode::hello_done;
+  purged_ = {};
 }
 
 void FalconEmulator::loadByte(std::uint8_t byte, std::int64_t now) {
@@ -246,8 +250,9 @@ void FalconEmulator::answerCommand(std::int64_t now) {
   body.drive(command.motors);
 
   if (!troubles.frozen_encoders) frozen_ = body.encoders();
+  constexpr std::array<int, 3> kImpossible{-9000, -7000, 0};
   std::string answer = "<";
-  for (const int encoder : frozen_) {
+  for (const int encoder : troubles.impossible_encoders ? kImpossible : frozen_) {
     for (int nibble = 0; nibble < 4; ++nibble) {
       answer.push_back(static_cast<char>('A' + ((encoder >> (4 * nibble)) & 15)));
     }
@@ -258,6 +263,10 @@ void FalconEmulator::answerCommand(std::int64_t now) {
   if (troubles.short_answers > 0) {
     --troubles.short_answers;
     answer.erase(5, 2);
+  }
+  if (troubles.noisy_answers > 0) {
+    --troubles.noisy_answers;
+    answer.insert(0, "<BA");
   }
   for (const char c : answer) send(static_cast<std::uint8_t>(c), now);
 }
@@ -276,7 +285,8 @@ std::optional<std::vector<std::uint8_t>> FalconEmulator::bulkIn(std::int64_t now
   const bool at_once = !options_.latency_timer && ready > 0;
   if (!full && !timer && !at_once) return std::nullopt;
   last_packet_ = now;
-  const bool cts = mode_ == Mode::hello_done;
+  const bool cts =
+      mode_ == Mode::hello_done && baud_divisor_ == kUploadDivisor && now >= clear_to_send_at_;
   std::vector<std::uint8_t> packet{static_cast<std::uint8_t>(cts ? 0x11 : 0x01), 0x60};
   for (std::size_t i = 0; i < std::min(ready, kPayload); ++i) {
     packet.push_back(to_host_.front().byte);

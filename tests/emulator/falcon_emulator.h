@@ -28,6 +28,7 @@ struct Troubles {
   int lose_answer_bytes = 0;   ///< Bytes to the host that vanish.
   int lose_command_bytes = 0;  ///< Bytes from the host that vanish.
   int short_answers = 0;       ///< Answers of fourteen bytes.
+  int noisy_answers = 0;       ///< Answers behind three stray bytes.
   int overruns = 0;            ///< Packets that tell of an overrun and lack a byte.
   int deaf_hellos = 0;         ///< Hellos without an answer.
   int late_hellos = 0;         ///< Hellos that are answered only after the next one.
@@ -36,6 +37,7 @@ struct Troubles {
   bool silent = false;         ///< The processor hangs; commands vanish.
   bool clogged = false;        ///< The bridge takes no more bytes.
   bool frozen_encoders = false;
+  bool impossible_encoders = false;  ///< Angles that no place of the grip has.
 };
 
 struct EmulatorOptions {
@@ -45,6 +47,8 @@ struct EmulatorOptions {
   bool latency_timer = true;
   std::int64_t start_delay_ns = 200'000'000;  ///< From the end of the upload to the first answer.
   bool leading_zero = false;                  ///< Before the answer to hello.
+  /// From the upload's baud rate to CTS; before it the boot loader does not lock.
+  std::int64_t clear_to_send_delay_ns = 0;
 };
 
 /// A Falcon as USB sees it: an FT232R, behind it the processor with its boot loader or firmware,
@@ -84,6 +88,8 @@ class FalconEmulator {
   std::uint64_t commandCount() const { return command_count_; }
   void forgetCommands() { commands_.clear(); }
   int uploads() const { return uploads_; }
+  /// Uploads that began without both purges since the answer to hello.
+  int unpurgedUploads() const { return unpurged_uploads_; }
   int badCommands() const { return bad_commands_; }
   const std::vector<std::uint8_t>& lastImage() const { return image_; }
   int latencyMs() const { return latency_ms_; }
@@ -130,7 +136,9 @@ class FalconEmulator {
 
   std::vector<SeenCommand> commands_;
   std::uint64_t command_count_ = 0;
-  int uploads_ = 0;
+  int uploads_ = 0, unpurged_uploads_ = 0;
+  std::array<bool, 2> purged_{};  // Since the answer to hello.
+  std::int64_t clear_to_send_at_ = 0;
   int bad_commands_ = 0;
 };
 

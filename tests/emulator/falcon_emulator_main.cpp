@@ -3,9 +3,12 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <iostream>
 #include <string>
@@ -63,9 +66,32 @@ void followInput(SharedFalcon& falcon, std::stop_source& stop) {
         std::cerr << "relievo-falcon-emulator: not understood: " << line << '\n';
       }
     });
-    if (line == "quit") break;
+    if (line == "quit") {
+      stop.request_stop();
+      return;
+    }
   }
-  stop.request_stop();
+  // The end of the input is no end: a service has none.
+}
+
+/// @return 0: it is none
+int portNumber(const std::string& text) {
+  int port = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
+  const bool good = error == std::errc() && end == text.data() + text.size();
+  return good && port > 0 && port <= 65535 ? port : 0;
+}
+
+/// @return below 0: stopped, or failed as errno tells
+int acceptUntil(const std::stop_token& stop, int server) {
+  constexpr int kLookMs = 100;  // At the stop token.
+  while (!stop.stop_requested()) {
+    pollfd waiting{.fd = server, .events = POLLIN, .revents = 0};
+    const int ready = poll(&waiting, 1, kLookMs);
+    if (ready > 0) return accept4(server, nullptr, nullptr, SOCK_CLOEXEC);
+    if (ready < 0 && errno != EINTR) return -1;
+  }
+  return -1;
 }
 
 int listenOn(int port) {
@@ -98,7 +124,12 @@ int main(int argc, char** argv) {
     } else if (option == "--vhci") {
       vhci = true;
     } else if (option == "--port" && i + 1 < argc) {
-      port = std::atoi(argv[++i]);
+      port = portNumber(argv[++i]);
+      if (port == 0) {
+        std::cerr << "relievo-falcon-emulator: '" << argv[i]
+                  << "' is no port; nothing is served. Give a number from 1 to 65535.\n";
+        return 1;
+      }
     } else {
       std::cerr << "relievo-falcon-emulator: '" << option << "' is not understood; see --help.\n";
       return 1;
@@ -109,7 +140,8 @@ int main(int argc, char** argv) {
   const int server = vhci ? -1 : listenOn(port);
   if (!vhci && server < 0) return fail("port " + std::to_string(port));
   std::thread input([&] { followInput(*falcon, stop); });
-  if (!vhci) std::cout << "Serving on port " << port << "; usbip attach -r 127.0.0.1 -b 1-1\n";
+  if (!vhci)
+    std::cout << "Serving on port " << port << "; usbip attach -r 127.0.0.1 -b 1-1" << std::endl;
   int result = 0;
   while (!stop.stop_requested() && result == 0) {
     if (!falcon->with([](FalconEmulator& f) { return f.plugged(); })) {
@@ -117,7 +149,8 @@ int main(int argc, char** argv) {
       continue;
     }
     const int connection =
-        vhci ? relievo::emulator::attachToVhci() : accept(server, nullptr, nullptr);
+        vhci ? relievo::emulator::attachToVhci() : acceptUntil(stop.get_token(), server);
+    if (connection < 0 && stop.stop_requested()) break;
     if (connection < 0) {
       result =
           fail(vhci ? "the kernel's virtual port (is vhci-hcd loaded, are you root?)" : "accept");

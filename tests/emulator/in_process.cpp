@@ -104,6 +104,7 @@ void TestClock::waitUntil(std::int64_t until_ns) {
 }
 
 falcon::Opening InProcessBus::open() {
+  ++opens;
   const bool plugged = falcon_->with([](FalconEmulator& f) { return f.plugged(); });
   falcon::Opening opening;
   opening.presence = plugged ? pretend : falcon::Presence::absent;

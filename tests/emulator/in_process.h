@@ -38,6 +38,7 @@ class InProcessBus : public falcon::Bus {
 
   falcon::Presence pretend = falcon::Presence::present;  ///< What open() finds, if not absent.
   std::int64_t slept_ns = 0;
+  int opens = 0;  ///< How often somebody has tried.
 
  private:
   std::shared_ptr<SharedFalcon> falcon_;

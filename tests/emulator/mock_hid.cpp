@@ -126,6 +126,11 @@ void MockHid::unplug(int slot) {
   close(node.pipe);
 }
 
+void MockHid::forbid(int slot, bool forbidden) {
+  const mode_t mode = forbidden ? 0 : 0600;
+  if (chmod(impl_->nodes.at(slot).file.c_str(), mode) != 0) throw std::runtime_error("no chmod");
+}
+
 void MockHid::send(int slot, const std::vector<std::uint8_t>& report) {
   const Node& node = impl_->nodes.at(slot);
   if (write(node.pipe, report.data(), report.size()) != static_cast<ssize_t>(report.size())) {

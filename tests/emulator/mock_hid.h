@@ -21,6 +21,8 @@ class MockHid {
   void plugIn(int slot, std::uint16_t vendor, std::uint16_t product, const std::string& name,
               const std::vector<std::uint8_t>& report_descriptor);
   void unplug(int slot);
+  /// Takes the rights to the node away from everybody, or gives them back.
+  void forbid(int slot, bool forbidden);
   void send(int slot, const std::vector<std::uint8_t>& report);
 
  private:

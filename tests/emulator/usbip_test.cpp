@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The USB/IP front, asked by a small client that speaks the protocol's literal bytes.
+#include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "tests/emulator/usbip_server.h"
 
@@ -181,6 +187,107 @@ TEST_F(UsbipTest, UnpluggingEndsTheConnectionAndNonsenseToo) {
   serve({}, false);
   send(Bytes(48, 0xff));
   EXPECT_TRUE(receive(1).empty());
+}
+
+/// The program itself, its input and output in our hands.
+class EmulatorProgram {
+ public:
+  explicit EmulatorProgram(const std::string& port) {
+    std::array<int, 2> in{}, out{};
+    if (pipe2(in.data(), O_CLOEXEC) != 0 || pipe2(out.data(), O_CLOEXEC) != 0) return;
+    const std::string program = RELIEVO_EMULATOR_PROGRAM;
+    child_ = fork();
+    if (child_ == 0) {
+      dup2(in[0], 0);
+      dup2(out[1], 1);
+      execl(program.c_str(), program.c_str(), "--port", port.c_str(), "--homed", nullptr);
+      _exit(99);
+    }
+    close(in[0]);
+    close(out[1]);
+    input_ = in[1];
+    output_ = out[0];
+  }
+  ~EmulatorProgram() {
+    endInput();
+    close(output_);
+    if (child_ > 0) kill(child_, SIGKILL);
+    exitCode();
+  }
+  EmulatorProgram(const EmulatorProgram&) = delete;
+  EmulatorProgram& operator=(const EmulatorProgram&) = delete;
+
+  std::string line() const {
+    std::string text;
+    for (char c = 0; read(output_, &c, 1) == 1 && c != '\n';) text += c;
+    return text;
+  }
+  void say(const std::string& text) const {
+    ASSERT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
+  void endInput() {
+    if (input_ >= 0) close(std::exchange(input_, -1));
+  }
+  int exitCode() {
+    int status = 0;
+    if (child_ <= 0 || waitpid(std::exchange(child_, -1), &status, 0) < 0) return -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  pid_t child_ = -1;
+  int input_ = -1, output_ = -1;
+};
+
+sockaddr_in here(int port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  return address;
+}
+
+/// One that nobody listens on just now.
+int freePort() {
+  const int probe = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address = here(0);
+  socklen_t size = sizeof address;
+  EXPECT_EQ(bind(probe, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(getsockname(probe, reinterpret_cast<sockaddr*>(&address), &size), 0);
+  close(probe);
+  return ntohs(address.sin_port);
+}
+
+TEST(EmulatorProgramTest, QuitEndsItWhileNobodyIsConnected) {
+  EmulatorProgram program(std::to_string(freePort()));
+  EXPECT_EQ(program.line().substr(0, 7), "Serving");
+  program.say("quit\n");
+  EXPECT_EQ(program.exitCode(), 0);
+}
+
+TEST(EmulatorProgramTest, ServesOnWhenItsInputEnds) {
+  const int port = freePort();
+  EmulatorProgram program(std::to_string(port));
+  program.endInput();
+  EXPECT_EQ(program.line().substr(0, 7), "Serving");
+  for (int i = 0; i < 2; ++i) {  // The first may come before the end of the input is read.
+    const int client = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    const sockaddr_in address = here(port);
+    ASSERT_EQ(connect(client, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    // Which devices are there? The answer begins with the same version, and counts one.
+    const Bytes question{1, 0x11, 0x80, 5, 0, 0, 0, 0};
+    ASSERT_EQ(send(client, question.data(), question.size(), MSG_NOSIGNAL), 8);
+    Bytes answer(12);
+    EXPECT_EQ(recv(client, answer.data(), answer.size(), MSG_WAITALL), 12);
+    EXPECT_EQ(answer, (Bytes{1, 0x11, 0, 5, 0, 0, 0, 0, 0, 0, 0, 1}));
+    close(client);
+  }
+}
+
+TEST(EmulatorProgramTest, RefusesAPortThatIsNone) {
+  for (const char* port : {"abc", "0", "70000", "80x", ""}) {
+    EXPECT_EQ(EmulatorProgram(port).exitCode(), 1) << port;
+  }
 }
 
 }  // namespace

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plugin and a Falcon that comes and goes on a mocked port, through the real libusb.
 #include <gtest/gtest.h>
+#include <linux/capability.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <array>
 #include <QApplication>
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
+#include <QSet>
+
+#include <QTranslator>
+#include <QXmlStreamReader>
 
 #include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
@@ -76,6 +85,25 @@ TEST_F(FalconPluginTest, ARememberedFalconIsUsedAsSoonAsItIsThere) {
   EXPECT_TRUE(eventually([this] { return host_.status.device == "Falcon ready."; }));
 }
 
+TEST_F(FalconPluginTest, OneThatAnotherProgramUsesIsNamedUntilItIsFree) {
+  usb_.set({.claimed_by_other = true});
+  plugIn();
+  plugin_->restoreState(R"({"device": "falcon:0"})");
+  ASSERT_TRUE(said("The Falcon is busy. The mouse is the hand now.")) << all().toStdString();
+  auto* state = inPanel<QLabel>("forceState");
+  const QString e304 = "E304: Another program is using the Falcon. ";
+  ASSERT_TRUE(eventually([&] { return state->text().startsWith(e304); }));
+  EXPECT_TRUE(state->text().contains("Off. Press F5")) << "and how the mouse is doing";
+  host_.announce("panel.ply is open");
+  EXPECT_FALSE(host_.announcements.contains("Device: Falcon.")) << "the other one has it";
+  EXPECT_TRUE(state->text().startsWith(e304)) << "whatever else is said";
+  EXPECT_EQ(host_.announcements.count("The Falcon is busy. The mouse is the hand now."), 1);
+  usb_.set({});
+  ASSERT_TRUE(said("Device: Falcon.")) << all().toStdString();
+  ASSERT_TRUE(eventually([&] { return state->text().startsWith("Off. Press F5"); }))
+      << state->text().toStdString();
+}
+
 TEST_F(FalconPluginTest, AnUnpluggedFalconIsNamedAndComesBackByItself) {
   plugIn();
   ASSERT_TRUE(listed("Falcon"));
@@ -86,7 +114,7 @@ TEST_F(FalconPluginTest, AnUnpluggedFalconIsNamedAndComesBackByItself) {
   const QString e305 =
       "E305: Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose "
       "the mouse as the device.";
-  ASSERT_TRUE(said(e305)) << all().toStdString();
+  ASSERT_TRUE(said("Falcon unplugged. Forces are off.")) << all().toStdString();
   EXPECT_TRUE(eventually([&] { return inPanel<QLabel>("forceState")->text() == e305; }));
   EXPECT_TRUE(listed("Falcon (not here now)"));
   host_.announcements.clear();
@@ -121,6 +149,73 @@ TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
   EXPECT_TRUE(said("Forces are off after the sleep. Press F5 to switch them on."));
   EXPECT_TRUE(eventually([this] { return logind_->isDelayed(); })) << "the next sleep waits, too";
 }
+
+/// Keeps what the plugin asks to be translated.
+class Asked : public QTranslator {
+ public:
+  bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* source, const char* /*disambiguation*/,
+                    int /*n*/) const override {
+    asked << QString::fromUtf8(context) + '|' + QString::fromUtf8(source);
+    return {};
+  }
+  mutable QSet<QString> asked;
+};
+
+QSet<QString> known(const QString& language) {
+  QFile file(QStringLiteral(RELIEVO_SOURCE_DIR "/ui/translations/relievo_%1.ts").arg(language));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+  QSet<QString> texts;
+  QString context;
+  for (QXmlStreamReader xml(&file); !xml.atEnd();) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+    if (xml.name() == QLatin1String("source")) texts << context + '|' + xml.readElementText();
+  }
+  return texts;
+}
+
+TEST_F(FalconPluginTest, EveryTextIsLookedUpWhereTheTranslationsHaveIt) {
+  plugin_->detach();
+  for (const auto& [title, panel] : host_.panels) delete panel;
+  host_.panels.clear();
+  Asked translator;
+  QCoreApplication::installTranslator(&translator);
+  attach();
+  plugIn();
+  ASSERT_TRUE(listed("Falcon"));
+  plugin_->restoreState(R"({"device": "falcon:0"})");
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  EXPECT_TRUE(
+      eventually([this] { return inPanel<QLabel>("loopHealth")->text().contains("per second"); }));
+  QCoreApplication::removeTranslator(&translator);
+  const QSet<QString> german = known("de");
+  int ours = 0;
+  for (const QString& text : translator.asked) {
+    if (!text.startsWith("relievo")) continue;  // Qt's own.
+    ++ours;
+    EXPECT_TRUE(german.contains(text)) << text.toStdString();
+  }
+  EXPECT_GT(ours, 100);
+}
+
+/// While it lives, this thread has no administrator's power over files.
+class OrdinaryAccount {
+ public:
+  OrdinaryAccount() {
+    syscall(SYS_capget, &header_, before_.data());
+    auto none = before_;
+    for (auto& part : none) part.effective = 0;
+    EXPECT_EQ(syscall(SYS_capset, &header_, none.data()), 0);
+  }
+  ~OrdinaryAccount() { EXPECT_EQ(syscall(SYS_capset, &header_, before_.data()), 0); }
+  OrdinaryAccount(const OrdinaryAccount&) = delete;
+  OrdinaryAccount& operator=(const OrdinaryAccount&) = delete;
+
+ private:
+  __user_cap_header_struct header_{.version = _LINUX_CAPABILITY_VERSION_3, .pid = 0};
+  std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3> before_{};
+};
 
 /// The plugin and a SpaceMouse, through the real hidapi.
 class SpaceMousePluginTest : public test::PluginTest {
@@ -168,6 +263,22 @@ TEST_F(SpaceMousePluginTest, OrTheViewIfThatIsChosen) {
   EXPECT_EQ(host_.turned_el_deg, 0);
   EXPECT_NEAR(host_.probes.back().hip.x, from, 1e-6) << "the hand stays";
   EXPECT_TRUE(plugin_->saveState().contains(R"("space_mouse":"view")"));
+}
+
+TEST_F(SpaceMousePluginTest, OneThatMayNotBeOpenedIsSaidOnceWithWhatHelps) {
+  const QString said_of_it =
+      "Foot switch is plugged in but this account may not use it. Install the rule that 'relievo "
+      "devices rule' prints, once, then replug.";
+  const std::vector<std::uint8_t> foot_switch{0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x05, 0x09,
+                                              0x19, 0x01, 0x29, 0x01, 0x15, 0x00, 0x25, 0x01,
+                                              0x75, 0x01, 0x95, 0x01, 0x81, 0x02, 0xc0};
+  const OrdinaryAccount account;
+  hid_.plugIn(1, 0x1234, 0x0001, "Foot switch", foot_switch);
+  hid_.forbid(1, true);
+  ASSERT_TRUE(said(said_of_it)) << host_.announcements.join('\n').toStdString();
+  hid_.forbid(1, false);
+  ASSERT_TRUE(said("Foot switch connected."));
+  EXPECT_EQ(host_.announcements.count(said_of_it), 1);
 }
 
 }  // namespace

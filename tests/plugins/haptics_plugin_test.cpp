@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plugin as the application sees it: a file, loaded; a Host, spoken to.
 #include <gtest/gtest.h>
-
+#include <sys/resource.h>
+#include <csignal>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -344,6 +345,30 @@ TEST_F(HapticsPluginTest, ARasterThatCannotBeUsedIsSaidAndTheOneBeforeStays) {
   EXPECT_EQ(inPanel<QLabel>("firmnessName")->text(), "where it was measured");
 }
 
+TEST_F(HapticsPluginTest, ARecordingThatCannotGoOnIsSaidAboveTheViewsAndKept) {
+  host_.window = flatWindow(5, 44);
+  attach();
+  QAction* record = host_.actions.at("record");
+  {
+    // A file that may not grow is as good as a full disk.
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{100'000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    record->trigger();
+    EXPECT_TRUE(eventually([this] { return !host_.errors.isEmpty(); }));
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+  }
+  ASSERT_EQ(host_.errors.size(), 1);
+  EXPECT_TRUE(host_.errors[0].startsWith("Recording stopped")) << host_.errors[0].toStdString();
+  EXPECT_TRUE(host_.errors[0].endsWith(" E401"));
+  EXPECT_FALSE(record->isChecked());
+  ASSERT_EQ(host_.recordings.size(), 1);
+  EXPECT_GT(readLog(host_.recordings[0].toStdString()).rows.size(), 50U) << "what is whole is kept";
+}
+
 TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
   host_.window = flatWindow(5, 44);
   attach();
@@ -363,6 +388,8 @@ TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
   record->trigger();
   ASSERT_TRUE(
       eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
+  ASSERT_EQ(host_.recordings.size(), 1);
+  EXPECT_TRUE(QFileInfo::exists(host_.recordings[0]));
   const QDir folder(home_.file("Documents/relievo"));
   const LogTable log =
       readLog(folder.filePath(folder.entryList({"touch-*.csv"}).value(0)).toStdString());
@@ -478,7 +505,7 @@ TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
   host_.actions.at("sayDetail")->trigger();
   EXPECT_TRUE(host_.announcements.last().startsWith("Detail 1 of"));
   host_.actions.at("buttonHelp")->trigger();
-  EXPECT_TRUE(host_.announcements.last().startsWith("Plus: finer."));
+  EXPECT_TRUE(host_.announcements.last().startsWith("Plus: finer;"));
   host_.actions.at("useMouse")->trigger();
   EXPECT_EQ(device->currentData().toString(), "mouse");
 }

@@ -35,7 +35,7 @@ class TestHost : public Host {
   void announce(const QString& text) override { announcements << text; }
   bool run(const QString& command) override {
     commands << command;
-    return true;
+    return possible;
   }
   std::shared_ptr<const RegionWindow> shownWindow() const override { return window; }
   /// Read from disk, and so later: the test answers.
@@ -73,6 +73,10 @@ class TestHost : public Host {
   QString recordingHeader(const QString& /*file*/) const override {
     return QStringLiteral("input relief.ply\nunit mm");
   }
+  void showError(const QString& sentence, const QString& code) override {
+    errors << sentence + ' ' + code;
+  }
+  void recordingSaved(const QString& file) override { recordings << file; }
   QString mapState(const QString& /*folder*/) const override { return map_state; }
 
   void showWindow(std::shared_ptr<const RegionWindow> shown) {
@@ -86,11 +90,11 @@ class TestHost : public Host {
   std::vector<Probe> probes;
   std::vector<PlotSample> plotted;
   TouchStatus status;
-  QStringList announcements, commands;
+  QStringList announcements, commands, recordings, errors;
   std::vector<Region> regions;             ///< Asked to be shown.
   std::vector<std::uint64_t> finer_asked;  ///< Windows.
   std::map<QString, float> rasters;        ///< Names of files that can be read.
-  bool rasters_fit = true;
+  bool rasters_fit = true, possible = true;
   QString map_state;
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;

@@ -4,6 +4,7 @@
 
 #include <dbus/dbus.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -45,6 +46,15 @@ TEST_F(RealtimeKit, IsAskedForTheCallingThreadAtAPriorityThatItHandsOut) {
   EXPECT_EQ(askRealtimeKit(80), "");
   EXPECT_EQ(service.asked_thread, static_cast<dbus_uint64_t>(::syscall(SYS_gettid)));
   EXPECT_EQ(service.asked_priority, 20U);
+}
+
+TEST_F(RealtimeKit, ALoopThatHangsIsEndedByASignalThatCanBeHandled) {
+  Service service(bus_->address(), true);
+  EXPECT_EQ(askRealtimeKit(80), "");
+  rlimit work{};
+  ASSERT_EQ(::getrlimit(RLIMIT_RTTIME, &work), 0);
+  EXPECT_LE(work.rlim_max, 200'000U) << "RealtimeKit refuses more";
+  EXPECT_GE(work.rlim_max - work.rlim_cur, 50'000U) << "us from SIGXCPU to SIGKILL";
 }
 
 TEST_F(RealtimeKit, ItsRefusalIsPassedOnInItsWords) {

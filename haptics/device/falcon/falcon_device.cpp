@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "haptics/rt/realtime_thread.h"
+#include "haptics/rt/signal_stack.h"
 
 namespace relievo::falcon {
 
@@ -22,6 +23,7 @@ std::uint32_t withPlusAndMinusSwapped(std::uint32_t buttons) RELIEVO_REALTIME {
 FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
                            FalconSettings settings, LinkLimits limits)
     : settings_(settings), bus_(std::move(bus)), firmware_(std::move(firmware)), limits_(limits) {
+  giveSignalStack();  // The owner's thread, too, sends last words when its stack overflows.
   info_.id = kFalconId;
   info_.name = "Falcon";
   // Reachable all round at every height in it (falcon geometry: 50 mm at z = 160).
@@ -99,6 +101,11 @@ const LinkStatus& FalconDevice::status() {
 
 void FalconDevice::retry() {
   ++wish_.retries;
+  mailbox_.wishes.write(wish_);
+}
+
+void FalconDevice::measureTimesAnew() {
+  ++wish_.measurements;
   mailbox_.wishes.write(wish_);
 }
 

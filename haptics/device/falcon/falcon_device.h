@@ -47,6 +47,8 @@ class FalconDevice : public Device {
   const LinkStatus& status();
   /// [owner] Tries again after a failure.
   void retry();
+  /// [owner] The longest and the mean times of the status begin anew.
+  void measureTimesAnew();
   /// [owner] Counts per N mm, kept within the possible.
   void setGain(double counts_per_n_mm);
   /// [owner] Shows these lights instead of those that tell the state.

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/falcon/firmware.h"
 
+#include <fcntl.h>
 #include <openssl/evp.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <iostream>
+#include <span>
 
 #include "core/base/error.h"
 #include "haptics/device/falcon/boot_image.h"
@@ -31,13 +35,16 @@ constexpr std::array<KnownImage, 4> kKnownImages{{
 }};
 constexpr std::array<const char*, 5> kNames{"nvent_firmware.bin", "test_firmware.bin",
                                             "novint_T0.bin", "novint_T2.bin", "falcon.bin"};
+constexpr const char* kSetting = "the setting Falcon firmware (Preferences > Device)";
 constexpr const char* kAcceptedList = "accepted";  // One hash per line.
 
 std::string sha256Of(const std::vector<std::uint8_t>& bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw FileError("The hash of the firmware could not be computed.");
+    throw FileError(
+        "The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL's "
+        "library is whole and allows SHA-256.");
   }
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text;
@@ -48,9 +55,25 @@ std::string sha256Of(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
+/// Up to the end or an error, which the stream's iterators would throw.
+std::vector<std::uint8_t> bytesOf(std::istream& stream) {
+  std::vector<std::uint8_t> bytes;
+  std::array<char, 4096> block{};
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    bytes.insert(bytes.end(), block.begin(), block.begin() + stream.gcount());
+  }
+  return bytes;
+}
+
+/// One that may not be looked at counts as there: reading it says why it cannot be used.
 bool isThere(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
+  std::error_code error;
+  return fs::exists(file, error) || error == std::errc::permission_denied;
+}
+
+[[noreturn]] void refuseUnreadable(const std::string& named, const std::string& why) {
+  throw FileError(named + " cannot be read: " + why +
+                  ". Nothing was loaded. Check its permissions and its folder's.");
 }
 
 std::optional<fs::path> namedIn(const fs::path& folder) {
@@ -62,20 +85,25 @@ std::optional<fs::path> namedIn(const fs::path& folder) {
 
 /// What the user named by hand: a file, or a folder with one.
 Firmware readNamed(const fs::path& named, const std::string& by) {
-  std::error_code ignored;
-  if (!fs::is_directory(named, ignored)) {
-    if (!isThere(named)) {
-      throw FileError("The Falcon firmware \"" + named.string() + "\" that " + by +
-                      " names does not exist. Correct it, or clear it to search the usual places.");
-    }
-    return readFirmware(named);
+  const std::string advice = " Correct " + by + ", or clear it to search the usual places.";
+  if (!isThere(named)) {
+    throw FileError("The Falcon firmware \"" + named.string() + "\" that " + by +
+                    " names does not exist. Nothing was loaded." + advice);
   }
-  const std::optional<fs::path> file = namedIn(named);
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(named, ignored);
+  const std::optional<fs::path> file = is_folder ? namedIn(named) : named;
   if (!file) {
     throw FileError("The folder \"" + named.string() + "\" that " + by +
-                    " names has no Falcon firmware (such as nvent_firmware.bin).");
+                    " names has no Falcon firmware (such as nvent_firmware.bin). Nothing was "
+                    "loaded." +
+                    advice);
   }
-  return readFirmware(*file);
+  try {
+    return readFirmware(*file);
+  } catch (const FileError& error) {
+    throw FileError(error.what() + (" It is what " + by + " names.") + advice);
+  }
 }
 
 std::string notFound(const std::vector<fs::path>& searched) {
@@ -85,6 +113,47 @@ std::string notFound(const std::vector<fs::path>& searched) {
       "from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched:";
   for (const fs::path& place : searched) text += " " + place.string();
   return text + ".";
+}
+
+std::string textOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::vector<std::uint8_t> bytes = bytesOf(stream);
+  return {bytes.begin(), bytes.end()};
+}
+
+std::string reasonFor(int code) {
+  return std::generic_category().message(code);
+}
+
+bool writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  // A name that leads to bytes that a loss of power took is worse than the old file.
+  return ::fsync(descriptor) == 0;
+}
+
+/// Whole or not at all, and on the disk. @return 0, or errno
+int replaceFile(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
+  const fs::path part = file.string() + ".part";
+  const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) return errno;
+  int why = writeAll(descriptor, bytes) ? 0 : errno;
+  if (::close(descriptor) != 0 && why == 0) why = errno;
+  if (why == 0 && std::rename(part.c_str(), file.c_str()) != 0) why = errno;
+  if (why != 0) {
+    ::unlink(part.c_str());
+    return why;
+  }
+  const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder >= 0) {
+    ::fsync(folder);
+    ::close(folder);
+  }
+  return 0;
 }
 
 Firmware accepted(Firmware firmware, const FirmwarePlaces& places) {
@@ -100,23 +169,31 @@ Firmware accepted(Firmware firmware, const FirmwarePlaces& places) {
 Firmware readFirmware(const fs::path& file) {
   const std::string named = "\"" + file.string() + "\"";
   std::error_code error;
-  if (!fs::exists(file, error)) throw FileError("There is no file " + named + ".");
-  if (!fs::is_regular_file(file, error)) {
-    throw FileError(named + " is not a regular file; it was not read as Falcon firmware.");
+  if (!isThere(file)) {
+    throw FileError("There is no file " + named + ". Nothing was loaded. Check its name.");
+  }
+  const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::none) refuseUnreadable(named, error.message());
+  if (!fs::is_regular_file(status)) {
+    throw FileError(named +
+                    " is not a regular file; it was not read as Falcon firmware. Name the file "
+                    "itself, such as nvent_firmware.bin.");
   }
   if (fs::file_size(file, error) > kMostImageBytes && !error) {
     throw FileError(named + " is no Falcon firmware: it has more than " +
-                    std::to_string(kMostImageBytes) + " bytes.");
+                    std::to_string(kMostImageBytes) +
+                    " bytes. Nothing was loaded. Choose another file.");
   }
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw FileError(named + " cannot be read: " + std::strerror(errno) +
-                    ". Check its permissions.");
-  }
+  if (!stream) refuseUnreadable(named, std::strerror(errno));
   Firmware firmware;
   firmware.file = file;
-  firmware.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-  if (stream.bad()) throw FileError(named + " could not be read to its end.");
+  firmware.bytes = bytesOf(stream);
+  if (stream.bad()) {
+    throw FileError(named +
+                    " could not be read to its end. Nothing was loaded. Copy it to another disk, "
+                    "or choose another file.");
+  }
   const BootImage image = inspectBootImage(firmware.bytes);
   if (!image.good()) {
     throw FileError(named + " is no Falcon firmware: " + image.problem +
@@ -149,7 +226,7 @@ FirmwarePlaces firmwarePlaces(const fs::path& setting) {
 
 Firmware findFirmware(const FirmwarePlaces& places) {
   if (!places.setting.empty()) {
-    return accepted(readNamed(places.setting, "the setting"), places);
+    return accepted(readNamed(places.setting, kSetting), places);
   }
   if (!places.environment.empty()) {
     return accepted(readNamed(places.environment, "RELIEVO_FALCON_FIRMWARE"), places);
@@ -163,7 +240,13 @@ Firmware findFirmware(const FirmwarePlaces& places) {
 }
 
 std::function<std::vector<std::uint8_t>()> firmwareSource(const fs::path& setting) {
-  return [setting] { return findFirmware(firmwarePlaces(setting)).bytes; };
+  return [setting] {
+    const Firmware firmware = findFirmware(firmwarePlaces(setting));
+    std::cerr << "relievo: Loading the Falcon's firmware \"" + firmware.file.string() + "\", " +
+                     std::to_string(firmware.bytes.size()) + " bytes, sha256 " + firmware.sha256 +
+                     (firmware.known_as.empty() ? "" : ", " + firmware.known_as) + ".\n";
+    return firmware.bytes;
+  };
 }
 
 bool isAccepted(const Firmware& firmware, const FirmwarePlaces& places) {
@@ -178,31 +261,25 @@ bool isAccepted(const Firmware& firmware, const FirmwarePlaces& places) {
 fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places) {
   const auto refuse = [&places](const std::string& why) {
     throw WriteError("The firmware could not be copied to \"" + places.data_home.string() +
-                     "\": " + why + ". Nothing was changed.");
+                     "\": " + why + ". Nothing was changed. Check the folder and the disk's room.");
   };
   std::error_code error;
   fs::create_directories(places.data_home, error);
   if (error) refuse(error.message());
+  const fs::path list = places.data_home / kAcceptedList;
+  const bool listed = isAccepted(firmware, places);
+  const std::string before = textOf(list);
+  if (!listed) {
+    const std::string after = before + firmware.sha256 + "\n";
+    if (const int why = replaceFile(list, {after.begin(), after.end()})) refuse(reasonFor(why));
+  }
   // The first name that is looked for, so that this choice wins over older ones.
   fs::path target = places.data_home / kNames[0];
-  const fs::path part = places.data_home / "firmware.part";
-  {
-    std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-    for (const std::uint8_t byte : firmware.bytes) stream.put(static_cast<char>(byte));
-    stream.close();
-    if (!stream) {
-      fs::remove(part, error);
-      refuse("it cannot be written");
-    }
+  if (const int why = replaceFile(target, firmware.bytes)) {
+    if (!listed && before.empty()) fs::remove(list, error);
+    if (!listed && !before.empty()) replaceFile(list, {before.begin(), before.end()});
+    refuse(reasonFor(why));
   }
-  if (!isAccepted(firmware, places)) {
-    std::ofstream list(places.data_home / kAcceptedList, std::ios::app);
-    list << firmware.sha256 << '\n';
-    list.close();
-    if (!list) refuse("the list of accepted images cannot be written");
-  }
-  fs::rename(part, target, error);
-  if (error) refuse(error.message());
   return target;
 }
 

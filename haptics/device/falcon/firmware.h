@@ -37,7 +37,7 @@ FirmwarePlaces firmwarePlaces(const std::filesystem::path& setting = {});
 /// not accepted. @throw FileError  says which, or every place that was searched
 Firmware findFirmware(const FirmwarePlaces& places);
 
-/// For the driver: finds anew each time it is asked.
+/// For the driver: finds anew each time it is asked, and tells on stderr what will be loaded.
 std::function<std::vector<std::uint8_t>()> firmwareSource(
     const std::filesystem::path& setting = {});
 

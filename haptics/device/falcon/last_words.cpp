@@ -7,23 +7,34 @@
 
 #include <linux/usbdevice_fs.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
+#include <utility>
 
 #include "haptics/device/falcon/protocol.h"
 
 namespace relievo::falcon {
 
 namespace {
-constexpr std::array<int, 10> kSignals{SIGSEGV, SIGBUS,  SIGILL, SIGFPE,  SIGABRT,
-                                       SIGINT,  SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
+constexpr int kSignals = _NSIG;
+
+bool halts(int signal) {
+  return signal == SIGTSTP || signal == SIGTTIN || signal == SIGTTOU;
+}
+
+/// Would the process end or halt, and can that be handled?
+bool isLast(int signal) {
+  constexpr std::array<int, 6> kOthers{SIGKILL, SIGSTOP, SIGCHLD, SIGCONT, SIGURG, SIGWINCH};
+  return std::find(kOthers.begin(), kOthers.end(), signal) == kOthers.end();
+}
 
 // A signal handler finds nothing but globals.
 std::atomic<int> descriptor_of_falcon{-1};
 std::atomic<bool> has_spoken{false};
-std::array<bool, kSignals.size()> installed{};
+std::array<bool, kSignals> installed{};
 Frame last_frame{};
 
 void sayZero() {
@@ -48,7 +59,7 @@ void sayZero() {
 
 void onSignal(int signal) {
   sayZero();
-  if (signal == SIGTSTP) {
+  if (halts(signal)) {
     raise(SIGSTOP);  // Returns when it is continued.
     has_spoken.store(false);
     return;
@@ -67,24 +78,25 @@ LastWords::LastWords(int descriptor) {
   // exit() from anywhere runs no destructor of what lives on a stack.
   static const bool kAtExit = std::atexit(sayZero) == 0;
   (void)kAtExit;
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+  for (int signal = 1; signal < kSignals; ++signal) {
     struct sigaction before {};
-    if (sigaction(kSignals[i], nullptr, &before) != 0) continue;
+    // The C library keeps some to itself, and says so.
+    if (!isLast(signal) || sigaction(signal, nullptr, &before) != 0) continue;
     if ((before.sa_flags & SA_SIGINFO) != 0 || before.sa_handler != SIG_DFL) continue;
     struct sigaction action {};
     action.sa_handler = onSignal;
-    action.sa_flags = SA_ONSTACK;
-    installed[i] = sigaction(kSignals[i], &action, nullptr) == 0;
+    action.sa_flags = halts(signal) ? SA_ONSTACK | SA_RESTART : SA_ONSTACK;
+    installed[static_cast<std::size_t>(signal)] = sigaction(signal, &action, nullptr) == 0;
   }
 }
 
 LastWords::~LastWords() {
-  for (std::size_t i = 0; i < kSignals.size(); ++i) {
-    if (!installed[i]) continue;
+  for (int signal = 1; signal < kSignals; ++signal) {
+    bool& mine = installed[static_cast<std::size_t>(signal)];
+    if (!std::exchange(mine, false)) continue;
     struct sigaction now {};
-    sigaction(kSignals[i], nullptr, &now);
-    if (now.sa_handler == onSignal) signal(kSignals[i], SIG_DFL);
-    installed[i] = false;
+    sigaction(signal, nullptr, &now);
+    if (now.sa_handler == onSignal) ::signal(signal, SIG_DFL);
   }
   descriptor_of_falcon.store(-1);
 }

@@ -5,11 +5,11 @@
 
 namespace relievo::falcon {
 
-/// While it lives, a process that calls exit() or ends by a signal sends its Falcon zero force
-/// first: a crash (SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT), an interruption (SIGINT, SIGTERM,
-/// SIGHUP, SIGQUIT), or a halt from the terminal (SIGTSTP). Signals that something else handles are
-/// left alone. The handler makes two system calls and then lets the signal do what it would have
-/// done. One at a time: a process has one set of signal handlers (docs/adr/0027).
+/// While it lives, a process that calls exit(), ends by any signal but SIGKILL, or is halted by any
+/// but SIGSTOP, sends its Falcon zero force first. Signals that something else handles are left
+/// alone. The handler makes two system calls and then lets the signal do what it would have done,
+/// on the thread's signal stack if it has one (haptics/rt/signal_stack.h). One at a time: a process
+/// has one set of signal handlers (docs/adr/0027, 0068).
 class LastWords {
  public:
   /// @param descriptor  of the open usbfs node

@@ -19,7 +19,7 @@ Link::Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits l
 void Link::run(const std::stop_token& stop, std::unique_ptr<Port> port) {
   slept_ = bus_.slept();
   while (!stop.stop_requested()) {
-    if (!port) port = waitForDevice(stop);
+    if (!port) port = waitForDevice(stop, true);
     if (!port) break;
     serve(stop, port);
     port_ = nullptr;
@@ -29,13 +29,15 @@ void Link::run(const std::stop_token& stop, std::unique_ptr<Port> port) {
   setState(LinkState::closed);
 }
 
-std::unique_ptr<Port> Link::waitForDevice(const std::stop_token& stop) {
+/// @return null: stopped, or absent and that is not waited for
+std::unique_ptr<Port> Link::waitForDevice(const std::stop_token& stop, bool also_absent) {
   while (!stop.stop_requested()) {
     Opening opening = bus_.open();
     switch (opening.presence) {
       case Presence::present:
         return std::move(opening.port);
       case Presence::absent:
+        if (!also_absent) return nullptr;
         setState(LinkState::absent);
         break;
       case Presence::forbidden:
@@ -112,9 +114,12 @@ bool Link::answers(int questions) {
   return false;
 }
 
-bool Link::waitForRetry(const std::stop_token& stop) {
+/// @return false: unplugged or stopped
+bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
   std::array<std::uint8_t, kReadBytes> bytes{};
+  const std::int64_t began_ns = bus_.now();
   while (!stop.stop_requested()) {
+    if (bus_.now() - began_ns >= most_ns) return true;
     // The latency timer at its longest: two packets a second say that it is still plugged in.
     if (port_->request(latencyTimer(255)) == PortResult::gone) return false;
     const std::int64_t until = bus_.now() + 200 * kMs;

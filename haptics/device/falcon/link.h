@@ -39,7 +39,8 @@ struct ForceOrder {
 
 /// What the owner tells the link. [owner writes, link thread reads]
 struct LinkWish {
-  std::uint32_t retries = 0;  ///< Raise it to try again after a failure.
+  std::uint32_t retries = 0;       ///< Raise it to try again after a failure.
+  std::uint32_t measurements = 0;  ///< Raise it to measure times anew.
   double counts_per_n_mm = kNominalCountsPerNmm / 2;
   bool show_lights = false;  ///< `lights` instead of those that tell the state.
   std::uint8_t lights = lights_off;
@@ -80,12 +81,12 @@ class Link {
   enum class Leave : std::uint8_t { stopped, gone, silent };
   enum class Upload : std::uint8_t { done, no_hello, no_lock, wrong_echo, no_start, gone };
 
-  std::unique_ptr<Port> waitForDevice(const std::stop_token& stop);
+  std::unique_ptr<Port> waitForDevice(const std::stop_token& stop, bool also_absent);
   void serve(const std::stop_token& stop, std::unique_ptr<Port>& port);
   bool requestAll(std::initializer_list<BridgeRequest> requests);
   bool prepareToRun();
   bool answers(int questions);
-  bool waitForRetry(const std::stop_token& stop);
+  bool waitForRetry(const std::stop_token& stop, std::int64_t most_ns);
 
   // link_start.cpp
   bool start(const std::stop_token& stop, std::unique_ptr<Port>& port);
@@ -100,6 +101,7 @@ class Link {
   void follow(const Report& report);
   void debounce(std::uint8_t raw);
   void countFrame(std::int64_t now_ns);
+  void measureAnewIfAsked();
   std::int64_t silentAt() const;
   std::optional<Leave> watch(std::int64_t now_ns);
   bool ask(std::int64_t now_ns, bool neutral);
@@ -124,7 +126,7 @@ class Link {
   ReportReader reader_;
   LinkStatus status_;
   LinkReading reading_;
-  std::uint32_t retries_seen_ = 0;
+  std::uint32_t retries_seen_ = 0, measurements_seen_ = 0;
   std::int64_t slept_ = 0;
 
   // Of operate().
@@ -133,13 +135,15 @@ class Link {
   std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0;
   std::uint64_t rate_frames_ = 0, malformed_seen_ = 0;
   double answer_sum_ms_ = 0;
+  std::uint64_t answers_timed_ = 0;
   int under_way_ = 0;     // Questions without an answer.
   int silence_step_ = 0;  // How far the measures against silence have gone.
   int homed_frames_ = 0;  // In a row, with all arms homed.
   bool seen_unhomed_ = false;
   bool zero_next_ = false;
   bool resting_ = false;
-  bool doubtful_ = false;  // One of the questions under way may have lost its answer.
+  bool asked_at_rest_ = false;  // At `asked_ns_`: the answer tells nothing of the pace.
+  bool doubtful_ = false;       // One of the questions under way may have lost its answer.
   std::array<std::uint8_t, 4> button_frames_{};
 };
 

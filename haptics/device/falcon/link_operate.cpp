@@ -2,6 +2,7 @@
 // Running: question and answer, homing, force, and what is done when answers stay away.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "haptics/device/falcon/link.h"
 
@@ -59,6 +60,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
       gate_ns_ = now;
     }
     const bool wanted = isWanted(now);
+    measureAnewIfAsked();
     if (wanted && resting_) wake();
     if (under_way_ > 0) {
       if (now < silentAt()) continue;
@@ -134,13 +136,14 @@ void Link::debounce(std::uint8_t raw) {
 void Link::countFrame(std::int64_t now_ns) {
   LinkCounts& counts = status_.counts;
   const std::int64_t gap = now_ns - last_answer_ns_;
-  if (!resting_) {
+  if (!resting_ && !asked_at_rest_) {
     std::size_t bin = 0;
     while (bin < LinkCounts::kGapEdgesNs.size() && gap > LinkCounts::kGapEdgesNs[bin]) ++bin;
     ++counts.gaps[bin];
     counts.worst_gap_ns = std::max(counts.worst_gap_ns, gap);
     const double answer_ms = 1e-6 * static_cast<double>(now_ns - asked_ns_);
     answer_sum_ms_ += answer_ms;
+    status_.mean_answer_ms = answer_sum_ms_ / static_cast<double>(++answers_timed_);
     status_.worst_answer_ms = std::max(status_.worst_answer_ms, answer_ms);
   }
   ++counts.frames;
@@ -149,11 +152,17 @@ void Link::countFrame(std::int64_t now_ns) {
   if (frames >= kFramesPerRate && now_ns > rate_mark_ns_) {
     status_.rate_hz =
         1e9 * static_cast<double>(frames) / static_cast<double>(now_ns - rate_mark_ns_);
-    status_.mean_answer_ms = answer_sum_ms_ / static_cast<double>(frames);
-    answer_sum_ms_ = 0;
     rate_frames_ = counts.frames;
     rate_mark_ns_ = now_ns;
   }
+}
+
+void Link::measureAnewIfAsked() {
+  const std::uint32_t asked = mailbox_.wishes.front().measurements;
+  if (std::exchange(measurements_seen_, asked) == asked) return;
+  status_.counts.worst_gap_ns = 0;
+  status_.mean_answer_ms = status_.worst_answer_ms = answer_sum_ms_ = 0;
+  answers_timed_ = 0;
 }
 
 std::int64_t Link::silentAt() const {
@@ -202,7 +211,10 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
   zero_next_ = false;
   const PortResult result = port_->write(encode(command));
   if (result == PortResult::gone) return false;
-  asked_ns_ = now_ns;
+  if (under_way_ == 0) {  // Else the answer is waited for since the first of them.
+    asked_ns_ = now_ns;
+    asked_at_rest_ = resting_;
+  }
   // What the device did not take counts as under way: silence is noticed, and zero sent.
   ++under_way_;
   return true;
@@ -253,7 +265,8 @@ void Link::wake() {
   port_->request(latencyTimer(1));
   resting_ = false;
   silence_step_ = 0;
-  last_answer_ns_ = bus_.now();
+  last_answer_ns_ = rate_mark_ns_ = bus_.now();
+  rate_frames_ = status_.counts.frames;
 }
 
 bool Link::rest(std::int64_t now_ns) {

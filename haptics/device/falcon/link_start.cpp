@@ -10,7 +10,11 @@ namespace relievo::falcon {
 
 namespace {
 constexpr std::int64_t kMs = 1'000'000;
-}
+/// Then with longer and longer pauses, 21 s in all: some begin to answer only after a while.
+constexpr int kAttemptsAtOnce = 4;
+constexpr std::int64_t kLongerPauseNs = 1000 * kMs;
+constexpr std::int64_t kLookForFirmwareNs = 1000 * kMs, kUntilAsked = INT64_MAX;
+}  // namespace
 
 bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
   while (!stop.stop_requested()) {
@@ -19,12 +23,17 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
       firmware = firmware_();
     } catch (const FileError& error) {
       setState(LinkState::no_firmware, error.what());
-      if (!waitForRetry(stop)) return false;
+      // Whoever installs it, here or in a terminal, need not say so.
+      if (!waitForRetry(stop, kLookForFirmwareNs)) return false;
       continue;
     }
     status_.firmware_bytes = static_cast<std::uint32_t>(firmware.size());
     Upload result = Upload::no_hello;
     for (int attempt = 1; attempt <= limits_.attempts && !stop.stop_requested(); ++attempt) {
+      if (attempt > kAttemptsAtOnce &&
+          !waitForRetry(stop, (attempt - kAttemptsAtOnce) * kLongerPauseNs)) {
+        return false;
+      }
       status_.attempt = attempt;
       status_.uploaded_bytes = 0;
       setState(LinkState::starting);
@@ -32,9 +41,10 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
       if (attempt > 1 && attempt % 3 == 1) {
         port_ = nullptr;
         port.reset();
-        port = bus_.open().port;
+        port = waitForDevice(stop, false);  // Another program may have taken it meanwhile.
         port_ = port.get();
         if (!port) return false;
+        setState(LinkState::starting);
       }
       result = uploadOnce(stop, firmware);
       if (result == Upload::done) return true;
@@ -49,7 +59,7 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
     const auto reason = static_cast<std::size_t>(result);
     setState(LinkState::not_started,
              kReasons[reason] + (result == Upload::wrong_echo ? at : std::string()));
-    if (!waitForRetry(stop)) return false;
+    if (!waitForRetry(stop, kUntilAsked)) return false;
   }
   return false;
 }

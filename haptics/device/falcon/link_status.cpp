@@ -58,16 +58,16 @@ LinkMessage describe(const LinkStatus& status) {
     case LinkState::not_started:
       return {"E303",
               "The Falcon did not start after " + std::to_string(status.attempts) +
-                  " attempts. Plug it straight into the computer, check its power supply, then "
-                  "try again." +
+                  " attempts; it is left alone now. Check its power supply and plug it straight "
+                  "into the computer, or choose Touch > Device set-up > Retry." +
                   (detail.empty() ? "" : " (" + detail + ")"),
               "The Falcon did not start. You can continue with the mouse."};
     case LinkState::homing:
       return {"E308",
-              "Please push the grip fully in, then pull it fully out. Still missing: " +
+              "Please pull the grip fully out, then push it fully in. Still missing: " +
                   missingArms(status.homed) + "." + (status.homing_is_long ? kHomingHint : ""),
               status.homing_is_long ? "Straight out, straight in; do not twist the grip."
-                                    : "Please push the grip fully in, then pull it fully out."};
+                                    : "Please pull the grip fully out, then push it fully in."};
     case LinkState::pull_out:
       return {"E308", "All three arms have found their place. Pull the grip fully out once more.",
               "Pull the grip fully out."};
@@ -81,8 +81,17 @@ LinkMessage describe(const LinkStatus& status) {
 }
 
 std::string udevRule() {
-  return "SUBSYSTEM==\"usb\", ENV{DEVTYPE}==\"usb_device\", ATTR{idVendor}==\"0403\", "
-         "ATTR{idProduct}==\"cb48\", MODE=\"0660\", GROUP=\"plugdev\", TAG+=\"uaccess\"\n";
+  const std::string give = R"(MODE="0660", GROUP="plugdev", TAG+="uaccess")"
+                           "\n";
+  return R"(SUBSYSTEM=="usb", ENV{DEVTYPE}=="usb_device", ATTR{idVendor}=="0403", )"
+         R"(ATTR{idProduct}=="cb48", )" +
+         give +
+         R"(SUBSYSTEM=="hidraw", KERNELS=="*:256F:*|*:046D:C60[356].*|*:046D:C62[135678B].*", )" +
+         give +
+         R"(SUBSYSTEM=="hidraw", ACTION!="remove", )"
+         R"(PROGRAM="/usr/bin/od -An -tx1 -w8 -N8 /sys%p/device/report_descriptor", )"
+         R"(RESULT=="*05 01 09 0[458] *|*05 01 15 00 09 0[458] *", )" +
+         give;
 }
 
 }  // namespace relievo::falcon

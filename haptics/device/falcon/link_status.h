@@ -41,7 +41,7 @@ struct LinkCounts {
   std::uint64_t purges = 0;     ///< None for 500 ms: buffers emptied.
   std::uint64_t impossible_poses = 0;
   std::uint64_t overruns = 0, framing = 0;  ///< Told by the bridge chip.
-  std::int64_t worst_gap_ns = 0;
+  std::int64_t worst_gap_ns = 0;  ///< Since times were last measured anew, or the link runs.
   std::array<std::uint64_t, kGapEdgesNs.size() + 1> gaps{};
 };
 
@@ -56,9 +56,9 @@ struct LinkStatus {
   std::array<std::int16_t, kArms> encoders{};
   std::uint32_t buttons = 0;
   DeviceMm position;
-  double rate_hz = 0;           ///< Answers per second, over the last quarter second or so.
-  double mean_answer_ms = 0;    ///< From question to answer, over the same time.
-  double worst_answer_ms = 0;   ///< Since the link runs.
+  double rate_hz = 0;  ///< Answers per second, over the last quarter second or so.
+  /// From question to answer, since times were last measured anew, or the link runs.
+  double mean_answer_ms = 0, worst_answer_ms = 0;
   std::uint64_t unplugged = 0;  ///< How many times it went away while open.
   LinkCounts counts;
   std::array<char, 700> detail{};  ///< Zero-terminated; see the states.
@@ -73,7 +73,8 @@ struct LinkMessage {
 };
 LinkMessage describe(const LinkStatus& status);
 
-/// The rule that lets whoever sits at the computer use the Falcon, and one HID device class.
+/// The udev rules that let whoever sits at the computer use the Falcon and the HID devices that
+/// press its buttons (hid/hid_devices.h): one line each, as the file that is installed has them.
 std::string udevRule();
 
 }  // namespace relievo::falcon

@@ -7,8 +7,9 @@
 namespace relievo::falcon {
 
 namespace {
-constexpr double kRateSeconds = 2, kLightSeconds = 0.7;
+constexpr double kLightSeconds = 0.7;
 constexpr double kNudgeN = 0.5, kNudgeSeconds = 0.15, kNudgePauseSeconds = 0.25;
+constexpr double kNudgeMm = 5;        // Of a grip that nobody holds; it coasts some more.
 constexpr double kLeastRateHz = 800;  // Below, surfaces must be made softer (E306).
 constexpr std::uint64_t kMostMalformedPerThousand = 1;
 constexpr int kMovedCounts = 200;
@@ -53,6 +54,7 @@ bool SelfTest::step(std::int64_t now_ns) {
   if (began_ns_ == 0) {
     began_ns_ = now_ns;
     before_ = device_.status();
+    device_.measureTimesAnew();
   }
   if (reading.fault != DeviceFault::none) {
     lines_.push_back({SelfTestLine::Result::failed,
@@ -65,7 +67,7 @@ bool SelfTest::step(std::int64_t now_ns) {
   const double since_s = 1e-9 * static_cast<double>(now_ns - began_ns_);
   switch (phase_) {
     case Phase::rate:
-      if (since_s > kRateSeconds) {
+      if (since_s > options_.rate_s) {
         judgeRate();
         next(Phase::lights, now_ns);
       }
@@ -113,6 +115,7 @@ DeviceN SelfTest::nudge(const DeviceReading& reading, double since_s) {
   if (index != nudge_) {
     nudge_ = index;
     nudge_from_ = reading.position;
+    nudged_far_ = false;
     if (index == static_cast<int>(kDirections.size())) {
       std::string text = "Nudges of 0.5 N moved the hand by";
       bool all = true;
@@ -132,7 +135,8 @@ DeviceN SelfTest::nudge(const DeviceReading& reading, double since_s) {
   if (in_nudge_s < kNudgeSeconds) {
     const double moved = way.x * along.x + way.y * along.y + way.z * along.z;
     moved_mm_[i] = std::max(moved_mm_[i], moved);
-    return kNudgeN * along;
+    nudged_far_ = nudged_far_ || norm(way) > kNudgeMm;
+    if (!nudged_far_) return kNudgeN * along;
   }
   return {};
 }
@@ -143,7 +147,7 @@ void SelfTest::judgeRate() {
   const std::uint64_t frames = now.frames - before_.counts.frames;
   const std::uint64_t malformed = now.malformed - before_.counts.malformed;
   const std::uint64_t stalls = now.stalls - before_.counts.stalls;
-  const double rate = static_cast<double>(frames) / kRateSeconds;
+  const double rate = static_cast<double>(frames) / options_.rate_s;
   lines_.push_back(
       {rate >= kLeastRateHz ? SelfTestLine::Result::passed : SelfTestLine::Result::failed,
        format("Rate: %.0f answers per second (%.0f are needed).", rate, kLeastRateHz)});
@@ -161,7 +165,9 @@ void SelfTest::judgeRate() {
     gaps +=
         format("%s %s %.1f ms %llu", i == 0 ? "" : ",", last ? "above" : "up to", edge_ms, count);
   }
-  lines_.push_back({SelfTestLine::Result::passed, gaps + "."});
+  lines_.push_back(
+      {SelfTestLine::Result::passed,
+       gaps + format("; the longest %.2f ms.", 1e-6 * static_cast<double>(now.worst_gap_ns))});
   lines_.push_back({SelfTestLine::Result::passed,
                     format("From question to answer: %.2f ms on average, %.2f ms at worst.",
                            status.mean_answer_ms, status.worst_answer_ms)});

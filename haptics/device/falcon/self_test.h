@@ -18,7 +18,8 @@ struct SelfTestLine {
 };
 
 struct SelfTestOptions {
-  bool nudges = true;            ///< 0.5 N for 150 ms along each axis, both ways.
+  double rate_s = 2;             ///< How long the evenness of answers is measured.
+  bool nudges = true;            ///< 0.5 N for 150 ms or 5 mm along each axis, both ways.
   double wait_for_person_s = 0;  ///< Longest wait for buttons and movement; 0: they are not tried.
 };
 
@@ -52,6 +53,7 @@ class SelfTest {
   std::vector<SelfTestLine> lines_;
   int nudge_ = -1;
   DeviceMm nudge_from_;
+  bool nudged_far_ = false;
   std::array<double, 6> moved_mm_{};
   std::uint32_t pressed_ = 0;
   std::array<int, kArms> least_{}, most_{};

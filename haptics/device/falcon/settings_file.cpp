@@ -61,7 +61,7 @@ void writeSettings(const FalconSettings& settings, const fs::path& file) {
 }
 
 FirmwareSource storedFirmwareSource() {
-  return [] { return findFirmware(firmwarePlaces(readSettings(settingsFile()).firmware)).bytes; };
+  return [] { return firmwareSource(readSettings(settingsFile()).firmware)(); };
 }
 
 }  // namespace relievo::falcon

@@ -131,7 +131,12 @@ class UsbPort : public Port {
         return {bytes, PortResult::ok};
       }
       if (gone_) return {0, PortResult::gone};
-      if (monotonicNs() >= until_ns) return {0, PortResult::timeout};
+      const std::int64_t now = monotonicNs();
+      if (now >= until_ns) return {0, PortResult::timeout};
+      if (LastWords::spoken()) {  // Whoever says them has the node to themselves.
+        sleepUntil(std::min(until_ns, now + kMs));
+        return {0, PortResult::timeout};
+      }
       handleEvents(until_ns);
     }
   }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/hid/hid_devices.h"
 
+#include <fcntl.h>
 #include <hidapi.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -52,6 +55,20 @@ struct OpenDevice {
   }
 };
 
+/// hidapi does not tell why it could not open a node.
+bool isRefused(const char* node) {
+  const int descriptor = ::open(node, O_RDWR | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor < 0) return errno == EACCES || errno == EPERM;
+  ::close(descriptor);
+  return false;
+}
+
+struct RefusedDevice {
+  std::string path, name;
+  int looks = 0;
+  bool seen = true;  // By the rescan that is going on.
+};
+
 void tellEdges(std::uint32_t before, std::uint32_t after, std::vector<ButtonEdge>& edges) {
   for (std::uint8_t i = 0; i < 4; ++i) {
     const bool was = (before >> i & 1U) != 0, is = (after >> i & 1U) != 0;
@@ -62,14 +79,15 @@ void tellEdges(std::uint32_t before, std::uint32_t after, std::vector<ButtonEdge
 
 struct HidDevices::Impl {
   std::list<OpenDevice> devices;
-  std::vector<std::string> forbidden;
+  std::list<RefusedDevice> refused;
 
   void close(OpenDevice& device, HidNews& news) {
     tellEdges(device.buttons, 0, news.edges);
     news.left.push_back(device.name);
     hid_close(device.handle);
   }
-  bool open(const hid_device_info& info, HidNews& news);
+  void open(const hid_device_info& info, HidNews& news);
+  void refuse(const OpenDevice& device, HidNews& news);
   static bool read(OpenDevice& device, HidNews& news);
 };
 
@@ -81,7 +99,16 @@ HidDevices::~HidDevices() {
   for (const OpenDevice& device : impl_->devices) hid_close(device.handle);
 }
 
-bool HidDevices::Impl::open(const hid_device_info& info, HidNews& news) {
+void HidDevices::Impl::refuse(const OpenDevice& device, HidNews& news) {
+  auto known = std::find_if(refused.begin(), refused.end(),
+                            [&device](const RefusedDevice& r) { return r.path == device.path; });
+  if (known == refused.end()) known = refused.insert(known, {device.path, device.name});
+  known->seen = true;
+  constexpr int kSureLooks = 2;
+  if (++known->looks == kSureLooks) news.forbidden.push_back(known->name);
+}
+
+void HidDevices::Impl::open(const hid_device_info& info, HidNews& news) {
   OpenDevice device;
   device.path = info.path;
   device.name = utf8(info.product_string);
@@ -90,23 +117,22 @@ bool HidDevices::Impl::open(const hid_device_info& info, HidNews& news) {
   if (!device.space_mouse) {
     device.fields = buttonFields(reportDescriptor(device.path));
     for (const ButtonField& field : device.fields) device.button_count += field.count;
-    if (device.button_count == 0) return true;  // Nothing to press.
+    if (device.button_count == 0) return;  // Nothing to press.
   }
   device.handle = hid_open_path(info.path);
   if (device.handle == nullptr) {
-    forbidden.push_back(device.name);
-    return false;
+    if (isRefused(info.path)) refuse(device, news);
+    return;
   }
   hid_set_nonblocking(device.handle, 1);
   news.arrived.push_back(device.name);
   devices.push_back(std::move(device));
-  return true;
 }
 
 void HidDevices::rescan(HidNews& news) {
   hid_device_info* list = hid_enumerate(0, 0);
   std::set<std::string> there;
-  impl_->forbidden.clear();
+  for (RefusedDevice& device : impl_->refused) device.seen = false;
   for (const hid_device_info* info = list; info != nullptr; info = info->next) {
     const bool wanted =
         info->usage_page == kGenericDesktop &&
@@ -119,6 +145,7 @@ void HidDevices::rescan(HidNews& news) {
     if (!known) impl_->open(*info, news);
   }
   hid_free_enumeration(list);
+  std::erase_if(impl_->refused, [](const RefusedDevice& device) { return !device.seen; });
   for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
     if (there.contains(device->path)) {
       ++device;
@@ -170,7 +197,9 @@ std::vector<std::string> HidDevices::names() const {
 }
 
 std::vector<std::string> HidDevices::forbidden() const {
-  return impl_->forbidden;
+  std::vector<std::string> names;
+  for (const RefusedDevice& device : impl_->refused) names.push_back(device.name);
+  return names;
 }
 
 }  // namespace relievo::hid

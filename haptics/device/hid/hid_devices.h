@@ -20,6 +20,9 @@ struct HidNews {
   std::vector<ButtonEdge> edges;
   CapMotion motion;                        ///< Of the SpaceMouse now; zero at rest.
   std::vector<std::string> arrived, left;  ///< Names, for people.
+  /// Came, and this account may not open it: told once, at the second look, because the system
+  /// hands out access a moment after the plug. The hint is falcon::udevRule().
+  std::vector<std::string> forbidden;
 };
 
 /// SpaceMouse, button boxes, foot switches and gamepads through hidapi. Never waits: it is asked.
@@ -40,8 +43,9 @@ class HidDevices {
   /// go of its buttons.
   void poll(HidNews& news);
 
+  /// Of those that are open.
   std::vector<std::string> names() const;
-  /// Devices that are there and may not be opened: the account lacks access to their nodes.
+  /// Of those that the last rescan() saw and this account may not open.
   std::vector<std::string> forbidden() const;
 
  private:

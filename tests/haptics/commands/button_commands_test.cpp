@@ -156,6 +156,56 @@ TEST_F(OneButton, AScanThatNobodyTakesEnds) {
   EXPECT_THAT(offers_, ElementsAre(where_am_i, finer, coarser, begin_move, toggle_forces));
 }
 
+TEST_F(OneButton, HeldForASecondAndAHalfStopsForcesAndTakesNoOffer) {
+  for (const bool moving : {false, true}) {
+    if (moving) buttons_.toggleMoving();
+    hold(kPlus, 0.2);
+    offers_.clear();
+    buttons_.press(kMinus, true, now_);
+    EXPECT_THAT(pass(1.44), IsEmpty()) << "nothing of what was offered";
+    EXPECT_THAT(pass(0.1), ElementsAre(stop_forces)) << "while it is held";
+    EXPECT_THAT(pass(5), IsEmpty()) << "once";
+    buttons_.press(kMinus, false, now_);
+    EXPECT_THAT(pass(10), IsEmpty());
+    EXPECT_THAT(offers_, IsEmpty()) << "the scan has ended";
+  }
+  EXPECT_EQ(ticks_, 2);
+  EXPECT_THAT(hold(kCentre, 2), ElementsAre(stop_forces)) << "never on: also a second time";
+}
+
+TEST_F(OneButton, ASlowPressTakesWhatWasSaidWhenItBegan) {
+  hold(kPlus, 0.2);
+  pass(1);
+  EXPECT_THAT(offers_, ElementsAre(where_am_i, finer));
+  EXPECT_THAT(hold(kPlus, 1.3), ElementsAre(finer)) << "no other is offered meanwhile";
+}
+
+TEST_F(OneButton, TwoButtonsAtOnceAreOnePress) {
+  buttons_.press(kPlus, true, now_);
+  buttons_.press(kForward, true, now_ + 0.01);
+  pass(0.1);
+  buttons_.press(kPlus, false, now_);
+  buttons_.press(kForward, false, now_ + 0.01);
+  EXPECT_THAT(pass(0.5), IsEmpty());
+  EXPECT_THAT(offers_, ElementsAre(where_am_i));
+}
+
+TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
+  const auto all = [](std::string_view text, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) {
+      EXPECT_THAT(std::string(text), testing::HasSubstr(part));
+    }
+  };
+  all(buttons_.help(), {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
+                        "Forward: move; long: beacon.", "Centre: where am I; long: forces off or",
+                        "Plus and Minus for two seconds: help; for five: introduction."});
+  buttons_.toggleMoving();
+  all(buttons_.help(), {"Plus: next place.", "Minus: previous place.", "Forward: done.",
+                        "Centre: back; long: forces off or on.", "Plus and Minus for two seconds"});
+  buttons_.setOptions({.one_button = true});
+  all(buttons_.help(), {"next place, previous place", "Hold for a second and a half: forces off."});
+}
+
 TEST_F(Buttons, EveryCommandHasANameAndWords) {
   for (int i = 1; i <= static_cast<int>(restart_introduction); ++i) {
     EXPECT_FALSE(commandName(static_cast<ButtonCommand>(i)).empty());

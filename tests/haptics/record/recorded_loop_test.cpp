@@ -266,8 +266,8 @@ TEST(RecordedLoop, TellsWhichMapAndWhichRasterOfFirmnessWhateverTheirNames) {
   EXPECT_EQ(read.map, 2U);
   ASSERT_TRUE(read.anchor);
   EXPECT_EQ(read.anchor->at.z, 6);
-  EXPECT_EQ(loop->firmness.at("a1b2"), name);
-  EXPECT_EQ(loop->maps.at(2), state);
+  EXPECT_EQ(loop->files.firmness.at("a1b2"), name);
+  EXPECT_EQ(loop->files.maps.at(2), state);
   scene.firmness.clear();
   const auto without = recordedLoop(sceneLine(scene) + snapshotLine(start, 0, kBuild), kBuild);
   EXPECT_EQ(without->scenes.at(7).firmness, "");

@@ -29,6 +29,7 @@ class FalconTest : public ::testing::Test {
     device_ = std::make_unique<FalconDevice>(
         std::move(bus),
         [this] {
+          ++firmware_asked_;
           if (firmware_.empty()) throw FileError("No firmware. Places searched: none.");
           return firmware_;
         },
@@ -83,7 +84,7 @@ class FalconTest : public ::testing::Test {
   void hold(double x, double y, double z) {
     falcon([&](auto& f) { f.body.hold({x, y, z}); });
   }
-  /// Out, in, out: as E308 asks for.
+  /// Out and in, as E308 asks for first; then out once more, as it asks for when they are homed.
   bool home() {
     hold(0, 0, 172);
     step(20);
@@ -108,6 +109,7 @@ class FalconTest : public ::testing::Test {
   emulator::InProcessBus* bus_ = nullptr;  // The device's.
   std::unique_ptr<FalconDevice> device_;
   std::vector<std::uint8_t> firmware_ = relievo::test::madeImage();
+  int firmware_asked_ = 0;  // How often the driver has looked for it.
 
   DeviceN force_;
   DeviceReading reading_;

@@ -8,7 +8,6 @@
 namespace relievo::falcon {
 namespace {
 
-using test::FalconTest;
 using test::RunningFalconTest;
 
 TEST_F(RunningFalconTest, TellsWhereTheHandIs) {
@@ -35,6 +34,44 @@ TEST_F(RunningFalconTest, TheHandFeelsTheForceThatWasAskedFor) {
       EXPECT_LT(norm(felt() - force), 0.02) << place.x << ' ' << force.x << ' ' << force.z;
     }
   }
+}
+
+TEST_F(RunningFalconTest, TenThousandForcesAreOnTheWireAsTheyWereAsked) {
+  beginTouching();
+  step(300);
+  const Report pose{.encoders = device_->status().encoders};
+  const Angles angles = anglesFromEncoders(pose.encoders);
+  const AngleJacobian jacobian = *angleJacobian(*gripFromAngles(angles), angles);
+  falcon([](auto& f) { f.forgetCommands(); });
+  std::vector<std::array<int, 3>> asked;
+  constexpr int kForces = 10'000;
+  std::uint32_t random = 1;
+  const auto newton = [&random] {
+    random = random * 1664525U + 1013904223U;
+    return 4.0 * random / 4294967296.0 - 2;
+  };
+  for (int i = 0; i < kForces; ++i) {
+    force_ = {newton(), newton(), newton()};
+    const auto counts = countsForTorques(*torquesForForce(jacobian, force_), kNominalCountsPerNmm);
+    asked.push_back({counts[0], counts[1], counts[2]});
+    step();
+  }
+  step(5);
+  EXPECT_EQ(device_->status().counts.malformed + device_->status().counts.hiccups, 0U);
+  falcon([&](auto& f) {
+    EXPECT_EQ(f.badCommands(), 0);
+    ASSERT_GT(f.commands().size(), asked.size() - 10);
+    // Each is one that was asked for, none comes before an earlier one, and few are missed.
+    auto next = asked.begin();
+    std::size_t found = 0;
+    for (const auto& command : f.commands()) {
+      const auto at = std::find(next, std::min(next + 5, asked.end()), command.motors);
+      if (at == std::min(next + 5, asked.end())) continue;
+      next = at;
+      ++found;
+    }
+    EXPECT_GT(found, f.commands().size() - 10) << "the first and the last ones aside";
+  });
 }
 
 TEST_F(RunningFalconTest, KeepsItsOwnLimitAndDirectionWhateverIsAsked) {
@@ -175,6 +212,8 @@ TEST_F(RunningFalconTest, NobodyAsksNobodyIsWoken) {
   const std::uint64_t again = count();
   step(100);
   EXPECT_GT(count() - again, 85U);
+  step(200);
+  EXPECT_NEAR(device_->status().rate_hz, 1000, 20) << "the rest is not part of the pace";
   EXPECT_EQ(device_->status().counts.stalls, 0U);
 }
 

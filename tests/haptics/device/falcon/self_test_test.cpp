@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdio>
+
 #include "haptics/device/falcon/calibration.h"
+#include "haptics/device/falcon/kinematics.h"
 #include "tests/haptics/device/falcon/falcon_fixture.h"
 
 namespace relievo::falcon {
@@ -50,6 +53,44 @@ TEST_F(FalconSelfTest, AGoodFalconPasses) {
   }
 }
 
+TEST_F(FalconSelfTest, TimesAreThoseOfTheTest) {
+  // Before it: answers that came late, and a rest, in which one may come after a quarter second.
+  const auto holdAnswers = [this](std::int64_t ns) {
+    falcon([ns](auto& f) { f.hold_answers_ns = ns; });
+  };
+  loop_runs_ = true;
+  step(600);
+  holdAnswers(4'000'000);
+  step(100);
+  ASSERT_GT(device_->status().worst_answer_ms, 3);
+  holdAnswers(0);
+  step(100);
+  loop_runs_ = false;
+  step(3100);
+  for (const double seconds : {2.0, 5.0}) {
+    SelfTest test(*device_, {.rate_s = seconds, .nudges = false});
+    const std::int64_t began_ns = clock_->now();
+    while (test.phase() == SelfTest::Phase::rate && test.step(clock_->now())) step();
+    EXPECT_NEAR(1e-9 * static_cast<double>(clock_->now() - began_ns), seconds, 0.01);
+    EXPECT_TRUE(test.passed()) << textOf(test);
+    double mean_ms = 0, worst_ms = 0, gap_ms = 0;
+    const std::string text = textOf(test), times = "From question to answer: ";
+    const std::size_t at = text.find(times), longest = text.find("the longest ");
+    ASSERT_NE(at, std::string::npos);
+    ASSERT_NE(longest, std::string::npos);
+    ASSERT_EQ(std::sscanf(text.c_str() + at + times.size(), "%lf ms on average, %lf", &mean_ms,
+                          &worst_ms),
+              2);
+    ASSERT_EQ(std::sscanf(text.c_str() + longest, "the longest %lf", &gap_ms), 1);
+    EXPECT_GT(mean_ms, 0.2);
+    EXPECT_LT(mean_ms, 1.3);
+    EXPECT_LT(worst_ms, 2.1) << text;
+    EXPECT_LT(gap_ms, 2.1) << text;
+    device_->showStateLights();
+    step(3100);
+  }
+}
+
 TEST_F(FalconSelfTest, NudgesAreHalfANewtonAndMoveTheHandTheirWay) {
   falcon([](auto& f) {
     f.body.pullToward({0, 0, 125});
@@ -67,6 +108,30 @@ TEST_F(FalconSelfTest, NudgesAreHalfANewtonAndMoveTheHandTheirWay) {
   EXPECT_TRUE(std::any_of(test.lines().begin(), test.lines().end(), [](const auto& line) {
     return line.text.starts_with("Nudges") && line.result == SelfTestLine::Result::passed;
   })) << textOf(test);
+}
+
+TEST_F(FalconSelfTest, ANudgeEndsBeforeAGripThatNobodyHoldsGoesFar) {
+  falcon([](auto& f) { f.body.letGo(0); });
+  SelfTest test(*device_, {});
+  DeviceMm from;
+  bool pushed = false;
+  double farthest_mm = 0;
+  int nudges = 0;
+  for (int ms = 0; ms < 20'000 && test.step(clock_->now()); ++ms) {
+    step();
+    const emulator::Triple grip = falcon([](auto& f) { return f.body.grip(); });
+    const DeviceMm here = deviceFromBase({grip[0], grip[1], grip[2]});
+    const bool pushes = norm(felt()) > 0.1;
+    if (pushes && !pushed) {
+      from = here;
+      ++nudges;
+    }
+    if (pushes) farthest_mm = std::max(farthest_mm, norm(here - from));
+    pushed = pushes;
+  }
+  EXPECT_EQ(nudges, 6);
+  EXPECT_GT(farthest_mm, 4);
+  EXPECT_LT(farthest_mm, 6.5) << "three ticks of 0.2 m/s pass until the force is off";
 }
 
 TEST_F(FalconSelfTest, ShowsEveryLight) {

@@ -17,6 +17,8 @@ TEST_F(FalconTest, FromPlugToTouch) {
   ASSERT_TRUE(becomes(LinkState::homing, 5000)) << describe(device_->status()).screen;
   EXPECT_EQ(falcon([](auto& f) { return f.uploads(); }), 1);
   EXPECT_EQ(falcon([](auto& f) { return f.lastImage(); }), firmware_) << "every byte, in order";
+  EXPECT_EQ(falcon([](auto& f) { return f.unpurgedUploads(); }), 0)
+      << "late answers to hello are not taken for the echo";
   EXPECT_FALSE(device_->status().firmware_was_running);
   step(50);
   EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
@@ -63,6 +65,23 @@ TEST_F(FalconTest, OneArmThatIsNotHomedIsNamedAndKeepsForceOff) {
   EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
 }
 
+TEST_F(FalconTest, HomingFollowsTheOrderThatTheMessageAsksFor) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 5000));
+  EXPECT_THAT(describe(device_->status()).screen,
+              testing::StartsWith("Please pull the grip fully out, then push it fully in."));
+  step(20);
+  hold(0, 0, 90);
+  step(50);
+  EXPECT_EQ(device_->status().homed, 0) << "in alone finds nothing";
+  hold(0, 0, 172);
+  step(50);
+  EXPECT_EQ(device_->status().state, LinkState::homing);
+  hold(0, 0, 90);
+  EXPECT_TRUE(becomes(LinkState::pull_out, 50));
+  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("Pull the grip fully out once more"));
+}
+
 TEST_F(FalconTest, AHintIsGivenAfterTwentySecondsOfHoming) {
   begin();
   ASSERT_TRUE(becomes(LinkState::homing, 5000));
@@ -99,10 +118,49 @@ TEST_F(FalconTest, GivesUpAfterTenAttemptsAndSaysWhereThenRetries) {
   const LinkMessage message = describe(device_->status());
   EXPECT_EQ(message.code, "E303");
   EXPECT_THAT(message.screen, HasSubstr("10 attempts"));
+  EXPECT_THAT(message.screen, HasSubstr("Touch > Device set-up > Retry"));
+  EXPECT_EQ(bus_->opens, 1 + 3) << "anew before every third attempt";
   EXPECT_THAT(message.screen, HasSubstr("byte 992 of 8464")) << "the last whole chunk";
   falcon([](auto& f) { f.troubles.wrong_echoes = 0; });
   device_->retry();
   EXPECT_TRUE(becomes(LinkState::homing, 5000));
+}
+
+TEST_F(FalconTest, GoesOnForTwentySecondsBeforeItGivesUp) {
+  falcon([](auto& f) { f.troubles.wrong_echoes = 1000; });
+  begin();
+  ASSERT_TRUE(becomes(LinkState::starting, 1000));
+  const std::int64_t began_ns = clock_->now();
+  ASSERT_TRUE(stepUntil([this] { return device_->status().attempt == 4; }, 2000))
+      << "the first ones without a pause";
+  ASSERT_TRUE(becomes(LinkState::not_started, 30'000));
+  EXPECT_GE(clock_->now() - began_ns, 20'000'000'000);
+}
+
+TEST_F(FalconTest, APauseBetweenAttemptsEndsWithThePlug) {
+  falcon([](auto& f) { f.troubles.wrong_echoes = 1000; });
+  begin();
+  ASSERT_TRUE(stepUntil([this] { return device_->status().attempt == 8; }, 20'000));
+  step(1000);
+  falcon([](auto& f) { f.unplug(); });
+  EXPECT_TRUE(becomes(LinkState::absent, 500));
+  EXPECT_EQ(device_->status().unplugged, 1U);
+}
+
+TEST_F(FalconTest, OneThatIsBusyWhenItIsOpenedAnewWasNotUnplugged) {
+  falcon([](auto& f) { f.troubles.wrong_echoes = 1000; });
+  begin();
+  ASSERT_TRUE(becomes(LinkState::starting, 1000));
+  bus_->pretend = Presence::busy;
+  ASSERT_TRUE(becomes(LinkState::busy, 5000));
+  EXPECT_EQ(describe(device_->status()).code, "E304");
+  EXPECT_EQ(device_->status().attempt, 4);
+  falcon([](auto& f) { f.troubles.wrong_echoes = 0; });
+  bus_->pretend = Presence::present;
+  ASSERT_TRUE(becomes(LinkState::starting, 1500));
+  EXPECT_EQ(device_->status().attempt, 4) << "the count goes on";
+  EXPECT_TRUE(becomes(LinkState::homing, 5000));
+  EXPECT_EQ(device_->status().unplugged, 0U);
 }
 
 TEST_F(FalconTest, SaysWhereFirmwareWasSoughtAndGoesOnWhenItIsThere) {
@@ -116,11 +174,34 @@ TEST_F(FalconTest, SaysWhereFirmwareWasSoughtAndGoesOnWhenItIsThere) {
   EXPECT_TRUE(becomes(LinkState::homing, 5000));
 }
 
+TEST_F(FalconTest, FirmwareThatIsInstalledMeanwhileIsLoadedWithoutBeingAsked) {
+  const std::vector<std::uint8_t> image = firmware_;
+  firmware_.clear();
+  begin();
+  ASSERT_TRUE(becomes(LinkState::no_firmware, 1000));
+  const int asked = firmware_asked_;
+  step(5000);
+  EXPECT_EQ(device_->status().state, LinkState::no_firmware);
+  EXPECT_NEAR(firmware_asked_ - asked, 5, 1) << "once a second";
+  firmware_ = image;
+  EXPECT_TRUE(becomes(LinkState::homing, 1500 + 3000)) << describe(device_->status()).screen;
+}
+
 class ZeroBeforeHelloTest : public FalconTest {
  protected:
   ZeroBeforeHelloTest() : FalconTest({.leading_zero = true}) {}
 };
 TEST_F(ZeroBeforeHelloTest, IsTolerated) {
+  begin();
+  EXPECT_TRUE(becomes(LinkState::homing, 5000));
+  EXPECT_EQ(device_->status().attempt, 1);
+}
+
+class LateClearToSendTest : public FalconTest {
+ protected:
+  LateClearToSendTest() : FalconTest({.clear_to_send_delay_ns = 150'000'000}) {}
+};
+TEST_F(LateClearToSendTest, IsWaitedFor) {
   begin();
   EXPECT_TRUE(becomes(LinkState::homing, 5000));
   EXPECT_EQ(device_->status().attempt, 1);

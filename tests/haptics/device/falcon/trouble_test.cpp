@@ -4,11 +4,15 @@
 #include <gmock/gmock.h>
 
 #include "tests/haptics/device/falcon/falcon_fixture.h"
+#include "tests/haptics/device/falcon/faults.h"
 
 namespace relievo::falcon {
 namespace {
 
 using emulator::FalconEmulator;
+using test::Fault;
+using test::kFaults;
+using test::mendsItself;
 using test::RunningFalconTest;
 
 class FalconTroubleTest : public RunningFalconTest {
@@ -37,56 +41,16 @@ class FalconTroubleTest : public RunningFalconTest {
   }
 };
 
-/// One line of the list of faults that strike while touching.
-struct Fault {
-  const char* name;
-  void (*strike)(FalconEmulator&);
-  void (*mend)(FalconEmulator&);
-  DeviceFault told;  ///< What the loop is told; none: too short for that.
-  std::uint64_t (*counted)(const LinkStatus&);  ///< Where it stays to be seen.
-  bool homing_lost;
-};
-void PrintTo(const Fault& fault, std::ostream* out) {
-  *out << fault.name;
-}
-void mendsItself(FalconEmulator& /*falcon*/) {}
-const std::array<Fault, 8> kFaults{{
-    {"LostByteOfAnAnswer", [](FalconEmulator& f) { f.troubles.lose_answer_bytes = 1; }, mendsItself,
-     DeviceFault::none, [](const LinkStatus& s) { return s.counts.hiccups + s.counts.malformed; },
-     false},
-    {"LostByteOfACommand", [](FalconEmulator& f) { f.troubles.lose_command_bytes = 1; },
-     mendsItself, DeviceFault::none, [](const LinkStatus& s) { return s.counts.hiccups; }, false},
-    {"ShortAnswer", [](FalconEmulator& f) { f.troubles.short_answers = 1; }, mendsItself,
-     DeviceFault::none, [](const LinkStatus& s) { return s.counts.malformed; }, false},
-    {"Overrun", [](FalconEmulator& f) { f.troubles.overruns = 1; }, mendsItself, DeviceFault::none,
-     [](const LinkStatus& s) { return s.counts.overruns; }, false},
-    {"LateAnswers", [](FalconEmulator& f) { f.hold_answers_ns = 8'000'000; },
-     [](FalconEmulator& f) { f.hold_answers_ns = 0; }, DeviceFault::none,
-     [](const LinkStatus& s) { return s.counts.hiccups; }, false},
-    {"Stall", [](FalconEmulator& f) { f.troubles.silent = true; },
-     [](FalconEmulator& f) { f.troubles.silent = false; }, DeviceFault::timeout,
-     [](const LinkStatus& s) { return s.counts.stalls; }, false},
-    {"Unplugged", [](FalconEmulator& f) { f.unplug(); },
-     [](FalconEmulator& f) {
-       f.powerCycle();
-       f.plugIn();
-     },
-     DeviceFault::disconnected, [](const LinkStatus& s) { return s.unplugged; }, true},
-    {"LostHoming", [](FalconEmulator& f) { f.body.forgetHoming(); }, mendsItself,
-     DeviceFault::not_ready,
-     [](const LinkStatus& s) { return std::uint64_t{s.homed != kAllHomed}; }, true},
-}};
-
 class FalconFaultTest : public FalconTroubleTest, public ::testing::WithParamInterface<Fault> {
  protected:
-  /// Noticed within 20 frames: a frame with zero arrives, or the loop is told.
+  /// Noticed within 20 frames: the next command carries zero, or none comes and the loop is told.
   bool noticed() {
     return stepUntil(
         [this] {
-          return fault_ != DeviceFault::none || falcon([](auto& f) {
-                   return std::any_of(f.commands().begin(), f.commands().end(),
-                                      [](const auto& c) { return c.neutral(); });
-                 });
+          return falcon([this](auto& f) {
+            return test::nextCommandIsNeutral(f) ||
+                   (f.commands().size() < 2 && fault_ != DeviceFault::none);
+          });
         },
         23);
   }
@@ -202,6 +166,13 @@ TEST_F(FalconTroubleTest, AnAnswerThatIsOnlyLateLeavesNoSecondQuestionUnderWay) 
   EXPECT_LE(falcon([](auto& f) { return f.commands().size(); }), 201U);
 }
 
+TEST_F(FalconTroubleTest, AnAnswerThatWasAskedForTwiceIsTimedFromTheFirstQuestion) {
+  trouble([](auto& f) { f.troubles.lose_command_bytes = 1; });
+  step(50);
+  EXPECT_GE(device_->status().counts.hiccups, 1U);
+  EXPECT_GT(device_->status().worst_answer_ms, 4.9);
+}
+
 TEST_F(FalconTroubleTest, AComputerThatSleptKnowsNothingAnyMore) {
   trouble([](auto&) {});
   bus_->slept_ns += 3'600'000'000'000;
@@ -220,6 +191,43 @@ TEST_F(FalconTroubleTest, AStaleForceIsNotShownAfterAnInterruption) {
   falcon([](auto& f) {
     for (const auto& command : f.commands()) EXPECT_TRUE(command.neutral());
   });
+}
+
+TEST_F(FalconTroubleTest, AFreshForceFromBeforeAnInterruptionIsNotShown) {
+  trouble([](auto&) {});
+  bus_->slept_ns += 3'600'000'000'000;  // Over at once: the order is still fresh after it.
+  loop_runs_ = false;
+  step(15);
+  falcon([](auto& f) {
+    ASSERT_GT(f.commands().size(), 10U);
+    // The one that was under way aside.
+    EXPECT_TRUE(std::all_of(f.commands().begin() + 2, f.commands().end(),
+                            [](const auto& c) { return c.neutral(); }));
+  });
+}
+
+TEST_F(FalconTroubleTest, AfterNoiseOnTheLineForceRisesGently) {
+  trouble([](auto& f) { f.troubles.noisy_answers = 1; });
+  EXPECT_TRUE(stepUntil([this] { return norm(felt()) < 0.1; }, 5));
+  step(10);
+  EXPECT_LT(norm(felt()), 0.7) << "50 N/s";
+  EXPECT_TRUE(touchesAgain());
+}
+
+TEST_F(FalconTroubleTest, AnImpossiblePoseKeepsTheLastPlaceAndNoForceUntilItIsOver) {
+  beginTouching();
+  const DeviceMm place = reading_.position;
+  falcon([](auto& f) { f.troubles.impossible_encoders = true; });
+  step(5);
+  falcon([](auto& f) { f.forgetCommands(); });
+  step(100);
+  EXPECT_LT(norm(reading_.position - place), 0.1);
+  EXPECT_TRUE(falcon([](auto& f) {
+    return std::all_of(f.commands().begin(), f.commands().end(),
+                       [](const auto& c) { return c.neutral(); });
+  }));
+  falcon([](auto& f) { f.troubles.impossible_encoders = false; });
+  EXPECT_TRUE(touchesAgain());
 }
 
 class FrozenFalconTest : public test::FalconTest {};

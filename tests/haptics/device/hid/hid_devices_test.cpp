@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/emulator/mock_hid.h"
+#include "tests/emulator/ordinary_account.h"
 
 namespace relievo::hid {
 namespace {
 
 using emulator::MockHid;
+using test::asOrdinaryAccount;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
@@ -29,6 +31,7 @@ const std::vector<std::uint8_t> kMouse{0x05, 0x01, 0x09, 0x02, 0xa1, 0x01, 0x05,
 std::vector<std::string> words(const std::vector<ButtonEdge>& edges) {
   constexpr std::array<const char*, 4> kNames{"plus", "forward", "centre", "minus"};
   std::vector<std::string> words;
+  words.reserve(edges.size());
   for (const ButtonEdge& edge : edges) {
     words.push_back(std::string(kNames[edge.button]) + (edge.down ? " down" : " up"));
   }
@@ -102,6 +105,29 @@ TEST_F(HidTest, UnpluggingLetsGoOfTheButtonsAndPluggingInWorksAgain) {
   EXPECT_THAT(rescanned().arrived, ElementsAre("Foot switch"));
   mock_.send(1, {0b100});
   EXPECT_THAT(words(polled().edges), ElementsAre("centre down"));
+}
+
+TEST_F(HidTest, OneThatMayNotBeOpenedIsToldOnceAndTakenWhenItMay) {
+  mock_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", kSpaceMouse);
+  mock_.plugIn(1, 0x1234, 0x0001, "Foot switch", kFootSwitch);
+  mock_.plugIn(2, 0x1234, 0x0002, "Plain mouse", kMouse);
+  mock_.forbid(1, true);
+  mock_.forbid(2, true);
+  asOrdinaryAccount([this] {
+    HidNews news = rescanned();
+    EXPECT_THAT(news.arrived, ElementsAre("SpaceMouse Compact"));
+    EXPECT_THAT(news.forbidden, IsEmpty()) << "access may come a moment after the plug";
+    EXPECT_THAT(devices_.forbidden(), ElementsAre("Foot switch")) << "nobody opens a mouse";
+    EXPECT_THAT(rescanned().forbidden, ElementsAre("Foot switch"));
+    EXPECT_THAT(rescanned().forbidden, IsEmpty()) << "once";
+    EXPECT_THAT(devices_.forbidden(), ElementsAre("Foot switch"));
+    EXPECT_THAT(devices_.names(), ElementsAre("SpaceMouse Compact"));
+  });
+  mock_.forbid(1, false);
+  asOrdinaryAccount([this] {
+    EXPECT_THAT(rescanned().arrived, ElementsAre("Foot switch"));
+    EXPECT_THAT(devices_.forbidden(), IsEmpty());
+  });
 }
 
 TEST_F(HidTest, ThousandsOfReportsKeepTheirBounds) {

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "haptics/device/falcon/link_status.h"
+#include "haptics/device/falcon/port.h"
+
+namespace relievo::falcon {
+
+/// Why a Falcon cannot be opened, as the driver would say it; of one that can be: not in use.
+LinkMessage describe(const Opening& opening);
+
+}  // namespace relievo::falcon
