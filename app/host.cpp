@@ -65,6 +65,10 @@ void WindowHost::announce(const QString& text) {
   window_.announce(text);
 }
 
+void WindowHost::showError(const QString& sentence, const QString& code) {
+  window_.showError(sentence, code);
+}
+
 bool WindowHost::run(const QString& command) {
   return window_.runCommand(command);
 }
@@ -154,6 +158,10 @@ void WindowHost::turnView(double azimuth_deg, double elevation_deg) {
 
 QString WindowHost::recordingHeader(const QString& file) const {
   return window_.recordingHeader(file);
+}
+
+void WindowHost::recordingSaved(const QString& file) {
+  window_.noteRecording(file);
 }
 
 QString WindowHost::mapState(const QString& folder) const {

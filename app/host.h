@@ -19,6 +19,7 @@ class WindowHost : public Host {
   void plot(std::span<const PlotSample> samples) override;
   void showStatus(const TouchStatus& status) override;
   void announce(const QString& text) override;
+  void showError(const QString& sentence, const QString& code) override;
   bool run(const QString& command) override;
   std::shared_ptr<const RegionWindow> shownWindow() const override;
   std::vector<float> finerHeights(const RegionWindow& window) override;
@@ -29,6 +30,7 @@ class WindowHost : public Host {
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
   QString recordingHeader(const QString& file) const override;
+  void recordingSaved(const QString& file) override;
   QString mapState(const QString& folder) const override;
 
  private:

@@ -8,10 +8,13 @@
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
+#include "app/batch/companions.h"
+#include "app/batch/falcon_setting.h"
 #include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
+#include "core/base/error.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
@@ -35,6 +38,19 @@ void prepareQt() {
   QCoreApplication::setApplicationVersion(QStringLiteral(RELIEVO_VERSION_STRING));
 }
 
+/// The preference is the setting of the Falcon's driver, which `relievo devices` follows, too.
+void shareFalconFirmware(relievo::MainWindow& window) {
+  const auto read = [] { return QFile::decodeName(relievo::batch::falconFirmware().c_str()); };
+  const auto write = [&window](const QVariant& file) {
+    try {
+      relievo::batch::setFalconFirmware(QFile::encodeName(file.toString()).toStdString());
+    } catch (const relievo::WriteError& error) {
+      window.announce(QString::fromStdString(error.what()));
+    }
+  };
+  window.settings().keepElsewhere(QStringLiteral("falcon_firmware"), {read, write});
+}
+
 int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   using namespace relievo;
   prepareQt();
@@ -49,15 +65,11 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
     const QString chosen = settings.choice(QStringLiteral("language"), QString()).toString();
     applyLanguage(app,
                   options.language.empty() ? chosen : QString::fromStdString(options.language));
-    const QString firmware =
-        settings.choice(QStringLiteral("falcon_firmware"), QString()).toString();
-    // The plugin's search takes the variable; one that is set by hand goes before the setting.
-    if (!firmware.isEmpty() && !qEnvironmentVariableIsSet("RELIEVO_FALCON_FIRMWARE")) {
-      qputenv("RELIEVO_FALCON_FIRMWARE", QFile::encodeName(firmware));
-    }
   }
   MainWindow window(captureDepths, mode);
+  shareFalconFirmware(window);
   window.setRecordingReader(batch::readRecording);
+  window.setCompanions(batch::companionsOf);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });

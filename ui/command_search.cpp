@@ -6,10 +6,12 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QPointer>
 #include <QVBoxLayout>
 
 #include "ui/dialog_size.h"
+#include "ui/mnemonic.h"
 
 namespace relievo {
 namespace {
@@ -17,13 +19,23 @@ namespace {
 constexpr int kPlace = Qt::UserRole;  ///< Index into the commands.
 
 QString nameOf(const QAction* command) {
-  return QString(command->text()).remove('&').remove(u'\u2026');
+  return withoutMnemonic(command->text()).remove(u'\u2026');
 }
 
-/// All words occur: 2 in the name, 1 in name or explanation, 0 not at all.
+/// Of the menus that it stands in: "Measure".
+QString menusOf(const QAction* command) {
+  QString titles;
+  for (const QWidget* widget : command->associatedWidgets()) {
+    const auto* menu = qobject_cast<const QMenu*>(widget);
+    if (menu != nullptr) titles += ' ' + withoutMnemonic(menu->title());
+  }
+  return titles;
+}
+
+/// All words occur: 2 in the name, 1 in name, explanation or menu, 0 not at all.
 int match(const QAction* command, const QStringList& words) {
   const QString name = nameOf(command);
-  const QString all = name + ' ' + command->whatsThis();
+  const QString all = name + ' ' + command->whatsThis() + menusOf(command);
   const auto in = [&words](const QString& text) {
     return std::all_of(words.begin(), words.end(), [&text](const QString& word) {
       return text.contains(word, Qt::CaseInsensitive);
@@ -50,6 +62,9 @@ CommandSearch::CommandSearch(const QList<QAction*>& commands, QWidget* parent)
   words_->installEventFilter(this);
   list_->setObjectName(QStringLiteral("command_list"));
   list_->setAccessibleName(tr("Commands"));
+  list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
   column->addWidget(list_, 1);

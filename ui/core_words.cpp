@@ -36,7 +36,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "volume above the plane"),
     QT_TRANSLATE_NOOP("Core", "area of the surface"), QT_TRANSLATE_NOOP("Core", "height"),
     QT_TRANSLATE_NOOP("Core", "distance"), QT_TRANSLATE_NOOP("Core", "depth difference"),
-    QT_TRANSLATE_NOOP("Core", "angle"),
+    QT_TRANSLATE_NOOP("Core", "angle"), QT_TRANSLATE_NOOP("Core", "length of the cut"),
     // Relief images and their colours.
     QT_TRANSLATE_NOOP("Core", "slope"), QT_TRANSLATE_NOOP("Core", "local relief"),
     QT_TRANSLATE_NOOP("Core", "sky-view factor"), QT_TRANSLATE_NOOP("Core", "openness"),
@@ -47,7 +47,9 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Close"), QT_TRANSLATE_NOOP("Core", "Cancel"),
     QT_TRANSLATE_NOOP("Core", "Discard"), QT_TRANSLATE_NOOP("Core", "Save"),
     QT_TRANSLATE_NOOP("Core", "OK"), QT_TRANSLATE_NOOP("Core", "hillshade, four lights"),
-    QT_TRANSLATE_NOOP("Core", "Figure"), QT_TRANSLATE_NOOP("Core", "Caption")};
+    QT_TRANSLATE_NOOP("Core", "Figure"), QT_TRANSLATE_NOOP("Core", "Caption"),
+    // A key that Qt's own translation leaves as it is.
+    QT_TRANSLATE_NOOP("QShortcut", "Return")};
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 
 #include "core/depth/point_rule.h"
 #include "ui/core_words.h"
+#include "ui/mnemonic.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -35,7 +36,7 @@ Widget* DepthMapForm::field(QFormLayout* layout, const QString& title, const cha
                             const QString& tip) {
   auto* widget = new Widget;
   widget->setObjectName(QString::fromLatin1(name));
-  widget->setAccessibleName(QString(title).remove('&'));
+  widget->setAccessibleName(withoutMnemonic(title));
   widget->setToolTip(tip);
   widget->setMinimumWidth(kLeastCharacters * widget->fontMetrics().averageCharWidth());
   layout->addRow(title, widget);

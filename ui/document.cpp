@@ -17,7 +17,7 @@
 namespace relievo {
 namespace {
 
-constexpr int kUndoLimit = 100;
+constexpr int kUndoLimit = 250;
 constexpr int kMergeGain = 1;
 constexpr int kMergeZoom = 2;
 
@@ -310,7 +310,9 @@ std::vector<std::string> Document::stepNames() const {
 std::vector<NamedRegion> Document::undoSteps() const {
   std::vector<NamedRegion> steps;
   for (int i = history_.index() - 1; i >= 0; --i) {
-    const DocumentState& before = static_cast<const StateCommand*>(history_.command(i))->before();
+    const auto* command = dynamic_cast<const StateCommand*>(history_.command(i));
+    if (command == nullptr) continue;  // The window's own: it changed no region.
+    const DocumentState& before = command->before();
     if (before.surface != state_.surface) break;  // Its surface would have to be made again.
     steps.push_back(
         {.name = history_.text(i).toStdString(), .region = before.region, .gain = before.gain});

@@ -16,10 +16,13 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -27,13 +30,15 @@
 #include "core/relief/relief_image.h"
 #include "ui/core_words.h"
 #include "ui/dialog_size.h"
+#include "ui/mnemonic.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
 namespace {
 
-constexpr int kLeastCharacters = 16;  // That a field shows.
+constexpr int kLeastCharacters = 16;  // That a field shows ...
+constexpr int kMostCharacters = 30;   // ... or more, where the screen is wide.
 constexpr int kDelayMs = 300;
 constexpr int kPreviewPx = 900;
 
@@ -84,6 +89,13 @@ void range(QDoubleSpinBox* box, double low, double high, int decimals, const QSt
   box->setKeyboardTracking(false);
 }
 
+/// Room for the longest layout's name and the end of a path, unless that took it from the preview.
+int fieldWidth(const QWidget& of) {
+  const int character = of.fontMetrics().averageCharWidth();
+  const int quarter = of.screen()->availableSize().width() / 4 / character;
+  return std::clamp(quarter, kLeastCharacters, kMostCharacters) * character;
+}
+
 struct Drawn {
   Figure figure;
   FigureFacts facts;
@@ -98,7 +110,7 @@ QString errorOf(const Work& work) {
   } catch (const Cancelled&) {
     return {};
   } catch (const Error& error) {
-    return spokenError(error);
+    return shownError(error);
   } catch (const std::bad_alloc&) {
     return FigureDialog::tr("There is not enough memory for this figure. Nothing was written.");
   }
@@ -112,15 +124,19 @@ Widget* FigureDialog::field(QFormLayout* layout, const QString& title, const cha
                             const QString& tip) {
   auto* widget = new Widget;
   widget->setObjectName(QString::fromLatin1(name));
-  widget->setAccessibleName(QString(title).remove('&'));
+  widget->setAccessibleName(withoutMnemonic(title));
   widget->setToolTip(tip);
   if constexpr (std::is_base_of_v<QCheckBox, Widget>) {
     widget->setText(title);
     layout->addRow(widget);
     connect(widget, &QCheckBox::toggled, this, &FigureDialog::changed);
   } else {
-    widget->setMinimumWidth(kLeastCharacters * widget->fontMetrics().averageCharWidth());
-    layout->addRow(title, widget);
+    widget->setMinimumWidth(fieldWidth(*this));
+    auto* label = new QLabel(title);
+    label->setBuddy(widget);
+    // A letter that is underlined stands farther from its neighbours than the label reckons.
+    label->setContentsMargins(0, 0, label->fontMetrics().averageCharWidth(), 0);
+    layout->addRow(label, widget);
   }
   if constexpr (std::is_base_of_v<QComboBox, Widget>) {
     widget->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -139,6 +155,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
     : QDialog(parent),
       surface_(std::move(surface)),
       project_(std::move(project)),
+      own_folder_(QFileInfo(file).absolutePath()),
       picture_(new QLabel),
       facts_(new QLabel),
       problem_(new QLabel),
@@ -189,7 +206,11 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   left->setWidgetResizable(true);
   left->setFrameShape(QFrame::NoFrame);
   left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  left->setMinimumWidth(form->minimumSizeHint().width() + 24);
+  // Names beside their fields, unless the screen is too narrow for them.
+  left->setMinimumWidth(std::clamp(form->sizeHint().width(), form->minimumSizeHint().width(),
+                                   std::max(form->minimumSizeHint().width(),
+                                            screen()->availableSize().width() * 2 / 5)) +
+                        left->verticalScrollBar()->sizeHint().width() + 8);
   auto* right = new QVBoxLayout;
   right->addWidget(picture_, 1);
   right->addWidget(facts_);
@@ -205,7 +226,7 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
   nameButtons(*buttons);
   save_ = buttons->button(QDialogButtonBox::Save);
   save_->setObjectName(QStringLiteral("figure_save"));
-  connect(save_, &QPushButton::clicked, this, &FigureDialog::write);
+  connect(save_, &QPushButton::clicked, this, &FigureDialog::save);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* bottom = new QHBoxLayout;
   bottom->addWidget(bar_, 1);
@@ -278,26 +299,26 @@ void FigureDialog::addPage(QFormLayout* layout) {
 void FigureDialog::addRelief(QFormLayout* layout) {
   relief_ = field<QComboBox>(layout, tr("Rel&ief"), "figure_relief", tr("How heights are painted"));
   fill(relief_, kReliefs);
-  colours_ = field<QComboBox>(layout, tr("Colours (&k)"), "figure_colours",
+  colours_ = field<QComboBox>(layout, tr("Colours"), "figure_colours",
                               tr("Even steps of lightness, also for colour-blind readers"));
   for (const std::string_view name : kColourMapNames) {
     colours_->addItem(coreText(name));
   }
-  azimuth_ = field<QDoubleSpinBox>(layout, tr("Light from (&q)"), "figure_azimuth",
+  azimuth_ = field<QDoubleSpinBox>(layout, tr("Light from"), "figure_azimuth",
                                    tr("0 is above, clockwise; 315 is the upper left"));
   range(azimuth_, 0, 360, 0, QStringLiteral("\u00b0"));
   azimuth_->setWrapping(true);
-  elevation_ = field<QDoubleSpinBox>(layout, tr("Light's height (&j)"), "figure_elevation",
+  elevation_ = field<QDoubleSpinBox>(layout, tr("Light's height"), "figure_elevation",
                                      tr("Low light brings out worn detail"));
   range(elevation_, 1, 90, 0, QStringLiteral("\u00b0"));
-  radius_ = field<QDoubleSpinBox>(layout, tr("Radius (&z)"), "figure_radius",
+  radius_ = field<QDoubleSpinBox>(layout, tr("Radius"), "figure_radius",
                                   tr("Of the neighbourhood of local relief, sky view, openness"));
   range(radius_, 0, 1e6, 2, QStringLiteral(" mm"));
   radius_->setSpecialValueText(tr("10 samples"));
 }
 
 void FigureDialog::addStereo(QFormLayout* layout) {
-  stereo_ = field<QComboBox>(layout, tr("Stereo (&v)"), "figure_stereo",
+  stereo_ = field<QComboBox>(layout, tr("Stereo"), "figure_stereo",
                              tr("For red and cyan glasses, or two pictures"));
   fill(stereo_, kStereos);
   eye_ = field<QDoubleSpinBox>(layout, tr("E&yes apart"), "figure_eye",
@@ -429,11 +450,10 @@ void FigureDialog::preview() {
 }
 
 void FigureDialog::showFacts(const FigureFacts& facts) {
-  const double dots = dpi_->value() / 25.4;
   QString text = tr("%1 \u00d7 %2 mm on paper, %3 \u00d7 %4 pixels, scale 1 : %5")
                      .arg(numberText(facts.width_mm, 1), numberText(facts.height_mm, 1))
-                     .arg(std::lround(facts.width_mm * dots))
-                     .arg(std::lround(facts.height_mm * dots))
+                     .arg(facts.width_px)
+                     .arg(facts.height_px)
                      .arg(numberText(1 / facts.paper_per_mm, 3));
   if (facts.eye_angle_deg > 0) {
     text += tr(". Parallax %1\u00b0 of %2\u00b0 with %3\u00b0 between the eyes")
@@ -444,10 +464,39 @@ void FigureDialog::showFacts(const FigureFacts& facts) {
   caption_->setPlainText(QString::fromStdString(facts.caption));
 }
 
+void FigureDialog::save() {
+  const QFileInfo target(file_->text());
+  const QString folder = target.absolutePath();
+  if (folder == own_folder_) QDir().mkpath(folder);
+  if (!QFileInfo(folder).isDir()) {
+    problem_->setText(tr("There is no folder %1. Nothing was written. Choose another, or make it.")
+                          .arg(QDir::toNativeSeparators(folder)));
+    problem_->show();
+    return;
+  }
+  if (!target.exists()) {
+    write();
+    return;
+  }
+  auto* box = new QMessageBox(QMessageBox::Warning, tr("Replace figure"),
+                              tr("%1 exists already in %2. Replace it?")
+                                  .arg(target.fileName(), QDir::toNativeSeparators(folder)),
+                              QMessageBox::Cancel, this);
+  box->setObjectName(QStringLiteral("figure_replace"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setAccessibleName(box->windowTitle());
+  nameButtons(*box->findChild<QDialogButtonBox*>());
+  auto* replace = box->addButton(tr("&Replace"), QMessageBox::AcceptRole);
+  replace->setAccessibleName(tr("Replace"));
+  box->setDefaultButton(QMessageBox::Cancel);
+  box->setEscapeButton(QMessageBox::Cancel);
+  connect(replace, &QPushButton::clicked, this, &FigureDialog::write);
+  box->open();
+}
+
 void FigureDialog::write() {
   delay_->stop();
   const QString target = file_->text();
-  QDir().mkpath(QFileInfo(target).absolutePath());
   const auto drawn = std::make_shared<Drawn>();
   const auto stopped = std::make_shared<bool>(true);
   writing_ = true;

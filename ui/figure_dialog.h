@@ -50,6 +50,7 @@ class FigureDialog : public QDialog {
   void limit();
   void changed();
   void preview();
+  void save();
   void write();
   void stop();
   void showBusy(bool busy);
@@ -60,6 +61,7 @@ class FigureDialog : public QDialog {
 
   const std::shared_ptr<const Surface> surface_;
   const Project project_;
+  const QString own_folder_;  ///< Of the suggested file; made if need be, unlike others.
   QComboBox *layout_ = nullptr, *relief_ = nullptr, *colours_ = nullptr, *stereo_ = nullptr;
   QDoubleSpinBox *width_ = nullptr, *dpi_ = nullptr, *scale_ = nullptr, *text_ = nullptr;
   QDoubleSpinBox *azimuth_ = nullptr, *elevation_ = nullptr, *radius_ = nullptr, *eye_ = nullptr;

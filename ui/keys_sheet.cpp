@@ -10,12 +10,37 @@
 
 #include "ui/core_words.h"
 #include "ui/dialog_size.h"
+#include "ui/mnemonic.h"
 
 namespace relievo {
 namespace {
 
+constexpr double kMostOfKeys = 0.42;  // Of the table's width, for the keys.
+
 struct Row {
   QString keys, what;
+};
+
+/// Both columns wrap: keys have what they need, but leave room for what they do.
+class KeyTable : public QTableWidget {
+ public:
+  explicit KeyTable(int rows) : QTableWidget(rows, 2) {
+    setWordWrap(true);
+    setTextElideMode(Qt::ElideNone);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setStretchLastSection(true);
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    verticalHeader()->hide();
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QTableWidget::resizeEvent(event);
+    const int most = static_cast<int>(kMostOfKeys * viewport()->width());
+    setColumnWidth(0, std::min(sizeHintForColumn(0) + fontMetrics().averageCharWidth(), most));
+    resizeRowsToContents();
+  }
 };
 
 QList<Row> rowsOf(const QList<QAction*>& commands) {
@@ -27,11 +52,11 @@ QList<Row> rowsOf(const QList<QAction*>& commands) {
       keys << key.toString(QKeySequence::NativeText);
     }
     QString what = command->whatsThis();
-    if (what.isEmpty()) what = command->text().remove('&');
+    if (what.isEmpty()) what = withoutMnemonic(command->text());
     // Siblings share their explanation; their names tell them apart.
     const auto shares = [&what](const QAction* other) { return other->whatsThis() == what; };
     if (std::count_if(commands.begin(), commands.end(), shares) > 1) {
-      what = KeysSheet::tr("%1: %2").arg(command->text().remove('&'), what);
+      what = KeysSheet::tr("%1: %2").arg(withoutMnemonic(command->text()), what);
     }
     rows.append({keys.join(QLatin1String(", ")), what});
   }
@@ -60,12 +85,9 @@ KeysSheet::KeysSheet(const QList<QAction*>& commands, QWidget* parent) : QDialog
   setWindowTitle(tr("Keys"));
   resizeToText(*this, {92, 36});
   const QList<Row> rows = rowsOf(commands);
-  auto* table = new QTableWidget(rows.size(), 2);
+  auto* table = new KeyTable(rows.size());
   table->setAccessibleName(tr("Keys"));
   table->setHorizontalHeaderLabels({tr("Keys"), tr("What they do")});
-  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-  table->horizontalHeader()->setStretchLastSection(true);
-  table->verticalHeader()->hide();
   table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setShowGrid(false);

@@ -24,6 +24,7 @@
 #include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
 #include "ui/first_view.h"
+#include "ui/header_row.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/overview_inset.h"
@@ -49,37 +50,6 @@ namespace {
 constexpr int kPlotHeight = 140;
 constexpr QSize kFirstSize(1440, 900);
 constexpr QSize kLeastSize(760, 460);
-
-/// Title and note above a view; the note, which panels and status bar say too, makes room where
-/// both are longer than the view is wide.
-class HeaderRow : public QWidget {
- public:
-  HeaderRow(QLabel* title, QLabel* note) : title_(title), note_(note) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
-    row->addWidget(title);
-    row->addStretch(1);
-    row->addWidget(note);
-  }
-
- protected:
-  void resizeEvent(QResizeEvent* event) override {
-    QWidget::resizeEvent(event);
-    fit();
-  }
-  bool event(QEvent* event) override {
-    if (event->type() == QEvent::LayoutRequest) fit();
-    return QWidget::event(event);
-  }
-
- private:
-  void fit() {
-    note_->setVisible(title_->sizeHint().width() + note_->sizeHint().width() <= width());
-  }
-
-  QLabel *title_, *note_;
-};
 
 QLabel* headerLabel(const QString& name) {
   auto* label = new QLabel;
@@ -180,7 +150,6 @@ void MainWindow::layOut() {
   views_->setStretchFactor(1, 2);
   views_->setSizes({1000, 2000});
   plot_ = new TimePlot;
-  plot_->setMinimumHeight(90);
   plot_->hide();
   rows_ = new QSplitter(Qt::Vertical);
   rows_->addWidget(views_);
@@ -188,7 +157,6 @@ void MainWindow::layOut() {
   replay_ = new ReplayControl(document_, this);
   video_ = new VideoControl(this);
   path_preview_ = new PathPreview(this);
-  replay_->panel()->setMinimumHeight(120);
   rows_->addWidget(replay_->panel());
   rows_->setCollapsible(0, false);
   rows_->setStretchFactor(0, 1);
@@ -286,6 +254,8 @@ void MainWindow::connectParts() {
   connectPlaces();
   connectReplay();
   connectVideo();
+  connectImages();
+  connectPackages();
   strip_->setOfferKey(command("answer")->shortcut());
   command("answer")->setEnabled(strip_->hasOffer());
   connect(strip_, &MessageStrip::offerChanged, command("answer"), &QAction::setEnabled);
@@ -377,6 +347,10 @@ void MainWindow::showBusy(bool busy) {
 
 void MainWindow::showMessage(const QString& text) {
   strip_->show(spokenError(text));  // A touch module passes on what core says.
+}
+
+void MainWindow::showError(const QString& text, const QString& code) {
+  strip_->show(shownError(text, code));
 }
 
 QString MainWindow::message() const {

@@ -12,10 +12,13 @@
 #include "ui/document.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
+#include "ui/picture_file.h"
 #include "ui/picture_turns.h"
 #include "ui/replay_control.h"
 #include "ui/settings.h"
 #include "ui/touch_readout.h"
+#include "ui/video_control.h"
+#include "ui/work_queue.h"
 
 class QComboBox;
 class QLabel;
@@ -40,11 +43,26 @@ class StatusFields;
 class StereoPanel;
 class SurfacePanel;
 class TimePlot;
-class VideoControl;
 class ViewPanel;
 class WorkKeeper;
 
+struct PackageChoice;
+
 enum class ImageSource { reference, detail, window };
+
+/// What a step of the history can change beside region and surface.
+struct ShownWork {
+  ReliefLook look;  ///< With its light.
+  StereoOptions stereo;
+  std::vector<NamedRegion> places;
+  std::vector<Measurement> measurements;
+  friend bool operator==(const ShownWork&, const ShownWork&) = default;
+};
+
+/// Which files a recording needs to be repeated, beside its scan. [worker] @param scans  also other
+/// scans that were touched
+using CompanionsOf = std::function<std::vector<InputFile>(const std::filesystem::path& recording,
+                                                          bool scans, const Task& task)>;
 
 /// The window: one object, two views, one hand. It shows and asks; what it shows is `document()`.
 /// [GUI thread]
@@ -70,11 +88,21 @@ class MainWindow : public QMainWindow {
   void saveProject(const QString& file);
   /// Places, measurements, camera paths or, in a project, settings that no file holds.
   bool hasUnsavedWork();
-  /// PNG of a view or the window, exactly `pixels` large.
-  /// @throw WriteError, GraphicsError
-  void writeImage(ImageSource source, const QSize& pixels, const QString& file);
+  /// PNG of a view or the window, exactly `pixels` large, drawn and written in the background; the
+  /// strip says what went wrong.
+  void saveImage(ImageSource source, const QSize& pixels, const QString& file);
+  bool savingImage() const { return image_work_.busy(); }
+  /// Who knows what recordings need; without one packages hold the recordings alone.
+  void setCompanions(CompanionsOf companions);
+  /// A recording of the open map is on the disk: from now on it belongs to the work.
+  void noteRecording(const QString& file);
+  /// Writes and checks a package for citation in the background.
+  void writePackage(const PackageChoice& choice);
+  bool packing() const { return package_work_.busy(); }
   /// A sentence above the views.
   void showMessage(const QString& text);
+  /// The same of an error, with its code and what can be done.
+  void showError(const QString& text, const QString& code);
   QString message() const;  ///< Empty while there is none.
 
   // What a touch module offers and tells; see plugins/api.
@@ -97,7 +125,7 @@ class MainWindow : public QMainWindow {
   /// @param chosen  profile, size and rate; the rest is as the window shows it
   void writeVideo(const VideoRequest& chosen, const QString& file);
   VideoControl& videoControl() { return *video_; }
-  QImage videoPicture();  ///< What a video of the view shows now.
+  VideoControl::LiveSource liveSource();  ///< What a video of the view shows.
   /// Comment lines about input, unit, view and region for the header of a recording in `file`.
   QString recordingHeader(const QString& file) const;
 
@@ -158,7 +186,6 @@ class MainWindow : public QMainWindow {
   void showHistory();
   void enableCommands();
   void chooseFile();
-  void chooseImage();
   void chooseDepthMap();
   void showKeys();
   void showSteps();
@@ -166,6 +193,25 @@ class MainWindow : public QMainWindow {
   QAction* command(const char* name) const;
   /// The menu with this English name; made with the title if there is none.
   QMenu* menu(const QString& name, const QString& title);
+
+  // main_window_image.cpp
+  void chooseImage();
+  void connectImages();
+  PictureOrder pictureOrder(ImageSource source, const QSize& pixels, const QString& file);
+  /// The window has to wait for pictures, and closes by itself after them.
+  bool closesWhenImagesAreSaved();
+
+  // main_window_package.cpp
+  void makePackageCommand();
+  void connectPackages();
+  void noteFigure(const QString& file);
+  void choosePackage();
+
+  // main_window_steps.cpp
+  ShownWork shownWork() const;
+  /// A step of the history, if something has changed since the last one.
+  void noteStep(const QString& name, int merge_id = -1);
+  void showWork(const ShownWork& work);
 
   // main_window_project.cpp
   void chooseFigure();
@@ -192,6 +238,8 @@ class MainWindow : public QMainWindow {
   void namePlace();
   void toggleBeacon();
   void goToPlace(const NamedRegion& place);
+  void copyView();
+  void pasteView();
   void showView(const ViewState& view);
   void offerLeftWork();
 
@@ -274,6 +322,12 @@ class MainWindow : public QMainWindow {
   TouchReadout touch_;
   bool touch_present_ = false;
   QByteArray layout_before_full_screen_;
+  bool closes_when_saved_ = false;
+  ShownWork noted_;           ///< As of the last step.
+  bool stepping_ = false;     ///< Through the history: no new steps.
+  QStringList figures_made_;  ///< Since the scan was opened; offered for a package.
+  CompanionsOf companions_;
+  WorkQueue image_work_, package_work_, record_work_;
 };
 
 }  // namespace relievo

@@ -140,6 +140,7 @@ void MainWindow::makeCommands() {
   makeReliefCommands();
   makeMeasureCommands();
   makePlaceCommands();
+  makePackageCommand();
   makeReplayCommands();
   makeVideoCommands();
 }

@@ -28,7 +28,7 @@ void MainWindow::makeMeasureCommands() {
     const char* name;
     QString text, tip;
   };
-  const std::array<Entry, 6> entries{
+  const std::array<Entry, 7> entries{
       {{MeasureKind::point, "measure_point", tr("&Point"), tr("Height of one place")},
        {MeasureKind::distance, "measure_distance", tr("&Distance"), tr("Between two places")},
        {MeasureKind::depth, "measure_depth", tr("Depth di&fference"),
@@ -36,7 +36,9 @@ void MainWindow::makeMeasureCommands() {
        {MeasureKind::angle, "measure_angle", tr("&Angle"), tr("At the second of three places")},
        {MeasureKind::profile, "measure_profile", tr("P&rofile"), tr("Heights along a line")},
        {MeasureKind::area, "measure_area", tr("Area and &volume"),
-        tr("Of a piece of surface above its lowest corner")}}};
+        tr("Of a piece of surface above its lowest corner, or another plane")},
+       {MeasureKind::section, "measure_section", tr("Se&ction"),
+        tr("Where a plane through one, two or three places cuts the surface")}}};
   for (const Entry& e : entries) {
     make({e.name, e.text, {}, e.tip, [this, kind = e.kind] { beginMeasuring(kind); }, {}});
   }
@@ -52,7 +54,7 @@ void MainWindow::makeMeasureCommands() {
   make({"measure_save_list",
         tr("&Save\u2026"),
         {},
-        tr("The list as CSV, or the selected profile as CSV or SVG"),
+        tr("The list as CSV, or the selected profile or section as CSV or SVG"),
         [this] { saveMeasurements(); },
         {}});
 }
@@ -83,6 +85,7 @@ void MainWindow::makeReliefCommands() {
                               ReliefLook look = detail_->sceneState().look;
                               look.kind = kind;
                               showLook(look);
+                              noteStep(tr("Relief image"));
                             },
                             {},
                             true});
@@ -103,6 +106,7 @@ void MainWindow::makeReliefCommands() {
                               ReliefLook look = detail_->sceneState().look;
                               look.colours = map;
                               showLook(look);
+                              noteStep(tr("Relief image"));
                             },
                             {},
                             true});
@@ -119,8 +123,9 @@ void MainWindow::beginMeasuring(MeasureKind kind) {
 void MainWindow::showMeasurements() {
   detail_->setPicking(measure_panel_->measuring() && !measure_panel_->byTouch());
   const auto lines = measure_panel_->lines();
-  detail_->setLines(lines);
-  reference_->setLines(lines);
+  const auto curves = measure_panel_->curves();
+  detail_->setLines(lines, curves);
+  reference_->setLines(lines, curves);
 }
 
 void MainWindow::saveMeasurements() {
@@ -130,12 +135,12 @@ void MainWindow::saveMeasurements() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const QString list = tr("List of measurements (*.csv)");
-  dialog->setNameFilters({list, tr("Selected profile (*.csv *.svg)")});
+  dialog->setNameFilters({list, tr("Selected profile or section (*.csv *.svg)")});
   dialog->selectFile(input.completeBaseName() + QLatin1String("-measurements.csv"));
   connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, list](const QString& file) {
     try {
       if (dialog->selectedNameFilter() != list) {
-        measure_panel_->writeProfile(file);
+        measure_panel_->writeSelected(file);
       } else {
         QSaveFile out(file);
         const QByteArray text = measure_panel_->csv().toUtf8();

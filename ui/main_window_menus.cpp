@@ -15,12 +15,13 @@
 
 #include "ui/depth_map_dialog.h"
 #include "ui/detail_view.h"
-#include "ui/image_dialog.h"
 #include "ui/keys_sheet.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
+#include "ui/mnemonic.h"
 #include "ui/spoken_error.h"
 #include "ui/start_page.h"
+#include "ui/tool_bar_fitter.h"
 
 namespace relievo {
 
@@ -48,9 +49,10 @@ void MainWindow::makeMenus() {
   recent_menu_ = file->addMenu(tr("Open &recent"));
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
-  add(file, {"save_project", "save_project_as", "-", "figure", "image", "-", "quit"});
-  add(menu(QStringLiteral("edit"), tr("&Edit")),
-      {"undo", "redo", "history", "-", "answer", "-", "preferences"});
+  add(file,
+      {"save_project", "save_project_as", "-", "figure", "image", "-", "package", "-", "quit"});
+  add(menu(QStringLiteral("edit"), tr("&Edit")), {"undo", "redo", "history", "-", "copy_view",
+                                                  "paste_view", "-", "answer", "-", "preferences"});
   QMenu* view = menu(QStringLiteral("view"), tr("&View"));
   add(view, {"front", "back", "left", "right", "top", "bottom", "auto", "-"});
   QMenu* turn = view->addMenu(tr("Turn &detail view"));
@@ -82,7 +84,7 @@ void MainWindow::makeMenus() {
   add(engine, {"engine_cpu", "engine_depthbuffer"});
   add(menu(QStringLiteral("measure"), tr("&Measure")),
       {"measure_point", "measure_distance", "measure_depth", "measure_angle", "measure_profile",
-       "measure_area", "measure_touch", "-", "measure_save_list"});
+       "measure_area", "measure_section", "measure_touch", "-", "measure_save_list"});
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
   add(menu(QStringLiteral("record"), tr("Re&cord")),
@@ -93,8 +95,8 @@ void MainWindow::makeMenus() {
 }
 
 void MainWindow::makeThemeMenu(QMenu* view) {
-  QMenu* themes = view->addMenu(tr("Colours (&h)"));
-  themes->menuAction()->setToolTip(tr("Light or dark window"));
+  QMenu* themes = view->addMenu(tr("Lig&ht or dark"));
+  themes->menuAction()->setToolTip(tr("Colours of the window"));
   auto* group = new QActionGroup(this);
   struct Entry {
     Theme theme;
@@ -125,7 +127,6 @@ void MainWindow::makeToolBar() {
   tools_->setObjectName(QStringLiteral("tools"));
   tools_->setAccessibleName(tr("Tools"));
   tools_->setMovable(false);
-  tools_->setIconSize({20, 20});
   tools_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   tools_->setContextMenuPolicy(Qt::PreventContextMenu);
   tools_->addAction(command("open"));
@@ -170,12 +171,13 @@ void MainWindow::makeToolBar() {
   for (QToolButton* button : tools_->findChildren<QToolButton*>()) {
     button->setFocusPolicy(Qt::StrongFocus);
     if (button->defaultAction() == nullptr) continue;
-    button->setAccessibleName(button->defaultAction()->text().remove('&').remove(u'\u2026'));
+    button->setAccessibleName(withoutMnemonic(button->defaultAction()->text()).remove(u'\u2026'));
   }
   for (const char* name : {"coarser", "finer"}) {
     auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(command(name)));
     button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   }
+  new ToolBarFitter(*tools_);
 }
 
 void MainWindow::showRecent() {
@@ -204,8 +206,8 @@ void MainWindow::showHistory() {
   const auto show = [](QAction* action, const QString& verb, const QString& what, bool can,
                        const QString& key) {
     action->setEnabled(can);
-    action->setText(what.isEmpty() ? verb : verb + ' ' + what);
-    action->setToolTip(QStringLiteral("%1 (%2)").arg(action->text().remove('&'), key));
+    action->setText(what.isEmpty() ? verb : tr("%1 %2", "undo, step").arg(verb, what));
+    action->setToolTip(QStringLiteral("%1 (%2)").arg(withoutMnemonic(action->text()), key));
   };
   show(command("undo"), tr("&Undo"), history.undoText(), history.canUndo(),
        QStringLiteral("Ctrl+Z"));
@@ -217,11 +219,11 @@ void MainWindow::enableCommands() {
   enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
-  for (const char* name :
-       {"image",       "finer",      "coarser",        "whole",       "move_left", "move_right",
-        "move_up",     "move_down",  "turn_left",      "turn_right",  "turn_up",   "turn_down",
-        "type_window", "fit",        "stereo",         "full_screen", "depth_map", "units",
-        "name_place",  "next_place", "previous_place", "beacon"}) {
+  for (const char* name : {"image",       "package",    "copy_view",  "paste_view",     "finer",
+                           "coarser",     "whole",      "move_left",  "move_right",     "move_up",
+                           "move_down",   "turn_left",  "turn_right", "turn_up",        "turn_down",
+                           "type_window", "fit",        "stereo",     "full_screen",    "depth_map",
+                           "units",       "name_place", "next_place", "previous_place", "beacon"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",
@@ -232,7 +234,7 @@ void MainWindow::enableCommands() {
   if (!is_open) return;
   if (replay_->showing()) {  // The recording chooses the window.
     for (const char* name : {"finer", "coarser", "whole", "move_left", "move_right", "move_up",
-                             "move_down", "type_window", "depth_map", "units"}) {
+                             "move_down", "type_window", "paste_view", "depth_map", "units"}) {
       command(name)->setEnabled(false);
     }
     return;
@@ -254,28 +256,15 @@ void MainWindow::chooseFile() {
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters(
       {tr("Scans, height maps, projects and figures (%1)")
-           .arg((scanPatterns() << QStringLiteral("*.json") << QStringLiteral("*.png")).join(' ')),
+           .arg((scanPatterns() << QStringLiteral("*.json") << QStringLiteral("*.png")
+                                << QStringLiteral("*.pdf") << QStringLiteral("*.svg"))
+                    .join(' ')),
        tr("All files (*)")});
   const QString folder = settings_.layout(QStringLiteral("folder")).toString();
   if (!folder.isEmpty()) dialog->setDirectory(folder);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     settings_.setLayout(QStringLiteral("folder"), QFileInfo(file).absolutePath());
     open(file);
-  });
-  dialog->open();
-}
-
-void MainWindow::chooseImage() {
-  auto* dialog =
-      new ImageDialog(QFileInfo(document_.file()).completeBaseName(), detail_->size(), this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &ImageDialog::chosen, this, [this](const ImageChoice& choice) {
-    try {
-      writeImage(choice.source, choice.pixels, choice.file);
-      announce(tr("%1 is saved").arg(QFileInfo(choice.file).fileName()));
-    } catch (const Error& error) {
-      strip_->show(spokenError(error));
-    }
   });
   dialog->open();
 }

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Named places, and work that outlives a crash.
+// Named places, views as text, and work that outlives a crash.
 #include <algorithm>
 #include <cmath>
 #include <QAction>
+#include <QClipboard>
 #include <QFileInfo>
+#include <QGuiApplication>
 
+#include "core/base/error.h"
 #include "core/region/window.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
 #include "ui/places_panel.h"
+#include "ui/side_panels.h"
+#include "ui/spoken_error.h"
 #include "ui/stereo_panel.h"
 #include "ui/view_panel.h"
 #include "ui/work_keeper.h"
@@ -19,6 +24,8 @@ namespace relievo {
 namespace {
 
 constexpr int kMostBeacons = 9;
+// Of steps that merge while a slider is dragged; the document's own ids are below.
+constexpr int kMergeStereo = 101, kMergeLight = 102;
 constexpr double kSameBeaconMm = 5;  // Of hand: nearer than that is the same beacon.
 
 QString beaconName(int number) {
@@ -63,6 +70,18 @@ void MainWindow::makePlaceCommands() {
         tr("Go to the place with a name before this one"),
         [this] { places_panel_->step(-1); },
         {}});
+  make({"copy_view",
+        tr("&Copy view as text"),
+        {QKeySequence("Ctrl+Shift+C")},
+        tr("Place, level, gain, light, colours and turn, to be sent or pasted"),
+        [this] { copyView(); },
+        {}});
+  make({"paste_view",
+        tr("Paste &view"),
+        {QKeySequence("Ctrl+Shift+V")},
+        tr("Show the view that was copied as text"),
+        [this] { pasteView(); },
+        {}});
   make({"beacon",
         tr("&Beacon here"),
         {QKeySequence("Ctrl+B")},
@@ -75,10 +94,13 @@ void MainWindow::connectPlaces() {
   connect(places_panel_, &PlacesPanel::addAsked, this, &MainWindow::namePlace);
   connect(places_panel_, &PlacesPanel::goAsked, this, &MainWindow::goToPlace);
   connect(places_panel_, &PlacesPanel::said, this, &MainWindow::announce);
-  connect(places_panel_, &PlacesPanel::changed, this, &MainWindow::keepWork);
-  connect(measure_panel_, &MeasurePanel::changed, this, &MainWindow::keepWork);
-  connect(stereo_panel_, &StereoPanel::changed, this, &MainWindow::keepWork);
-  connect(view_panel_, &ViewPanel::lightChanged, this, &MainWindow::keepWork);
+  connect(places_panel_, &PlacesPanel::changed, this, [this] { noteStep(tr("Places")); });
+  connect(measure_panel_, &MeasurePanel::changed, this, [this] { noteStep(tr("Measurements")); });
+  connect(stereo_panel_, &StereoPanel::changed, this,
+          [this] { noteStep(tr("Stereo"), kMergeStereo); });
+  connect(view_panel_, &ViewPanel::lightChanged, this,
+          [this] { noteStep(tr("Light"), kMergeLight); });
+  connect(detail_, &DetailView::turned, this, &MainWindow::keepWork);
   connect(&document_.history(), &QUndoStack::indexChanged, this, &MainWindow::keepWork);
   connect(keeper_, &WorkKeeper::failed, this, &MainWindow::showMessage);
 }
@@ -90,6 +112,7 @@ void MainWindow::keepWork() {
 void MainWindow::namePlace() {
   if (!document_.isOpen()) return;
   command("show_panels")->setChecked(true);
+  panels_->reveal(places_panel_);
   NamedRegion place{.name = places_panel_->freeName().toStdString(),
                     .region = document_.state().region,
                     .gain = document_.state().gain};
@@ -137,9 +160,40 @@ void MainWindow::goToPlace(const NamedRegion& place) {
   }
   Region to = place.region;
   if (isBeacon(place)) to = moved(document_.surface()->ladder, to, 0, 0).value_or(to);
+  if (place.view) {
+    showView(*place.view);
+    noteStep(tr("Go to %1").arg(name));
+  }
   document_.goTo(to, place.gain, tr("Go to %1").arg(name));
-  if (place.view) showView(*place.view);
   announce(tr("%1. Detail %2 of %3").arg(name).arg(document_.detail()).arg(document_.details()));
+}
+
+void MainWindow::copyView() {
+  QGuiApplication::clipboard()->setText(QString::fromStdString(toText(viewOf(project()))));
+  announce(tr("The view is copied as text"));
+}
+
+void MainWindow::pasteView() {
+  if (!document_.isOpen()) return;
+  try {
+    const ViewState view =
+        viewFromText(QGuiApplication::clipboard()->text().trimmed().toStdString());
+    const DetailLadder& ladder = document_.surface()->ladder;
+    if (view.region.level.value >= document_.details() || !onMap(ladder, view.region)) {
+      strip_->show(
+          tr("The copied view does not lie on this map. The window was not moved. Open the "
+             "scan that it was copied from."));
+      return;
+    }
+    showView(view);
+    noteStep(tr("Paste view"));
+    document_.goTo(view.region, view.gain, tr("Paste view"));
+    announce(tr("The copied view is shown. Detail %1 of %2")
+                 .arg(document_.detail())
+                 .arg(document_.details()));
+  } catch (const Error& error) {
+    strip_->show(shownError(error));
+  }
 }
 
 void MainWindow::showView(const ViewState& view) {

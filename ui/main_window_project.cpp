@@ -6,10 +6,12 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QScopedValueRollback>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
+#include "core/project/project_files.h"
 #include "ui/detail_view.h"
 #include "ui/figure_dialog.h"
 #include "ui/main_window.h"
@@ -76,6 +78,12 @@ void MainWindow::restore(const Project& project, const QString& from) {
   request.history = project.history;
   request.undo = project.undo;
   request.accept_incomplete = project.accept_incomplete;
+  if (!QFileInfo::exists(request.file) && !from.isEmpty()) {
+    try {  // Moved together with what carries the state, or in a package.
+      request.file = QFile::decodeName(foundInput(pathOf(from), project.file).c_str());
+    } catch (const FileError&) {  // Said below.
+    }
+  }
   if (!QFileInfo::exists(request.file)) {
     strip_->show(tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
                     "file. (E501)")
@@ -106,6 +114,8 @@ void MainWindow::relink(const Project& project, const QString& from) {
 
 // What belongs to the state but not to the surface, once the file is read.
 void MainWindow::showRestored() {
+  const QScopedValueRollback<bool> no_steps(stepping_, true);
+  figures_made_.clear();
   if (!restoring_) {
     project_ = Project{};
     project_file_.clear();
@@ -113,6 +123,7 @@ void MainWindow::showRestored() {
     places_panel_->setPlaces({});
     keeper_->forget();
     noteSaved();
+    noted_ = shownWork();
     return;
   }
   const Project stored = *std::exchange(restoring_, std::nullopt);
@@ -120,6 +131,7 @@ void MainWindow::showRestored() {
   measure_panel_->setMeasurements(stored.measurements);
   places_panel_->setPlaces(stored.places);
   showView(viewOf(stored));
+  noted_ = shownWork();
   keeper_->forget();
   noteSaved();
   if (!recovered_copy_.isEmpty()) {
@@ -140,7 +152,7 @@ void MainWindow::showRestored() {
 }
 
 bool MainWindow::restoreFromFile(const QString& file) {
-  if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".csv"})) return false;
+  if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".pdf", ".svg", ".csv"})) return false;
   try {
     const auto project = carriedProject(pathOf(file));
     if (!project) return false;  // A height map or points, then.
@@ -152,7 +164,7 @@ bool MainWindow::restoreFromFile(const QString& file) {
     return true;
   } catch (const Error& error) {
     if (!endsIn(file, {".json"})) return false;  // The readers say what is wrong.
-    strip_->show(spokenError(error));
+    strip_->show(shownError(error));
     return true;
   }
 }
@@ -190,7 +202,7 @@ void MainWindow::saveProject(const QString& file) {
     showRecent();
     announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
   } catch (const Error& error) {
-    strip_->show(spokenError(error));
+    strip_->show(shownError(error));
   }
 }
 
@@ -205,10 +217,15 @@ void MainWindow::chooseFigure() {
                        freeFigureName(QFileInfo(document_.file()).completeBaseName()), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setModal(true);  // The state must not change below a preview of it.
-  connect(dialog, &FigureDialog::requestChanged, this,
-          [this](const FigureRequest& request) { project_.figure = request; });
+  connect(dialog, &FigureDialog::requestChanged, this, [this](const FigureRequest& request) {
+    project_.figure = request;
+    keepWork();
+  });
   connect(dialog, &FigureDialog::written, this, [this](const QString& file) {
-    announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+    noteFigure(file);
+    const QFileInfo saved(file);
+    announce(tr("%1 is saved in %2")
+                 .arg(saved.fileName(), QDir::toNativeSeparators(saved.absolutePath())));
   });
   dialog->show();
 }

@@ -125,7 +125,7 @@ void MainWindow::openRecordedMap(const QString& file) {
     }
   } catch (const Error& error) {
     replay_->forgetWaiting();
-    strip_->show(spokenError(error));
+    strip_->show(shownError(error));
     return;
   }
   // Empty: not there; restoring says so and lets it be found by hand.

@@ -17,6 +17,7 @@
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
+#include "ui/mnemonic.h"
 #include "ui/reference_view.h"
 #include "ui/replay_panel.h"
 #include "ui/side_panels.h"
@@ -82,7 +83,7 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
   if (!forces) tools_->insertAction(before, action);
   if (auto* button = qobject_cast<QToolButton*>(tools_->widgetForAction(action))) {
     button->setFocusPolicy(Qt::StrongFocus);
-    button->setAccessibleName(action->text().remove('&'));
+    button->setAccessibleName(withoutMnemonic(action->text()));
   }
 }
 
@@ -256,37 +257,6 @@ QString MainWindow::recordingHeader(const QString& file) const {
       QLatin1String("# gain: ") + exact(state.gain),
       QLatin1String("# ") + QString::fromStdString(stateLine(carriedState(file)))}
       .join('\n');
-}
-
-void MainWindow::writeImage(ImageSource source, const QSize& pixels, const QString& file) {
-  QImage image;
-  switch (source) {
-    case ImageSource::reference:
-      image = reference_->image(pixels);
-      break;
-    case ImageSource::detail:
-      image = detail_->image(pixels);
-      break;
-    case ImageSource::window:
-      for (SurfaceView* view :
-           {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
-        view->appear();
-      }
-      image = grab().toImage().scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-      image.setDevicePixelRatio(1);
-      break;
-  }
-  image.setText(QStringLiteral("Software"),
-                QLatin1String("relievo ") + QStringLiteral(RELIEVO_VERSION_STRING));
-  image.setText(QStringLiteral("Title"), QFileInfo(document_.file()).fileName());
-  image.setText(QStringLiteral("Description"), recordingHeader(file));
-  const Project state = relativeTo(project(), QFile::encodeName(file).toStdString());
-  image.setText(QString::fromUtf8(kStateKey.data()), QString::fromStdString(projectJson(state)));
-  if (!image.save(file, "PNG")) {
-    throw WriteError(tr("%1 could not be written. Nothing was saved. Choose another place.")
-                         .arg(file)
-                         .toStdString());
-  }
 }
 
 }  // namespace relievo

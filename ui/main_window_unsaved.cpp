@@ -97,6 +97,10 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
+  if (closesWhenImagesAreSaved()) {
+    event->ignore();
+    return;
+  }
   saveLayout();
   document_.cancel();
   Q_EMIT closing();

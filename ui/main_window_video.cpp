@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Videos and camera paths: commands of the window.
+#include <algorithm>
 #include <array>
 #include <QAction>
 #include <QDateTime>
@@ -7,7 +8,6 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QPainter>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
@@ -73,6 +73,7 @@ void MainWindow::makeVideoCommands() {
         [this] {
           project_.paths.clear();
           enableVideo();
+          keepWork();
           announce(tr("The camera path is empty"));
         },
         {}});
@@ -164,19 +165,22 @@ void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
   video_->write(order);
 }
 
-QImage MainWindow::videoPicture() {
-  QImage view = detail_->shot();
-  view.setDevicePixelRatio(1);
-  QWidget* below = replay_->showing() ? static_cast<QWidget*>(replay_->panel()) : plot_;
-  if (!below->isVisible()) return view;
-  QImage plots = below->grab().toImage();
-  plots.setDevicePixelRatio(1);
-  plots = plots.scaledToWidth(view.width(), Qt::SmoothTransformation);
-  QImage page(view.width(), view.height() + plots.height(), QImage::Format_RGB32);
-  QPainter painter(&page);
-  painter.drawImage(0, 0, view);
-  painter.drawImage(0, view.height(), plots);
-  return page;
+VideoControl::LiveSource MainWindow::liveSource() {
+  const auto below = [this]() -> QWidget* {
+    QWidget* shown = replay_->showing() ? static_cast<QWidget*>(replay_->panel()) : plot_;
+    return shown->isVisible() ? shown : nullptr;
+  };
+  QSize pixels = detail_->shotSize();
+  if (const QWidget* plots = below()) {
+    pixels.rheight() += pixels.width() * plots->height() / std::max(1, plots->width());
+  }
+  return {.pixels = pixels,
+          .view = [this] { return detail_->shot(); },
+          .below =
+              [below] {
+                QWidget* plots = below();
+                return plots != nullptr ? plots->grab().toImage() : QImage();
+              }};
 }
 
 void MainWindow::setLiveVideo(bool on) {
@@ -188,7 +192,7 @@ void MainWindow::setLiveVideo(bool on) {
   const QString stem = videoFolder() + QLatin1String("/view-") +
                        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss"));
   const auto start = [this](const QString& file, VideoProfile profile) {
-    if (video_->startLive(file, profile, carriedState(file), [this] { return videoPicture(); })) {
+    if (video_->startLive(file, profile, carriedState(file), liveSource())) {
       announce(tr("Video to %1").arg(QDir::toNativeSeparators(file)));
     } else {
       command("video_live")->setChecked(false);
@@ -217,6 +221,7 @@ void MainWindow::addKeyView() {
                   {state.region, state.gain, scene.look, scene.stereo, scene.camera.azimuth_deg,
                    scene.camera.elevation_deg}});
   enableVideo();
+  keepWork();
   announce(tr("Key view %1 at %2 s").arg(keys.size()).arg(numberText(keys.back().t_s, 0)));
 }
 
@@ -230,7 +235,7 @@ void MainWindow::previewPath() {
   try {
     path_preview_->play(project_.paths.front(), document_.surface()->ladder);
   } catch (const Error& error) {
-    strip_->show(spokenError(error));
+    strip_->show(shownError(error));
   }
 }
 

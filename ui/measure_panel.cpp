@@ -2,19 +2,18 @@
 #include "ui/measure_panel.h"
 
 #include <QAbstractButton>
-#include <QFile>
-#include <QFileInfo>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
+#include "core/measure/measure_text.h"
 #include "ui/core_words.h"
-#include "ui/figure/profile_plot.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 
@@ -39,12 +38,10 @@ QString kindText(MeasureKind kind) {
       return MeasurePanel::tr("Profile");
     case MeasureKind::area:
       return MeasurePanel::tr("Area and volume");
+    case MeasureKind::section:
+      return MeasurePanel::tr("Section");
   }
   return {};
-}
-
-int decimalsFor(double uncertainty) {
-  return uncertainty >= 10 ? 0 : uncertainty >= 1 ? 1 : uncertainty >= 0.1 ? 2 : 3;
 }
 
 QString quantityText(const Quantity& q) {
@@ -54,12 +51,41 @@ QString quantityText(const Quantity& q) {
            word(q.unit));
 }
 
-QString quoted(QString text) {
-  return '"' + text.replace('"', QLatin1String("\"\"")) + '"';
+/// Where the plane of an area or a section lies.
+QString planeWords(const Measurement& m) {
+  const bool level = m.normal.x == 0 && m.normal.y == 0 && m.normal.z > 0;
+  if (m.kind == MeasureKind::area || level) {
+    return MeasurePanel::tr("Plane level at %1 mm").arg(numberText(m.plane_mm, 3));
+  }
+  return m.normal.z == 0 ? MeasurePanel::tr("Plane upright, %1 mm from the corner")
+                               .arg(numberText(m.plane_mm, 3))
+                         : MeasurePanel::tr("Plane oblique, %1 mm from the corner")
+                               .arg(numberText(m.plane_mm, 3));
 }
 
-QString exact(double value) {
-  return QString::number(value, 'g', 10);
+constexpr std::size_t kMostDrawnPoints = 20'000;
+
+/// For a view, which draws all points in each picture: of very long ones only points far enough
+/// apart, ends included.
+std::vector<std::vector<ViewMm>> drawnCurves(const std::vector<SectionCurve>& curves) {
+  std::size_t points = 0;
+  double length_mm = 0;
+  for (const SectionCurve& curve : curves) {
+    points += curve.points.size();
+    length_mm += curve.length_mm;
+  }
+  const double apart_mm =
+      points > kMostDrawnPoints ? length_mm / static_cast<double>(kMostDrawnPoints) : 0;
+  std::vector<std::vector<ViewMm>> drawn;
+  for (const SectionCurve& curve : curves) {
+    std::vector<ViewMm> line{curve.points.front()};
+    for (const ViewMm& p : curve.points) {
+      if (norm(p - line.back()) > apart_mm) line.push_back(p);
+    }
+    line.push_back(curve.closed ? curve.points.front() : curve.points.back());
+    drawn.push_back(std::move(line));
+  }
+  return drawn;
 }
 
 }  // namespace
@@ -71,7 +97,10 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
       hint_(new QLabel),
       list_(new QTableWidget(0, 2)),
       remove_(new QPushButton(tr("Delete"))),
-      save_(new QPushButton(tr("Save list\u2026"))) {
+      save_(new QPushButton(tr("Save list\u2026"))),
+      plane_row_(new QWidget),
+      plane_label_(new QLabel),
+      plane_(new QDoubleSpinBox) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 0, 0, 6);
   hint_->setObjectName(QStringLiteral("measure_hint"));
@@ -95,11 +124,13 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
   list_->setWordWrap(true);
   list_->setMinimumHeight(120);
   column->addWidget(list_);
+  makePlaneRow();
+  column->addWidget(plane_row_);
   auto* row = new QHBoxLayout;
   for (const auto& [button, name, tip] :
        {std::tuple{remove_, "measure_delete", tr("Delete the selected measurement")},
         std::tuple{save_, "measure_save",
-                   tr("Save the list as CSV, or the selected profile as CSV or SVG")}}) {
+                   tr("Save the list as CSV, or the selected profile or section as CSV or SVG")}}) {
     button->setObjectName(QString::fromLatin1(name));
     button->setAccessibleName(button->text().remove(u'\u2026'));
     button->setToolTip(tip);
@@ -111,9 +142,56 @@ MeasurePanel::MeasurePanel(Document& document, QWidget* parent)
   connect(list_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
     if (!showing_ && item->column() == 0) rename(item->row(), item->text());
   });
+  connect(list_, &QTableWidget::currentCellChanged, this, [this] {
+    if (!showing_) showPlane();
+  });
   connect(&document_, &Document::surfaceChanged, this, &MeasurePanel::showList);
   connect(readings_, &MeasureReadings::changed, this, &MeasurePanel::showReadings);
   tellNext();
+  showList();
+}
+
+void MeasurePanel::makePlaneRow() {
+  auto* form = new QFormLayout(plane_row_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  plane_->setObjectName(QStringLiteral("measure_plane"));
+  plane_->setAccessibleName(tr("Height from which the volume counts"));
+  plane_->setRange(-1e7, 1e7);
+  plane_->setDecimals(3);
+  plane_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  plane_->setSuffix(tr(" mm"));
+  plane_->setKeyboardTracking(false);
+  plane_label_->setBuddy(plane_);
+  form->addRow(plane_label_, plane_);
+  connect(plane_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double mm) {
+    if (const auto row = selected()) setPlane(*row, mm);
+  });
+}
+
+/// Of the selected measurement, if it has one.
+void MeasurePanel::showPlane() {
+  const auto row = selected();
+  const Measurement* m = row ? &measurements_[static_cast<std::size_t>(*row)] : nullptr;
+  const bool shown = m != nullptr && hasPlane(m->kind);
+  plane_row_->setVisible(shown);
+  if (!shown) return;
+  const bool area = m->kind == MeasureKind::area;
+  plane_label_->setText(area ? tr("Volume counts from:") : tr("Plane at:"));
+  plane_->setAccessibleName(area ? tr("Height from which the volume counts")
+                                 : tr("Place of the section's plane"));
+  plane_->setToolTip(area ? tr("Height of the plane above which the volume of the selected area "
+                               "counts")
+                          : tr("Distance of the section's plane from the lower left corner at "
+                               "height 0, along its normal; the height of a level plane"));
+  const QSignalBlocker quiet(plane_);
+  plane_->setValue(m->plane_mm);
+}
+
+void MeasurePanel::setPlane(int row, double plane_mm) {
+  Measurement& m = measurements_[static_cast<std::size_t>(row)];
+  if (!hasPlane(m.kind) || m.plane_mm == plane_mm) return;
+  m.plane_mm = plane_mm;
   showList();
 }
 
@@ -143,13 +221,15 @@ void MeasurePanel::start(MeasureKind kind, bool by_touch) {
 }
 
 void MeasurePanel::follow(const TouchSample& sample) {
-  if (!by_touch_) return;
+  const bool section = making_ && making_->kind == MeasureKind::section;
+  if (!by_touch_ && !section) return;
   const auto mark = touched_.follow(sample, document_.window()->spacingMm());
   if (!mark) return;
   if (!mark->stroke) {
     addPlace(mark->places.front().x, mark->places.front().y);
     return;
   }
+  if (section) return;
   keep({.kind = MeasureKind::profile, .places = mark->places});
   Q_EMIT changed();
 }
@@ -159,6 +239,7 @@ void MeasurePanel::keep(Measurement done) {
   measurements_.push_back(std::move(done));
   tell_last_ = true;
   showReadings();
+  list_->setCurrentCell(list_->rowCount() - 1, 0);
 }
 
 /// All that a measurement reads, one line each; or why it reads nothing.
@@ -172,6 +253,10 @@ QString MeasurePanel::readingText(const Measurement& m) const {
     lines
         << tr("%1 % of it is not measured").arg(numberText(100 * entry->reading->not_measured, 0));
   }
+  if (!entry->reading->curves.empty()) {
+    lines << tr("%n curve(s)", "", static_cast<int>(entry->reading->curves.size()));
+  }
+  if (hasPlane(m.kind)) lines << planeWords(m);
   return lines.join('\n');
 }
 
@@ -190,7 +275,13 @@ void MeasurePanel::addPlace(double x_mm, double y_mm) {
     return Q_EMIT said(spokenError(error));
   }
   making_->places.push_back({x_mm, y_mm});
+  if (making_->kind == MeasureKind::area && lastSideCrosses(making_->places)) {
+    return takeBack(tr("The outline would cross itself here. Choose another place."));
+  }
   const int placed = static_cast<int>(making_->places.size());
+  if (making_->kind == MeasureKind::section && placed == placesAtMost(MeasureKind::section)) {
+    return keepSection();
+  }
   if (placed == placesNeeded(making_->kind) && !takesMore(making_->kind)) {
     keep(*std::exchange(making_, std::nullopt));
     if (by_touch_) making_ = Measurement{.kind = MeasureKind::depth};
@@ -203,6 +294,18 @@ void MeasurePanel::addPlace(double x_mm, double y_mm) {
 void MeasurePanel::finish() {
   if (!making_ || !takesMore(making_->kind)) return;
   if (static_cast<int>(making_->places.size()) < placesNeeded(making_->kind)) return;
+  if (making_->kind == MeasureKind::area) return keepArea();
+  if (making_->kind == MeasureKind::section) return keepSection();
+  keep(*std::exchange(making_, std::nullopt));
+  tellNext();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::keepArea() {
+  if (!outlineProblem(making_->places).empty()) {
+    return takeBack(
+        tr("The outline crosses itself or has no area. Its last corner was taken back."));
+  }
   Measurement done = *making_;
   // The volume counts from the lowest of the corners, which a change of the list can move.
   try {
@@ -216,6 +319,32 @@ void MeasurePanel::finish() {
   making_.reset();
   keep(std::move(done));
   tellNext();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::keepSection() {
+  std::vector<ViewMm> points;
+  try {
+    for (const PlaceMm& place : making_->places) {
+      if (const auto point = readings_->pointAt(place)) points.push_back(point->at);
+    }
+    const PlaneMm plane = planeThrough(points);
+    making_.reset();
+    keep({.kind = MeasureKind::section, .plane_mm = plane.offset_mm, .normal = plane.normal});
+  } catch (const FileError& error) {
+    return Q_EMIT said(spokenError(error));
+  } catch (const ArgumentError& error) {
+    return takeBack(spokenError(error));
+  }
+  tellNext();
+  Q_EMIT changed();
+}
+
+void MeasurePanel::takeBack(const QString& why) {
+  making_->places.pop_back();
+  tellNext();
+  hint_->setText(why + ' ' + hint_->text());
+  Q_EMIT said(why);
   Q_EMIT changed();
 }
 
@@ -245,7 +374,11 @@ void MeasurePanel::tellNext() {
                      .arg(kindText(making_->kind))
                      .arg(placed + 1)
                      .arg(std::max(needed, placed + 1));
-  if (takesMore(making_->kind) && placed >= needed) text += ' ' + tr("A double click or F ends.");
+  if (making_->kind == MeasureKind::section) {
+    text += ' ' + tr("F after one place: the contour at its height; after two: an upright cut "
+                     "through both. Three places: the plane through them.");
+  } else if (takesMore(making_->kind) && placed >= needed)
+    text += ' ' + tr("A double click or F ends.");
   hint_->setText(text);
   Q_EMIT said(text);
 }
@@ -266,6 +399,7 @@ void MeasurePanel::showList() {
   }
   list_->resizeRowsToContents();
   list_->setCurrentCell(std::min(selected_row, list_->rowCount() - 1), 0);
+  showPlane();
   remove_->setEnabled(!measurements_.empty());
   save_->setEnabled(!measurements_.empty());
   showing_ = false;
@@ -310,66 +444,26 @@ std::vector<std::vector<ViewMm>> MeasurePanel::lines() const {
     if (m.kind == MeasureKind::area && line.size() > 2) line.push_back(line.front());
     lines.push_back(line);
   };
-  for (const Measurement& m : measurements_) add(m);
+  for (const Measurement& m : measurements_) {
+    if (m.kind != MeasureKind::section) add(m);
+  }
   if (making_) add(*making_);
   return lines;
 }
 
-std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Measurement& m) const {
-  auto entry = readings_->of(m);
-  if (entry) return entry;
-  throw ArgumentError(
-      tr("%1 is still being read. Nothing was saved. Save again when the list shows its value.")
-          .arg(QString::fromStdString(m.name))
-          .toStdString());
-}
-
-QString MeasurePanel::csv() const {
-  QStringList rows{QStringLiteral("# relievo %1, input %2, sha256 %3")
-                       .arg(QStringLiteral(RELIEVO_VERSION_STRING),
-                            QFileInfo(document_.file()).fileName(), document_.fileSha256()),
-                   QStringLiteral("name,kind,what,value,uncertainty,unit,not_measured,places_mm")};
+std::vector<std::vector<ViewMm>> MeasurePanel::curves() const {
+  std::vector<std::vector<ViewMm>> curves;
+  if (!document_.isOpen()) return curves;
   for (const Measurement& m : measurements_) {
-    QStringList places;
-    for (const PlaceMm& place : m.places) places << exact(place.x) + ' ' + exact(place.y);
-    const auto entry = readEntry(m);
-    if (!entry->reading) {
-      rows << QStringLiteral("# %1: %2").arg(QString::fromStdString(m.name), entry->problem);
-      continue;
-    }
-    for (const Quantity& q : entry->reading->quantities) {
-      rows << QStringList{quoted(QString::fromStdString(m.name)),
-                          word(name(m.kind)),
-                          quoted(word(q.title)),
-                          exact(q.value),
-                          exact(q.uncertainty),
-                          word(q.unit),
-                          exact(entry->reading->not_measured),
-                          quoted(places.join(QStringLiteral("; ")))}
-                  .join(',');
+    if (m.kind != MeasureKind::section) continue;
+    const auto entry = readings_->of(m);
+    if (!entry || !entry->reading) continue;
+    for (std::vector<ViewMm>& curve : drawnCurves(entry->reading->curves)) {
+      for (ViewMm& p : curve) p.z *= document_.state().gain;
+      curves.push_back(std::move(curve));
     }
   }
-  return rows.join('\n') + '\n';
-}
-
-void MeasurePanel::writeProfile(const QString& file) const {
-  const auto row = selected();
-  if (!row || measurements_[static_cast<std::size_t>(*row)].kind != MeasureKind::profile) {
-    throw ArgumentError(tr("Select a profile in the list first.").toStdString());
-  }
-  const Measurement& m = measurements_[static_cast<std::size_t>(*row)];
-  const auto entry = readEntry(m);
-  if (!entry->reading) throw ArgumentError(entry->problem.toStdString());
-  const std::vector<ProfileRow>& rows = entry->rows;
-  const std::string text =
-      file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)
-          ? profileSvg(rows)
-          : profileCsv(rows, document_.file().toStdString(), document_.fileSha256().toStdString());
-  QSaveFile out(file);
-  if (!out.open(QIODevice::WriteOnly) ||
-      out.write(text.data(), static_cast<qint64>(text.size())) < 0 || !out.commit()) {
-    throw WriteError(tr("%1 could not be written. Choose another place.").arg(file).toStdString());
-  }
+  return curves;
 }
 
 }  // namespace relievo

@@ -31,20 +31,26 @@ class MeasurePanel : public QWidget {
   bool measuring() const { return making_.has_value(); }
   void addPlace(double x_mm, double y_mm);
   /// From now on taps of the hand that feels the surface give places, two of them a depth
-  /// difference, and strokes profiles; until cancel().
+  /// difference, and strokes profiles; until cancel(). While a section is being made its places can
+  /// be tapped, too.
   void beginByTouch();
   bool byTouch() const { return by_touch_; }
-  /// Where the proxy is now; does nothing unless byTouch().
+  /// Where the proxy is now; does nothing unless taps give places.
   void follow(const TouchSample& sample);
-  /// Ends a profile or an area; does nothing for the others.
+  /// Ends a profile, an area or a section; does nothing for the others.
   void finish();
   void cancel();
 
-  /// Every row of the list: name, kind, value, uncertainty, unit, share not measured, places.
+  /// Of an area or a section; others have no plane.
+  void setPlane(int row, double plane_mm);
+
+  /// Every row of the list: name, kind, value, uncertainty, unit, share not measured, places,
+  /// plane.
   /// @throw ArgumentError  one of them is still being read
   QString csv() const;
-  /// Heights along the profile that is selected. @throw ArgumentError, WriteError
-  void writeProfile(const QString& file) const;
+  /// Heights along the profile that is selected, or the curves of the section, as CSV or SVG.
+  /// @throw ArgumentError, WriteError
+  void writeSelected(const QString& file) const;
 
  Q_SIGNALS:
   void changed();  ///< Of what is to be drawn.
@@ -52,18 +58,27 @@ class MeasurePanel : public QWidget {
   void saveAsked();
 
  public:
-  /// Lines through the surface, for the views; the one being made is the last.
+  /// Lines through the surface, for the views; the one being made is the last. Sections have none.
   std::vector<std::vector<ViewMm>> lines() const;
+  /// The sections' curves, for the views.
+  std::vector<std::vector<ViewMm>> curves() const;
 
  private:
   void showList();
   void showReadings();
+  QString sourceText() const;
   QString readingText(const Measurement& m) const;
   std::shared_ptr<const MeasureReadings::Entry> readEntry(const Measurement& m) const;
   void rename(int row, const QString& name);
   void removeSelected();
   void start(MeasureKind kind, bool by_touch);
   void keep(Measurement done);
+  void keepArea();
+  void keepSection();
+  /// Says why the last place cannot be, and takes it back.
+  void takeBack(const QString& why);
+  void makePlaneRow();
+  void showPlane();
   void tellNext();
   std::optional<int> selected() const;
 
@@ -77,6 +92,9 @@ class MeasurePanel : public QWidget {
   QLabel* hint_;
   QTableWidget* list_;
   QPushButton *remove_, *save_;
+  QWidget* plane_row_;
+  QLabel* plane_label_;
+  QDoubleSpinBox* plane_;
   bool showing_ = false;
 };
 

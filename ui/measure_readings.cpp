@@ -12,7 +12,8 @@ namespace {
 
 /// But for the name.
 bool readsTheSame(const Measurement& a, const Measurement& b) {
-  return a.kind == b.kind && a.places == b.places && a.plane_mm == b.plane_mm;
+  return a.kind == b.kind && a.places == b.places && a.plane_mm == b.plane_mm &&
+         a.normal == b.normal;
 }
 
 MeasureReadings::Entry entryOf(const MapCells& cells, const Measurement& m) {
@@ -43,7 +44,7 @@ std::shared_ptr<const MeasureReadings::Entry> MeasureReadings::of(const Measurem
                                   [&](const Known& known) { return readsTheSame(known.first, m); });
   if (found != known_.end()) return found->second;
   const Surface& surface = *document_.surface();
-  const bool at_once = !surface.tiles || !takesMore(m.kind);
+  const bool at_once = m.kind != MeasureKind::section && (!surface.tiles || !takesMore(m.kind));
   if (at_once) {
     known_.emplace_back(m, std::make_shared<const Entry>(entryOf(mapCells(surface), m)));
   } else {

@@ -14,8 +14,9 @@
 
 namespace relievo {
 
-/// What measurements read on the document's map, each read once. At once on a map in memory; of a
-/// map by tiles, profiles and areas, which may cross all of its files, are read by a worker.
+/// What measurements read on the document's map, each read once. At once on a map in memory, but
+/// for sections, which always cross it all; of a map by tiles, also profiles and areas, which may
+/// cross all of its files, are read by a worker.
 /// [GUI thread]
 class MeasureReadings : public QObject {
   Q_OBJECT

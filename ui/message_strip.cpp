@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "ui/mnemonic.h"
 #include "ui/palette.h"
 
 namespace relievo {
@@ -50,8 +51,8 @@ void MessageStrip::show(const QString& text, const std::vector<Button>& buttons)
   QWidget* before = nullptr;
   for (const Button& b : buttons) {
     auto* button = new QPushButton(b.text, this);
-    button->setAccessibleName(b.text);
-    button->setToolTip(b.text);
+    button->setAccessibleName(withoutMnemonic(b.text));
+    button->setToolTip(button->accessibleName());
     connect(button, &QPushButton::clicked, this, [this, action = b.action] {
       close();
       if (action) action();
@@ -99,7 +100,7 @@ void MessageStrip::showOfferKey() {
     setAccessibleDescription(label_->text());
     return;
   }
-  const QString name = offer_->text().remove('&');
+  const QString name = withoutMnemonic(offer_->text());
   offer_->setToolTip(QStringLiteral("%1 (%2)").arg(name, key_->text()));
   setAccessibleDescription(QStringLiteral("%1 %2: %3").arg(label_->text(), key_->text(), name));
 }

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <QApplication>
+#include <QEvent>
 #include <QFont>
-#include <QStyleFactory>
 #include <QWidget>
 #include <utility>
 #include <vector>
+
+#include "ui/window_style.h"
 
 namespace relievo {
 namespace {
@@ -17,17 +19,18 @@ QColor rgb(QRgb value) {
 }
 
 // window base text quiet button border highlight highlighted link viewport strip hip proxy force
+// frame
 const std::array<ThemeColours, 3>& table() {
   static const std::array<ThemeColours, 3> kTable{{
       {rgb(0xf4f4f2), rgb(0xffffff), rgb(0x1e2226), rgb(0x5c646b), rgb(0xececea), rgb(0xc9cbcc),
        rgb(0x2f6f9f), rgb(0xffffff), rgb(0x1f5f95), rgb(0x23262a), rgb(0xfff3d6), rgb(0xd62828),
-       rgb(0x2563eb), rgb(0x2f7d4f)},
+       rgb(0x2563eb), rgb(0x2f7d4f), rgb(0x82888e)},
       {rgb(0x26292d), rgb(0x1d2023), rgb(0xe4e6e8), rgb(0xa4abb2), rgb(0x31353a), rgb(0x43484e),
        rgb(0x3f86b8), rgb(0xffffff), rgb(0x7fb8e6), rgb(0x1b1d20), rgb(0x4a3d1c), rgb(0xff6b6b),
-       rgb(0x6ea0ff), rgb(0x6cc592)},
+       rgb(0x6ea0ff), rgb(0x6cc592), rgb(0x7f878f)},
       {rgb(0x000000), rgb(0x1c1c1c), rgb(0xffffff), rgb(0xe8e8e8), rgb(0x101010), rgb(0xffffff),
        rgb(0xffd400), rgb(0x000000), rgb(0x6fc3ff), rgb(0x000000), rgb(0x3a3000), rgb(0xff7a7a),
-       rgb(0x8ab4ff), rgb(0x7dffb0)},
+       rgb(0x8ab4ff), rgb(0x7dffb0), rgb(0xffffff)},
   }};
   return kTable;
 }
@@ -77,6 +80,12 @@ void applyTextSize(int percent) {
     own.setPointSizeF(points);
     widget->setFont(own);
   }
+  if (text_scale == before) return;
+  // The style's marks have grown, too.
+  for (QWidget* widget : QApplication::allWidgets()) {
+    QEvent changed(QEvent::StyleChange);
+    QApplication::sendEvent(widget, &changed);
+  }
 }
 
 double textScale() {
@@ -113,7 +122,7 @@ void applyTheme(QApplication& app, Theme theme) {
     faint.setAlphaF(current_theme == Theme::contrast ? 0.8 : 0.55);
     p.setColor(QPalette::Disabled, role, faint);
   }
-  app.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  app.setStyle(new WindowStyle);  // Which the application owns.
   app.setPalette(p);
   QString sheet = QStringLiteral("QToolTip { color: %1; background: %2; border: 1px solid %3; }")
                       .arg(c.text.name(), c.base.name(), c.border.name());

@@ -18,12 +18,13 @@ struct ThemeColours {
   QColor viewport;  ///< Behind the surface.
   QColor strip;     ///< Behind a message.
   QColor hip, proxy, force;
+  QColor frame;  ///< Of fields and boxes: at least 3 : 1 to window and base (WCAG 2.1, 1.4.11).
 };
 const ThemeColours& colours(Theme theme);  ///< theme other than system.
 
 /// The theme that `system` stands for now.
 Theme resolved(Theme theme);
-/// Fusion style with our palette.
+/// WindowStyle with our palette.
 void applyTheme(QApplication& app, Theme theme);
 /// Percent of the system's text size.
 inline constexpr int kLeastTextPercent = 100;

@@ -15,6 +15,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include "core/relief/look.h"
@@ -25,12 +26,27 @@
 #include "ui/text.h"
 
 namespace relievo {
+namespace {
+
+/// As wide as its entries, whatever the size of text.
+class PageList : public QListWidget {
+ public:
+  PageList() { setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding); }
+  QSize sizeHint() const override {
+    const int inside = sizeHintForColumn(0) + fontMetrics().averageCharWidth();
+    return {inside + 2 * frameWidth() + style()->pixelMetric(QStyle::PM_ScrollBarExtent),
+            QListWidget::sizeHint().height()};
+  }
+  QSize minimumSizeHint() const override { return {sizeHint().width(), 0}; }
+};
+
+}  // namespace
 
 PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
     : QDialog(parent),
       settings_(settings),
       words_(new QLineEdit),
-      pages_(new QListWidget),
+      pages_(new PageList),
       stack_(new QStackedWidget),
       nothing_(new QLabel(tr("No setting has these words."))) {
   setObjectName(QStringLiteral("preferences_dialog"));
@@ -47,7 +63,6 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
   makeUnits();
   makeStereo();
   makeDevice();
-  pages_->setFixedWidth(pages_->sizeHintForColumn(0) + 32);
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
   column->addWidget(nothing_);
@@ -250,8 +265,8 @@ void PreferencesDialog::makeStereo() {
 void PreferencesDialog::makeDevice() {
   addPage(tr("Device"));
   addFile({"falcon_firmware", tr("Falcon firmware"),
-           tr("File with the Falcon's firmware, or its folder; empty: the usual places. Holds from "
-              "the next start")});
+           tr("File with the Falcon's firmware, or its folder; empty: the usual places. Holds when "
+              "a Falcon is started next")});
   addSwitch({"keep_work", tr("Keep work for a crash"),
              tr("A copy of unsaved work every two seconds, offered after a crash")},
             true);
@@ -275,7 +290,6 @@ void PreferencesDialog::search(const QString& words) {
     if (any && first < 0) first = page;
   }
   nothing_->setVisible(first < 0);
-  stack_->setVisible(first >= 0);
   const int now = pages_->currentRow();
   if (first >= 0 && (now < 0 || found[static_cast<std::size_t>(now)] == 0)) {
     pages_->setCurrentRow(first);

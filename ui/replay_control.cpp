@@ -53,7 +53,7 @@ void ReplayControl::open(const QString& file) {
         } catch (const Cancelled&) {
           return;
         } catch (const Error& error) {
-          read->error = spokenError(error);
+          read->error = shownError(error);
         }
       },
       [this, read, file] {

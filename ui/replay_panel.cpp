@@ -103,8 +103,6 @@ void ReplayPanel::layOut() {
   slider_->installEventFilter(this);
   time_->setObjectName(QStringLiteral("replay_time"));
   time_->setAccessibleName(tr("Time in the recording"));
-  time_->setMinimumWidth(
-      time_->fontMetrics().horizontalAdvance(QStringLiteral("0000.00 of 0000.00 s")));
   speed_->setObjectName(QStringLiteral("replay_speed"));
   speed_->setAccessibleName(tr("Speed"));
   speed_->setToolTip(tr("How fast the recording is shown"));
@@ -126,6 +124,20 @@ void ReplayPanel::layOut() {
   column->setSpacing(2);
   column->addLayout(controls);
   column->addLayout(plots, 1);
+  takeFont();
+}
+
+void ReplayPanel::takeFont() {
+  // Nothing beside the time jumps while it counts.
+  const QString end = numberText(player_.durationS(), 2);
+  time_->setMinimumWidth(QFontMetrics(font()).horizontalAdvance(tr("%1 of %2 s").arg(end, end)));
+  slider_->setMinimumWidth(2 * QFontMetrics(font()).height());
+  for (StripPlot* plot : {&heights_, &forces_}) plot->takeFont(font());
+}
+
+void ReplayPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange) takeFont();
 }
 
 QString ReplayPanel::timeText() const {
@@ -146,6 +158,7 @@ void ReplayPanel::showLoaded() {
   const QSignalBlocker quiet(slider_);
   slider_->setRange(0, static_cast<int>(std::lround(1000 * player_.durationS())));
   low_s_ = high_s_ = 0;
+  takeFont();
 }
 
 void ReplayPanel::showTime() {

@@ -33,11 +33,13 @@ class ReplayPanel : public QWidget {
   void closeAsked();
 
  protected:
+  void changeEvent(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void layOut();
+  void takeFont();
   void showLoaded();
   void showTime();
   void showPart();

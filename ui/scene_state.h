@@ -30,7 +30,7 @@ struct SceneState {
   StereoOptions stereo;
   LightOptions light;
   ReliefLook look;
-  std::vector<std::vector<ViewMm>> lines;  ///< Measurements.
+  std::vector<std::vector<ViewMm>> lines, curves;  ///< Measurements.
   QColor background{0x23, 0x26, 0x2a};
   std::optional<RectMm> pink;
   std::optional<Probe> probe;

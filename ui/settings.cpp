@@ -66,11 +66,23 @@ QString Settings::stateFolder(const QString& name) const {
 }
 
 QVariant Settings::choice(const QString& key, const QVariant& fallback) const {
+  const auto place = elsewhere_.find(key);
+  if (place != elsewhere_.end()) return place->second.read();
   return safe_ ? fallback : config_.value(key, fallback);
 }
 
 void Settings::setChoice(const QString& key, const QVariant& value) {
+  const auto place = elsewhere_.find(key);
+  if (place != elsewhere_.end()) return place->second.write(value);
   if (!safe_) config_.setValue(key, value);
+}
+
+void Settings::keepElsewhere(const QString& key, const Elsewhere& place) {
+  if (safe_) return;
+  const QString before = config_.value(key).toString();
+  config_.remove(key);
+  if (!before.isEmpty() && place.read().toString().isEmpty()) place.write(before);
+  elsewhere_[key] = place;
 }
 
 QVariant Settings::layout(const QString& key) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 #include <QByteArray>
 #include <QSettings>
@@ -32,11 +34,20 @@ class Settings {
 
   QVariant choice(const QString& key, const QVariant& fallback) const;
   void setChoice(const QString& key, const QVariant& value);
+  /// A choice that other programs share: from now on it is read and written there, and what was
+  /// chosen here before goes there if nothing was chosen there. Not in safe mode.
+  struct Elsewhere {
+    std::function<QVariant()> read;
+    std::function<void(const QVariant&)> write;
+  };
+  void keepElsewhere(const QString& key, const Elsewhere& place);
+
   QVariant layout(const QString& key) const;
   void setLayout(const QString& key, const QVariant& value);
 
  private:
   bool safe_;
+  std::map<QString, Elsewhere> elsewhere_;
   mutable QSettings config_, state_;
 };
 

@@ -2,6 +2,8 @@
 #include "ui/side_panels.h"
 
 #include <algorithm>
+#include <QApplication>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -26,6 +28,10 @@ SidePanels::SidePanels(QWidget* parent) : QScrollArea(parent) {
   column_->setSpacing(4);
   column_->addStretch(1);
   setWidget(content);
+  // Wherever the keyboard goes in here, by whatever command, is seen.
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (now != nullptr && widget()->isAncestorOf(now)) ensureWidgetVisible(now);
+  });
 }
 
 void SidePanels::add(const QString& title, QWidget* panel) {
@@ -53,11 +59,26 @@ void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   column_->insertWidget(2 * index, header);  // Headers and panels alternate.
   column_->insertWidget(2 * index + 1, panel);
   headers_.insert(headers_.begin() + index, header);
+  if (window_width_ > 0) fitTo(window_width_);
+}
+
+void SidePanels::reveal(QWidget* panel) {
+  const int index = column_->indexOf(panel);
+  if (index < 1) return;
+  panel->show();
+  headers_[static_cast<std::size_t>(index / 2)]->setArrowType(Qt::DownArrow);
+  column_->activate();
+  widget()->adjustSize();
+  ensureWidgetVisible(panel);
 }
 
 void SidePanels::fitTo(int window_width) {
+  window_width_ = window_width;
   const int wanted = static_cast<int>(kWidth * textScale());
-  setFixedWidth(std::max(kWidth, std::min(wanted, window_width * 2 / 5)));
+  // What cannot wrap, such as a check box's text, may take half of the window.
+  const int needed = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  const int most = std::clamp(needed, window_width * 2 / 5, window_width / 2);
+  setFixedWidth(std::max(kWidth, std::min(wanted, most)));
 }
 
 QStringList SidePanels::titles() const {

@@ -17,12 +17,15 @@ class SidePanels : public QScrollArea {
   void add(const QString& title, QWidget* panel);  ///< Takes ownership; goes to the end.
   void insert(int index, const QString& title, QWidget* panel);
   QStringList titles() const;
-  /// As wide as its text asks for, and never more than two fifths of the window.
+  /// Unfolds the section of a panel and scrolls to it.
+  void reveal(QWidget* panel);
+  /// As wide as its text asks for, and never more than half of the window.
   void fitTo(int window_width);
 
  private:
   QVBoxLayout* column_;
   std::vector<QToolButton*> headers_;
+  int window_width_ = 0;  ///< Pixels; 0: not yet told.
 };
 
 }  // namespace relievo

@@ -5,12 +5,14 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 
+#include "core/base/error.h"
+
 namespace relievo {
 namespace {
 
-// Sentences of core/io, core/session, haptics/record and ui/video with their parts as %1, %2, ...:
-// core knows no languages, and its error carries the sentence alone. A sentence that was reworded
-// there is shown in English until it is here; language_test provokes the errors.
+// Sentences of core (io, measure, project, session), haptics/record and ui/video with their parts
+// as %1, %2, ...: core knows no languages, and its error carries the sentence alone. A sentence
+// that was reworded there is shown in English until it is here; language_test provokes the errors.
 constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "Cannot read %1: there is no such file. Check the name and the folder."),
@@ -50,10 +52,73 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1: %2. Check the folder, its permissions and the free space."),
     QT_TRANSLATE_NOOP("Core",
+                      "The outline crosses itself, so that it has no inside. Choose its corners in "
+                      "order."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The corners lie on one line, so that there is no area among them. Choose "
+                      "others."),
+    QT_TRANSLATE_NOOP("Core", "The plane does not cut the surface. Choose another plane."),
+    QT_TRANSLATE_NOOP("Core", "Two places, one above the other, give no plane. Choose another."),
+    QT_TRANSLATE_NOOP("Core", "Three places on one line give no plane. Choose another."),
+    QT_TRANSLATE_NOOP("Core",
                       "Recording stopped: disk full. %1 samples are saved and complete in \"%2\"."),
     QT_TRANSLATE_NOOP("Core",
                       "Video stopped: disk full. %1 s (%2 frames) are saved and complete in "
-                      "\"%3\".")};
+                      "\"%3\"."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Cannot read %1: its points have no %2 coordinate. Export it with x, y and z."),
+    QT_TRANSLATE_NOOP("Core", "Cannot read %1: it holds no rows of numbers. Choose another file."),
+    QT_TRANSLATE_NOOP("Core", "Cannot read %1: it has 0 points. Choose another file."),
+    QT_TRANSLATE_NOOP("Core", "Cannot read %1: it holds 0 triangles. Choose another file."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Cannot read %1: its header promises no vertices. Choose a file with points."),
+    QT_TRANSLATE_NOOP("Core", "Cannot read %1: its header names no format. Export it again."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Cannot read %1: it is shorter than the header of an STL file. Copy or export it again."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Cannot read %1: its points cannot be decoded. The file is damaged; export it again."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Cannot read %1: it became shorter while it was read, or its disk failed. Try again."),
+    QT_TRANSLATE_NOOP("Core", "Cannot read %1: it was changed while it was read. Try again."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot read %1: it is a colour picture, not a height raster. Choose the "
+                      "raster with one band of heights."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot read %1: its pixels are measured in degrees. Reproject it to metres, "
+                      "for example %2"),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot read %1: it is not a whole zip file. Copy or download it again."),
+    QT_TRANSLATE_NOOP(
+        "Core", "The project %1 is damaged (line %2). Nothing was changed. Choose another file."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The project %1 is damaged (a part is missing or has another form). Nothing "
+                      "was changed. Choose another file."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The project %1 is damaged (%2). Nothing was changed. Choose another file."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The project %1 was written by another relievo (schema %2; this one reads up "
+                      "to %3). Nothing was changed. Use that version, or choose another file."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1 is not a project of relievo. Nothing was changed. Choose another file."),
+    QT_TRANSLATE_NOOP(
+        "Core", "No cell of the grid was hit by the scan. Nothing was made. Choose another view."),
+    QT_TRANSLATE_NOOP("Core", "The recording '%1' cannot be read. Choose another file."),
+    QT_TRANSLATE_NOOP("Core", "'%1' is no recording: it has no column '%2'. Choose another file."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot write %1 (%2). What was there is as before. Choose another folder or "
+                      "free some space."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The package %1 could not be written (%2). Nothing was left behind. Choose "
+                      "another folder or free some space.")};
 
 QRegularExpression formOf(const QString& sentence) {
   QString form = QRegularExpression::escape(sentence);
@@ -90,6 +155,18 @@ QString spokenError(const QString& english) {
 
 QString spokenError(const std::exception& error) {
   return spokenError(QString::fromUtf8(error.what()));
+}
+
+QString shownError(const QString& english, const QString& code) {
+  const QString text = spokenError(english);
+  if (code.isEmpty() || text.contains(code)) return text;
+  return QStringLiteral("%1 (%2)").arg(text, code);
+}
+
+QString shownError(const std::exception& error) {
+  const auto* ours = dynamic_cast<const Error*>(&error);
+  return shownError(QString::fromUtf8(error.what()),
+                    ours != nullptr ? QString::fromStdString(ours->code) : QString());
 }
 
 }  // namespace relievo

@@ -11,5 +11,8 @@ namespace relievo {
 /// stay English, so that they can be searched for. [any thread]
 QString spokenError(const QString& english);
 QString spokenError(const std::exception& error);
+/// The same for the screen, with the catalogue's code at its end if there is one: "... (E401)".
+QString shownError(const QString& english, const QString& code);
+QString shownError(const std::exception& error);
 
 }  // namespace relievo

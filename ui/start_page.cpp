@@ -31,6 +31,8 @@ QListWidget* fileList(const QString& title, QVBoxLayout* column) {
   list->setAccessibleName(title);
   list->setFrameShape(QFrame::StyledPanel);
   list->setTextElideMode(Qt::ElideMiddle);
+  list->setWordWrap(true);
+  list->setResizeMode(QListView::Adjust);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setSpacing(2);
   list->setIconSize(kIconSize);
@@ -58,7 +60,15 @@ QString captionOf(const QFileInfo& file) {
   return file.fileName();
 }
 
-/// An empty place of the same size where there is no picture.
+/// Its name, and below it its folder, short for home: two files may have one name.
+QString nameAndFolder(const QFileInfo& file) {
+  QString folder = QDir::toNativeSeparators(file.absolutePath());
+  const QString home = QDir::homePath();
+  if (folder == home || folder.startsWith(home + '/')) folder.replace(0, home.size(), '~');
+  return file.fileName() + '\n' + folder;
+}
+
+/// A folder, drawn small, where there is no picture: a project, or a scan not seen before.
 void setPicture(QListWidgetItem* item, const QImage& picture) {
   QPixmap shown(kIconSize);
   shown.fill(Qt::transparent);
@@ -67,6 +77,12 @@ void setPicture(QListWidgetItem* item, const QImage& picture) {
     const QImage small = picture.scaled(kIconSize, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     painter.drawImage((kIconSize.width() - small.width()) / 2,
                       (kIconSize.height() - small.height()) / 2, small);
+  } else {
+    QPainter painter(&shown);
+    const QSize size = kIconSize / 3;
+    painter.drawPixmap((kIconSize.width() - size.width()) / 2,
+                       (kIconSize.height() - size.height()) / 2,
+                       icon(Icon::open).pixmap(size.height(), size.height()));
   }
   item->setIcon(shown);
 }
@@ -75,7 +91,7 @@ void fill(QListWidget* list, const QStringList& files, bool captions) {
   list->clear();
   for (const QString& file : files) {
     auto* item = new QListWidgetItem(
-        captions ? captionOf(QFileInfo(file)) : QFileInfo(file).fileName(), list);
+        captions ? captionOf(QFileInfo(file)) : nameAndFolder(QFileInfo(file)), list);
     item->setData(Qt::UserRole, file);
     item->setToolTip(file);
     setPicture(item, ReliefPictures::kept(file));
@@ -85,10 +101,12 @@ void fill(QListWidget* list, const QStringList& files, bool captions) {
 }  // namespace
 
 QStringList scanPatterns() {
-  return {QStringLiteral("*.ply"), QStringLiteral("*.pcd"), QStringLiteral("*.obj"),
-          QStringLiteral("*.stl"), QStringLiteral("*.xyz"), QStringLiteral("*.asc"),
-          QStringLiteral("*.pts"), QStringLiteral("*.csv"), QStringLiteral("*.txt"),
-          QStringLiteral("*.tif"), QStringLiteral("*.tiff")};
+  return {QStringLiteral("*.ply"), QStringLiteral("*.pcd"),  QStringLiteral("*.obj"),
+          QStringLiteral("*.stl"), QStringLiteral("*.xyz"),  QStringLiteral("*.asc"),
+          QStringLiteral("*.pts"), QStringLiteral("*.csv"),  QStringLiteral("*.txt"),
+          QStringLiteral("*.tif"), QStringLiteral("*.tiff"), QStringLiteral("*.3ds"),
+          QStringLiteral("*.las"), QStringLiteral("*.laz"),  QStringLiteral("*.e57"),
+          QStringLiteral("*.ptx")};
 }
 
 QStringList sampleFiles() {
@@ -119,7 +137,7 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Start"));
   auto* outer = new QHBoxLayout(this);
   auto* content = new QWidget;
-  content->setMaximumWidth(static_cast<int>(760 * textScale()));
+  content->setMaximumWidth(static_cast<int>(1000 * textScale()));
   content->setMaximumHeight(static_cast<int>(640 * textScale()));
   outer->addStretch(1);
   outer->addWidget(content, 6);
@@ -133,9 +151,10 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent) {
   title->setFont(font);
   title->setWordWrap(true);
   column->addWidget(title);
-  auto* hint = new QLabel(
-      tr("Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). "
-         "You can also drop a file on this window."));
+  auto* hint = new QLabel(tr(
+      "Point clouds and meshes (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ and other "
+      "text), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file "
+      "on this window."));
   hint->setWordWrap(true);
   column->addWidget(hint);
   auto* open = new QPushButton(icon(Icon::open), tr("&Open\u2026"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/status_fields.h"
 
+#include <algorithm>
 #include <QAccessible>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -11,14 +12,17 @@
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
+#include <utility>
 
 #include "ui/core_words.h"
+#include "ui/status_rows.h"
 
 namespace relievo {
 namespace {
 
 constexpr int kWorkDelayMs = 300;
 constexpr int kBarSteps = 1000;
+constexpr int kMargin = 16;  // Of a field, pixels.
 
 struct FieldFact {
   const char* name;
@@ -38,9 +42,14 @@ constexpr std::array<FieldFact, kStatusFieldCount> kFields{{
 /// Text that a narrow window has no room for ends in dots.
 class Field : public QLabel {
  public:
-  explicit Field(QWidget* parent) : QLabel(parent) {
+  Field(QWidget* parent, QString widest) : QLabel(parent), widest_(std::move(widest)) {
     setContentsMargins(6, 1, 6, 1);
     setStyleSheet(QStringLiteral("QLabel:focus { border: 1px solid palette(highlight); }"));
+  }
+  QSize sizeHint() const override {
+    const QSize needed = QLabel::sizeHint();
+    return {std::max(needed.width(), fontMetrics().horizontalAdvance(widest_) + kMargin),
+            needed.height()};
   }
 
  protected:
@@ -55,6 +64,9 @@ class Field : public QLabel {
     style()->drawItemText(&painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(),
                           isEnabled(), shown, foregroundRole());
   }
+
+ private:
+  QString widest_;
 };
 
 }  // namespace
@@ -67,21 +79,16 @@ StatusFields::StatusFields(QStatusBar& bar)
       cancel_(new QToolButton(work_)),
       work_delay_(new QTimer(this)) {
   bar.setSizeGripEnabled(false);
+  auto* fields = new QWidget(&bar);
+  auto* rows = new StatusRows(fields);
+  rows->addWidget(work_);
   for (std::size_t i = 0; i < kStatusFieldCount; ++i) {
-    auto* field = new Field(&bar);
+    auto* field = new Field(fields, QString::fromLatin1(kFields[i].widest));
     field->setAccessibleName(tr(kFields[i].name));
     field->setObjectName(QLatin1String("status_") +
                          QString::fromLatin1(kFields[i].name).toLower().replace(' ', '_'));
-    const int width =
-        field->fontMetrics().horizontalAdvance(QString::fromLatin1(kFields[i].widest));
-    if (width > 0) field->setMinimumWidth(width + 16);
-    if (i == 0) {
-      field->setMinimumWidth(60);
-      field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-      bar.addWidget(field, 1);
-    } else {
-      bar.addPermanentWidget(field);
-    }
+    rows->addWidget(field);
+    if (i == 0) rows->endOfFront();
     labels_[i] = field;
     field->setVisible(i == 0);
   }
@@ -101,7 +108,7 @@ StatusFields::StatusFields(QStatusBar& bar)
   row->addWidget(work_step_);
   row->addWidget(work_bar_);
   row->addWidget(cancel_);
-  bar.insertWidget(0, work_);
+  bar.addWidget(fields, 1);
   work_->hide();
   work_delay_->setSingleShot(true);
   work_delay_->setInterval(kWorkDelayMs);

@@ -10,6 +10,7 @@
 #include <qwt_scale_draw.h>
 #include <qwt_text.h>
 #include <QFont>
+#include <QFontMetrics>
 #include <QPalette>
 
 namespace relievo {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kLabelSize = 0.85;      // Of the window's text.
 constexpr double kLargeTextPoints = 14;  // From here on fewer numbers fit beside the plot.
+constexpr int kLeastLines = 5;
 constexpr double kTickEveryS = 2, kLargeTickEveryS = 5;
 
 QwtText labelIn(const QFont& font, QwtText label) {
@@ -47,7 +49,6 @@ StripPlot::StripPlot(const QString& name, const QString& axis, const QStringList
     curve->setPaintAttribute(QwtPlotCurve::FilterPoints);
     curve->setRenderHint(QwtPlotItem::RenderAntialiased);
     curve->setLegendAttribute(QwtPlotCurve::LegendShowLine);
-    curve->setLegendIconSize(QSize(18, 8));
     curve->attach(plot_);
     curves_.append(curve);
   }
@@ -63,9 +64,16 @@ void StripPlot::takeFont(const QFont& text) {
   font.setBold(false);
   for (const int which : {QwtPlot::xBottom, QwtPlot::yLeft}) plot_->setAxisFont(which, font);
   plot_->setAxisTitle(QwtPlot::yLeft, labelIn(font, plot_->axisTitle(QwtPlot::yLeft)));
-  for (QwtPlotCurve* curve : curves_) curve->setTitle(labelIn(font, curve->title()));
+  for (QwtPlotCurve* curve : curves_) {
+    curve->setTitle(labelIn(font, curve->title()));
+    const int line = QFontMetrics(font).height();
+    curve->setLegendIconSize(QSize(line, line / 2));
+  }
+  // Two numbers beside the plot, and the row of numbers below it.
+  plot_->setMinimumHeight(kLeastLines * QFontMetrics(font).height());
   const bool large = text.pointSizeF() >= kLargeTextPoints;
   plot_->setAxisMaxMajor(QwtPlot::yLeft, large ? 2 : 4);
+  plot_->setAxisMaxMajor(QwtPlot::xBottom, large ? 4 : 8);
   if (seconds_ > 0) {
     plot_->setAxisScale(QwtPlot::xBottom, -seconds_, 0, large ? kLargeTickEveryS : kTickEveryS);
   }

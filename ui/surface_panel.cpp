@@ -12,6 +12,7 @@
 #include <QSlider>
 
 #include "core/session/map_facts.h"
+#include "ui/mnemonic.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -52,7 +53,7 @@ template <class Widget>
 Widget* field(QFormLayout* layout, const QString& title, const QString& name, const QString& tip) {
   auto* widget = new Widget;
   widget->setObjectName(name);
-  widget->setAccessibleName(QString(title).remove('&'));
+  widget->setAccessibleName(withoutMnemonic(title));
   widget->setToolTip(tip);
   widget->setMinimumWidth(kLeastFieldWidth);  // Wide ranges must not widen the panel.
   layout->addRow(title, widget);

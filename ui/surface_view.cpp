@@ -17,18 +17,18 @@
 #include <QResizeEvent>
 #include <span>
 
-#include "core/relief/relief_image.h"
 #include "core/relief/stereo.h"
 #include "ui/colour_bar.h"
+#include "ui/grid_painter.h"
 #include "ui/picture_turns.h"
 #include "ui/vtk/first_draws.h"
-#include "ui/vtk/offscreen.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kPlainDpi = 96;
 constexpr int kFocusFrame = 2;  // Pixels around the picture that show the focus.
+constexpr int kPatienceMs = 100;
 
 class AccessibleView : public QAccessibleWidget {
  public:
@@ -62,7 +62,7 @@ void SceneState::applyTo(ReliefScene& scene) const {
   scene.setCamera(camera);
   scene.setPinkWindow(pink, true);
   scene.setProbe(probe, ball_radius_mm);
-  scene.setLines(lines);
+  scene.setLines(lines, curves);
   scene.setScaleBar(grid != nullptr);
 }
 
@@ -222,6 +222,10 @@ SurfaceView::SurfaceView(PictureTurns& turns, QWidget* parent)
   canvas_ = new Canvas(this, *scene_, turns);
   canvas_->hide();
   bar_ = new ColourBar(this);
+  painter_ = new GridPainter(this);
+  patience_.setSingleShot(true);
+  connect(painter_, &GridPainter::painted, this, &SurfaceView::showPainted);
+  connect(&patience_, &QTimer::timeout, this, &SurfaceView::showPlain);
   state_.applyTo(*scene_);
 }
 
@@ -272,27 +276,44 @@ void SurfaceView::setLook(const ReliefLook& look) {
   paintGrid();
 }
 
-void SurfaceView::setLines(const std::vector<std::vector<ViewMm>>& lines) {
+void SurfaceView::setLines(const std::vector<std::vector<ViewMm>>& lines,
+                           const std::vector<std::vector<ViewMm>>& curves) {
   state_.lines = lines;
-  scene_->setLines(lines);
+  state_.curves = curves;
+  scene_->setLines(lines, curves);
   requestRender();
 }
 
-// A window's 200 x 200 samples and a reference of at most 400 x 400 are painted in a few
-// milliseconds; the horizon searches take some tens.
 void SurfaceView::paintGrid() {
-  state_.grid = plain_;
-  if (plain_ && state_.look.kind != ReliefKind::lit) {
-    auto painted = std::make_shared<HeldGrid>(*plain_);
-    const DepthMap map{plain_->frame, plain_->heights_mm, plain_->origins};
-    const ReliefValues values = reliefValues(map, state_.look);
-    painted->colours = reliefColours(values, state_.look);
-    painted->lit = isLit(state_.look.kind);
-    bar_->show(values, state_.look);
-    state_.grid = std::move(painted);
+  painter_->cancel();
+  if (!plain_ || state_.look.kind == ReliefKind::lit) {
+    showPlain();
+  } else if (!GridPainter::isSlow(state_.look.kind)) {
+    showPainted(GridPainter::paintNow(*plain_, state_.look));
   } else {
-    bar_->hide();
+    painter_->start(plain_, state_.look);
+    if (!state_.grid || state_.grid->colours.empty()) {
+      showPlain();
+    } else if (!patience_.isActive()) {
+      patience_.start(kPatienceMs);
+    }
   }
+}
+
+void SurfaceView::showPlain() {
+  patience_.stop();
+  bar_->hide();
+  showGrid(plain_);
+}
+
+void SurfaceView::showPainted(const PaintedGrid& painted) {
+  patience_.stop();
+  bar_->show(painted.values, state_.look);
+  showGrid(painted.grid);
+}
+
+void SurfaceView::showGrid(std::shared_ptr<const HeldGrid> grid) {
+  state_.grid = std::move(grid);
   if (state_.grid) {
     scene_->setSurface(state_.grid->drawn());
   } else {
@@ -300,6 +321,12 @@ void SurfaceView::paintGrid() {
   }
   scene_->setScaleBar(state_.grid != nullptr);
   requestRender();
+}
+
+SceneState SurfaceView::plainState() const {
+  SceneState plain = state_;
+  plain.grid = plain_;
+  return plain;
 }
 
 void SurfaceView::setBackground(const QColor& colour) {
@@ -360,12 +387,8 @@ QImage SurfaceView::shot() {
   return canvas_->grabFramebuffer();
 }
 
-QImage SurfaceView::image(const QSize& pixels) const {
-  ReliefScene scene;
-  state_.applyTo(scene);
-  const RgbImage drawn = renderOffscreen(scene, pixels.width(), pixels.height());
-  return QImage(drawn.rgb.data(), drawn.width, drawn.height, 3 * drawn.width, QImage::Format_RGB888)
-      .copy();
+QSize SurfaceView::shotSize() const {
+  return canvas_->size() * canvas_->devicePixelRatioF();
 }
 
 void SurfaceView::paintEvent(QPaintEvent* /*event*/) {

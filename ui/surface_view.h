@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QTimer>
 #include <QWidget>
 
 #include "ui/scene_state.h"
@@ -9,7 +10,9 @@
 namespace relievo {
 
 class ColourBar;
+class GridPainter;
 class PictureTurns;
+struct PaintedGrid;
 
 /// A relief on screen: one scene in one OpenGL widget. Mouse and keys come to this widget as
 /// ordinary Qt events; VTK's own interaction is off. Accessible as one named object whose value is
@@ -19,12 +22,18 @@ class SurfaceView : public QWidget {
  public:
   ~SurfaceView() override;
 
+  /// As drawn now: the grid may still be without its colours.
   const SceneState& sceneState() const { return state_; }
+  /// The same with its plain grid, to be painted and drawn elsewhere.
+  SceneState plainState() const;
   void setStereo(const StereoOptions& stereo);
   void setLight(const LightOptions& light);
-  /// How the relief is painted; its light is that of setLight.
+  /// How the relief is painted; its light is that of setLight. A picture that takes long comes when
+  /// it is ready: until then the one before stays, for a tenth of a second, then plain stone.
   void setLook(const ReliefLook& look);
-  void setLines(const std::vector<std::vector<ViewMm>>& lines);
+  /// @param curves  as ReliefScene::setLines
+  void setLines(const std::vector<std::vector<ViewMm>>& lines,
+                const std::vector<std::vector<ViewMm>>& curves = {});
   void setBackground(const QColor& colour);
 
   QString whereAmI() const { return where_am_i_; }
@@ -33,8 +42,7 @@ class SurfaceView : public QWidget {
 
   /// The view's pixels as they are on screen.
   QImage shot();
-  /// The view drawn anew at a chosen size, independent of the screen. @throw GraphicsError
-  QImage image(const QSize& pixels) const;
+  QSize shotSize() const;
 
   double mmPerPixel() const;  ///< Of the widget, at the view's centre.
 
@@ -66,9 +74,14 @@ class SurfaceView : public QWidget {
   class Canvas;
   void requestRender();
   void paintGrid();
+  void showPlain();
+  void showPainted(const PaintedGrid& painted);
+  void showGrid(std::shared_ptr<const HeldGrid> grid);
 
   SceneState state_;
   std::shared_ptr<const HeldGrid> plain_;  ///< As set; state_.grid may be painted.
+  GridPainter* painter_ = nullptr;         ///< Child; owned by Qt.
+  QTimer patience_;                        ///< While the colours before stand for those to come.
   std::unique_ptr<ReliefScene> scene_;
   Canvas* canvas_ = nullptr;  ///< Child; owned by Qt.
   ColourBar* bar_ = nullptr;  ///< Child; owned by Qt.

@@ -12,7 +12,7 @@ namespace relievo {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("SurfaceWork", text);
+  return QCoreApplication::translate("relievo", text);
 }
 
 }  // namespace

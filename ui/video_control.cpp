@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPainter>
+#include <utility>
 
 #include "core/base/error.h"
 #include "ui/figure/figure.h"
@@ -26,7 +27,19 @@ QSize even(const QSize& size) {
   return {size.width() / 2 * 2, size.height() / 2 * 2};
 }
 
-/// At the first picture's size; another one is fitted into it.
+QImage together(QImage view, QImage below) {
+  view.setDevicePixelRatio(1);
+  if (below.isNull()) return view;
+  below.setDevicePixelRatio(1);
+  below = below.scaledToWidth(view.width(), Qt::SmoothTransformation);
+  QImage page(view.width(), view.height() + below.height(), QImage::Format_RGB32);
+  QPainter painter(&page);
+  painter.drawImage(0, 0, view);
+  painter.drawImage(0, view.height(), below);
+  return page;
+}
+
+/// At the video's size; a picture of another one is fitted into it.
 RgbaImage rgbaOf(const QImage& picture, const QSize& size) {
   QImage page(size, QImage::Format_RGBA8888);
   page.fill(Qt::black);
@@ -48,7 +61,10 @@ VideoControl::VideoControl(QObject* parent) : QObject(parent) {
   timer_.setTimerType(Qt::PreciseTimer);
   timer_.setInterval(static_cast<int>(1000 / kLiveFps));
   end_timer_.setInterval(kEndMs);
-  connect(&timer_, &QTimer::timeout, this, &VideoControl::takePicture);
+  connect(&timer_, &QTimer::timeout, this, &VideoControl::takeView);
+  below_timer_.setSingleShot(true);
+  below_timer_.setInterval(0);
+  connect(&below_timer_, &QTimer::timeout, this, &VideoControl::takeBelow);
   connect(&end_timer_, &QTimer::timeout, this, &VideoControl::watchEnd);
   connect(&worker_, &LatestWorker::busyChanged, this, &VideoControl::busyChanged);
   connect(&worker_, &LatestWorker::progressed, this, &VideoControl::progressed);
@@ -77,11 +93,12 @@ void VideoControl::write(const Order& order) {
         } catch (const Cancelled&) {
           return;
         } catch (const Error& error) {
-          outcome->error = spokenError(error);
+          outcome->error = shownError(error);
         }
       },
       [this, outcome, name = QFileInfo(order.file).fileName()] {
         if (!outcome->error.isEmpty()) {
+          Q_EMIT said(tr("The video has ended early"));
           Q_EMIT failed(outcome->error);
           return;
         }
@@ -97,27 +114,28 @@ void VideoControl::cancel() {
 }
 
 bool VideoControl::startLive(const QString& file, VideoProfile profile, const std::string& state,
-                             std::function<QImage()> picture) {
+                             LiveSource source) {
   if (live()) return false;
-  const QImage first = picture();
-  size_ = even(first.size());
+  source.pixels = even(source.pixels);
   try {
     live_ = std::make_unique<LiveVideo>(
         pathOf(file), VideoFormat{.profile = profile,
-                                  .width_px = size_.width(),
-                                  .height_px = size_.height(),
+                                  .width_px = source.pixels.width(),
+                                  .height_px = source.pixels.height(),
                                   .fps = kLiveFps,
                                   .state = state,
                                   .title = QFileInfo(file).completeBaseName().toStdString()});
   } catch (const Error& error) {
-    Q_EMIT failed(spokenError(error));
+    Q_EMIT failed(shownError(error));
     return false;
   }
   live_file_ = file;
-  picture_ = std::move(picture);
+  source_ = std::move(source);
+  taken_ = false;
+  view_ = {};
   clock_.start();
-  live_->offer(rgbaOf(first, size_), 0);
   timer_.start();
+  QTimer::singleShot(0, this, &VideoControl::takeView);
   return true;
 }
 
@@ -125,17 +143,29 @@ double VideoControl::liveS() const {
   return live() ? 1e-3 * static_cast<double>(clock_.elapsed()) : 0;
 }
 
-void VideoControl::takePicture() {
-  const double t_s = 1e-9 * static_cast<double>(clock_.nsecsElapsed());
-  live_->offer(rgbaOf(picture_(), size_), t_s);
+void VideoControl::takeView() {
+  if (!live() || !view_.isNull()) return;  // The part below the one before is still to come.
+  view_t_s_ = taken_ ? 1e-9 * static_cast<double>(clock_.nsecsElapsed()) : 0;
+  taken_ = true;
+  view_ = source_.view();
+  below_timer_.start();
+}
+
+void VideoControl::takeBelow() {
+  if (!live() || view_.isNull()) return;
+  live_->offer([view = std::exchange(view_, QImage()), below = source_.below(),
+                size = source_.pixels] { return rgbaOf(together(view, below), size); },
+               view_t_s_);
   if (live_->report().ended) stopLive();  // A full disk, or the encoder.
 }
 
 void VideoControl::stopLive() {
   if (!live() || end_timer_.isActive()) return;
   timer_.stop();
-  live_->finish();
   end_timer_.start();
+  if (!taken_) takeView();  // However short, a video has a picture.
+  takeBelow();
+  live_->finish();
 }
 
 void VideoControl::watchEnd() {
@@ -143,10 +173,12 @@ void VideoControl::watchEnd() {
   if (!report.ended) return;
   end_timer_.stop();
   live_.reset();
-  picture_ = nullptr;
+  source_ = {};
   Q_EMIT liveEnded();
   if (!report.error.empty()) {
-    Q_EMIT failed(QString::fromStdString(report.error));
+    Q_EMIT said(tr("The video has ended early"));  // Nothing older stays in the status bar.
+    Q_EMIT failed(
+        shownError(QString::fromStdString(report.error), QString::fromStdString(report.code)));
     return;
   }
   Q_EMIT said(tr("Video saved: %1 s, %2 pictures dropped, in %3")

@@ -38,10 +38,17 @@ class VideoControl : public QObject {
   void cancel();
 
   static constexpr double kLiveFps = 15;
-  /// Asks for a picture 15 times a second until stopLive(). The first one decides the size.
+  /// What a video of the view shows. The two parts are asked for in rounds of their own, so that
+  /// neither holds the window up for longer than it must; a worker puts them together.
+  struct LiveSource {
+    QSize pixels;                   ///< Of the whole; later pictures are fitted into it.
+    std::function<QImage()> view;   ///< Above.
+    std::function<QImage()> below;  ///< The plots, at any width; null: none.
+  };
+  /// Asks for pictures 15 times a second until stopLive().
   /// @return false: it cannot be written; failed() says why
   bool startLive(const QString& file, VideoProfile profile, const std::string& state,
-                 std::function<QImage()> picture);
+                 LiveSource source);
   void stopLive();
   bool live() const { return live_ != nullptr; }
   double liveS() const;
@@ -54,12 +61,16 @@ class VideoControl : public QObject {
   void progressed(const QString& step, double fraction);
 
  private:
-  void takePicture();
+  void takeView();
+  void takeBelow();
   void watchEnd();
 
   QString live_file_;
-  std::function<QImage()> picture_;
-  QSize size_;
+  LiveSource source_;
+  QImage view_;  ///< Until the part below it is there.
+  double view_t_s_ = 0;
+  bool taken_ = false;  ///< The first picture; it stands for the very beginning.
+  QTimer below_timer_;
   std::unique_ptr<LiveVideo> live_;
   QElapsedTimer clock_;
   QTimer timer_, end_timer_;

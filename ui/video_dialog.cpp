@@ -10,6 +10,7 @@
 #include <QPushButton>
 
 #include "ui/core_words.h"
+#include "ui/mnemonic.h"
 
 namespace relievo {
 namespace {
@@ -27,7 +28,7 @@ template <class Widget>
 Widget* field(QFormLayout* form, const QString& title, const char* name, const QString& tip) {
   auto* widget = new Widget;
   widget->setObjectName(QString::fromLatin1(name));
-  widget->setAccessibleName(QString(title).remove('&'));
+  widget->setAccessibleName(withoutMnemonic(title));
   widget->setToolTip(tip);
   form->addRow(title, widget);
   return widget;

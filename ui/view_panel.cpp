@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QSlider>
 
+#include "ui/mnemonic.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -18,7 +19,7 @@ constexpr std::array<const char*, 6> kViews{"front", "back", "left", "right", "t
 QPushButton* button(const QString& text, const QString& name, const QString& tip) {
   auto* b = new QPushButton(text);
   b->setObjectName(name);
-  b->setAccessibleName(QString(text).remove('&'));
+  b->setAccessibleName(withoutMnemonic(text));
   b->setToolTip(tip);
   b->setMinimumWidth(40);
   return b;

@@ -8,20 +8,6 @@
 namespace relievo::batch {
 namespace {
 
-template <class Names>
-std::string listOf(const Names& names) {
-  std::string list;
-  for (const auto& name : names) list += (list.empty() ? "" : " ") + std::string(name);
-  return list;
-}
-
-template <class Value, class Names>
-Value word(const char* option, const std::string& text, std::optional<Value> value,
-           const Names& names) {
-  if (value) return *value;
-  throw ArgumentError(std::string(option) + ": '" + text + "' is none of " + listOf(names) + ".");
-}
-
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts;
   std::size_t start = 0;
@@ -31,6 +17,11 @@ std::vector<std::string> split(const std::string& text, char at) {
     start = end + 1;
   }
   return parts;
+}
+
+/// Also by the word of `render` and of the window.
+std::optional<StereoPrint> stereoOf(const std::string& text) {
+  return text == name(StereoMode::anaglyph) ? StereoPrint::grey : stereoPrint(text);
 }
 
 constexpr std::array<const char*, 8> kMarks{"scalebar", "heightbar", "up",      "outline",
@@ -44,11 +35,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   verb.add_option("--dpi", a.dpi, "Dots per inch; 300");
   verb.add_option("--scale", a.scale, "The region at 1:N instead of a width");
   verb.add_option("--text-pt", a.text_pt, "Text size in points; 8");
-  verb.add_option("--relief", a.relief, listOf(kReliefKindNames));
-  verb.add_option("--colours", a.colours, listOf(kColourMapNames));
-  verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
-  verb.add_option("--radius", a.radius_mm, "Of local, skyview and openness, mm; 10 samples");
-  verb.add_option("--range", a.range, "LOW,HIGH: values at the colours' ends");
+  addLookOptions(verb, a.look);
   verb.add_option("--stereo", a.stereo, listOf(kStereoPrintNames));
   verb.add_option("--eye-angle", a.eye_angle_deg, "Between the eyes' directions, degrees; 4");
   verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height");
@@ -59,7 +46,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   verb.add_option("--recording", a.recording, "CSV of a recording, for --layout plot");
   verb.add_option("--measure", a.measure,
                   "NAME:KIND:X,Y;X,Y... in view mm, drawn and reported; KIND: " +
-                      listOf(kMeasureKindNames) + "; area: ...@PLANE_MM");
+                      listOf(kMeasureKindNames) + "; area: ...@PLANE_MM; section: NX,NY,NZ,OFFSET");
 }
 
 FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
@@ -67,23 +54,12 @@ FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
     f.layout = word("--layout", a.layout, figureLayout(a.layout), kFigureLayoutNames);
   }
   if (!a.stereo.empty()) {
-    f.stereo = word("--stereo", a.stereo, stereoPrint(a.stereo), kStereoPrintNames);
+    f.stereo = word("--stereo", a.stereo, stereoOf(a.stereo), kStereoPrintNames);
   }
-  if (!a.relief.empty()) {
-    f.look.kind = word("--relief", a.relief, reliefKind(a.relief), kReliefKindNames);
+  f.look = reliefLook(a.look, f.look);
+  if (a.width_mm && a.scale) {
+    throw ArgumentError("--scale: the width follows from it. Leave out --width-mm, or --scale.");
   }
-  if (!a.colours.empty()) {
-    f.look.colours = word("--colours", a.colours, colourMap(a.colours), kColourMapNames);
-  }
-  if (!a.light.empty()) {
-    const std::vector<double> light = numberList("--light", a.light, 2);
-    f.look.light = {.azimuth_deg = light[0], .elevation_deg = light[1]};
-  }
-  if (!a.range.empty()) {
-    const std::vector<double> range = numberList("--range", a.range, 2);
-    f.look.range = {{range[0], range[1]}};
-  }
-  f.look.radius_mm = a.radius_mm.value_or(f.look.radius_mm);
   f.width_mm = a.width_mm.value_or(f.width_mm);
   f.dpi = a.dpi.value_or(f.dpi);
   f.text_pt = a.text_pt.value_or(f.text_pt);
@@ -119,6 +95,13 @@ std::vector<Measurement> measurements(const FigureArguments& a) {
     Measurement m;
     m.name = parts[0];
     m.kind = word("--measure", parts[1], measureKind(parts[1]), kMeasureKindNames);
+    if (m.kind == MeasureKind::section) {
+      const std::vector<double> n = numberList("--measure", parts[2], 4);
+      m.normal = {n[0], n[1], n[2]};
+      m.plane_mm = n[3];
+      list.push_back(m);
+      continue;
+    }
     const std::vector<std::string> with_plane = split(parts[2], '@');
     if (with_plane.size() > 2) throw ArgumentError("--measure: '" + text + "' has two planes.");
     if (with_plane.size() == 2) m.plane_mm = numberList("--measure", with_plane[1], 1)[0];

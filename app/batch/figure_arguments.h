@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/batch/arguments.h"
+#include "app/batch/look_arguments.h"
 #include "core/project/project.h"
 
 namespace relievo::batch {
@@ -13,10 +14,8 @@ namespace relievo::batch {
 /// The options of a figure as they stand on the command line.
 struct FigureArguments {
   std::string layout;  ///< Empty, like all of these: as in the request they change.
-  std::optional<double> width_mm, dpi, scale, text_pt, radius_mm, eye_angle_deg, zero_plane_mm;
-  std::string relief, colours;
-  std::string light;  ///< "AZIMUTH,ELEVATION"
-  std::string range;  ///< "LOW,HIGH"
+  std::optional<double> width_mm, dpi, scale, text_pt, eye_angle_deg, zero_plane_mm;
+  LookArguments look;
   std::string stereo;
   std::vector<std::string> without;  ///< Marks to leave out.
   bool transparent = false, swap_eyes = false, any_parallax = false;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/transform.h"
+#include "core/measure/measure.h"
 #include "core/region/region.h"
 
 namespace relievo::batch {
@@ -14,6 +15,11 @@ using Json = nlohmann::ordered_json;
 template <class To, class From>
 Json jsonOf(const Transform<To, From>& transform) {
   return Json(transform.m);
+}
+
+/// @pre hasPlane(m.kind)
+inline Json planeJson(const Measurement& m) {
+  return Json{m.normal.x, m.normal.y, m.normal.z, m.plane_mm};
 }
 
 inline Json jsonOf(const Region& region) {

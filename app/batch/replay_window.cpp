@@ -76,9 +76,9 @@ class Scenes {
 
   Project projectOf(std::uint64_t map) const {
     if (map == 0) return header_;
-    const auto told = loop_.maps.find(map);
+    const auto told = loop_.files.maps.find(map);
     std::optional<Project> project;
-    if (told != loop_.maps.end()) project = carriedProject(recording_, told->second);
+    if (told != loop_.files.maps.end()) project = carriedProject(recording_, told->second);
     if (!project) {
       throw FileError(
           "The recording does not say how one of its maps was made. Nothing was "
@@ -95,8 +95,8 @@ class Scenes {
   /// Read once, if it is the one that was felt.
   const FirmnessMap& firmnessOf(const std::string& sha256) {
     if (const auto read = firmness_.find(sha256); read != firmness_.end()) return read->second;
-    const auto named = loop_.firmness.find(sha256);
-    if (named == loop_.firmness.end()) {
+    const auto named = loop_.files.firmness.find(sha256);
+    if (named == loop_.files.firmness.end()) {
       throw FileError(
           "The recording does not say where its raster of firm ground is. Nothing was "
           "replayed.");
@@ -104,7 +104,7 @@ class Scenes {
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::absolute(recording_, error).parent_path();
     const std::filesystem::path file =
-        foundInput(recording_, (folder / named->second).lexically_normal());
+        foundInput(recording_, (folder / named->second).lexically_normal(), sha256, task_);
     if (sha256OfFile(file, task_) != sha256) {
       throw ChangedInputError("'" + file.filename().string() +
                                   "' is not the raster of firm ground that was felt (checksum "

@@ -33,18 +33,6 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
 
 }  // namespace
 
-fs::path foundInput(const fs::path& carrier, const fs::path& stored) {
-  std::error_code error;
-  const fs::path folder = fs::absolute(carrier, error).parent_path();
-  for (const fs::path& candidate : {stored, folder / stored.filename(), stored.filename(),
-                                    (folder / "../input" / stored.filename()).lexically_normal()}) {
-    if (fs::is_regular_file(candidate, error)) return candidate;
-  }
-  throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
-                      "', which is not there (E501). Nothing was made. Give its place as FILE.",
-                  "E501");
-}
-
 void findInput(Project& project, const fs::path& carrier, const std::string& given,
                bool accept_changed, const Task& task) {
   const fs::path file = given.empty() ? foundInput(carrier, project.file) : fs::path(given);

@@ -8,6 +8,7 @@
 #include "app/batch/arguments.h"
 #include "core/base/error.h"
 #include "core/project/project.h"
+#include "core/project/project_files.h"
 #include "core/provenance/provenance.h"
 #include "core/session/surface.h"
 
@@ -46,11 +47,6 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& arguments,
 void findInput(Project& project, const std::filesystem::path& carrier, const std::string& given,
                bool accept_changed, const Task& task);
 Surface surfaceOf(const Project& project, const Task& task);
-
-/// Where the file is that a carrier names: as stored, beside the carrier, in the working folder, or
-/// in the folder of inputs of a package. @throw FileError  E501, nowhere there
-std::filesystem::path foundInput(const std::filesystem::path& carrier,
-                                 const std::filesystem::path& stored);
 
 /// The state that a file carries, its input found and checked; no surface is made.
 /// @throw FileError, ChangedInputError  as loadStored

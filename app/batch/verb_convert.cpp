@@ -3,12 +3,14 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/look_arguments.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/io/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
 #include "core/project/caption.h"
+#include "core/relief/relief_image.h"
 
 namespace relievo::batch {
 namespace {
@@ -18,6 +20,7 @@ struct ConvertArguments {
   std::string out;
   std::string frame;  ///< Empty: file for rasters of others, view for all else.
   ExportOptions how;
+  LookArguments look;
 };
 
 /// A surface, and the raster it was made from, if it was.
@@ -45,6 +48,24 @@ ExportGrid gridInFile(const Source& source, const std::string& file) {
                       "top or --frame view.");
 }
 
+/// The values of a relief image in place of the heights. @return their unit
+std::string paint(ExportGrid& grid, const DepthMap& map, const ReliefLook& look, const Task& task) {
+  ReliefValues values = reliefValues(map, look, task);
+  grid.heights = std::move(values.values);
+  return std::string(values.unit);
+}
+
+ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
+  const ReliefLook look = reliefLook(a.look);
+  if (look.kind == ReliefKind::lit) {
+    throw ArgumentError("--relief: lit stone has no values. Choose another, or 'relievo render'.");
+  }
+  if (format != ExportFormat::geotiff && format != ExportFormat::ascii_grid) {
+    throw ArgumentError("--relief: its values go into .tif or .asc, not into '" + a.out + "'.");
+  }
+  return look;
+}
+
 Outcome runConvert(const ConvertArguments& a, const Task& task) {
   const auto format = exportFormatOf(a.out);
   if (!format) {
@@ -53,13 +74,23 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   if (!a.frame.empty() && a.frame != "view" && a.frame != "file") {
     throw ArgumentError("--frame: '" + a.frame + "' is neither view nor file.");
   }
+  std::optional<ReliefLook> look;
+  if (!a.look.relief.empty()) {
+    look = valuesAskedFor(a, *format);
+  } else if (!a.look.light.empty() || a.look.radius_mm) {
+    throw ArgumentError("--light and --radius belong to --relief. Give it, or leave them out.");
+  }
   const Source source = load(a, task);
   const Surface& surface = source.surface;
   const bool foreign = source.raster && !source.raster->is_own_map;
   const bool in_file =
       a.frame.empty() ? foreign && *format != ExportFormat::stl : a.frame == "file";
-  const ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
-  if (*format == ExportFormat::geotiff && !in_file) {
+  ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
+  const std::string unit = grid.unit;
+  if (look) {
+    grid.unit = paint(grid, surface.map, *look, task);
+    exportGrid(a.out, grid, *format);
+  } else if (*format == ExportFormat::geotiff && !in_file) {
     writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .mask_band = true});
   } else {
     exportGrid(a.out, grid, *format, a.how);
@@ -73,13 +104,15 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   json["cells"] = {grid.size.cols, grid.size.rows};
   json["spacing"] = grid.spacing;
   json["first"] = {grid.first_x, grid.first_y};
-  json["unit"] = grid.unit;
+  json["unit"] = unit;
+  if (look) json["relief"] = name(look->kind);
   json["frame"] = in_file ? "file" : "view";
   json["heights"] = heights;
   return {.json = json.dump(2),
           .lines = {a.out + ": " + std::to_string(grid.size.cols) + " x " +
                     std::to_string(grid.size.rows) + " cells of " + shortNumber(grid.spacing, 9) +
-                    " " + grid.unit + ", " + std::to_string(heights) + " with a height, frame " +
+                    " " + unit + ", " + std::to_string(heights) +
+                    (look ? " with a value, frame " : " with a height, frame ") +
                     json["frame"].get<std::string>()},
           .exit_code = exitCodeAfter(surface)};
 }
@@ -102,6 +135,7 @@ Verb convertVerb() {
                                 "unit (the default for rasters)");
                 verb.add_option("--plate", arguments->how.plate_mm,
                                 "STL: thickness below the lowest height in mm; 3");
+                addValueOptions(verb, arguments->look);
               },
           .run = [arguments](const Task& task) { return runConvert(*arguments, task); }};
 }

@@ -1,30 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "app/batch/json.h"
 #include "app/batch/verb.h"
+#include "app/batch/verb_devices_falcon.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/link_status.h"
-#include "haptics/device/falcon/self_test.h"
+#include "haptics/device/falcon/presence.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
+#include "haptics/device/hid/hid_devices.h"
 #include "haptics/device_catalog.h"
-#include "haptics/rt/realtime_thread.h"
 
 namespace relievo::batch {
 namespace {
 
-constexpr int kDeviceExit = 6;
-constexpr std::int64_t kMs = 1'000'000;
+constexpr int kUnreadableExit = 2;
 
 struct DevicesArguments {
-  std::string file;
-  bool accept = false, no_nudges = false;
-  double wait_s = 0, ready_s = 60;
-  bool firmware = false, selftest = false, rule = false;
+  std::string file, hand;
+  bool accept = false;
+  double weight_g = 0;
+  SelfTestArguments test;
+  bool firmware = false, selftest = false, calibrate = false, rule = false;
 };
+
+falcon::FirmwarePlaces firmwarePlacesNow() {
+  return falcon::firmwarePlaces(falcon::readSettings(falcon::settingsFile()).firmware);
+}
 
 Json jsonOfFirmware(const falcon::Firmware& firmware) {
   return {{"file", firmware.file.string()},
@@ -33,30 +39,43 @@ Json jsonOfFirmware(const falcon::Firmware& firmware) {
           {"known_as", firmware.known_as.empty() ? Json() : Json(firmware.known_as)}};
 }
 
-/// Waits a tick; forwards Ctrl+C.
-void tickUntil(std::int64_t deadline_ns, const Task& task) {
-  task.check();
-  sleepUntil(deadline_ns);
+/// SpaceMouse, foot switches and gamepads. They only press: one that is closed fails nothing.
+void listHid(Json& json, std::vector<std::string>& lines) {
+  json["hid"] = Json::array();
+  try {
+    hid::HidDevices devices;
+    hid::HidNews ignored;
+    devices.rescan(ignored);
+    for (const std::string& name : devices.names()) {
+      json["hid"].push_back({{"name", name}, {"access", true}});
+      lines.push_back("HID: " + name);
+    }
+    for (const std::string& name : devices.forbidden()) {
+      json["hid"].push_back({{"name", name}, {"access", false}});
+      lines.push_back("HID: " + name + " (no access)");
+      tell(name +
+           " is plugged in but this account may not use it. Install the rule that 'relievo "
+           "devices rule' prints, once (needs an administrator), then replug.");
+    }
+  } catch (const DeviceError& error) {
+    tell(error.what());
+  }
 }
 
-/// Tells every new state on stderr until the Falcon is ready.
-/// @throw DeviceError  it is not, and why
-void waitUntilReady(falcon::FalconDevice& device, double seconds, const Task& task) {
-  std::string told;
-  const std::int64_t give_up = monotonicNs() + static_cast<std::int64_t>(1e9 * seconds);
-  while (true) {
-    const falcon::LinkStatus& status = device.status();
-    const falcon::LinkMessage message = falcon::describe(status);
-    if (status.state == falcon::LinkState::ready) return;
-    const bool hopeless = status.state == falcon::LinkState::no_firmware ||
-                          status.state == falcon::LinkState::not_started ||
-                          status.state == falcon::LinkState::absent;
-    if (hopeless || monotonicNs() > give_up) throw DeviceError(message.screen, message.code);
-    if (status.state != falcon::LinkState::closed && message.screen != told) {
-      told = message.screen;
-      tell(message.code.empty() ? told : message.code + ": " + told);
-    }
-    tickUntil(monotonicNs() + 20 * kMs, task);
+/// A file that the user named and that is bad is always told; that there is none, if a Falcon is.
+void listFirmware(Json& json, Outcome& outcome) {
+  const falcon::FirmwarePlaces places = firmwarePlacesNow();
+  try {
+    json["falcon_firmware"] = jsonOfFirmware(falcon::findFirmware(places));
+    outcome.lines.push_back("Falcon firmware: " +
+                            json["falcon_firmware"]["file"].get<std::string>());
+  } catch (const FileError& error) {
+    const bool named = !places.setting.empty() || !places.environment.empty();
+    json["falcon_firmware"] = nullptr;
+    outcome.lines.emplace_back(named ? "Falcon firmware: the file that was named cannot be used"
+                                     : "Falcon firmware: none found");
+    if (named && outcome.exit_code == 0) outcome.exit_code = kUnreadableExit;
+    if (named || !json["falcons"].empty()) tell(error.what());
   }
 }
 
@@ -74,18 +93,14 @@ Outcome list() {
                               (info.max_force_n > 0 ? "" : " (cannot push back)"));
     }
   }
+  listHid(json, outcome.lines);
   json["falcons"] = Json::array();
   for (const falcon::SeenFalcon& seen : falcon::seenFalcons()) {
     falcon::UsbBus bus;
     const falcon::Opening opening = bus.open();
-    falcon::LinkStatus status;
-    constexpr std::array<falcon::LinkState, 5> kStates{
-        falcon::LinkState::closed, falcon::LinkState::absent, falcon::LinkState::forbidden,
-        falcon::LinkState::busy, falcon::LinkState::broken};
     constexpr std::array<const char*, 5> kNames{"present", "absent", "forbidden", "busy", "broken"};
     const auto presence = static_cast<std::size_t>(opening.presence);
-    status.state = kStates[presence];
-    const falcon::LinkMessage message = falcon::describe(status);
+    const falcon::LinkMessage message = falcon::describe(opening);
     json["falcons"].push_back({{"bus", seen.bus},
                                {"address", seen.address},
                                {"presence", kNames[presence]},
@@ -94,18 +109,34 @@ Outcome list() {
     outcome.exit_code = kDeviceExit;
     tell((message.code.empty() ? "" : message.code + ": ") + message.screen);
   }
-  try {
-    json["falcon_firmware"] = jsonOfFirmware(falcon::findFirmware(
-        falcon::firmwarePlaces(falcon::readSettings(falcon::settingsFile()).firmware)));
-    outcome.lines.push_back("Falcon firmware: " +
-                            json["falcon_firmware"]["file"].get<std::string>());
-  } catch (const FileError& error) {
-    json["falcon_firmware"] = nullptr;
-    outcome.lines.emplace_back("Falcon firmware: none found");
-    if (!json["falcons"].empty()) tell(error.what());
-  }
+  listFirmware(json, outcome);
+  const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
+  json["falcon_settings"] = {{"counts_per_n_mm", settings.counts_per_n_mm},
+                             {"left_handed", settings.left_handed}};
   outcome.json = json.dump(2);
   return outcome;
+}
+
+/// Says which file goes before the installed one, if any does. @return its name
+std::string firmwareInstead(const std::filesystem::path& installed) {
+  const falcon::FirmwarePlaces places = firmwarePlacesNow();
+  std::string named = places.setting.empty() ? places.environment : places.setting.string();
+  if (named.empty()) return {};
+  try {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(falcon::findFirmware(places).file, installed, ignored)) {
+      return {};
+    }
+  } catch (const FileError&) {
+    // It goes first all the same, and fails.
+  }
+  tell(places.setting.empty()
+           ? "RELIEVO_FALCON_FIRMWARE names \"" + named +
+                 "\", which is used instead. Unset it to use the installed file."
+           : "The setting in \"" + falcon::settingsFile().string() + "\" names \"" + named +
+                 "\", which is used instead. Clear it (Preferences > Device) to use the "
+                 "installed file.");
+  return named;
 }
 
 Outcome installFirmware(const DevicesArguments& a) {
@@ -119,7 +150,10 @@ Outcome installFirmware(const DevicesArguments& a) {
                         "). Nothing was installed. Add --accept if you trust it.");
   }
   Json json = jsonOfFirmware(firmware);
-  json["installed"] = falcon::installFirmware(firmware, places).string();
+  const std::filesystem::path installed = falcon::installFirmware(firmware, places);
+  json["installed"] = installed.string();
+  const std::string overriding = firmwareInstead(installed);
+  json["overridden_by"] = overriding.empty() ? Json() : Json(overriding);
   return {.json = json.dump(2),
           .lines = {(firmware.known_as.empty() ? "Unknown image" : firmware.known_as) + ", " +
                         std::to_string(firmware.bytes.size()) + " bytes",
@@ -127,41 +161,39 @@ Outcome installFirmware(const DevicesArguments& a) {
                     "installed as " + json["installed"].get<std::string>()}};
 }
 
-Outcome selftest(const DevicesArguments& a, const Task& task) {
-  falcon::FalconDevice device(std::make_unique<falcon::UsbBus>(), falcon::storedFirmwareSource(),
-                              falcon::readSettings(falcon::settingsFile()));
-  device.open();
-  waitUntilReady(device, a.ready_s, task);
-  falcon::SelfTest test(device, {.nudges = !a.no_nudges, .wait_for_person_s = a.wait_s});
-  std::string told;
-  std::int64_t deadline = monotonicNs();
-  while (test.step(monotonicNs())) {
-    if (test.prompt() != told) tell(told = test.prompt());
-    deadline = std::max(deadline + kMs, monotonicNs());
-    tickUntil(deadline, task);
-  }
-  Json json;
-  Outcome outcome;
-  json["passed"] = test.passed();
-  json["lines"] = Json::array();
-  for (const falcon::SelfTestLine& line : test.lines()) {
-    constexpr std::array<const char*, 3> kResults{"passed", "failed", "not seen"};
-    const char* result = kResults[static_cast<std::size_t>(line.result)];
-    json["lines"].push_back({{"result", result}, {"text", line.text}});
-    outcome.lines.push_back(std::string(result) + ": " + line.text);
-  }
-  outcome.lines.push_back(test.prompt());
-  outcome.json = json.dump(2);
-  outcome.exit_code = test.passed() ? 0 : kDeviceExit;
-  return outcome;
-}
+}  // namespace
 
+namespace {
+void declareFalcon(CLI::App& verb, const std::shared_ptr<DevicesArguments>& a) {
+  const auto until_ready = [&a](CLI::App& falcon) {
+    falcon.add_option("--ready", a->test.ready_s, "Seconds until it must be homed")
+        ->check(CLI::Range(1.0, 600.0));
+  };
+  CLI::App* selftest = verb.add_subcommand(
+      "selftest", "Rate, lights, nudges of 0.5 N; buttons and encoders with --wait");
+  selftest->add_flag("--no-nudges", a->test.no_nudges, "Leave the motors at zero force");
+  selftest->add_option("--seconds", a->test.rate_s, "How long the rate is measured; 2")
+      ->check(CLI::Range(0.5, 3600.0));
+  selftest->add_option("--wait", a->test.wait_s, "Seconds for you to press and move")
+      ->check(CLI::Range(0.0, 600.0));
+  until_ready(*selftest);
+  selftest->callback([a] { a->selftest = true; });
+  CLI::App* calibrate = verb.add_subcommand(
+      "calibrate", "The Falcon's force by a known weight that you hang on its grip");
+  calibrate->add_option("--weight", a->weight_g, "Grams, 20 to 300")
+      ->required()
+      ->check(CLI::Range(20.0, 300.0));
+  until_ready(*calibrate);
+  calibrate->callback([a] { a->calibrate = true; });
+  verb.add_option("--left-handed", a->hand, "Plus and minus change sides: yes or no; kept")
+      ->check(CLI::IsMember({"yes", "no"}));
+}
 }  // namespace
 
 Verb devicesVerb() {
   auto a = std::make_shared<DevicesArguments>();
   return {.name = "devices",
-          .help = "Haptic devices: list them, install the Falcon's firmware, self test",
+          .help = "Haptic devices: list them; the Falcon's firmware, self test, force, hand",
           .declare =
               [a](CLI::App& verb) {
                 // --report may stand behind the second word as well.
@@ -171,27 +203,23 @@ Verb devicesVerb() {
                 firmware->add_option("FILE", a->file, "Such as nvent_firmware.bin")->required();
                 firmware->add_flag("--accept", a->accept, "Install an image that nobody knows");
                 firmware->callback([a] { a->firmware = true; });
-                CLI::App* selftest = verb.add_subcommand(
-                    "selftest", "Rate, lights, nudges of 0.5 N; buttons and encoders with --wait");
-                selftest->add_flag("--no-nudges", a->no_nudges, "Leave the motors at zero force");
-                selftest->add_option("--wait", a->wait_s, "Seconds for you to press and move")
-                    ->check(CLI::Range(0.0, 600.0));
-                selftest->add_option("--ready", a->ready_s, "Seconds until it must be homed")
-                    ->check(CLI::Range(1.0, 600.0));
-                selftest->callback([a] { a->selftest = true; });
+                declareFalcon(verb, a);
                 verb.add_subcommand("rule", "Print the udev rule that gives access (E301)")
                     ->callback([a] { a->rule = true; });
                 verb.require_subcommand(0, 1);
               },
           .run =
               [a](const Task& task) {
+                Outcome hand;
+                if (!a->hand.empty()) hand = setLeftHanded(a->hand == "yes");
                 if (a->firmware) return installFirmware(*a);
-                if (a->selftest) return selftest(*a, task);
+                if (a->selftest) return falconSelfTest(a->test, task);
+                if (a->calibrate) return calibrateFalcon(a->weight_g, a->test.ready_s, task);
                 if (a->rule) {
                   return Outcome{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
                                  .lines = {falcon::udevRule()}};
                 }
-                return list();
+                return a->hand.empty() ? list() : hand;
               }};
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
-#include <fstream>
 
 #include "app/batch/figure_arguments.h"
 #include "app/batch/json.h"
@@ -8,6 +7,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
 #include "ui/figure/figure.h"
@@ -58,21 +58,18 @@ Json measurementsJson(const Surface& surface, const Project& project) {
                                  {"unit", q.unit}});
     }
     entry["not_measured"] = reading.not_measured;
+    if (hasPlane(m.kind)) entry["plane"] = planeJson(m);
     list.push_back(entry);
   }
   return list;
 }
 
-void writeText(const std::string& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text << '\n';
-  out.close();
-  if (!out) throw WriteError("Cannot write '" + file + "'. Choose another folder.");
-}
-
 Outcome runFigure(const Arguments& a, const Task& task) {
   if (!a.carrier.given() && a.map.file.empty()) {
     throw ArgumentError("Give FILE, --project or --from-image. Nothing was drawn.");
+  }
+  if (!a.heights.empty() && pictureFormatOf(a.heights) != PictureFormat::tiff) {
+    throw ArgumentError("--heights: '" + a.heights + "' does not end in .tif. Nothing was drawn.");
   }
   const Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
   const Surface& surface = state.surface;
@@ -97,12 +94,13 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   json["caption"] = facts.caption;
   json["input_sha256"] = project.sha256;
   if (a.both_eyes) {
-    for (const auto& file : writeEyes(surface, project, a.out, task)) {
-      json["eyes"].push_back(file.string());
-    }
+    const EyeFiles eyes = writeEyes(surface, project, a.out, task);
+    for (const auto& file : eyes.files) json["eyes"].push_back(file.string());
+    json["eye_angle_deg"] = eyes.eye_angle_deg;
+    json["parallax_deg"] = eyes.parallax_deg;
   }
   if (!a.heights.empty()) writeHeightsTiff(surface, project, a.heights);
-  if (!a.caption.empty()) writeText(a.caption, facts.caption);
+  if (!a.caption.empty()) writeTextFile(a.caption, facts.caption + "\n");
   return {
       .json = json.dump(2),
       .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +

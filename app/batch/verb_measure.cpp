@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "app/batch/json.h"
@@ -19,11 +21,10 @@ namespace {
 
 struct MeasureArguments {
   MapArguments map;
-  /// What was asked for, by kind, each "NAME=X,Y,..." or "X,Y,...".
+  /// What was asked for, by kind, each "NAME=X,Y,..." or "X,Y,..."; sections "NX,NY,NZ,OFFSET".
   std::array<std::vector<std::string>, kMeasureKindNames.size()> places;
   double plane_mm = 0;
-  std::string section;  ///< "NX,NY,NZ,OFFSET"
-  std::string out, profile_csv, profile_svg, section_csv;
+  std::string out, profile_csv, profile_svg, section_csv, section_svg;
 };
 
 /// @throw ArgumentError  no even count of numbers
@@ -38,6 +39,12 @@ Measurement measurementFrom(MeasureKind kind, const std::string& text, double pl
                 .places = {},
                 .plane_mm = kind == MeasureKind::area ? plane_mm : 0};
   const std::string numbers = named ? text.substr(equals + 1) : text;
+  if (kind == MeasureKind::section) {
+    const std::vector<double> plane = numberList(option, numbers, 4);
+    m.normal = {plane[0], plane[1], plane[2]};
+    m.plane_mm = plane[3];
+    return m;
+  }
   const auto count = static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), ',')) + 1;
   const auto needed = 2 * static_cast<std::size_t>(placesNeeded(kind));
   const bool fits = takesMore(kind) ? count >= needed && count % 2 == 0 : count == needed;
@@ -60,7 +67,7 @@ std::vector<Measurement> measurements(const MeasureArguments& a) {
       list.push_back(measurementFrom(static_cast<MeasureKind>(k), text, a.plane_mm, ++number));
     }
   }
-  if (list.empty() && a.section.empty()) {
+  if (list.empty()) {
     throw ArgumentError(
         "There is nothing to measure. Give --point, --distance, --depth, --angle, --profile, "
         "--area or --section.");
@@ -72,6 +79,18 @@ Json pointJson(const SurfacePoint& p) {
   return {{"at_mm", {p.at.x, p.at.y, p.at.z}},
           {"height_uncertainty_mm", p.height_uncertainty_mm},
           {"origin", name(p.origin)}};
+}
+
+Json curvesJson(const Reading& reading) {
+  Json list = Json::array();
+  for (const SectionCurve& curve : reading.curves) {
+    list.push_back({{"points", curve.points.size()},
+                    {"closed", curve.closed},
+                    {"length_mm", curve.length_mm},
+                    {"uncertainty_mm", curve.length_off_mm},
+                    {"not_measured", curve.not_measured}});
+  }
+  return list;
 }
 
 Json readingJson(const Measurement& m, const Reading& reading) {
@@ -86,6 +105,10 @@ Json readingJson(const Measurement& m, const Reading& reading) {
   json["points"] = Json::array();
   for (const SurfacePoint& p : reading.points) json["points"].push_back(pointJson(p));
   if (m.kind == MeasureKind::area) json["plane_mm"] = m.plane_mm;
+  if (m.kind == MeasureKind::section) {
+    json["plane"] = planeJson(m);
+    json["curves"] = curvesJson(reading);
+  }
   json["not_measured"] = reading.not_measured;
   return json;
 }
@@ -99,49 +122,76 @@ std::string lineFor(const Measurement& m, const Reading& reading) {
   std::string line = m.name + ":";
   for (const Quantity& q : reading.quantities) {
     line += (line.back() == ':' ? " " : ", ") + std::string(q.title) + " " + shown(q.value) +
-            " \u00b1 " + shown(q.uncertainty) + " " + std::string(q.unit);
+            " \u00b1 " + shortNumber(q.uncertainty, 4) + " " + std::string(q.unit);
   }
+  if (!reading.curves.empty()) line += "; curves: " + std::to_string(reading.curves.size());
+  if (hasPlane(m.kind)) line += "; plane " + planeText(m);
   if (reading.not_measured > 0) {
     line += "; " + shortNumber(100 * reading.not_measured, 3) + " % of it not measured";
   }
   return line;
 }
 
-const Measurement& onlyProfile(const std::vector<Measurement>& list, const std::string& option) {
-  const Measurement* found = nullptr;
-  for (const Measurement& m : list) {
-    if (m.kind != MeasureKind::profile) continue;
-    if (found != nullptr) throw ArgumentError(option + " is for one --profile; there are more.");
-    found = &m;
+/// @throw ArgumentError  none of the kind, or more than one
+void onlyOne(const std::vector<Measurement>& list, MeasureKind kind, const std::string& option) {
+  const auto found =
+      std::count_if(list.begin(), list.end(), [&](const Measurement& m) { return m.kind == kind; });
+  if (found > 1) {
+    throw ArgumentError(option + " is for one --" + std::string(name(kind)) + "; there are more.");
   }
-  if (found == nullptr) throw ArgumentError(option + " needs a --profile.");
-  return *found;
+  if (found == 0) throw ArgumentError(option + " needs a --" + std::string(name(kind)) + ".");
 }
 
-Json sectionJson(const MeasureArguments& a, const MapCells& map, const std::string& header) {
-  const std::vector<double> n = numberList("--section", a.section, 4);
-  const std::vector<SectionCurve> curves =
-      section(map, {.normal = {n[0], n[1], n[2]}, .offset_mm = n[3]});
-  Json list = Json::array();
-  for (const SectionCurve& curve : curves) {
-    // Each of its points may lie half a cell off, along the curve at its two ends only.
-    list.push_back({{"points", curve.points.size()},
-                    {"closed", curve.closed},
-                    {"length_mm", curve.length_mm},
-                    {"uncertainty_mm", map.frame().spacing_mm},
-                    {"not_measured", curve.not_measured}});
+/// Asked for with files that nobody could tell apart by their names otherwise.
+void checkEnding(const std::string& option, const std::string& file,
+                 const std::vector<std::string>& endings) {
+  if (file.empty()) return;
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (std::find(endings.begin(), endings.end(), extension) != endings.end()) return;
+  std::string list;
+  for (const std::string& ending : endings) list += (list.empty() ? "" : " or ") + ending;
+  throw ArgumentError(option + ": the file's name must end with " + list + ", not '" + file +
+                      "'. Nothing was written.");
+}
+
+void checkFiles(const MeasureArguments& a, const std::vector<Measurement>& list) {
+  checkEnding("--output", a.out, {".csv", ".json"});
+  checkEnding("--profile-csv", a.profile_csv, {".csv"});
+  checkEnding("--profile-svg", a.profile_svg, {".svg"});
+  checkEnding("--section-csv", a.section_csv, {".csv"});
+  checkEnding("--section-svg", a.section_svg, {".svg"});
+  using enum MeasureKind;
+  if (!a.profile_csv.empty()) onlyOne(list, profile, "--profile-csv");
+  if (!a.profile_svg.empty()) onlyOne(list, profile, "--profile-svg");
+  if (!a.section_csv.empty()) onlyOne(list, section, "--section-csv");
+  if (!a.section_svg.empty()) onlyOne(list, section, "--section-svg");
+}
+
+using HeaderFor = std::function<std::string(const std::string& out)>;
+
+void writeProfileFiles(const MeasureArguments& a, const MapCells& cells, const Measurement& m,
+                       const std::string& title, const HeaderFor& header) {
+  if (a.profile_csv.empty() && a.profile_svg.empty()) return;
+  const std::vector<ProfileRow> rows = profile(cells, m.places);
+  if (!a.profile_csv.empty()) {
+    writeTextFile(a.profile_csv, profileCsv(rows, header(a.profile_csv)));
   }
-  if (!a.section_csv.empty()) writeTextFile(a.section_csv, sectionCsv(curves, header));
-  return list;
+  if (!a.profile_svg.empty()) writeTextFile(a.profile_svg, profileSvg(rows, title));
+}
+
+void writeSectionFiles(const MeasureArguments& a, const Reading& reading, const Measurement& m,
+                       const std::string& title, const HeaderFor& header) {
+  if (!a.section_csv.empty()) {
+    writeTextFile(a.section_csv, sectionCsv(reading.curves, header(a.section_csv)));
+  }
+  if (!a.section_svg.empty()) {
+    writeTextFile(a.section_svg, sectionSvg(reading.curves, planeOf(m), title));
+  }
 }
 
 Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   const std::vector<Measurement> list = measurements(a);
-  if (!a.section_csv.empty() && a.section.empty()) {
-    throw ArgumentError("--section-csv needs a --section.");
-  }
-  if (!a.profile_csv.empty()) onlyProfile(list, "--profile-csv");
-  if (!a.profile_svg.empty()) onlyProfile(list, "--profile-svg");
+  checkFiles(a, list);
   const Surface surface = openForVerb(a.map, task);
   const MapCells cells = mapCells(surface, task);
   const auto header = [&](const std::string& out) {
@@ -151,24 +201,18 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   Outcome outcome;
   json["spacing_mm"] = cells.frame().spacing_mm;
   json["measurements"] = Json::array();
+  std::vector<Reading> readings;
   for (const Measurement& m : list) {
-    const Reading reading = read(cells, m);
-    json["measurements"].push_back(readingJson(m, reading));
-    outcome.lines.push_back(lineFor(m, reading));
+    readings.push_back(read(cells, m));
+    json["measurements"].push_back(readingJson(m, readings.back()));
+    outcome.lines.push_back(lineFor(m, readings.back()));
   }
-  if (!a.section.empty()) {
-    json["section"] = sectionJson(a, cells, a.section_csv.empty() ? "" : header(a.section_csv));
-    outcome.lines.push_back("section: " + std::to_string(json["section"].size()) + " curves");
-  }
-  if (!a.profile_csv.empty() || !a.profile_svg.empty()) {
-    const Measurement& m = onlyProfile(list, "--profile-csv");
-    const std::vector<ProfileRow> rows = profile(cells, m.places);
-    if (!a.profile_csv.empty()) {
-      writeTextFile(a.profile_csv, profileCsv(rows, header(a.profile_csv)));
-    }
-    if (!a.profile_svg.empty()) {
-      writeTextFile(a.profile_svg,
-                    profileSvg(rows, surface.info.file.filename().string() + ": " + m.name));
+  // Only after all could be read.
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string title = surface.info.file.filename().string() + ": " + list[i].name;
+    if (list[i].kind == MeasureKind::profile) writeProfileFiles(a, cells, list[i], title, header);
+    if (list[i].kind == MeasureKind::section) {
+      writeSectionFiles(a, readings[i], list[i], title, header);
     }
   }
   outcome.json = json.dump(2);
@@ -191,7 +235,8 @@ void declareMeasure(CLI::App& verb, MeasureArguments& a) {
       "X,Y,X,Y: height of the second place above the first",
       "X,Y,X,Y,X,Y: angle at the second place",
       "X,Y,X,Y,...: heights along a line",
-      "X,Y,X,Y,X,Y,...: area and volume above --plane inside these corners"};
+      "X,Y,X,Y,X,Y,...: area and volume above --plane inside these corners",
+      "NX,NY,NZ,OFFSET: where this plane cuts; 0,0,1,H is the contour at H mm"};
   for (std::size_t k = 0; k < kHelp.size(); ++k) {
     verb.add_option("--" + std::string(kMeasureKindNames[k]), a.places[k], kHelp[k])
         ->expected(1)
@@ -199,12 +244,11 @@ void declareMeasure(CLI::App& verb, MeasureArguments& a) {
         ->allow_extra_args(false);
   }
   verb.add_option("--plane", a.plane_mm, "Height in mm from which the volume of --area counts");
-  verb.add_option("--section", a.section,
-                  "NX,NY,NZ,OFFSET: where this plane cuts; 0,0,1,H is the contour at H mm");
   verb.add_option("-o,--output", a.out, "List of all as CSV, or as JSON if it ends so");
   verb.add_option("--profile-csv", a.profile_csv, "The profile's heights as CSV");
   verb.add_option("--profile-svg", a.profile_svg, "The profile as a drawing");
   verb.add_option("--section-csv", a.section_csv, "The section's curves as CSV");
+  verb.add_option("--section-svg", a.section_svg, "The section as a drawing");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <CLI/CLI.hpp>
 
+#include "app/batch/companions.h"
 #include "app/batch/json.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -145,7 +146,12 @@ Outcome relink(const ProjectArguments& a, const Task& task) {
 Outcome pack(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw ArgumentError("project package needs -o PACKAGE.zip.");
   const Project project = readProject(a.file);
-  PackageContents contents{.with_input = !a.without_input, .figures = {}};
+  PackageContents contents{
+      .with_input = !a.without_input,
+      .figures = {},
+      .companions = [scans = !a.without_input](const fs::path& recording, const Task& work) {
+        return companionsOf(recording, scans, work);
+      }};
   for (const std::string& figure : a.figures) contents.figures.emplace_back(figure);
   writePackage(a.out, project, contents, task);
   return {.json = Json{{"package", a.out}, {"sha256", sha256OfFile(a.out, task)}}.dump(2),

@@ -4,18 +4,17 @@
 
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/look_arguments.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/io/text_file.h"
 #include "core/project/caption.h"
-#include "core/provenance/embedded.h"
-#include "core/provenance/program.h"
-#include "core/relief/relief_image.h"
 #include "core/session/tiled_surface.h"
 #include "ui/figure/figure.h"
+#include "ui/figure/view_picture.h"
 #include "ui/vtk/offscreen.h"
-#include "ui/vtk/relief_scene.h"
+#include "ui/vtk/picture_file.h"
 
 namespace relievo::batch {
 namespace {
@@ -26,7 +25,7 @@ struct RenderArguments {
   std::string stereo = "off";
   double eye_angle_deg = StereoOptions{}.eye_angle_deg;
   std::optional<double> zero_plane_mm;
-  std::string light;  ///< "AZIMUTH,ELEVATION"; empty: as in the window.
+  LookArguments look;
   int pixels = 800;
   bool scale_bar = false, swap_eyes = false;
   std::string out, caption;
@@ -34,61 +33,42 @@ struct RenderArguments {
 };
 
 StereoOptions stereoOptions(const RenderArguments& a) {
-  const auto mode = stereoMode(a.stereo);
-  if (!mode) {
-    throw ArgumentError("--stereo: '" + a.stereo + "' is none of off, anaglyph, half and dubois.");
+  if (a.stereo == name(StereoPrint::side_by_side) || a.stereo == name(StereoPrint::over_under)) {
+    throw ArgumentError(
+        "--stereo: two pictures make a figure. Use 'relievo figure --layout detail "
+        "--stereo " +
+        a.stereo + "'. Nothing was drawn.");
   }
+  // Also by the word of `figure`.
+  const auto mode =
+      a.stereo == name(StereoPrint::grey) ? StereoMode::anaglyph : stereoMode(a.stereo);
+  if (!mode) refuseWord("--stereo", a.stereo, listOf(kStereoModeNames));
   return {.mode = *mode,
           .eye_angle_deg = a.eye_angle_deg,
           .zero_plane_mm = a.zero_plane_mm,
           .swap_eyes = a.swap_eyes};
 }
 
-LightOptions lightOptions(const RenderArguments& a) {
-  if (a.light.empty()) return {};
-  const std::vector<double> angles = numberList("--light", a.light, 2);
-  if (angles[1] < -90 || angles[1] > 90) {
-    throw ArgumentError("--light: the elevation must be between -90 and 90 degrees.");
-  }
-  return {.azimuth_deg = angles[0], .elevation_deg = angles[1]};
+void checkEnding(const std::string& file) {
+  if (pictureFormatOf(file)) return;
+  throw ArgumentError("A picture's name ends in .png or .tif; '" +
+                      std::filesystem::path(file).filename().string() +
+                      "' does not. Nothing was drawn.");
 }
 
 Stored fromArguments(const RenderArguments& a, const Task& task) {
+  checkEnding(a.out);
   const StereoOptions stereo = stereoOptions(a);
-  const LightOptions light = lightOptions(a);
+  const ReliefLook look = reliefLook(a.look);
   Stored state{.surface = openForVerb(a.map, task), .project = {}};
   const Region region = chosenRegion(state.surface, a.region);
   warnIfAliased(state.surface, region);
   Project& p = state.project;
   p = projectOfVerb(a.map, state.surface, region, a.region.gain, task);
-  p.look.light = p.figure.look.light = light;
+  p.look = p.figure.look = look;
   p.stereo = stereo;
   p.picture = PictureChoice{.width_px = a.pixels, .height_px = a.pixels, .scale_bar = a.scale_bar};
   return state;
-}
-
-RgbImage draw(const RegionWindow& window, const Project& p) {
-  const DisplayGuard display;
-  ReliefScene scene;
-  const DepthMap drawn = windowMap(window, 1);
-  std::vector<std::uint8_t> colours;
-  if (p.look.kind != ReliefKind::lit) colours = reliefColours(reliefValues(drawn, p.look), p.look);
-  scene.setSurface({.frame = drawn.frame,
-                    .heights_mm = &drawn.heights_mm,
-                    .origins = &drawn.origins,
-                    .colours = colours.empty() ? nullptr : &colours,
-                    .lit = isLit(p.look.kind)});
-  const Region& region = p.region;
-  scene.setCamera({.rect = {.x_mm = region.x_mm,
-                            .y_mm = region.y_mm,
-                            .width_mm = region.side_mm,
-                            .height_mm = region.side_mm},
-                   .azimuth_deg = p.azimuth_deg,
-                   .elevation_deg = p.elevation_deg});
-  scene.setStereo(p.stereo);
-  scene.setLight(p.look.light);
-  scene.setScaleBar(p.picture->scale_bar);
-  return renderOffscreen(scene, p.picture->width_px, p.picture->height_px);
 }
 
 void writeCaptionIfAsked(const RenderArguments& a, const std::string& text, Outcome& outcome) {
@@ -119,37 +99,34 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   Stored state =
       a.carrier.given() ? loadStored(a.carrier, a.map.file, task) : fromArguments(a, task);
   if (!state.project.picture) return drawFigureAgain(a, state, task);
+  checkEnding(a.out);
   const Surface& surface = state.surface;
   Project& p = state.project;
-  p.made = madeText(surface);
   const RegionWindow window = windowOf(surface, p.region, p.gain);
+  if (p.stereo.zero_plane_mm) {
+    checkZeroPlane(*p.stereo.zero_plane_mm, window.min_mm, window.max_mm, p.region.side_mm);
+  }
   writeWindowIfAsked(a.region, surface, window);
-  const RgbImage image = draw(window, p);
-  const double mm_per_pixel = p.region.side_mm / std::min(image.width, image.height);
-  const std::string text = captionOf(p, surface, window, pictureFacts(p, mm_per_pixel));
+  const DisplayGuard display;
+  const ViewPictureFacts facts = writeViewPicture(surface, window, p, a.out, task);
 
   Json json;
-  json["pixels"] = {image.width, image.height};
-  json["mm_per_pixel"] = mm_per_pixel;
+  json["pixels"] = {facts.width_px, facts.height_px};
+  json["mm_per_pixel"] = facts.mm_per_pixel;
   json["level"] = p.region.level.value;
   json["region_mm"] = jsonOf(p.region);
   json["gain"] = window.gain;
   json["stereo"] = name(p.stereo.mode);
   json["view"] = surface.view_name;
   json["view_from_file"] = jsonOf(surface.view_from_file);
-  json["caption"] = text;
-  writePng(a.out, image,
-           {{"Title", std::filesystem::path(p.file).filename().string()},
-            {"Description", text},
-            {"Software", "relievo " + std::string(programVersion())},
-            {std::string(kStateKey), projectJson(relativeTo(p, a.out))}});
+  json["caption"] = facts.caption;
   Outcome outcome{
       .json = json.dump(2),
-      .lines = {a.out + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                " pixels, " + shortNumber(json["mm_per_pixel"]) + " mm each, level " +
-                std::to_string(p.region.level.value)},
+      .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                std::to_string(facts.height_px) + " pixels, " + shortNumber(json["mm_per_pixel"]) +
+                " mm each, level " + std::to_string(p.region.level.value)},
       .exit_code = exitCodeAfter(surface)};
-  writeCaptionIfAsked(a, text, outcome);
+  writeCaptionIfAsked(a, facts.caption, outcome);
   return outcome;
 }
 
@@ -173,19 +150,18 @@ Verb renderVerb() {
           [arguments](CLI::App& verb) {
             addMapOptions(verb, arguments->map);
             addRegionOptions(verb, arguments->region);
-            verb.add_option("--stereo", arguments->stereo, "Red/cyan: off anaglyph half dubois");
+            verb.add_option("--stereo", arguments->stereo, "Red/cyan: " + listOf(kStereoModeNames));
             verb.add_flag("--swap-eyes", arguments->swap_eyes, "Left and right eye change places");
             verb.add_option("--eye-angle", arguments->eye_angle_deg,
                             "Angle between the eyes' directions in degrees")
                 ->check(CLI::Range(0.5, 10.0));
             verb.add_option("--zero-plane", arguments->zero_plane_mm,
                             "Height of zero parallax in mm; default mid height");
-            verb.add_option("--light", arguments->light,
-                            "AZIMUTH,ELEVATION in degrees; 315,45 is the upper left");
+            addLookOptions(verb, arguments->look);
             verb.add_option("--pixels", arguments->pixels, "Width and height of the image")
                 ->check(CLI::Range(16, 16384));
             verb.add_flag("--scale-bar", arguments->scale_bar, "Draw a scale bar");
-            verb.add_option("-o,--output", arguments->out, "FIG.png")->required();
+            verb.add_option("-o,--output", arguments->out, "FIG.png or .tif")->required();
             verb.add_option("--caption", arguments->caption,
                             "Also write the text under the picture: FILE, or - for the report");
             addCarrierOptions(verb, arguments->carrier);

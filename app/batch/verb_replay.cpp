@@ -6,7 +6,9 @@
 #include <memory>
 
 #include "app/batch/json.h"
+#include "app/batch/replay_command.h"
 #include "app/batch/replay_window.h"
+#include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "core/io/file_check.h"
@@ -23,44 +25,6 @@ struct ReplayArguments {
 };
 
 constexpr int kVerifyMismatch = 5;
-
-/// The command that made a log, from its header's line "parameters {...}".
-std::vector<std::string> commandOf(const LogTable& log, const std::string& file) {
-  const std::string word = "parameters ";
-  const std::size_t at = log.header.find(word);
-  if (at != std::string::npos) {
-    const std::size_t from = at + word.size();
-    const Json json =
-        Json::parse(log.header.substr(from, log.header.find('\n', from) - from), nullptr, false);
-    if (json.is_object() && json.contains("command") && json["command"].is_array() &&
-        !json["command"].empty() &&
-        std::all_of(json["command"].begin(), json["command"].end(),
-                    [](const Json& part) { return part.is_string(); })) {
-      return json["command"].get<std::vector<std::string>>();
-    }
-  }
-  throw FileError(
-      "The log \"" + file +
-      "\" does not say what made it; only logs of touch, record and the window can be replayed.");
-}
-
-TouchArguments argumentsOf(const std::vector<std::string>& command) {
-  TouchArguments arguments;
-  CLI::App parser;
-  if (command.front() == "record") {
-    declareRecord(parser, arguments);
-  } else {
-    declareTouch(parser, arguments);
-  }
-  parser.add_option("--report", "")->expected(1);
-  try {
-    parser.parse(std::vector<std::string>(command.rbegin(), command.rend() - 1));
-  } catch (const CLI::ParseError& error) {
-    throw FileError("The log was made by a command that this version does not understand: " +
-                    std::string(error.what()) + ".");
-  }
-  return arguments;
-}
 
 bool isPackage(const std::string& file) {
   return readHead(file, 4) == std::string("PK\x03\x04", 4);
@@ -96,6 +60,9 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
   if (const auto of_window = replayOfWindow(log, recording, input, each, task)) return *of_window;
   TouchArguments touch = argumentsOf(commandOf(log, recording));
   touch.map.file = input;
+  if (const auto raster = firmnessOfCommand(log)) {
+    touch.firmness = foundInput(recording, raster->file, raster->sha256, task).string();
+  }
   const TouchSetup setup = prepareTouch(touch, task);
   return replay(*setup.space, setup.core, log, each, task);
 }

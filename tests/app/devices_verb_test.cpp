@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `relievo devices` with a Falcon on a mocked port, through the real libusb.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +17,7 @@
 
 #include "tests/app/command.h"
 #include "tests/emulator/made_image.h"
+#include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
 
 namespace relievo {
@@ -25,6 +32,55 @@ using testing::HasSubstr;
 
 constexpr int kUsage = 1, kUnreadable = 2, kDevice = 6;
 
+/// The program while it runs: what it says is read, Enter is pressed.
+class Child {
+ public:
+  Child(const std::vector<std::string>& arguments, const fs::path& home) : keys_(home / "keys") {
+    if (mkfifo(keys_.c_str(), 0600) != 0) throw std::runtime_error("no fifo");
+    std::string line = "HOME=" + home.string() +
+                       " exec env -u XDG_DATA_HOME -u XDG_CONFIG_HOME " RELIEVO_BINARY_DIR
+                       "/bin/relievo";
+    for (const std::string& word : arguments) line += " " + word;
+    line += " 2>&1 < " + keys_.string();
+    program_ = popen(line.c_str(), "r");
+    key_ = open(keys_.c_str(), O_WRONLY | O_CLOEXEC);  // Once the program has opened it.
+  }
+  ~Child() {
+    exitCode();
+    fs::remove(keys_);
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  /// Reads on until it says so. @return false: it ended without
+  bool says(const std::string& text) {
+    std::array<char, 400> line{};
+    while (said.find(text) == std::string::npos) {
+      if (std::fgets(line.data(), line.size(), program_) == nullptr) return false;
+      said += line.data();
+    }
+    return true;
+  }
+  void enter() { EXPECT_EQ(write(key_, "\n", 1), 1); }
+  void endInput() {
+    if (key_ >= 0) close(std::exchange(key_, -1));
+  }
+  int exitCode() {
+    endInput();
+    if (program_ == nullptr) return -1;
+    while (std::fgetc(program_) != EOF) {
+    }
+    return WEXITSTATUS(pclose(std::exchange(program_, nullptr)));
+  }
+
+  std::string said;
+
+ private:
+  fs::path keys_;
+  FILE* program_ = nullptr;
+  int key_ = -1;
+};
+
 class DevicesVerbTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -34,12 +90,16 @@ class DevicesVerbTest : public ::testing::Test {
     home_ = folder;
   }
   void TearDown() override { fs::remove_all(home_); }
-  CommandResult run(std::vector<std::string> arguments, RunAs as = RunAs::self) {
+  CommandResult run(std::vector<std::string> arguments, RunAs as = RunAs::self,
+                    const std::string& firmware = "RELIEVO_FALCON_FIRMWARE") {
     arguments.insert(arguments.begin(), "devices");
     return test::runRelievo(
-        arguments,
-        {"HOME=" + home_.string(), "XDG_DATA_HOME", "XDG_CONFIG_HOME", "RELIEVO_FALCON_FIRMWARE"},
-        as);
+        arguments, {"HOME=" + home_.string(), "XDG_DATA_HOME", "XDG_CONFIG_HOME", firmware}, as);
+  }
+  /// As the window's preferences or the set-up would.
+  void setFirmware(const std::string& file) {
+    fs::create_directories(home_ / ".config/relievo");
+    std::ofstream(home_ / ".config/relievo/falcon.conf") << "firmware " << file << '\n';
   }
   CommandResult listed(RunAs as = RunAs::self) { return run({"--report", "json"}, as); }
   void plugIn() { usb_.plugIn(std::make_shared<SharedFalcon>(emulator::EmulatorOptions{})); }
@@ -99,6 +159,31 @@ TEST_F(DevicesVerbTest, OneThatThisAccountMayNotUseIsForbidden) {
   EXPECT_THAT(tested.err, HasSubstr("E301"));
 }
 
+TEST_F(DevicesVerbTest, HidDevicesAreListedAndAClosedOneIsSaid) {
+  const std::vector<std::uint8_t> foot_switch{
+      0x05, 0x01, 0x09, 0x04, 0xa1, 0x01, 0x05, 0x09, 0x19, 0x01, 0x29, 0x01, 0x15, 0x00, 0x25,
+      0x01, 0x75, 0x01, 0x95, 0x01, 0x81, 0x02, 0x75, 0x07, 0x95, 0x01, 0x81, 0x03, 0xc0};
+  emulator::MockHid hid;
+  hid.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", {0x05, 0x01, 0x09, 0x08, 0xa1, 0x01, 0xc0});
+  hid.plugIn(1, 0x1234, 0x0001, "Foot switch", foot_switch);
+  const json open = json::parse(listed().out)["hid"];
+  ASSERT_EQ(open.size(), 2U) << open;
+  EXPECT_EQ(open[0], (json{{"name", "SpaceMouse Compact"}, {"access", true}}));
+  hid.forbid(1, true);
+  // Other accounts see the rest of the testbed as they see the real /sys.
+  const fs::path testbed = std::getenv("UMOCKDEV_DIR");
+  fs::permissions(testbed, fs::perms::all);
+  for (const auto& node : fs::directory_iterator(testbed / "ioctl/dev")) {
+    fs::permissions(node.path(), fs::perms::all);  // Asked even where opening it failed.
+  }
+  const CommandResult result = listed(RunAs::nobody);
+  const json closed = json::parse(result.out)["hid"];
+  EXPECT_EQ(result.exit_code, 0) << "it is not needed";
+  EXPECT_THAT(closed, testing::Contains(json{{"name", "Foot switch"}, {"access", false}}));
+  EXPECT_THAT(result.err, HasSubstr("Foot switch is plugged in but this account may not use it. "
+                                    "Install the rule that 'relievo devices rule' prints"));
+}
+
 TEST_F(DevicesVerbTest, FirmwareIsCheckedAndInstalledForThisUser) {
   EXPECT_EQ(run({"firmware", (home_ / "none.bin").string()}).exit_code, kUnreadable);
   const CommandResult cut = run({"firmware", written({0xaa, 0x08, 1})});
@@ -115,6 +200,39 @@ TEST_F(DevicesVerbTest, FirmwareIsCheckedAndInstalledForThisUser) {
             test::madeImage().size());
   plugIn();
   EXPECT_EQ(json::parse(listed().out)["falcon_firmware"]["bytes"], test::madeImage().size());
+}
+
+TEST_F(DevicesVerbTest, AFirmwareFileThatWasNamedAndIsBadIsToldWithoutAFalcon) {
+  const CommandResult by_variable =
+      run({"--report", "json"}, RunAs::self, "RELIEVO_FALCON_FIRMWARE=/nonexist");
+  EXPECT_EQ(by_variable.exit_code, kUnreadable);
+  EXPECT_TRUE(json::parse(by_variable.out)["falcon_firmware"].is_null());
+  EXPECT_THAT(by_variable.err, AllOf(HasSubstr("RELIEVO_FALCON_FIRMWARE"), HasSubstr("/nonexist")));
+  const std::string cut = written({0xaa, 0x08, 1});
+  setFirmware(cut);
+  const CommandResult by_setting = run({});
+  EXPECT_EQ(by_setting.exit_code, kUnreadable);
+  EXPECT_THAT(by_setting.err, HasSubstr(cut));
+  EXPECT_THAT(by_setting.out, HasSubstr("the file that was named cannot be used"));
+}
+
+TEST_F(DevicesVerbTest, InstallingSaysWhatIsUsedInsteadOfTheInstalledFile) {
+  const std::string image = written(test::madeImage());
+  const std::vector<std::string> install{"firmware", image, "--accept", "--report", "json"};
+  const CommandResult plain = run(install);
+  EXPECT_EQ(plain.err, "");
+  EXPECT_TRUE(json::parse(plain.out)["overridden_by"].is_null());
+  const CommandResult by_variable = run(install, RunAs::self, "RELIEVO_FALCON_FIRMWARE=/nonexist");
+  EXPECT_EQ(by_variable.exit_code, 0) << "it is installed";
+  EXPECT_THAT(by_variable.err, HasSubstr("RELIEVO_FALCON_FIRMWARE names \"/nonexist\", which is "
+                                         "used instead. Unset it"));
+  setFirmware("/elsewhere/falcon.bin");
+  const CommandResult by_setting = run(install);
+  EXPECT_EQ(json::parse(by_setting.out)["overridden_by"], "/elsewhere/falcon.bin");
+  EXPECT_THAT(by_setting.err, HasSubstr("names \"/elsewhere/falcon.bin\", which is used instead. "
+                                        "Clear it"));
+  setFirmware(json::parse(plain.out)["installed"]);
+  EXPECT_EQ(run(install).err, "") << "the set-up names the installed file";
 }
 
 TEST_F(DevicesVerbTest, ASelfTestWithoutAFalconSaysSo) {
@@ -144,6 +262,103 @@ TEST_F(DevicesVerbTest, AFalconIsTestedFromTheTerminal) {
                             [](const auto& c) { return !c.neutral(); }));
     EXPECT_TRUE(f.commands().back().neutral());
   });
+}
+
+TEST_F(DevicesVerbTest, ARateIsMeasuredForAsLongAsIsAsked) {
+  usb_.plugIn(std::make_shared<SharedFalcon>(
+      emulator::EmulatorOptions{.firmware_loaded = true, .homed = true}));
+  const auto answers = [this](const std::string& seconds) {
+    std::uint64_t sum = 0;
+    for (int attempt = 0; sum == 0 && attempt < 8; ++attempt) {  // A stall ends the test early.
+      const json report = json::parse(
+          run({"selftest", "--no-nudges", "--seconds", seconds, "--report", "json"}).out);
+      for (const json& line : report["lines"]) {
+        const std::string text = line["text"];
+        if (!text.starts_with("Times from answer")) continue;
+        // "... up to 0.8 ms 12, up to 1.0 ms 7"
+        for (std::size_t at = text.find(" ms "); at != std::string::npos;
+             at = text.find(" ms ", at + 1)) {
+          sum += std::stoull(text.substr(at + 4));
+        }
+      }
+    }
+    return sum;
+  };
+  const std::uint64_t brief = answers("0.5");
+  EXPECT_GT(brief, 0U);
+  EXPECT_GT(answers("4"), 2 * brief);
+}
+
+TEST_F(DevicesVerbTest, AFalconThatIsNotHomedInTimeIsNamedWithItsArms) {
+  usb_.plugIn(std::make_shared<SharedFalcon>(emulator::EmulatorOptions{.firmware_loaded = true}));
+  const CommandResult result = run({"selftest", "--ready", "1"});
+  EXPECT_EQ(result.exit_code, kDevice);
+  EXPECT_THAT(result.err, HasSubstr("Top arm missing, right arm missing, left arm missing."));
+  EXPECT_THAT(result.err,
+              HasSubstr("E308: The Falcon was not homed within 1 s, and nothing was tried."));
+}
+
+TEST_F(DevicesVerbTest, TheForceIsCalibratedByAWeightAndKept) {
+  const auto falcon = std::make_shared<SharedFalcon>(
+      emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+  falcon->with([](auto& f) {
+    f.body.counts_per_n_mm = 6;
+    f.body.hold({0, 0, 125});
+    f.body.letGo(0.3);
+  });
+  usb_.plugIn(falcon);
+  setFirmware("/kept.bin");
+  // A busy computer may ask so late that the grip swings or is let go; a person would begin again.
+  std::string said;
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    falcon->with([](auto& f) { f.body.letGo(0.3); });
+    Child child({"devices", "calibrate", "--weight", "100"}, home_);
+    if (child.says("Hang the weight on the grip, let it come to rest, then press Enter.")) {
+      falcon->with([](auto& f) { f.body.letGo(0.3 + 0.980665); });
+      child.enter();
+      if (child.says("The force is calibrated: ")) {
+        EXPECT_EQ(child.exitCode(), 0);
+        said.clear();
+        break;
+      }
+    }
+    said = child.said;
+    EXPECT_EQ(child.exitCode(), kDevice);
+    ASSERT_THAT(said, HasSubstr("The old setting is kept."));
+  }
+  ASSERT_EQ(said, "");
+  const json report = json::parse(listed().out);
+  EXPECT_NEAR(report["falcon_settings"]["counts_per_n_mm"], 6, 0.3);
+  std::ifstream conf(home_ / ".config/relievo/falcon.conf");
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(conf), {}), HasSubstr("/kept.bin"));
+  falcon->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });
+}
+
+TEST_F(DevicesVerbTest, ACalibrationThatNobodyCanConfirmEndsWithTheOldSetting) {
+  const auto falcon = std::make_shared<SharedFalcon>(
+      emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+  falcon->with([](auto& f) {
+    f.body.hold({0, 0, 125});
+    f.body.letGo(0.3);
+  });
+  usb_.plugIn(falcon);
+  Child child({"devices", "calibrate", "--weight", "100"}, home_);
+  child.endInput();
+  EXPECT_TRUE(
+      child.says("The input ended before Enter said that the weight hangs. The old setting "
+                 "is kept."))
+      << child.said;
+  EXPECT_EQ(child.exitCode(), kUsage);
+  EXPECT_FALSE(fs::exists(home_ / ".config/relievo/falcon.conf"));
+}
+
+TEST_F(DevicesVerbTest, TheHandIsChosenAndKept) {
+  EXPECT_FALSE(json::parse(listed().out)["falcon_settings"]["left_handed"]);
+  EXPECT_THAT(run({"--left-handed", "yes"}).out, HasSubstr("plus and minus change sides"));
+  EXPECT_TRUE(json::parse(listed().out)["falcon_settings"]["left_handed"]);
+  EXPECT_EQ(run({"--left-handed", "no"}).exit_code, 0);
+  EXPECT_FALSE(json::parse(listed().out)["falcon_settings"]["left_handed"]);
+  EXPECT_EQ(run({"--left-handed", "perhaps"}).exit_code, kUsage);
 }
 
 TEST_F(DevicesVerbTest, TheRuleIsPrinted) {

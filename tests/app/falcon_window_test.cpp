@@ -19,6 +19,7 @@
 
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/protocol.h"
+#include "haptics/device/falcon/settings_file.h"
 #include "haptics/rt/realtime_thread.h"
 #include "tests/app/program_window.h"
 #include "tests/emulator/made_image.h"
@@ -36,12 +37,13 @@ constexpr std::int64_t kSecondNs = 1'000'000'000;
 constexpr Triple kFarOut{0, 0, 172}, kFarIn{0, 0, 90};
 constexpr Triple kAbove{5, -4, 150}, kBelow{5, -4, 108};  // Of the sample's surface.
 
-/// Generous: what happens is tested here, not how fast.
+/// Generous: what happens is tested here, not how fast. The mocked port answers in a thread of this
+/// process: looking again at once would take the processor from it.
 bool eventually(const std::function<bool()>& holds) {
   const std::int64_t give_up = monotonicNs() + 90 * kSecondNs;
   while (!holds()) {
     if (monotonicNs() > give_up) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   return true;
 }
@@ -96,6 +98,7 @@ class FalconWindowTest : public ::testing::Test {
     installFirmware();
     // The device was chosen in an earlier session.
     QSettings settings(home_.filePath("config/relievo/relievo.ini"), QSettings::IniFormat);
+    settings.setValue("falcon_firmware", QString::fromStdString(firmware_.string()));
     settings.setValue("plugins/haptics_plugin", QByteArray(R"({"device": "falcon:0"})").toBase64());
   }
 
@@ -105,7 +108,7 @@ class FalconWindowTest : public ::testing::Test {
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
-    falcon::installFirmware(falcon::readFirmware(file), falcon::firmwarePlaces());
+    firmware_ = falcon::installFirmware(falcon::readFirmware(file), falcon::firmwarePlaces());
   }
 
   /// One that was just switched on.
@@ -142,8 +145,7 @@ class FalconWindowTest : public ::testing::Test {
     };
     ASSERT_FALSE(pushed());
     program.key("F5");
-    ASSERT_TRUE(eventually([this] { return events().find("forces on") != std::string::npos; }))
-        << events();
+    ASSERT_TRUE(happens("forces on")) << events();
     handTo(kBelow);
     ASSERT_TRUE(eventually(pushed)) << events();
     ASSERT_TRUE(lit(falcon::green));
@@ -178,6 +180,7 @@ class FalconWindowTest : public ::testing::Test {
   QTemporaryDir home_;
   emulator::MockUsb usb_;
   std::shared_ptr<SharedFalcon> falcon_;
+  fs::path firmware_;
   std::size_t begun_ = 0;
 };
 
@@ -189,6 +192,8 @@ TEST_F(FalconWindowTest, OpenHomeTouchPlusUnplugReplugTouchAgain) {
   ASSERT_TRUE(eventually([&] { return program.title().starts_with("panel.ply"); }))
       << program.title();
   picture(program, "1_homed");
+  EXPECT_EQ(falcon::readSettings(falcon::settingsFile()).firmware, firmware_)
+      << "the window's preference is the driver's setting";
   program.key("r", true);
   ASSERT_TRUE(eventually([this] { return !readRecording(file()).rows.empty(); })) << "no recording";
   touch(program);

@@ -285,8 +285,8 @@ void JourneyTest::measureStep() {
   keys(detail(), Qt::Key_F);
   ASSERT_EQ(measure().measurements().size(), 2U);
   measure().findChild<QTableWidget*>("measure_list")->setCurrentCell(1, 0);
-  measure().writeProfile(path("step.csv"));
-  measure().writeProfile(path("step.svg"));
+  measure().writeSelected(path("step.csv"));
+  measure().writeSelected(path("step.svg"));
   EXPECT_GT(QFile(path("step.csv")).size(), 100);
   EXPECT_GT(QFile(path("step.svg")).size(), 100);
   picture("5_measure");

@@ -78,6 +78,41 @@ TEST_F(PackageVerify, ARecordingOfAnotherFileIsNotTakenAlong) {
   EXPECT_FALSE(fs::exists(path("p.json")));
 }
 
+TEST_F(PackageVerify, HoldsTheRastersOfFirmGroundThatItsRecordingsNeed) {
+  fs::create_directories(path("other"));
+  const auto raster = [this](const std::string& name, const char* parts) {
+    write(name, "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 100\n" + std::string(parts));
+    return path(name);
+  };
+  const std::string one = raster("firm.asc", "1 0 1 0 1 0\n");
+  const std::string two = raster("other/firm.asc", "0 1 0.5 1 0 1\n");  // Of the same name.
+  std::vector<std::string> project{"project", "new", path("log.csv"), "-o", path("p.json")};
+  for (const auto& [log, firmness] : {std::pair{"a.csv", one}, std::pair{"b.csv", two}}) {
+    const CommandResult touch =
+        runRelievo({"touch", path("relief.ply"), "--unit", "mm", "--view", "top", "--cells", "300",
+                    "--region", "180,60,100,100", "--soft", "0.3", "--firmness", firmness,
+                    "--stroke", test::kFlatStroke, "-o", path(log)});
+    ASSERT_EQ(touch.exit_code, 0) << touch.err;
+    project.insert(project.end(), {"--recording", path(log)});
+  }
+  EXPECT_NE(test::bytesOf(path("a.csv")), test::bytesOf(path("b.csv")));
+  ASSERT_EQ(runRelievo(project).exit_code, 0);
+  const std::vector<std::string> pack{"project", "package", path("p.json"), "-o", path("p.zip")};
+  ASSERT_EQ(runRelievo(pack).exit_code, 0);
+  for (const char* gone : {"relief.ply", "firm.asc", "other/firm.asc"}) fs::remove(path(gone));
+  const CommandResult result = verify();
+  EXPECT_EQ(result.exit_code, 0) << result.err << result.out;
+  EXPECT_EQ(json::parse(result.out)["recordings"].size(), 2U);
+
+  const CommandResult without = runRelievo(pack);
+  EXPECT_NE(without.exit_code, 0) << "its input is gone";
+  raster("relief.ply", "");
+  const CommandResult changed = runRelievo(test::joined(pack, {"--without-input"}));
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_NE(changed.err.find("firm.asc', which is not there (E501)"), std::string::npos)
+      << changed.err;
+}
+
 TEST_F(PackageVerify, AsksForAnInputThatMayNotBeGivenAway) {
   pack({"--without-input"});
   EXPECT_EQ(verify().exit_code, 2);

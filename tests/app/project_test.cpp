@@ -43,7 +43,7 @@ TEST_F(Work, ReliefFMeasuresAsItsClosedForm) {
                                            "--angle",    "right=20,180,20,160,40,160",
                                            "--area",     "patch=160,90,190,90,190,120,160,120",
                                            "--plane",    "-1",
-                                           "--section",  "0,0,1,10",
+                                           "--section",  "contour=0,0,1,10",
                                            "--report",   "json"}));
   EXPECT_NEAR(valueOf(report, "cap"), samples::reliefFHeightMm(90, 100), 0.25);
   EXPECT_NEAR(valueOf(report, "point 2"), samples::reliefFHeightMm(205, 80), 1e-4);
@@ -52,12 +52,15 @@ TEST_F(Work, ReliefFMeasuresAsItsClosedForm) {
   EXPECT_NEAR(valueOf(report, "right"), 90, 0.1);
   EXPECT_NEAR(valueOf(report, "patch"), 900, 1e-6);
   EXPECT_NEAR(valueOf(report, "patch", 1), 900, 0.5) << "a flat piece, 1 mm above the plane";
-  ASSERT_EQ(report["section"].size(), 1U);
+  const json& contour = report["measurements"].back();
+  ASSERT_EQ(contour["curves"].size(), 1U);
+  EXPECT_EQ(contour["plane"], json({0, 0, 1, 10}));
   // A contour of the spherical cap at 10 mm: base radius 60, height 30, so R = 75.
   const double radius = std::sqrt(75.0 * 75.0 - std::pow(75 - 30 + 10, 2));
-  EXPECT_NEAR(report["section"][0]["length_mm"], 2 * 3.14159265 * radius, 0.25);
+  EXPECT_NEAR(contour["curves"][0]["length_mm"], 2 * 3.14159265 * radius, 0.25);
+  EXPECT_EQ(valueOf(report, "contour"), contour["curves"][0]["length_mm"]);
   for (const json& m : report["measurements"]) {
-    for (const json& q : m["quantities"]) EXPECT_GE(q["uncertainty"], 0) << m;
+    for (const json& q : m["quantities"]) EXPECT_GT(q["uncertainty"], 0) << m;
   }
 }
 
@@ -69,10 +72,10 @@ TEST_F(Work, AHoleIsSaidToBeNotMeasured) {
 }
 
 TEST_F(Work, MeasurementsAreExportedWithTheirSource) {
-  const CommandResult result =
-      runRelievo({"measure", kReliefF, "--unit", "mm", "--profile", "across=10,100,180,100", "-o",
-                  path("list.csv"), "--profile-csv", path("p.csv"), "--profile-svg", path("p.svg"),
-                  "--section", "1,0,0,90", "--section-csv", path("s.csv")});
+  const CommandResult result = runRelievo(
+      {"measure", kReliefF, "--unit", "mm", "--profile", "across=10,100,180,100", "-o",
+       path("list.csv"), "--profile-csv", path("p.csv"), "--profile-svg", path("p.svg"),
+       "--section", "1,0,0,90", "--section-csv", path("s.csv"), "--section-svg", path("s.svg")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("across: length 170"));
   for (const char* file : {"list.csv", "p.csv", "s.csv"}) {
@@ -83,6 +86,7 @@ TEST_F(Work, MeasurementsAreExportedWithTheirSource) {
   EXPECT_THAT(readTextFile(path("list.csv"), 1 << 20),
               HasSubstr("\n\"across\",profile,length,170,"));
   EXPECT_THAT(readTextFile(path("p.svg"), 1 << 20), StartsWith("<svg"));
+  EXPECT_THAT(readTextFile(path("s.svg"), 1 << 20), HasSubstr("height (mm), true to scale"));
   const CommandResult as_json = runRelievo(
       {"measure", kReliefF, "--unit", "mm", "--point", "90,100", "-o", path("list.json")});
   ASSERT_EQ(as_json.exit_code, 0) << as_json.err;
@@ -102,6 +106,11 @@ TEST_F(Work, WrongMeasurementsAreRefusedWithASentence) {
            {"--point", "-5,10"},
            {"--section", "0,0,0,1"},
            {"--section", "0,0,1"},
+           {"--section", "0,0,1,999"},
+           {"--area", "10,10,50,50,90,90"},
+           {"--area", "10,10,50,50,50,10,10,50"},
+           {"--point", "90,100", "-o", path("list.xyz")},
+           {"--profile", "10,100,180,100", "--profile-csv", path("p.svg")},
            {"--point", "90,100", "--profile-svg", path("p.svg")},
            {"--point", "90,100", "--section-csv", path("s.csv")}}) {
     std::vector<std::string> arguments{"measure", kReliefF, "--unit", "mm"};

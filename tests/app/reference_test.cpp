@@ -2,6 +2,7 @@
 // docs/user/reference.md names every verb and every option, and none that is not there.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -71,6 +72,8 @@ std::string pageOn(const std::string& verb) {
   return text + parts()["Options of many verbs"];
 }
 
+constexpr std::array<const char*, 4> kPartsOfDevices{"firmware", "selftest", "calibrate", "rule"};
+
 TEST(Reference, NamesEveryOptionOfEveryVerb) {
   const std::string help = helpOf({});
   const Words verbs = found(help.substr(help.find("Verbs:")), "\\n  ([a-z]+) ");
@@ -78,7 +81,7 @@ TEST(Reference, NamesEveryOptionOfEveryVerb) {
   for (const std::string& verb : verbs) {
     Words options = declaredIn(helpOf({verb}));
     if (verb == "devices") {
-      for (const char* part : {"firmware", "selftest", "rule"}) {
+      for (const char* part : kPartsOfDevices) {
         options.merge(declaredIn(helpOf({verb, part})));
       }
     }
@@ -99,7 +102,7 @@ TEST(Reference, NamesNoOptionThatIsNotThere) {
   Words known = optionsIn(help);
   Words verbs = found(help.substr(help.find("Verbs:")), "\\n  ([a-z]+) ");
   for (const std::string& verb : verbs) known.merge(declaredIn(helpOf({verb})));
-  for (const char* part : {"firmware", "selftest", "rule"}) {
+  for (const char* part : kPartsOfDevices) {
     known.merge(declaredIn(helpOf({"devices", part})));
   }
   for (const auto& [heading, part] : parts()) {

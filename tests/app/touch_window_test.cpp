@@ -141,6 +141,40 @@ TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
   plugins.detachAll();
 }
 
+TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
+  useOwnHome();
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_TRUE(plugins.has("haptics"));
+  openRelief();
+  const auto saved = [this](ImageSource source, const QString& name) {
+    window().saveImage(source, {301, 200}, path(name));
+    EXPECT_TRUE(waitFor([&] { return !window().savingImage(); }));
+    return path(name);
+  };
+  const QString bare = saved(ImageSource::detail, "bare.png");
+  document().setRect({40, 40, 60, 60});
+  window().runCommand("relief_slope");
+  window().detailView().turnBy(20, 10);
+  touchMiddle();  // The hand is in the picture, too.
+  window().detailView().setLines({{{50, 50, 3}, {80, 90, 3}}});
+  const QString full = saved(ImageSource::detail, "full.png");
+  const QString whole = saved(ImageSource::window, "whole.png");
+  auto& view = window().detailView();
+  release(view, QRectF(view.rect()).center());
+  plugins.detachAll();
+  for (const QString& picture : {bare, full}) {
+    said({"render", "--from-image", picture, "-o", path("again.png")});
+    EXPECT_EQ(QImage(path("again.png")), QImage(picture)) << picture.toStdString();
+    EXPECT_EQ(QImage(picture).size(), QSize(301, 200));
+  }
+  EXPECT_NE(QImage(bare), QImage(full));
+  EXPECT_TRUE(said({"render", "--from-image", whole, "-o", path("no.png")}, 1)
+                  .contains("picture of the whole window, which only the window can draw"));
+  EXPECT_FALSE(QFileInfo::exists(path("no.png")));
+}
+
 TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   useOwnHome();
   WindowHost host(window());
@@ -260,11 +294,15 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
   plugins.detachAll();
   ASSERT_FALSE(recording.isEmpty());
   EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
+  said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
+  said({"project", "package", path("p.json"), "-o", path("p.zip")});
   writeGrid("firm ground.asc", "1 0 1 0 1 0.5 1 0 1 0 1 0 0.3 0 1 0 1 0 1 0\n");
   EXPECT_TRUE(said({"replay", recording, "--verify"}, 5)
                   .contains("'firm ground.asc' is not the raster of firm ground that was felt"));
   ASSERT_TRUE(QFile::remove(firm));
   EXPECT_TRUE(said({"replay", recording, "--verify"}, 2).contains("is not there (E501)"));
+  EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"))
+      << "the package holds the raster that was felt";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Translations are whole, every text goes through them, and nothing is cut when texts grow.
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -10,8 +11,11 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QSet>
+#include <QToolBar>
 #include <QToolButton>
 #include <QTranslator>
 #include <QtTest/QTest>
@@ -144,6 +148,30 @@ TEST_F(PseudoTest, FrequentErrorsOfFilesAreTranslated) {
   }
 }
 
+TEST_F(PseudoTest, ErrorsOfProjectsAndOfOddFilesAreTranslatedAndNameNoLibrary) {
+  const auto write = [&](const char* name, const QByteArray& bytes) {
+    QFile file(path(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+  };
+  write("broken.relievo.json", "{\n \"relievo_project\": 2,\n oops");
+  write("part.relievo.json", "{\"relievo_project\": 2}");
+  write("newer.relievo.json", "{\"relievo_project\": 99}");
+  write("other.relievo.json", "{\"a\": 1}");
+  write("flat.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n");
+  for (const char* name : {"broken.relievo.json", "part.relievo.json", "newer.relievo.json",
+                           "other.relievo.json", "flat.ply"}) {
+    window().open(path(name));
+    ASSERT_TRUE(waitFor([&] { return window().message().contains(name); })) << name;
+    const QString said = window().message();
+    EXPECT_TRUE(said.startsWith(QChar(0x27e6))) << said.toStdString();
+    EXPECT_FALSE(said.contains("exception")) << said.toStdString();
+    if (name == std::string("broken.relievo.json")) {
+      EXPECT_TRUE(said.contains(" 3)")) << "the line: " << said.toStdString();
+    }
+  }
+}
+
 TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {
   std::string memory;
   try {
@@ -157,6 +185,9 @@ TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {
   EXPECT_TRUE(spokenError(full).contains("\"%1\".")) << "a name is not filled in again";
   EXPECT_NE(spokenError(full), full);
   EXPECT_EQ(spokenError(QStringLiteral("This is new.")), "This is new.");
+  EXPECT_EQ(shownError(full, "E401"), spokenError(full) + " (E401)");
+  EXPECT_EQ(shownError(FileError("It is gone (E501).", "E501")), "It is gone (E501).");
+  EXPECT_EQ(shownError(FileError("It is odd.")), "It is odd.");
 }
 
 TEST_F(PseudoTest, DialogsShowNothingUntranslated) {
@@ -216,14 +247,71 @@ class TextSizeTest : public GuiTest, public ::testing::WithParamInterface<int> {
 TEST_P(TextSizeTest, NothingIsCutInTheSmallestWindow) {
   window().settings().setChoice("text_percent", GetParam());
   restart();
-  window().resize(1024, 640);
+  const QSize smallest = GetParam() > 200 ? QSize(1440, 900) : QSize(1024, 640);
+  window().resize(smallest);
   openRelief();
   QApplication::processEvents();
   EXPECT_EQ(cutTexts(window()).join('\n').toStdString(), "");
-  EXPECT_LE(window().width(), 1024) << "the window must not grow beyond the screen";
-  EXPECT_LE(window().height(), 640);
+  EXPECT_LE(window().width(), smallest.width()) << "the window must not grow beyond the screen";
+  EXPECT_LE(window().height(), smallest.height());
 }
-INSTANTIATE_TEST_SUITE_P(Percent, TextSizeTest, ::testing::Values(100, 200));
+INSTANTIATE_TEST_SUITE_P(Percent, TextSizeTest, ::testing::Values(100, 200, 300));
+
+class MnemonicTest : public GuiTest, public ::testing::WithParamInterface<const char*> {
+ protected:
+  MnemonicTest() {
+    EXPECT_TRUE(translator_.load(QStringLiteral(":/translations/relievo_%1.qm").arg(GetParam())));
+    QCoreApplication::installTranslator(&translator_);
+    restart();
+  }
+  ~MnemonicTest() override { QCoreApplication::removeTranslator(&translator_); }
+
+  QTranslator translator_;
+};
+
+TEST_P(MnemonicTest, DoNotRepeatWithinAMenuAndStandInGermanWords) {
+  for (const QMenu* menu : window().findChildren<QMenu*>()) {
+    QString seen;
+    for (const QAction* a : menu->actions()) {
+      if (a->isSeparator() || a->objectName().startsWith("_q_")) continue;
+      const int at = a->text().indexOf('&');
+      ASSERT_GE(at, 0) << a->text().toStdString();
+      const QChar letter = a->text()[at + 1].toLower();
+      EXPECT_FALSE(seen.contains(letter)) << menu->title().toStdString() << ": "
+                                          << seen.toStdString() << ", " << a->text().toStdString();
+      seen += letter;
+      if (GetParam() == std::string("de")) {
+        EXPECT_FALSE(a->text().contains("(&")) << a->text().toStdString();
+      }
+    }
+  }
+}
+
+TEST_P(MnemonicTest, AreNotSeenWhereNothingHasThem) {
+  openRelief();
+  const QRegularExpression letter(QStringLiteral("\\([A-Z]\\)"));
+  const auto plain = [&](const QString& text) {
+    EXPECT_FALSE(text.contains(letter) || text.contains("(&")) << text.toStdString();
+  };
+  for (const auto* button : child<QToolBar>("tools")->findChildren<QToolButton*>()) {
+    plain(button->text());
+    plain(button->accessibleName());
+  }
+  for (const char* command : {"keys", "search_commands"}) {
+    ASSERT_TRUE(window().runCommand(command));
+    for (const auto* dialog : window().findChildren<QDialog*>()) {
+      for (const auto* view : dialog->findChildren<QAbstractItemView*>()) {
+        const QAbstractItemModel& model = *view->model();
+        for (int row = 0; row < model.rowCount(); ++row) {
+          for (int column = 0; column < model.columnCount(); ++column) {
+            plain(model.index(row, column).data().toString());
+          }
+        }
+      }
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Languages, MnemonicTest, ::testing::Values("de", "hi"));
 
 TEST(Translations, AreWholeAndKeepTheirPlaceholders) {
   for (const char* code : {"de", "hi"}) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -9,7 +10,10 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QScreen>
+#include <QStyleFactory>
+#include <QStyleOption>
 #include <QtTest/QTest>
 
 #include "core/relief/stereo.h"
@@ -73,7 +77,11 @@ TEST_F(PreferencesTest, WordsFindASettingOnAnyPage) {
   EXPECT_TRUE(dialog.findChild<QCheckBox*>("pref_stereo_swap")->isVisible());
   EXPECT_FALSE(dialog.findChild<QComboBox*>("pref_stereo_kind")->isVisible());
   EXPECT_TRUE(pages->item(0)->isHidden());
+  const QRect place = pages->geometry();
   words->setText("nothing of the kind");
+  QApplication::processEvents();
+  EXPECT_EQ(pages->x(), place.x()) << "the list of pages stays where it is";
+  EXPECT_EQ(pages->width(), place.width());
   for (int i = 0; i < pages->count(); ++i) EXPECT_TRUE(pages->item(i)->isHidden());
   words->clear();
   for (int i = 0; i < pages->count(); ++i) EXPECT_FALSE(pages->item(i)->isHidden());
@@ -90,6 +98,96 @@ TEST_F(PreferencesTest, TextGrowsAtOnceAndStaysSoAtTheNextStart) {
   PreferencesDialog& dialog = openDialog();
   QTest::mouseClick(dialog.findChild<QPushButton*>("preferences_reset"), Qt::LeftButton);
   EXPECT_NEAR(QApplication::font().pointSizeF(), before, 0.1);
+}
+
+TEST_F(PreferencesTest, MarksGrowWithTheTextAndAreFusionsOwnAtFirst) {
+  const QStyle& style = *QApplication::style();
+  const QScopedPointer<QStyle> fusion(QStyleFactory::create("Fusion"));
+  QComboBox combo;
+  QStyleOptionComboBox option;
+  option.initFrom(&combo);
+  option.rect = QRect(0, 0, 300, 60);
+  const auto arrow = [&] {
+    return style.subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxArrow, &combo)
+        .width();
+  };
+  const int arrow_before = arrow();
+  for (const QStyle::PixelMetric mark : {QStyle::PM_IndicatorWidth, QStyle::PM_ButtonIconSize,
+                                         QStyle::PM_SliderLength, QStyle::PM_SmallIconSize}) {
+    EXPECT_EQ(style.pixelMetric(mark), fusion->pixelMetric(mark)) << mark;
+  }
+  applyTextSize(300);
+  for (const QStyle::PixelMetric mark : {QStyle::PM_IndicatorWidth, QStyle::PM_ButtonIconSize,
+                                         QStyle::PM_SliderLength, QStyle::PM_SmallIconSize}) {
+    EXPECT_NEAR(style.pixelMetric(mark), 3 * fusion->pixelMetric(mark), 2) << mark;
+  }
+  EXPECT_NEAR(arrow(), 3 * arrow_before, 3);
+}
+
+TEST_F(PreferencesTest, AnOpenDialogGrowsWithItsText) {
+  PreferencesDialog& dialog = openDialog();
+  const QSize before = dialog.size();
+  auto* pages = dialog.findChild<QListWidget*>("preferences_pages");
+  dialog.findChild<QDoubleSpinBox*>("pref_text_percent")->setValue(150);
+  ASSERT_TRUE(waitFor([&] { return dialog.width() > 1.3 * before.width(); }));
+  EXPECT_GT(dialog.height(), 1.3 * before.height());
+  QApplication::processEvents();
+  EXPECT_GE(pages->viewport()->width(), pages->sizeHintForColumn(0)) << "page names are not cut";
+}
+
+TEST_F(PreferencesTest, LargeTextHidesNoFieldOfTheStatusAndNoCommandOfTheTools) {
+  window().resize(1440, 900);
+  openRelief();
+  const int row = child<QLabel>("status_message")->height();
+  applyTextSize(300);
+  window().resize(1439, 900);
+  QApplication::processEvents();
+  ASSERT_TRUE(waitFor([&] { return child<QLabel>("status_message")->height() > 2 * row; }));
+  QTest::qWait(50);
+  for (const char* name :
+       {"status_position", "status_kind_of_surface", "status_detail", "status_hand_scale"}) {
+    auto* field = child<QLabel>(name);
+    EXPECT_TRUE(field->isHidden() || field->width() >= field->sizeHint().width()) << name;
+  }
+  EXPECT_GT(child<QLabel>("status_message")->width(), 400);
+  const auto* more = child<QWidget>("tools")->findChild<QWidget*>("qt_toolbar_ext_button");
+  ASSERT_NE(more, nullptr);
+  EXPECT_FALSE(more->isVisible()) << "commands behind the tool bar's end";
+  EXPECT_TRUE(child<QLabel>("detail_note")->isVisible());
+}
+
+/// WCAG 2.1's contrast of two colours, 1 .. 21.
+double contrast(const QColor& a, const QColor& b) {
+  const auto luminance = [](const QColor& c) {
+    const auto linear = [](double v) {
+      return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+  };
+  const auto [dark, light] = std::minmax({luminance(a), luminance(b)});
+  return (light + 0.05) / (dark + 0.05);
+}
+
+TEST_F(PreferencesTest, FramesOfFieldsAndBoxesAreSeenInEveryPalette) {
+  for (const Theme theme : {Theme::light, Theme::dark, Theme::contrast}) {
+    applyTheme(*qApp, theme);
+    QCheckBox check;
+    QRadioButton radio;
+    QLineEdit line;
+    QComboBox combo;
+    QDoubleSpinBox spin;
+    for (QWidget* field : std::initializer_list<QWidget*>{&check, &radio, &line, &combo, &spin}) {
+      field->resize(120, 40);
+      const QImage seen = field->grab().toImage();
+      double most = 0;  // Of the outline, somewhere in the first pixels of the middle row.
+      for (int x = 0; x < 4; ++x) {
+        most = std::max(most, contrast(seen.pixelColor(x, 20), currentColours().window));
+      }
+      EXPECT_GE(most, 3) << field->metaObject()->className() << " in theme "
+                         << static_cast<int>(theme);
+    }
+  }
+  applyTheme(*qApp, Theme::light);
 }
 
 TEST_F(PreferencesTest, PaletteUnitsAndStereoFollowTheirSettings) {
@@ -114,6 +212,24 @@ TEST_F(PreferencesTest, AUnitForFilesWithoutOneIsNotAskedFor) {
   ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
   EXPECT_EQ(document().surface()->unit, LengthUnit::cm);
   EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
+}
+
+TEST_F(PreferencesTest, AChoiceThatOthersShareIsReadAndWrittenWhereTheyDo) {
+  QVariant shared;
+  Settings& settings = window().settings();
+  settings.setChoice("falcon_firmware", "/chosen/before.bin");
+  const Settings::Elsewhere place{[&shared] { return shared; },
+                                  [&shared](const QVariant& value) { shared = value; }};
+  settings.keepElsewhere("falcon_firmware", place);
+  EXPECT_EQ(shared.toString(), "/chosen/before.bin") << "carried over once";
+  shared = "/by/the/set-up.bin";
+  settings.keepElsewhere("falcon_firmware", place);
+  EXPECT_EQ(shared.toString(), "/by/the/set-up.bin");
+  auto* path = openDialog().findChild<QLineEdit*>("pref_falcon_firmware_path");
+  EXPECT_EQ(path->text(), "/by/the/set-up.bin");
+  path->setText("/by/preference.bin");
+  Q_EMIT path->editingFinished();
+  EXPECT_EQ(shared.toString(), "/by/preference.bin");
 }
 
 TEST_F(PreferencesTest, TheMeterSaysTheParallaxAndTheLimitKeepsIt) {
@@ -164,7 +280,9 @@ TEST_F(PreferencesTest, TheScreenMixesEyesAsThePictureDoes) {
        {StereoMode::anaglyph, StereoMode::half_colour, StereoMode::dubois}) {
     child<QComboBox>("stereo_kind")->setCurrentIndex(static_cast<int>(mode) - 1);
     const QImage shot = window().detailView().shot().convertToFormat(QImage::Format_RGB888);
-    const QImage drawn = window().detailView().image(shot.size());
+    window().saveImage(ImageSource::detail, shot.size(), path("drawn.png"));
+    ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
+    const QImage drawn = QImage(path("drawn.png")).convertToFormat(QImage::Format_RGB888);
     ASSERT_EQ(drawn.size(), shot.size());
     double difference = 0;
     for (int y = 0; y < shot.height(); ++y) {

@@ -2,24 +2,30 @@
 // Figures, projects, measurements and relief images in the window.
 #include <QAction>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QStyleOption>
 #include <QTableWidget>
 #include <QtTest/QTest>
 #include <thread>
 
+#include "core/io/text_file.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
+#include "core/session/map_facts.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/colour_bar.h"
 #include "ui/figure/figure.h"
 #include "ui/figure_dialog.h"
+#include "ui/grid_painter.h"
 #include "ui/measure_panel.h"
 #include "ui/vtk/offscreen.h"
 
@@ -36,6 +42,14 @@ class PublishTest : public GuiTest {
     const double mm = r.side_mm / std::min(view.width() - 4, view.height() - 4);
     return QPointF(0.5 * view.width() + (x_mm - r.centreX()) / mm,
                    0.5 * view.height() - (y_mm - r.centreY()) / mm);
+  }
+  /// And back.
+  PlaceMm detailPlace(const QPointF& point) {
+    const DetailView& view = window().detailView();
+    const Region& r = document().state().region;
+    const double mm = r.side_mm / std::min(view.width() - 4, view.height() - 4);
+    return {r.centreX() + (point.x() - 0.5 * view.width()) * mm,
+            r.centreY() - (point.y() - 0.5 * view.height()) * mm};
   }
   QString reads(int row) { return child<QTableWidget>("measure_list")->item(row, 1)->text(); }
   FigureDialog& openDialog() {
@@ -65,6 +79,67 @@ TEST_F(PublishTest, AFigureIsWrittenAsItsPreviewShowsAndCarriesTheState) {
   const auto state = embeddedState(file.toStdString());
   ASSERT_TRUE(state);
   EXPECT_EQ(projectFromJson(*state, "out.png").region, document().state().region);
+}
+
+TEST_F(PublishTest, TheFigureFormShowsLayoutsWholeBesideTheirNames) {
+  openRelief();
+  FigureDialog& dialog = openDialog();
+  auto* layouts = dialog.findChild<QComboBox*>("figure_layout");
+  QStyleOptionComboBox option;
+  option.initFrom(layouts);
+  const int room =
+      layouts->style()
+          ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, layouts)
+          .width();
+  EXPECT_GE(room, layouts->fontMetrics().horizontalAdvance(layouts->itemText(1)));
+  for (const char* name : {"figure_width", "figure_elevation", "figure_text"}) {
+    auto* field = dialog.findChild<QWidget*>(name);
+    const QLabel* label = nullptr;
+    for (const QLabel* one : dialog.findChildren<QLabel*>()) {
+      if (one->buddy() == field) label = one;
+    }
+    ASSERT_NE(label, nullptr) << name;
+    EXPECT_LE(label->geometry().right(), field->geometry().left()) << name << " has a row";
+    EXPECT_GT(label->width(), label->fontMetrics().horizontalAdvance(label->text().remove('&')));
+  }
+}
+
+TEST_F(PublishTest, AFigureMakesNoFolderAndReplacesNoFileUnasked) {
+  openRelief();
+  FigureDialog& dialog = openDialog();
+  auto* name = dialog.findChild<QLineEdit*>("figure_file");
+  auto* save = dialog.findChild<QPushButton*>("figure_save");
+  name->setText(path("typo/a.png"));
+  QTest::mouseClick(save, Qt::LeftButton);
+  auto* problem = dialog.findChild<QLabel*>("figure_problem");
+  EXPECT_TRUE(problem->isVisible());
+  EXPECT_TRUE(problem->text().contains("typo")) << problem->text().toStdString();
+  EXPECT_FALSE(QFile::exists(path("typo")));
+  const auto content = [&] {
+    QFile file(path("mine.png"));
+    file.open(QIODevice::ReadOnly);
+    return file.readAll();
+  };
+  QFile mine(path("mine.png"));
+  ASSERT_TRUE(mine.open(QIODevice::WriteOnly));
+  mine.write("mine");
+  mine.close();
+  name->setText(path("mine.png"));
+  QTest::mouseClick(save, Qt::LeftButton);
+  auto* asked = dialog.findChild<QMessageBox*>("figure_replace");
+  ASSERT_NE(asked, nullptr);
+  asked->reject();
+  EXPECT_EQ(content(), "mine");
+  ASSERT_TRUE(dialog.isVisible());
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  QTest::mouseClick(save, Qt::LeftButton);
+  asked = dialog.findChild<QMessageBox*>("figure_replace");
+  ASSERT_NE(asked, nullptr);
+  for (QAbstractButton* button : asked->buttons()) {
+    if (asked->buttonRole(button) == QMessageBox::AcceptRole) button->click();
+  }
+  EXPECT_TRUE(waitFor([&] { return content() != "mine"; }));
+  EXPECT_EQ(QImage(path("mine.png")).width(), 2126);
 }
 
 // The worker may be in the driver, which cannot be stopped halfway: nobody waits for it.
@@ -237,11 +312,137 @@ TEST_F(PublishTest, AProfileIsMadeByKeysAloneAndSaved) {
   EXPECT_TRUE(measure().csv().contains("\"1\",profile,\"length\""))
       << measure().csv().toStdString();
   child<QTableWidget>("measure_list")->setCurrentCell(0, 0);
-  measure().writeProfile(path("p.svg"));
-  measure().writeProfile(path("p.csv"));
+  measure().writeSelected(path("p.svg"));
+  measure().writeSelected(path("p.csv"));
   QFile csv(path("p.csv"));
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
   EXPECT_TRUE(csv.readAll().contains("along_mm,x_mm,y_mm,z_mm"));
+}
+
+// The dome's ground is at 0: a contour by one click, an upright cut by two, both as
+// `relievo measure --section` reads them.
+TEST_F(PublishTest, SectionsAreMadeByClicksReadAsTheCommandLineDrawnAndKept) {
+  openRelief();
+  EXPECT_TRUE(window().runCommand("measure_section"));
+  press(window().detailView(), detailPoint(100, 70));
+  QTest::keyClick(&window().detailView(), Qt::Key_F);
+  EXPECT_TRUE(window().runCommand("measure_section"));
+  press(window().detailView(), detailPoint(30, 90));
+  press(window().detailView(), detailPoint(170, 90));
+  EXPECT_TRUE(measure().measuring()) << "a third place may follow";
+  QTest::keyClick(&window().detailView(), Qt::Key_F);
+  ASSERT_EQ(measure().measurements().size(), 2U);
+  const std::vector<Measurement> made = measure().measurements();
+  EXPECT_EQ(made[0].normal, (ViewMm{0, 0, 1}));
+  EXPECT_EQ(made[0].plane_mm,
+            surfacePoint(document().surface()->map, detailPlace(detailPoint(100, 70)))->at.z);
+  EXPECT_NEAR(std::abs(made[1].normal.y), 1, 1e-9);
+  ASSERT_TRUE(waitFor([&] { return reads(0).contains("curve") && reads(1).contains("curve"); }));
+  EXPECT_TRUE(reads(0).contains("Plane level at")) << reads(0).toStdString();
+  EXPECT_TRUE(reads(1).contains("Plane upright")) << reads(1).toStdString();
+  const MapCells cells = mapCells(*document().surface());
+  const QStringList rows = measure().csv().split('\n');
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto curves = section(cells, planeOf(made[i]));
+    EXPECT_TRUE(rows[static_cast<int>(i) + 2].contains(
+        QString::number(read(cells, made[i]).quantities[0].value, 'g', 10)))
+        << measure().csv().toStdString();
+    EXPECT_EQ(curves.size(), 1U);
+  }
+  EXPECT_EQ(window().detailView().sceneState().curves.size(), 2U);
+  EXPECT_TRUE(window().detailView().sceneState().lines.empty()) << "a section keeps no places";
+  window().saveProject(path("p.relievo.json"));
+  const std::string kept = readTextFile(path("p.relievo.json").toStdString(), 1 << 20);
+  EXPECT_EQ(projectFromJson(kept, "p").measurements, made);
+}
+
+TEST_F(PublishTest, ASectionIsMadeByKeysAndByTapsAndSavedAsCsvAndDrawing) {
+  openRelief();
+  window().runCommand("measure_section");
+  DetailView& view = window().detailView();
+  QTest::keyClick(&view, Qt::Key_Left, Qt::ShiftModifier);
+  QTest::keyClick(&view, Qt::Key_Return);
+  const auto tap = [this](double x, double y) {
+    measure().follow({{x, y}, 0.5, true});
+    measure().follow({{x, y}, 0, false});
+  };
+  tap(60, 60);
+  EXPECT_TRUE(measure().measuring());
+  tap(100, 110);  // The third ends it.
+  EXPECT_FALSE(measure().measuring());
+  ASSERT_EQ(measure().measurements().size(), 1U);
+  EXPECT_NE(measure().measurements()[0].normal.z, 0);
+  ASSERT_TRUE(waitFor([&] { return reads(0).contains("curve"); })) << reads(0).toStdString();
+  measure().writeSelected(path("cut.csv"));  // What was made last is selected.
+  measure().writeSelected(path("cut.svg"));
+  QFile csv(path("cut.csv")), svg(path("cut.svg"));
+  ASSERT_TRUE(csv.open(QIODevice::ReadOnly) && svg.open(QIODevice::ReadOnly));
+  const QByteArray rows = csv.readAll();
+  EXPECT_TRUE(rows.contains("curve,closed,x_mm,y_mm,z_mm"));
+  EXPECT_TRUE(rows.startsWith("# relievo")) << "and what it was read on";
+  EXPECT_TRUE(svg.readAll().contains("up the plane (mm)"));
+  window().runCommand("measure_section");
+  tap(60, 60);
+  tap(60, 60);
+  QTest::keyClick(&view, Qt::Key_F);
+  EXPECT_TRUE(measure().measuring()) << "twice the same place gives no plane: one is taken back";
+  EXPECT_EQ(measure().measurements().size(), 1U);
+}
+
+TEST_F(PublishTest, ThePlaneOfAnAreaAndOfASectionIsShownAndCanBeSet) {
+  openRelief();
+  auto* plane = child<QDoubleSpinBox>("measure_plane");
+  ASSERT_NE(plane, nullptr);
+  window().runCommand("measure_area");
+  for (const auto& [x, y] : {std::pair{80, 80}, {120, 80}, {120, 120}}) {
+    press(window().detailView(), detailPoint(x, y));
+  }
+  QTest::keyClick(&window().detailView(), Qt::Key_F);
+  ASSERT_EQ(measure().measurements().size(), 1U);
+  const MapCells cells = mapCells(*document().surface());
+  Measurement m = measure().measurements()[0];
+  double lowest = 1e9;
+  for (const PlaceMm& p : m.places) lowest = std::min(lowest, surfacePoint(cells, p)->at.z);
+  EXPECT_EQ(m.plane_mm, lowest);
+  EXPECT_TRUE(plane->isVisible()) << "what was made last is selected";
+  EXPECT_NEAR(plane->value(), lowest, 0.0005);
+  EXPECT_FALSE(plane->accessibleName().isEmpty());
+  EXPECT_TRUE(reads(0).contains("Plane level at")) << reads(0).toStdString();
+  plane->setFocus();
+  plane->selectAll();
+  QTest::keyClicks(plane, "-2");
+  QTest::keyClick(plane, Qt::Key_Return);
+  m.plane_mm = -2;
+  EXPECT_EQ(measure().measurements()[0], m);
+  EXPECT_TRUE(
+      measure().csv().contains(QString::number(read(cells, m).quantities[1].value, 'g', 10) + ','))
+      << measure().csv().toStdString();
+  EXPECT_TRUE(measure().csv().contains(",0 0 1 -2\n")) << measure().csv().toStdString();
+  measure().setMeasurements({{.kind = MeasureKind::section, .plane_mm = 5}});
+  child<QTableWidget>("measure_list")->setCurrentCell(0, 0);
+  EXPECT_EQ(plane->value(), 5);
+  plane->setValue(10);
+  EXPECT_EQ(measure().measurements()[0].plane_mm, 10);
+  measure().setMeasurements({{.kind = MeasureKind::point, .places = {{100, 90}}}});
+  EXPECT_FALSE(plane->isVisible());
+}
+
+TEST_F(PublishTest, AnOutlineThatWouldCrossItselfIsToldAtThePlace) {
+  openRelief();
+  window().runCommand("measure_area");
+  for (const auto& [x, y] : {std::pair{60, 60}, {100, 100}, {100, 60}, {60, 100}}) {
+    measure().addPlace(x, y);
+  }
+  EXPECT_TRUE(child<QLabel>("measure_hint")->text().contains("cross itself"));
+  EXPECT_EQ(window().detailView().sceneState().lines.back().size(), 4U) << "three, and the first";
+  measure().finish();
+  ASSERT_EQ(measure().measurements().size(), 1U);
+  EXPECT_EQ(measure().measurements()[0].places.size(), 3U);
+  window().runCommand("measure_area");
+  for (const double at : {60.0, 80.0, 100.0}) measure().addPlace(at, at);
+  measure().finish();
+  EXPECT_TRUE(measure().measuring()) << "on one line: a corner is taken back";
+  EXPECT_EQ(measure().measurements().size(), 1U);
 }
 
 TEST_F(PublishTest, EscapeEndsMeasuringAndKeepsWhatWasMeasured) {
@@ -264,21 +465,54 @@ TEST_F(PublishTest, ACommandIsFoundByItsWordsAndRun) {
   ASSERT_EQ(list->count(), 1);
   QTest::keyClick(words, Qt::Key_Return);
   EXPECT_EQ(window().detailView().sceneState().look.kind, ReliefKind::sky_view);
+
+  EXPECT_TRUE(window().runCommand("search_commands"));
+  auto* again = window().findChildren<QLineEdit*>("command_words").last();
+  QTest::keyClicks(again, "measure");
+  auto* found = window().findChildren<QListWidget*>("command_list").last();
+  EXPECT_EQ(found->findItems("Angle", Qt::MatchStartsWith).size(), 1) << "by the menu it is in";
 }
 
 TEST_F(PublishTest, AReliefImageHasABarThatNamesItAndStoneHasNone) {
   openRelief();
   auto* bar = window().detailView().findChild<ColourBar*>();
   EXPECT_FALSE(bar->isVisible());
-  window().runCommand("relief_openness");
+  window().runCommand("relief_slope");
   EXPECT_TRUE(bar->isVisible());
-  EXPECT_TRUE(bar->accessibleDescription().startsWith("openness"));
+  EXPECT_TRUE(bar->accessibleDescription().startsWith("slope"));
   EXPECT_FALSE(window().detailView().sceneState().grid->colours.empty());
   document().setRect({40, 40, 60, 60});
   EXPECT_FALSE(window().detailView().sceneState().grid->colours.empty()) << "stays on a new window";
   window().runCommand("relief_lit");
   EXPECT_FALSE(bar->isVisible());
   EXPECT_TRUE(window().detailView().sceneState().grid->colours.empty());
+}
+
+// As the command line computes them, though they are made in the background.
+TEST_F(PublishTest, AReliefImageThatTakesLongComesWhenItIsReady) {
+  openRelief();
+  const SurfaceView& view = window().detailView();
+  auto* bar = view.findChild<ColourBar*>();
+  window().runCommand("relief_openness");
+  EXPECT_TRUE(view.sceneState().grid->colours.empty()) << "stone meanwhile";
+  EXPECT_FALSE(bar->isVisible());
+  ASSERT_TRUE(waitFor([&] { return !view.sceneState().grid->colours.empty(); }));
+  EXPECT_TRUE(bar->accessibleDescription().startsWith("openness"));
+  const SceneState plain = view.plainState();
+  EXPECT_EQ(view.sceneState().grid->colours,
+            GridPainter::paintNow(*plain.grid, plain.look).grid->colours);
+
+  const auto before = view.sceneState().grid;
+  document().setRect({40, 40, 60, 60});
+  EXPECT_EQ(view.sceneState().grid, before) << "until the new one has its colours";
+  ASSERT_TRUE(waitFor([&] { return view.sceneState().grid != before; }));
+  EXPECT_TRUE(waitFor([&] { return !view.sceneState().grid->colours.empty(); }));
+  EXPECT_EQ(view.sceneState().grid->frame.spacing_mm, view.plainState().grid->frame.spacing_mm);
+
+  window().runCommand("relief_skyview");
+  window().runCommand("relief_lit");
+  QTest::qWait(300);
+  EXPECT_TRUE(view.sceneState().grid->colours.empty()) << "nobody wants the sky view any more";
 }
 
 }  // namespace

@@ -66,6 +66,17 @@ TEST_F(VideoWindowTest, AVideoOfTheViewIsSavedWhileTheWindowGoesOn) {
   EXPECT_TRUE(videos().front().endsWith(".mp4"));
 }
 
+TEST_F(VideoWindowTest, AVideoThatIsStoppedAtOnceHasAPicture) {
+  openRelief();
+  action("video_live")->setChecked(true);
+  ASSERT_TRUE(video().live()) << window().message().toStdString();
+  action("video_live")->setChecked(false);
+  ASSERT_TRUE(waitFor([this] { return !video().live(); }));
+  EXPECT_EQ(window().message(), QString());
+  EXPECT_TRUE(child<QLabel>("status_message")->text().startsWith("Video saved"))
+      << child<QLabel>("status_message")->text().toStdString();
+}
+
 TEST_F(VideoWindowTest, WithoutFfmpegPicturesAreOffered) {
   const QByteArray before = qgetenv("PATH");
   qputenv("PATH", path("home").toLocal8Bit());

@@ -6,20 +6,24 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QSplitter>
+#include <QToolButton>
 #include <QtTest/QTest>
 
 #include "tests/ui/gui_fixture.h"
 #include "ui/keys_sheet.h"
+#include "ui/status_fields.h"
 #include "ui/time_plot.h"
 
 namespace relievo {
@@ -194,17 +198,32 @@ TEST_F(WindowTest, PicturesAreWrittenAtTheChosenSize) {
        {ImageSource::reference, ImageSource::detail, ImageSource::window}) {
     const QString file = path("picture.png");
     QFile::remove(file);
-    window().writeImage(source, size, file);
+    window().saveImage(source, size, file);
+    ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
     const QImage image(file);
     EXPECT_EQ(image.size(), size);
     EXPECT_NE(image.pixel(160, 106), image.pixel(2, 2)) << "a picture, not one colour";
   }
 }
 
+TEST_F(WindowTest, PicturesThatAreAskedForTogetherAreAllWrittenBeforeTheWindowCloses) {
+  openRelief();
+  for (const char* name : {"1.png", "2.png", "3.png"}) {
+    window().saveImage(ImageSource::detail, {64, 48}, path(name));
+  }
+  window().close();
+  ASSERT_TRUE(waitFor([&] { return !window().isVisible(); }));
+  for (const char* name : {"1.png", "2.png", "3.png"}) {
+    EXPECT_EQ(QImage(path(name)).size(), QSize(64, 48)) << name;
+  }
+}
+
 TEST_F(WindowTest, APictureThatCannotBeWrittenIsAnError) {
   openRelief();
-  EXPECT_THROW(window().writeImage(ImageSource::detail, {64, 64}, path("no/such/folder/p.png")),
-               WriteError);
+  window().saveImage(ImageSource::detail, {64, 64}, path("no/such/folder/p.png"));
+  ASSERT_TRUE(waitFor([&] { return !window().message().isEmpty(); }));
+  EXPECT_TRUE(window().message().contains("Cannot write the picture"))
+      << window().message().toStdString();
 }
 
 TEST_F(WindowTest, TheImageDialogAsksForPictureSizeAndPlaceAndSavesIt) {
@@ -218,8 +237,38 @@ TEST_F(WindowTest, TheImageDialogAsksForPictureSizeAndPlaceAndSavesIt) {
   dialog->findChild<QLineEdit*>("image_file")->setText(path("new folder/dome"));
   auto* buttons = dialog->findChild<QDialogButtonBox*>();
   QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
   EXPECT_EQ(QImage(path("new folder/dome.png")).size(), QSize(200, 120));
   EXPECT_TRUE(child<QLabel>("status_message")->text().contains("dome.png"));
+}
+
+/// Counts the layouts that are asked for anywhere in the program.
+class LayoutCount : public QObject {
+ public:
+  LayoutCount() { QApplication::instance()->installEventFilter(this); }
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() == QEvent::LayoutRequest) ++count;
+    return false;
+  }
+  int count = 0;
+};
+
+TEST_F(WindowTest, AWindowAtRestLaysNothingOutAndWorkMovesNoView) {
+  openRelief();
+  QTest::qWait(300);
+  const LayoutCount layouts;
+  QTest::qWait(300);
+  EXPECT_LE(layouts.count, 3);
+  const QSize view = window().detailView().size();
+  StatusFields& status = *window().findChild<StatusFields*>();
+  status.beginWork();
+  status.showWork("Reading a large file with a long name", 0.5);
+  ASSERT_TRUE(waitFor([&] { return status.cancelButton()->isVisible(); }));
+  QApplication::processEvents();
+  EXPECT_EQ(window().detailView().size(), view);
+  status.endWork();
+  QApplication::processEvents();
+  EXPECT_EQ(window().detailView().size(), view);
 }
 
 TEST_F(WindowTest, ThePlotKeepsTheLastTenSeconds) {
@@ -239,6 +288,23 @@ TEST_F(WindowTest, ControlAndLGoesToTheOtherView) {
   EXPECT_EQ(QApplication::focusWidget(), &window().referenceView());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_L, Qt::ControlModifier);
   EXPECT_EQ(QApplication::focusWidget(), &window().detailView());
+}
+
+TEST_F(WindowTest, RecentFilesOfOneNameAreToldApartAndNoneIsAnEmptyPicture) {
+  QDir().mkpath(path("elsewhere"));
+  window().settings().addRecentFile(path("dome.relievo.json"));
+  window().settings().addRecentFile(path("elsewhere/dome.relievo.json"));
+  restart();
+  const auto* recent = child<QListWidget>("start_recent");
+  ASSERT_EQ(recent->count(), 2);
+  EXPECT_NE(recent->item(0)->text(), recent->item(1)->text());
+  EXPECT_TRUE(recent->item(0)->text().endsWith("elsewhere")) << "its folder";
+  const QImage picture = recent->item(0)->icon().pixmap(80, 60).toImage();
+  int drawn = 0;
+  for (int x = 0; x < picture.width(); ++x) {
+    if (qAlpha(picture.pixel(x, picture.height() / 2)) > 0) ++drawn;
+  }
+  EXPECT_GT(drawn, 0);
 }
 
 TEST_F(WindowTest, TheLayoutIsRememberedAcrossARestart) {

@@ -126,6 +126,51 @@ TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {
   EXPECT_FALSE(child<QPushButton>("place_go")->isEnabled());
 }
 
+TEST_F(WorkTest, ColoursStereoLightPlacesAndMeasurementsAreStepsToo) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  const int steps = document().history().index();
+  const SceneState& seen = window().detailView().sceneState();
+  window().runCommand("relief_slope");
+  window().runCommand("stereo");
+  QTest::mouseClick(child<QPushButton>("place_add"), Qt::LeftButton);
+  ASSERT_EQ(document().history().index(), steps + 3);
+  EXPECT_EQ(document().history().undoText(), "Places");
+  window().runCommand("undo");
+  EXPECT_TRUE(places().places().empty());
+  window().runCommand("undo");
+  EXPECT_EQ(seen.stereo.mode, StereoMode::off);
+  window().runCommand("undo");
+  EXPECT_EQ(seen.look.kind, ReliefKind::lit);
+  EXPECT_EQ(document().history().index(), steps);
+  for (int i = 0; i < 3; ++i) window().runCommand("redo");
+  EXPECT_EQ(seen.look.kind, ReliefKind::slope);
+  EXPECT_NE(seen.stereo.mode, StereoMode::off);
+  EXPECT_EQ(places().places().size(), 1U);
+  EXPECT_EQ(document().history().index(), steps + 3) << "a step back is no new step";
+
+  // A place that is gone to may bring its own look; each is one step, and regions stay right.
+  document().move(0.1, 0);
+  window().saveProject(path("steps.relievo.json"));
+  const Region end = document().state().region;
+  restart();
+  window().open(path("steps.relievo.json"));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(document().state().region, end);
+  EXPECT_FALSE(window().hasUnsavedWork());
+}
+
+TEST_F(WorkTest, ANewPlaceIsSeenWhereverThePanelsStand) {
+  openRelief();
+  window().resize(900, 500);
+  QApplication::processEvents();
+  window().runCommand("name_place");
+  QApplication::processEvents();
+  auto* list = child<QListWidget>("places_list");
+  ASSERT_NE(list, nullptr);
+  EXPECT_FALSE(list->visibleRegion().isEmpty());
+}
+
 TEST_F(WorkTest, PlacesAndAHundredStepsComeBackWithTheProjectAndAreUndone) {
   openRelief();
   document().setRect({40, 40, 60, 60});
@@ -309,7 +354,8 @@ TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {
     const QString file = path(QStringLiteral("shot%1.png").arg(static_cast<int>(source)));
     document().setRect({40, 40, 60, 60});
     window().runCommand("relief_openness");
-    window().writeImage(source, {300, 200}, file);
+    window().saveImage(source, {300, 200}, file);
+    ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
     document().whole();
     window().runCommand("relief_lit");
     window().open(file);

@@ -33,7 +33,7 @@ FigureSession::~FigureSession() = default;
 std::string figureCaption(const Surface& surface, const Project& project,
                           const FigureFacts& facts) {
   const FigureRequest& f = project.figure;
-  CaptionFacts drawn{.look = f.look,
+  CaptionFacts drawn{.look = figureLook(surface, project),
                      .stereo = f.stereo,
                      .swap_eyes = f.swap_eyes,
                      .eye_angle_deg = facts.eye_angle_deg,
@@ -41,6 +41,24 @@ std::string figureCaption(const Surface& surface, const Project& project,
   if (facts.mm_per_pixel > 0) drawn.mm_per_pixel = facts.mm_per_pixel;
   return captionOf(project, surface, windowOf(surface, project.region, project.gain), drawn);
 }
+
+namespace {
+
+/// What the layout alone decides.
+FigureFacts sizesOf(const FigureSheet& layout, const FigureInk& ink, double dpi) {
+  FigureFacts facts;
+  facts.width_mm = layout.width_mm;
+  facts.height_mm = layout.height_mm;
+  facts.width_px = static_cast<int>(std::lround(facts.width_mm / 25.4 * dpi));
+  facts.height_px = static_cast<int>(std::ceil(facts.height_mm / 25.4 * dpi - 1e-6));
+  facts.paper_per_mm = layout.paper_per_mm;
+  for (const FigurePanel& panel : layout.panels) {
+    if (!panel.whole) facts.mm_per_pixel = panel.shown.width_mm / ink.pixels(panel.paper).width();
+  }
+  return facts;
+}
+
+}  // namespace
 
 DrawnSheet drawPictures(const Surface& surface, const Project& project, double dpi,
                         const Task& task) {
@@ -50,20 +68,22 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
   drawn.layout = layOut(surface, project);
   drawn.dpi = dpi;
   if (f.layout == FigureLayout::plot) drawn.recording = readForceCurve(f.recording);
-  FigureFacts& facts = drawn.facts;
-  facts.width_mm = drawn.layout.width_mm;
-  facts.height_mm = drawn.layout.height_mm;
-  facts.width_px = static_cast<int>(std::lround(facts.width_mm / 25.4 * dpi));
-  facts.height_px = static_cast<int>(std::ceil(facts.height_mm / 25.4 * dpi - 1e-6));
-  facts.paper_per_mm = drawn.layout.paper_per_mm;
   QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
   QPainter painter(&unit);
   const FigureInk ink(painter, dpi, f.text_pt, FigureInk::Target::pixels);
-  for (const FigurePanel& panel : drawn.layout.panels) {
-    const QRect box = ink.pixels(panel.paper);
-    drawn.pictures.push_back(
-        drawPanel(surface, project, panel, drawn.layout, box.size(), dpi, task));
-    if (!panel.whole) facts.mm_per_pixel = panel.shown.width_mm / box.width();
+  FigureFacts& facts = drawn.facts;
+  facts = sizesOf(drawn.layout, ink, dpi);
+  // The region's first: where its colours end they end in the others, which its bar explains, too.
+  Project alike = project;
+  alike.figure.look = figureLook(surface, project);
+  drawn.pictures.resize(drawn.layout.panels.size());
+  for (std::size_t i = drawn.pictures.size(); i-- > 0;) {
+    const FigurePanel& panel = drawn.layout.panels[i];
+    PanelPicture& picture = drawn.pictures[i];
+    picture =
+        drawPanel(surface, alike, panel, drawn.layout, ink.pixels(panel.paper).size(), dpi, task);
+    if (hasLegend(f.look.kind))
+      alike.figure.look.range = {{picture.values.low, picture.values.high}};
   }
   facts.eye_angle_deg = drawn.pictures.back().eye_angle_deg;
   facts.parallax_deg = drawn.pictures.back().parallax_deg;
@@ -85,7 +105,7 @@ void paintSheet(QPainter& painter, const Surface& surface, const Project& projec
     drawForcePlots(ink, sheet.recording, sheet.layout.heights_plot, sheet.layout.force_plot);
   }
   if (!sheet.layout.legend.isEmpty()) {
-    drawLegend(ink, surface, f, sheet.layout.legend, sheet.pictures.back().values);
+    drawLegend(ink, surface, project, sheet.layout.legend, sheet.pictures.back().values);
   }
 }
 
@@ -121,7 +141,18 @@ Figure previewFigure(const Surface& surface, const Project& project, int longest
   check(project.figure);
   const FigureSheet sheet = layOut(surface, project);
   const double longest_inch = std::max(sheet.width_mm, sheet.height_mm) / 25.4;
-  return onPixels(surface, project, std::min(project.figure.dpi, longest_px / longest_inch), task);
+  const double dpi = project.figure.dpi;
+  Figure figure = onPixels(surface, project, std::min(dpi, longest_px / longest_inch), task);
+  // Said of the figure, not of the preview.
+  QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
+  QPainter painter(&unit);
+  const FigureInk ink(painter, dpi, project.figure.text_pt, FigureInk::Target::pixels);
+  FigureFacts facts = sizesOf(sheet, ink, dpi);
+  facts.eye_angle_deg = figure.facts.eye_angle_deg;
+  facts.parallax_deg = figure.facts.parallax_deg;
+  facts.caption = figureCaption(surface, project, facts);
+  figure.facts = facts;
+  return figure;
 }
 
 }  // namespace relievo

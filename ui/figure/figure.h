@@ -50,22 +50,25 @@ struct Figure {
   FigureFacts facts;
 };
 Figure drawFigure(const Surface& surface, const Project& project, const Task& task = {});
-/// A smaller picture of exactly what drawFigure would draw, at most `longest_px` long.
+/// A smaller picture of exactly what drawFigure would draw, at most `longest_px` long. Its facts
+/// are those of the figure that drawFigure would give.
 Figure previewFigure(const Surface& surface, const Project& project, int longest_px,
                      const Task& task = {});
 
 /// Draws and writes by the name's ending: .png, .tif or .tiff (pixels); .pdf, .svg (text and plots
-/// as vectors around the pictures). PNG and TIFF carry the caption and the project, from which the
-/// state comes back (ui/vtk/picture_file.h).
+/// as vectors around the pictures). All carry the caption and the project, from which the state
+/// comes back (core/provenance/embedded.h).
 /// @throw as drawFigure; WriteError
 FigureFacts writeFigure(const Surface& surface, const Project& project,
                         const std::filesystem::path& file, const Task& task = {});
 
 /// The two eyes' pictures of the region as files NAME.left.png and NAME.right.png.
-/// @return the files
-std::vector<std::filesystem::path> writeEyes(const Surface& surface, const Project& project,
-                                             const std::filesystem::path& file,
-                                             const Task& task = {});
+struct EyeFiles {
+  std::vector<std::filesystem::path> files;
+  double eye_angle_deg = 0, parallax_deg = 0;  ///< As drawn.
+};
+EyeFiles writeEyes(const Surface& surface, const Project& project,
+                   const std::filesystem::path& file, const Task& task = {});
 
 /// The region's heights as a 16-bit TIFF of the region's panel, outside as 0; the step in mm and
 /// the height of value 1 stand in the file's description.

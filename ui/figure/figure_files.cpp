@@ -12,7 +12,9 @@
 
 #include "core/base/error.h"
 #include "core/project/caption.h"
+#include "core/provenance/embedded.h"
 #include "ui/figure/figure.h"
+#include "ui/figure/figure_layout.h"
 #include "ui/figure/figure_sheet.h"
 #include "ui/vtk/picture_file.h"
 
@@ -50,7 +52,33 @@ void save(const QByteArray& bytes, const fs::path& file) {
   }
 }
 
-QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnSheet& sheet) {
+std::string entry(const PictureText& text, std::string_view key) {
+  const auto found =
+      std::find_if(text.begin(), text.end(), [key](const auto& e) { return e.first == key; });
+  return found == text.end() ? std::string() : found->second;
+}
+
+/// Title, caption and state as an XMP packet (ISO 16684-1), which every PDF may carry.
+QByteArray xmpOf(const PictureText& text) {
+  const auto words = [&](const char* key) {
+    return "<rdf:Alt><rdf:li xml:lang=\"x-default\">" + markupText(entry(text, key)) +
+           "</rdf:li></rdf:Alt>";
+  };
+  return QByteArray::fromStdString(
+      "<?xpacket begin=\"\xef\xbb\xbf\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
+      "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
+      "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
+      "<rdf:Description rdf:about=\"\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\""
+      " xmlns:xmp=\"http://ns.adobe.com/xap/1.0/\">\n"
+      "<dc:title>" +
+      words("Title") + "</dc:title>\n<dc:description>" + words("Description") +
+      "</dc:description>\n<xmp:CreatorTool>" + markupText(entry(text, "Software")) +
+      "</xmp:CreatorTool>\n" + stateElement(entry(text, kStateEntry)) +
+      "\n</rdf:Description>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>\n");
+}
+
+QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnSheet& sheet,
+                 const PictureText& text) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -59,8 +87,9 @@ QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnShee
   writer.setPageSize(QPageSize(QSizeF(sheet.facts.width_mm, sheet.facts.height_mm),
                                QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
   writer.setPageMargins(QMarginsF());
-  writer.setTitle(QString::fromStdString(sheet.facts.caption));
+  writer.setTitle(QString::fromStdString(entry(text, "Title")));
   writer.setCreator(QStringLiteral("relievo " RELIEVO_VERSION_STRING));
+  writer.setDocumentXmpMetadata(xmpOf(text));
   QPainter painter(&writer);
   painter.setRenderHint(QPainter::LosslessImageRendering);
   paintSheet(painter, surface, project, sheet, FigureInk::Target::vectors);
@@ -68,7 +97,8 @@ QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnShee
   return bytes;
 }
 
-QByteArray svgOf(const Surface& surface, const Project& project, const DrawnSheet& sheet) {
+QByteArray svgOf(const Surface& surface, const Project& project, const DrawnSheet& sheet,
+                 const PictureText& text) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -77,12 +107,17 @@ QByteArray svgOf(const Surface& surface, const Project& project, const DrawnShee
   generator.setResolution(static_cast<int>(std::lround(sheet.dpi)));
   generator.setSize({sheet.facts.width_px, sheet.facts.height_px});
   generator.setViewBox(QRect(0, 0, sheet.facts.width_px, sheet.facts.height_px));
-  generator.setTitle(QString::fromStdString(project.file));
-  generator.setDescription(QString::fromStdString(sheet.facts.caption).toHtmlEscaped());
+  // Qt writes both as they are.
+  generator.setTitle(QString::fromStdString(markupText(entry(text, "Title"))));
+  generator.setDescription(QString::fromStdString(markupText(entry(text, "Description"))));
   QPainter painter(&generator);
   paintSheet(painter, surface, project, sheet, FigureInk::Target::vectors);
   painter.end();
-  return bytes;
+  // Qt has no call for metadata; they stand before what is drawn.
+  const int at = bytes.indexOf("<defs>");
+  return bytes.insert(
+      at, QByteArray::fromStdString("<metadata>" + stateElement(entry(text, kStateEntry)) +
+                                    "</metadata>\n"));
 }
 
 FigurePanel eyePanel(const Project& project, int eye) {
@@ -99,17 +134,17 @@ FigurePanel eyePanel(const Project& project, int eye) {
 
 FigureFacts writeFigure(const Surface& surface, const Project& project, const fs::path& file,
                         const Task& task) {
-  const std::string ending = lowerEnding(file);
-  if (ending == ".png" || ending == ".tif" || ending == ".tiff") {
+  if (const auto pixels = pictureFormatOf(file)) {
     const Figure figure = drawFigure(surface, project, task);
     const PictureText text = textOf(surface, project, figure.facts, file);
-    if (ending == ".png") {
+    if (pixels == PictureFormat::png) {
       writePng(file, figure.image, project.figure.dpi, text);
     } else {
       writeTiff(file, figure.image, project.figure.dpi, text);
     }
     return figure.facts;
   }
+  const std::string ending = lowerEnding(file);
   if (ending != ".pdf" && ending != ".svg") {
     throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" +
                         file.filename().string() + "' does not. Nothing was drawn.");
@@ -117,21 +152,24 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const fs
   Project whole = project;
   whole.figure.dpi = std::round(project.figure.dpi);  // Both writers count whole dots.
   const DrawnSheet sheet = drawPictures(surface, whole, whole.figure.dpi, task);
-  save(ending == ".pdf" ? pdfOf(surface, whole, sheet) : svgOf(surface, whole, sheet), file);
+  const PictureText text = textOf(surface, whole, sheet.facts, file);
+  save(ending == ".pdf" ? pdfOf(surface, whole, sheet, text) : svgOf(surface, whole, sheet, text),
+       file);
   return sheet.facts;
 }
 
-std::vector<fs::path> writeEyes(const Surface& surface, const Project& project,
-                                const fs::path& file, const Task& task) {
+EyeFiles writeEyes(const Surface& surface, const Project& project, const fs::path& file,
+                   const Task& task) {
   const FigureRequest& f = project.figure;
   Project both = project;
   if (f.stereo == StereoPrint::off) both.figure.stereo = StereoPrint::side_by_side;
   both.figure.layout = FigureLayout::detail;
+  both.figure.look = figureLook(surface, project);
   check(both.figure);
   FigureSheet sheet;
   sheet.paper_per_mm = f.width_mm / project.region.side_mm;
   const int side = static_cast<int>(std::lround(f.width_mm / 25.4 * f.dpi));
-  std::vector<fs::path> files;
+  EyeFiles eyes;
   for (const int eye : {-1, 1}) {
     const PanelPicture picture = drawPanel(surface, both, eyePanel(both, f.swap_eyes ? -eye : eye),
                                            sheet, {side, side}, f.dpi, task);
@@ -145,9 +183,11 @@ std::vector<fs::path> writeEyes(const Surface& surface, const Project& project,
     facts.mm_per_pixel = project.region.side_mm / side;
     facts.caption = figureCaption(surface, both, facts);
     writePng(target, image, f.dpi, textOf(surface, both, facts, target));
-    files.push_back(target);
+    eyes.files.push_back(target);
+    eyes.eye_angle_deg = picture.eye_angle_deg;
+    eyes.parallax_deg = picture.parallax_deg;
   }
-  return files;
+  return eyes;
 }
 
 void writeHeightsTiff(const Surface& surface, const Project& project, const fs::path& file) {

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/project/caption.h"
 #include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
+#include "core/session/tiled_surface.h"
 
 namespace relievo {
 namespace {
@@ -35,10 +37,11 @@ Level levelOfWhole(const DetailLadder& map) {
   return {level};
 }
 
-bool needsLegend(const Surface& surface, const FigureRequest& f) {
+bool needsLegend(const Surface& surface, const Project& project) {
+  const FigureRequest& f = project.figure;
   if (!f.legend) return false;
   if (hasLegend(f.look.kind)) return true;
-  const auto shares = mapFacts(surface).shares;
+  const auto shares = legendShares(surface, project).shares;
   return f.hatch && shares[static_cast<std::size_t>(Origin::interpolated)] +
                             shares[static_cast<std::size_t>(Origin::base_plane)] >
                         0;
@@ -177,6 +180,21 @@ class Sheet {
 
 }  // namespace
 
+ReliefLook figureLook(const Surface& surface, const Project& project) {
+  ReliefLook look = project.figure.look;
+  const auto level = static_cast<std::size_t>(project.region.level.value);
+  if (hasRadius(look.kind)) look.radius_mm = radiusMm(look, surface.ladder.spacings_mm.at(level));
+  return look;
+}
+
+LegendShares legendShares(const Surface& surface, const Project& project) {
+  const FigureLayout layout = project.figure.layout;
+  if (layout == FigureLayout::reference_detail || layout == FigureLayout::plot) {
+    return {.shares = mapFacts(surface).shares, .of_object = true};
+  }
+  return {.shares = sharesOf(windowOf(surface, project.region, project.gain))};
+}
+
 FigureSheet layOut(const Surface& surface, const Project& project) {
   const FigureRequest& f = project.figure;
   FigureSheet sheet = Sheet(surface, project).pictures();
@@ -188,7 +206,7 @@ FigureSheet layOut(const Surface& surface, const Project& project) {
     sheet.force_plot = {left, sheet.heights_plot.bottom() + kGapMm, width, 0.75 * kPlotMm};
     sheet.height_mm = sheet.force_plot.bottom() + 2 * line;
   }
-  if (needsLegend(surface, f)) {
+  if (needsLegend(surface, project)) {
     sheet.legend = {0, sheet.height_mm + 0.4 * line, sheet.width_mm, 1.2 * line};
     if (hasLegend(f.look.kind)) sheet.legend.setHeight(2.4 * line);
     sheet.height_mm = sheet.legend.bottom();

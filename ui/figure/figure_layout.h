@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <QRectF>
 #include <QString>
 #include <vector>
@@ -30,6 +31,17 @@ struct FigureSheet {
 
 /// Millimetres per point.
 inline constexpr double kMmPerPoint = 25.4 / 72;
+
+/// The request's look with what it leaves open, in millimetres: the same in every panel.
+ReliefLook figureLook(const Surface& surface, const Project& project);
+
+/// What the legend of hatches states: shares of the whole object where the figure shows it, else of
+/// the region's cells, as in the caption.
+struct LegendShares {
+  std::array<double, kOriginCount> shares{};
+  bool of_object = false;
+};
+LegendShares legendShares(const Surface& surface, const Project& project);
 
 /// Where everything goes. @throw ArgumentError  a scale that needs a sheet beyond 2 m
 FigureSheet layOut(const Surface& surface, const Project& project);

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <QPainterPath>
 #include <tuple>
 #include <vector>
 
+#include "core/measure/measure_text.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
 #include "ui/vtk/scale_length.h"
@@ -48,7 +50,7 @@ void plate(FigureInk& ink, const QRectF& box) {
 }
 
 // The bar's ends lie on whole pixels; its length is off by half a pixel at most.
-void scaleBar(FigureInk& ink, const PanelSpace& space) {
+QRectF scaleBar(FigureInk& ink, const PanelSpace& space) {
   const double inset = ink.pt(kInsetPt);
   const ScaleLength length = scaleLength(0.25 * space.box().width() * space.mmPerPx());
   const double bar = std::round(length.mm / space.mmPerPx());
@@ -63,17 +65,18 @@ void scaleBar(FigureInk& ink, const PanelSpace& space) {
   const double y = std::round(box.bottom() - inset - thick);
   ink.painter().fillRect(QRectF(x, y, bar, thick), kInk);
   ink.text({x + 0.5 * bar, y - 0.8 * inset}, label, Qt::AlignHCenter);
+  return box;
 }
 
 /// The relief's height at the picture's own scale, upright.
-void heightBar(FigureInk& ink, const PanelSpace& space, double range_mm) {
+QRectF heightBar(FigureInk& ink, const PanelSpace& space, double range_mm) {
   const double most = std::min(range_mm, 0.22 * space.box().height() * space.mmPerPx());
-  if (!(most > 0)) return;
+  if (!(most > 0)) return {};
   const ScaleLength length = scaleLength(most);
   const double bar = std::round(length.mm / space.mmPerPx());
-  if (bar < ink.pt(2)) return;  // Too flat to be drawn at this scale.
+  if (bar < ink.pt(2)) return {};  // Too flat to be drawn at this scale.
   const double inset = ink.pt(kInsetPt);
-  const QString label = QStringLiteral("z %1").arg(QString::fromStdString(length.label));
+  const QString label = QStringLiteral("height %1").arg(QString::fromStdString(length.label));
   const double thick = std::max(1.0, std::round(ink.pt(1.6)));
   const double width = ink.width(label) + thick + 3 * inset;
   const double height = std::max(bar, ink.lineHeight()) + 2 * inset;
@@ -84,6 +87,7 @@ void heightBar(FigureInk& ink, const PanelSpace& space, double range_mm) {
   ink.painter().fillRect(QRectF(std::round(box.right() - inset - thick), bottom - bar, thick, bar),
                          kInk);
   ink.text({box.left() + inset, box.center().y() + 0.35 * ink.pt(ink.textPt())}, label);
+  return box;
 }
 
 /// Which file axis points up: north where the data are a map.
@@ -102,7 +106,7 @@ QString upName(const Surface& surface) {
   return (m[4 + axis] < 0 ? QStringLiteral("\u2212%1") : QStringLiteral("%1")).arg(letter);
 }
 
-void upMark(FigureInk& ink, const PanelSpace& space, const QString& name) {
+QRectF upMark(FigureInk& ink, const PanelSpace& space, const QString& name) {
   const double inset = ink.pt(kInsetPt);
   const double arrow = ink.pt(1.6 * ink.textPt());
   const double width = std::max(ink.width(name), 0.6 * arrow) + 2 * inset;
@@ -120,6 +124,7 @@ void upMark(FigureInk& ink, const PanelSpace& space, const QString& name) {
   ink.painter().setPen(ink.pen(kInk, 0.8));
   ink.painter().drawLine(tip + QPointF(0, 0.4 * arrow), tip + QPointF(0, arrow));
   ink.text({box.center().x(), box.bottom() - inset}, name, Qt::AlignHCenter);
+  return box;
 }
 
 void outline(FigureInk& ink, const PanelSpace& space, const Region& r) {
@@ -131,10 +136,8 @@ void outline(FigureInk& ink, const PanelSpace& space, const Region& r) {
   ink.painter().drawRect(frame);
 }
 
-QString valueOf(const MapCells& map, const Measurement& m) {
-  const Quantity q = read(map, m).quantities.front();
-  // As many decimals as the uncertainty leaves meaning to.
-  const int decimals = q.uncertainty >= 10 ? 0 : q.uncertainty >= 1 ? 1 : 2;
+QString valueOf(const Quantity& q) {
+  const int decimals = decimalsFor(q.uncertainty);
   QString value = QString::number(q.value, 'f', decimals);
   value.replace('-', QChar(0x2212));
   return QStringLiteral("%1 \u00b1 %2 %3")
@@ -142,26 +145,48 @@ QString valueOf(const MapCells& map, const Measurement& m) {
            QString::fromUtf8(q.unit.data(), static_cast<int>(q.unit.size())));
 }
 
-/// A place for a label beside `at`: above, below, or below the labels that are there already.
-QRectF labelPlace(const FigureInk& ink, const QPointF& at, const QSizeF& size,
+/// A place for a label beside `at`: above, below, below what is there already, or above it where
+/// the panel ends.
+QRectF labelPlace(const FigureInk& ink, const QRectF& panel, const QPointF& at, const QSizeF& size,
                   const std::vector<QRectF>& taken) {
   const double gap = ink.pt(3);
   const auto in_the_way = [&](const QRectF& box) {
     return std::find_if(taken.begin(), taken.end(),
                         [&](const QRectF& other) { return other.intersects(box); });
   };
-  QRectF box({at.x(), at.y() - gap - size.height()}, size);
+  const QRectF above({at.x(), at.y() - gap - size.height()}, size);
+  QRectF box = above;
   if (in_the_way(box) == taken.end()) return box;
   box.moveTop(at.y() + gap);
   for (auto other = in_the_way(box); other != taken.end(); other = in_the_way(box)) {
     box.moveTop(other->bottom() + 1);
   }
+  if (box.bottom() <= panel.bottom()) return box;
+  box = above;
+  for (auto other = in_the_way(box); other != taken.end(); other = in_the_way(box)) {
+    box.moveBottom(other->top() - 1);
+  }
   return box;
 }
 
-/// @param taken  the places of the labels, to which this one's is added
+/// Where a curve has its middle within a box; its first point if it never is.
+QPointF shownPart(const QPolygonF& curve, const QRectF& box) {
+  QPolygonF shown;
+  std::copy_if(curve.begin(), curve.end(), std::back_inserter(shown),
+               [&](const QPointF& p) { return box.contains(p); });
+  return shown.empty() ? curve.front() : shown[shown.size() / 2];
+}
+
+/// @param taken  the places of marks and labels, to which this one's is added
 void measurement(FigureInk& ink, const PanelSpace& space, const MapCells& map, const Measurement& m,
                  std::vector<QRectF>& taken) {
+  const Reading reading = read(map, m);
+  std::vector<QPolygonF> curves;
+  for (const SectionCurve& curve : reading.curves) {
+    curves.emplace_back();
+    for (const ViewMm& p : curve.points) curves.back() << space.at(p.x, p.y);
+    if (curve.closed) curves.back() << curves.back().front();
+  }
   QPolygonF line;
   for (const PlaceMm& place : m.places) line << space.at(place.x, place.y);
   if (m.kind == MeasureKind::area) line << line.front();
@@ -170,24 +195,26 @@ void measurement(FigureInk& ink, const PanelSpace& space, const MapCells& map, c
     ink.painter().setPen(ink.pen(colour, points));
     ink.painter().setBrush(Qt::NoBrush);
     ink.painter().drawPolyline(line);
+    for (const QPolygonF& curve : curves) ink.painter().drawPolyline(curve);
     ink.painter().setPen(Qt::NoPen);
     ink.painter().setBrush(colour);
     for (const QPointF& p : line) ink.painter().drawEllipse(p, ink.pt(points), ink.pt(points));
   }
-  const QString label =
-      QStringLiteral("%1: %2").arg(QString::fromStdString(m.name), valueOf(map, m));
+  const QString label = QStringLiteral("%1: %2").arg(QString::fromStdString(m.name),
+                                                     valueOf(reading.quantities.front()));
   const double width = ink.width(label, 0.9) + ink.pt(4);
+  if (!curves.empty()) line << shownPart(curves.front(), space.box());
   QPointF at = 0.5 * (line.front() + line[std::min(1, line.size() - 1)]) + QPointF(ink.pt(4), 0);
   at.setX(std::clamp(at.x(), space.box().left(),
                      std::max(space.box().left(), space.box().right() - width)));
   const double height = ink.lineHeight(0.9);
-  const QRectF box = labelPlace(ink, at, {width, height}, taken);
+  const QRectF box = labelPlace(ink, space.box(), at, {width, height}, taken);
   taken.push_back(box);
   plate(ink, box);
   ink.text({box.left() + ink.pt(2), box.bottom() - 0.28 * height}, label, Qt::AlignLeft, 0.9);
 }
 
-void letterMark(FigureInk& ink, const PanelSpace& space, int letter, const QString& title) {
+QRectF letterMark(FigureInk& ink, const PanelSpace& space, int letter, const QString& title) {
   const QString name = QString(QLatin1Char(static_cast<char>('a' + letter)));
   const double inset = ink.pt(kInsetPt);
   const double name_width = 1.1 * ink.width(name, 1.15);
@@ -198,6 +225,7 @@ void letterMark(FigureInk& ink, const PanelSpace& space, int letter, const QStri
   const double baseline = box.bottom() - 0.28 * box.height();
   ink.text({box.left() + inset, baseline}, name, Qt::AlignLeft, 1.15, true);
   ink.text({box.left() + inset + name_width + gap, baseline}, title);
+  return box;
 }
 
 /// Diagonal lines as the relief's hatch draws them: single, or crossed over darker ground.
@@ -227,20 +255,21 @@ void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
   ink.painter().save();
   ink.painter().setClipRect(space.box());
   if (panel.whole && f.window_outline) outline(ink, space, project.region);
-  if (f.measurements && !panel.whole) {
-    const MapCells cells = mapCells(surface);
-    std::vector<QRectF> labels;
-    for (const Measurement& m : project.measurements) {
-      measurement(ink, space, cells, m, labels);
-    }
-  }
-  if (f.scale_bar) scaleBar(ink, space);
+  std::vector<QRectF> taken;
+  if (f.scale_bar) taken.push_back(scaleBar(ink, space));
   if (f.height_bar && !panel.whole) {
     const HeightRange z = heightRange(cutOut(surface, panel.level, panel.shown, 0, project.gain));
-    heightBar(ink, space, z.max_mm - z.min_mm);
+    taken.push_back(heightBar(ink, space, z.max_mm - z.min_mm));
   }
-  if (f.up_mark) upMark(ink, space, upName(surface));
-  if (f.letters && sheet.panels.size() > 1) letterMark(ink, space, letter, panel.title);
+  if (f.up_mark) taken.push_back(upMark(ink, space, upName(surface)));
+  if (f.letters && sheet.panels.size() > 1) {
+    taken.push_back(letterMark(ink, space, letter, panel.title));
+  }
+  // Over the marks and their words aside: a mark must not hide where a measurement ends.
+  if (f.measurements && !panel.whole) {
+    const MapCells cells = mapCells(surface);
+    for (const Measurement& m : project.measurements) measurement(ink, space, cells, m, taken);
+  }
   ink.painter().restore();
 }
 
@@ -251,17 +280,19 @@ struct Swatch {
   QString label;
 };
 
-std::vector<Swatch> swatchesOf(const Surface& surface, const FigureRequest& f) {
+std::vector<Swatch> swatchesOf(const Surface& surface, const Project& project) {
   std::vector<Swatch> swatches;
-  if (!f.hatch) return swatches;
-  const auto shares = mapFacts(surface).shares;
+  if (!project.figure.hatch) return swatches;
+  const auto [shares, of_object] = legendShares(surface, project);
+  const QLatin1String whole(of_object ? "object" : "region");
   for (const auto& [origin, words, crossed] :
        {std::tuple{Origin::interpolated, "interpolated", false},
         std::tuple{Origin::base_plane, "hole, on the base plane", true}}) {
     const double share = shares[static_cast<std::size_t>(origin)];
     if (share == 0) continue;
     swatches.push_back(
-        {crossed, QStringLiteral("%1 %2 %").arg(QLatin1String(words), text(100 * share, 2))});
+        {crossed,
+         QStringLiteral("%1, %2 % of the %3").arg(QLatin1String(words), text(100 * share), whole)});
   }
   return swatches;
 }
@@ -277,11 +308,12 @@ QString titleOf(const ReliefValues& values) {
 }  // namespace
 
 // One row. Where the figure is too narrow for it, its text is smaller.
-void drawLegend(FigureInk& ink, const Surface& surface, const FigureRequest& f, const QRectF& paper,
+void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, const QRectF& paper,
                 const ReliefValues& values) {
+  const FigureRequest& f = project.figure;
   const QRectF box = ink.px(paper);
   const bool coloured = hasLegend(f.look.kind);
-  const std::vector<Swatch> swatches = swatchesOf(surface, f);
+  const std::vector<Swatch> swatches = swatchesOf(surface, project);
   const QString low = text(values.low);
   const QString high = text(values.high);
   const double gap = ink.pt(10);

@@ -14,7 +14,7 @@ void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
                const FigureSheet& sheet, const FigurePanel& panel, int letter);
 
 /// Bar of colours and swatches of hatches with their shares.
-void drawLegend(FigureInk& ink, const Surface& surface, const FigureRequest& request,
-                const QRectF& paper, const ReliefValues& values);
+void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, const QRectF& paper,
+                const ReliefValues& values);
 
 }  // namespace relievo

@@ -38,6 +38,10 @@ struct Eyes {
 Eyes eyesFor(const DepthMap& map, const FigureRequest& f, double paper_per_mm) {
   const HeightRange z = heightRange(map);
   Eyes eyes;
+  if (f.zero_plane_mm) {
+    checkZeroPlane(*f.zero_plane_mm, z.min_mm, z.max_mm,
+                   map.frame.spacing_mm * std::max(map.frame.size.cols, map.frame.size.rows));
+  }
   eyes.zero_plane_mm = f.zero_plane_mm.value_or(0.5 * (z.min_mm + z.max_mm));
   if (f.stereo == StereoPrint::off) return eyes;
   const double farthest =

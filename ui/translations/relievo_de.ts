@@ -279,6 +279,130 @@
         <source>%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
         <translation>%1 enthält Werte außerhalb von 0 bis 1, etwa %2, und wurde nicht verwendet. Skalieren Sie sie: 1, wo der Grund fest ist, 0, wo er am weichsten ist.</translation>
     </message>
+    <message>
+        <source>Cannot read %1: its points have no %2 coordinate. Export it with x, y and z.</source>
+        <translation>%1 kann nicht gelesen werden: Die Punkte haben keine Koordinate %2. Exportieren Sie die Datei mit x, y und z.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds no rows of numbers. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält keine Zeilen mit Zahlen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has 0 points. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat 0 Punkte. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds 0 triangles. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält 0 Dreiecke. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header promises no vertices. Choose a file with points.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht keine Punkte. Wählen Sie eine Datei mit Punkten.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header names no format. Export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf nennt kein Format. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer LAS-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer E57-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an STL file. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer STL-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its points cannot be decoded. The file is damaged; export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Punkte lassen sich nicht entschlüsseln. Die Datei ist beschädigt; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it became shorter while it was read, or its disk failed. Try again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei wurde beim Lesen kürzer, oder ihr Datenträger versagte. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it was changed while it was read. Try again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei wurde beim Lesen geändert. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a colour picture, not a height raster. Choose the raster with one band of heights.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist ein Farbbild, kein Höhenraster. Wählen Sie das Raster mit einem Band von Höhen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its pixels are measured in degrees. Reproject it to metres, for example %2</source>
+        <translation>%1 kann nicht gelesen werden: Die Pixel sind in Grad gemessen. Rechnen Sie die Datei in Meter um, zum Beispiel %2</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is not a whole zip file. Copy or download it again.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist keine vollständige Zip-Datei. Kopieren oder laden Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (line %2). Nothing was changed. Choose another file.</source>
+        <translation>Das Projekt %1 ist beschädigt (Zeile %2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (a part is missing or has another form). Nothing was changed. Choose another file.</source>
+        <translation>Das Projekt %1 ist beschädigt (ein Teil fehlt oder hat eine andere Form). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (%2). Nothing was changed. Choose another file.</source>
+        <translation>Das Projekt %1 ist beschädigt (%2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 was written by another relievo (schema %2; this one reads up to %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest bis %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
+        <translation>%1 ist kein Projekt von relievo. Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
+        <translation>Der Scan traf keine Zelle des Rasters. Nichts wurde gemacht. Wählen Sie eine andere Ansicht.</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; cannot be read. Choose another file.</source>
+        <translation>Die Aufzeichnung „%1“ ist nicht lesbar. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no recording: it has no column &apos;%2&apos;. Choose another file.</source>
+        <translation>„%1“ ist keine Aufzeichnung: Die Spalte „%2“ fehlt. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
+        <translation>%1 kann nicht geschrieben werden (%2). Was dort war, ist wie vorher. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The package %1 could not be written (%2). Nothing was left behind. Choose another folder or free some space.</source>
+        <translation>Das Paket %1 konnte nicht geschrieben werden (%2). Nichts blieb zurück. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>length of the cut</source>
+        <translation>Länge des Schnitts</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself, so that it has no inside. Choose its corners in order.</source>
+        <translation>Der Umriss kreuzt sich selbst und hat deshalb kein Inneres. Wählen Sie seine Ecken der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>The corners lie on one line, so that there is no area among them. Choose others.</source>
+        <translation>Die Ecken liegen auf einer Geraden, zwischen ihnen ist keine Fläche. Wählen Sie andere.</translation>
+    </message>
+    <message>
+        <source>The plane does not cut the surface. Choose another plane.</source>
+        <translation>Die Ebene schneidet die Oberfläche nicht. Wählen Sie eine andere Ebene.</translation>
+    </message>
+    <message>
+        <source>Two places, one above the other, give no plane. Choose another.</source>
+        <translation>Zwei Stellen übereinander ergeben keine Ebene. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Three places on one line give no plane. Choose another.</source>
+        <translation>Drei Stellen auf einer Geraden ergeben keine Ebene. Wählen Sie eine andere.</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -293,6 +417,13 @@
     <message>
         <source>%1 cannot start: %2</source>
         <translation>%1 kann nicht starten: %2</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
     </message>
 </context>
 <context>
@@ -469,15 +600,15 @@
     <name>relievo::ButtonsPanel</name>
     <message>
         <source>Sca&amp;nning with one button</source>
-        <translation>Abtasten mit einer Taste (&amp;N)</translation>
+        <translation>Aus&amp;wahl mit einem Knopf</translation>
     </message>
     <message>
         <source>Scanning with one button</source>
-        <translation>Abtasten mit einer Taste</translation>
+        <translation>Auswahl mit einem Knopf</translation>
     </message>
     <message>
         <source>Any button: the first press begins to offer where am I, finer, coarser, move, forces; the next one takes what was offered last.</source>
-        <translation>Irgendeine Taste: Der erste Druck beginnt, wo bin ich, feiner, gröber, verschieben und Kräfte anzubieten; der nächste nimmt, was zuletzt angeboten wurde.</translation>
+        <translation>Irgendein Knopf: Der erste Druck beginnt, wo bin ich, feiner, gröber, verschieben und Kräfte anzubieten; der nächste nimmt, was zuletzt angeboten wurde.</translation>
     </message>
     <message>
         <source>How long each command is offered, in seconds</source>
@@ -508,12 +639,12 @@
         <translation>Die Ansicht</translation>
     </message>
     <message>
-        <source>Each offer (&amp;g)</source>
-        <translation>Jedes Angebot (&amp;G)</translation>
+        <source>Each offer</source>
+        <translation>Jedes Angebot</translation>
     </message>
     <message>
-        <source>SpaceMouse moves (&amp;w)</source>
-        <translation>SpaceMouse bewegt (&amp;W)</translation>
+        <source>SpaceMouse moves</source>
+        <translation>SpaceMouse bewegt</translation>
     </message>
 </context>
 <context>
@@ -610,19 +741,19 @@
     </message>
     <message>
         <source>L&amp;ive</source>
-        <translation>Laufend (&amp;I)</translation>
+        <translation>&amp;Laufend</translation>
     </message>
     <message>
         <source>Sho&amp;w what was not measured</source>
-        <translation>Nicht Gemessenes zeigen (&amp;W)</translation>
+        <translation>&amp;Nicht Gemessenes zeigen</translation>
     </message>
     <message>
         <source>Recom&amp;pute</source>
-        <translation>Neu berechnen (&amp;P)</translation>
+        <translation>Neu &amp;berechnen</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
-        <translation>Anhalten (&amp;S)</translation>
+        <translation>An&amp;halten</translation>
     </message>
     <message>
         <source>Depth map</source>
@@ -670,7 +801,7 @@
     </message>
     <message>
         <source>Recom&amp;pute *</source>
-        <translation>Neu berechnen (&amp;P) *</translation>
+        <translation>Neu &amp;berechnen *</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -681,7 +812,7 @@
     <name>relievo::DepthMapForm</name>
     <message>
         <source>&amp;Unit of the file</source>
-        <translation>Einheit der Datei (&amp;U)</translation>
+        <translation>E&amp;inheit der Datei</translation>
     </message>
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
@@ -697,7 +828,7 @@
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>Ansicht (&amp;V)</translation>
+        <translation>An&amp;sicht</translation>
     </message>
     <message>
         <source>From which side the object is seen</source>
@@ -717,7 +848,7 @@
     </message>
     <message>
         <source>Turn a&amp;bout z</source>
-        <translation>Drehung um z (&amp;B)</translation>
+        <translation>&amp;Drehung um z</translation>
     </message>
     <message>
         <source>Right-handed, about the view&apos;s own axes, x first</source>
@@ -725,7 +856,7 @@
     </message>
     <message>
         <source>&amp;Engine</source>
-        <translation>V&amp;erfahren</translation>
+        <translation>&amp;Verfahren</translation>
     </message>
     <message>
         <source>The processor, or the graphics card&apos;s depth buffer as in the paper</source>
@@ -753,7 +884,7 @@
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>Raster (&amp;G)</translation>
+        <translation>R&amp;aster</translation>
     </message>
     <message>
         <source>How fine the grid is</source>
@@ -769,7 +900,7 @@
     </message>
     <message>
         <source>&amp;Cells</source>
-        <translation>Zellen (&amp;C)</translation>
+        <translation>Z&amp;ellen</translation>
     </message>
     <message>
         <source>Cells across the longer side</source>
@@ -793,7 +924,7 @@
     </message>
     <message>
         <source>&amp;Holes</source>
-        <translation>Löc&amp;her</translation>
+        <translation>Lö&amp;cher</translation>
     </message>
     <message>
         <source>What becomes of enclosed places where nothing was measured</source>
@@ -817,7 +948,7 @@
     </message>
     <message>
         <source>&amp;Largest hole</source>
-        <translation>Größtes &amp;Loch</translation>
+        <translation>&amp;Größtes Loch</translation>
     </message>
     <message>
         <source>Larger holes rest on the base plane</source>
@@ -887,7 +1018,7 @@
     </message>
     <message>
         <source>The part inside the pink window. The pointer carries the hand just above the surface; hold the left button to press in, turn the wheel meanwhile to press deeper. Middle drag turns, right drag moves the window, the wheel zooms. Keys: arrows, Page Down, Page Up.</source>
-        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche; mit gehaltener linker Taste wird eingedrückt, das Rad dabei drückt tiefer. Ziehen mit der mittleren Taste dreht, mit der rechten verschiebt es den Ausschnitt, das Rad vergrößert. Tasten: Pfeile, Bild ab, Bild auf.</translation>
+        <translation>Der Teil im rosa Ausschnitt. Der Zeiger führt die Hand dicht über der Oberfläche; mit gehaltener linker Maustaste wird eingedrückt, das Rad dabei drückt tiefer. Ziehen mit der mittleren Taste dreht, mit der rechten verschiebt es den Ausschnitt, das Rad vergrößert. Tasten: Pfeile, Bild ab, Bild auf.</translation>
     </message>
     <message>
         <source>Move window</source>
@@ -948,6 +1079,14 @@
         <source>Back at the old window. %1</source>
         <translation>Zurück am alten Ausschnitt. %1</translation>
     </message>
+    <message>
+        <source>%1 is plugged in but this account may not use it. Install the rule that &apos;relievo devices rule&apos; prints, once, then replug.</source>
+        <translation>%1 ist angesteckt, aber dieses Konto darf es nicht benutzen. Installieren Sie einmal die Regel, die „relievo devices rule“ ausgibt, und stecken Sie es neu an.</translation>
+    </message>
+    <message>
+        <source>Forces are off.</source>
+        <translation>Die Kräfte sind aus.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -981,7 +1120,7 @@
     </message>
     <message>
         <source>&amp;Save and use the Falcon</source>
-        <translation>&amp;Speichern und den Falcon benutzen</translation>
+        <translation>Speichern &amp;und den Falcon benutzen</translation>
     </message>
     <message>
         <source>Save and use the Falcon</source>
@@ -997,7 +1136,7 @@
     </message>
     <message>
         <source>&amp;Retry</source>
-        <translation>Noch einmal (&amp;R)</translation>
+        <translation>&amp;Noch einmal</translation>
     </message>
     <message>
         <source>Retry</source>
@@ -1013,7 +1152,7 @@
     </message>
     <message>
         <source>&amp;Copy rule</source>
-        <translation>Regel kopieren (&amp;C)</translation>
+        <translation>&amp;Regel kopieren</translation>
     </message>
     <message>
         <source>Copy rule</source>
@@ -1071,7 +1210,7 @@
     </message>
     <message>
         <source>Self &amp;test</source>
-        <translation>Selbs&amp;ttest</translation>
+        <translation>&amp;Selbsttest</translation>
     </message>
     <message>
         <source>Self test</source>
@@ -1087,11 +1226,11 @@
     </message>
     <message>
         <source>&amp;Weight</source>
-        <translation>Ge&amp;wicht</translation>
+        <translation>&amp;Gewicht</translation>
     </message>
     <message>
         <source>C&amp;alibrate</source>
-        <translation>K&amp;alibrieren</translation>
+        <translation>&amp;Kalibrieren</translation>
     </message>
     <message>
         <source>Calibrate</source>
@@ -1134,10 +1273,6 @@
         <translation>%1 Zählschritte je N mm</translation>
     </message>
     <message>
-        <source>Continue (&amp;a)</source>
-        <translation>Weiter (&amp;A)</translation>
-    </message>
-    <message>
         <source>Falcon firmware</source>
         <translation>Falcon-Firmware</translation>
     </message>
@@ -1176,6 +1311,10 @@
     <message>
         <source>Firmware: %1 cannot be used</source>
         <translation>Firmware: %1 ist nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>Contin&amp;ue</source>
+        <translation>&amp;Weiter</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1358,25 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>Diese Karte wird in Kacheln gelesen, so wie sie gemacht wurde; nichts wurde geändert. Um sie anders zu machen, rufen Sie relievo depthmap --memory mit ihrem Scan und der gewünschten Auswahl auf.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FalconNews</name>
+    <message>
+        <source>Top arm found.</source>
+        <translation>Oberer Arm gefunden.</translation>
+    </message>
+    <message>
+        <source>Right arm found.</source>
+        <translation>Rechter Arm gefunden.</translation>
+    </message>
+    <message>
+        <source>Left arm found.</source>
+        <translation>Linker Arm gefunden.</translation>
+    </message>
+    <message>
+        <source>Touch &gt; Device set-up &gt; Firmware file takes one.</source>
+        <translation>Tasten &gt; Gerät einrichten &gt; Firmware-Datei nimmt eine.</translation>
     </message>
 </context>
 <context>
@@ -1305,19 +1463,19 @@
     </message>
     <message>
         <source>&amp;Height bar</source>
-        <translation>&amp;Höhenskala</translation>
+        <translation>Höhens&amp;kala</translation>
     </message>
     <message>
         <source>&amp;Up mark</source>
-        <translation>Zeiger nach oben (&amp;U)</translation>
+        <translation>&amp;Zeiger nach oben</translation>
     </message>
     <message>
         <source>Window&apos;s &amp;outline</source>
-        <translation>Umriss des Ausschnitts (&amp;O)</translation>
+        <translation>Umriss &amp;des Ausschnitts</translation>
     </message>
     <message>
         <source>Hat&amp;ch</source>
-        <translation>S&amp;chraffur</translation>
+        <translation>&amp;Schraffur</translation>
     </message>
     <message>
         <source>Le&amp;gend</source>
@@ -1329,7 +1487,7 @@
     </message>
     <message>
         <source>&amp;Measurements</source>
-        <translation>&amp;Messungen</translation>
+        <translation>Messu&amp;ngen</translation>
     </message>
     <message>
         <source>There is not enough memory for this figure. Nothing was written.</source>
@@ -1337,7 +1495,7 @@
     </message>
     <message>
         <source>Sto&amp;p</source>
-        <translation>Anhalten (&amp;P)</translation>
+        <translation>Anha&amp;lten</translation>
     </message>
     <message>
         <source>Figure</source>
@@ -1365,7 +1523,7 @@
     </message>
     <message>
         <source>Cop&amp;y caption</source>
-        <translation>Text kopieren (&amp;Y)</translation>
+        <translation>Te&amp;xt kopieren</translation>
     </message>
     <message>
         <source>Copy caption</source>
@@ -1389,7 +1547,7 @@
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>Datei (&amp;F)</translation>
+        <translation>Date&amp;i</translation>
     </message>
     <message>
         <source>Ends in .png, .tif, .pdf or .svg</source>
@@ -1397,7 +1555,7 @@
     </message>
     <message>
         <source>Bro&amp;wse…</source>
-        <translation>Durchsuchen (&amp;W)…</translation>
+        <translation>Du&amp;rchsuchen…</translation>
     </message>
     <message>
         <source>Browse</source>
@@ -1417,7 +1575,7 @@
     </message>
     <message>
         <source>&amp;Layout</source>
-        <translation>Anordnung (&amp;L)</translation>
+        <translation>An&amp;ordnung</translation>
     </message>
     <message>
         <source>What stands beside what</source>
@@ -1425,7 +1583,7 @@
     </message>
     <message>
         <source>&amp;Recording</source>
-        <translation>Aufzeichnung (&amp;R)</translation>
+        <translation>Au&amp;fzeichnung</translation>
     </message>
     <message>
         <source>CSV file of a recording, for the plots</source>
@@ -1433,7 +1591,7 @@
     </message>
     <message>
         <source>Wi&amp;dth on paper</source>
-        <translation>Breite auf Papier (&amp;D)</translation>
+        <translation>Breite auf &amp;Papier</translation>
     </message>
     <message>
         <source>Journals have columns of 85 and pages of 180 mm</source>
@@ -1441,7 +1599,7 @@
     </message>
     <message>
         <source>To &amp;scale</source>
-        <translation>Maß&amp;stäblich</translation>
+        <translation>Maßs&amp;täblich</translation>
     </message>
     <message>
         <source>Choose the scale of the detail; the width follows from it</source>
@@ -1449,7 +1607,7 @@
     </message>
     <message>
         <source>Scale &amp;1 :</source>
-        <translation>Maßstab &amp;1 :</translation>
+        <translation>&amp;Maßstab 1 :</translation>
     </message>
     <message>
         <source>Millimetres of object on one millimetre of paper</source>
@@ -1457,7 +1615,7 @@
     </message>
     <message>
         <source>D&amp;ensity</source>
-        <translation>Auflösung (&amp;E)</translation>
+        <translation>A&amp;uflösung</translation>
     </message>
     <message>
         <source>Dots per inch of paper</source>
@@ -1469,7 +1627,7 @@
     </message>
     <message>
         <source>&amp;Text size</source>
-        <translation>Schrif&amp;tgröße</translation>
+        <translation>S&amp;chriftgröße</translation>
     </message>
     <message>
         <source>Text and bars on paper, in points</source>
@@ -1481,39 +1639,23 @@
     </message>
     <message>
         <source>Rel&amp;ief</source>
-        <translation>Rel&amp;ief</translation>
+        <translation>R&amp;elief</translation>
     </message>
     <message>
         <source>How heights are painted</source>
         <translation>Wie Höhen dargestellt werden</translation>
     </message>
     <message>
-        <source>Colours (&amp;k)</source>
-        <translation>Farben (&amp;K)</translation>
-    </message>
-    <message>
         <source>Even steps of lightness, also for colour-blind readers</source>
         <translation>Gleichmäßige Helligkeitsstufen, auch für Farbenblinde</translation>
-    </message>
-    <message>
-        <source>Light from (&amp;q)</source>
-        <translation>Licht von (&amp;Q)</translation>
     </message>
     <message>
         <source>0 is above, clockwise; 315 is the upper left</source>
         <translation>0 ist oben, im Uhrzeigersinn; 315 ist links oben</translation>
     </message>
     <message>
-        <source>Light&apos;s height (&amp;j)</source>
-        <translation>Lichthöhe (&amp;J)</translation>
-    </message>
-    <message>
         <source>Low light brings out worn detail</source>
         <translation>Streiflicht zeigt abgenutzte Einzelheiten</translation>
-    </message>
-    <message>
-        <source>Radius (&amp;z)</source>
-        <translation>Radius (&amp;Z)</translation>
     </message>
     <message>
         <source>Of the neighbourhood of local relief, sky view, openness</source>
@@ -1524,16 +1666,12 @@
         <translation>10 Stützstellen</translation>
     </message>
     <message>
-        <source>Stereo (&amp;v)</source>
-        <translation>Stereo (&amp;V)</translation>
-    </message>
-    <message>
         <source>For red and cyan glasses, or two pictures</source>
         <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
     </message>
     <message>
         <source>E&amp;yes apart</source>
-        <translation>Augenabstand (&amp;Y)</translation>
+        <translation>&amp;Augenabstand</translation>
     </message>
     <message>
         <source>Angle between the two eyes&apos; directions</source>
@@ -1541,7 +1679,7 @@
     </message>
     <message>
         <source>Keep to 1° of paralla&amp;x</source>
-        <translation>Höchstens 1° Paralla&amp;xe</translation>
+        <translation>&amp;Höchstens 1° Parallaxe</translation>
     </message>
     <message>
         <source>Less angle where many readers would see double</source>
@@ -1561,7 +1699,7 @@
     </message>
     <message>
         <source>Tra&amp;nsparent paper</source>
-        <translation>Durchsichtiges Papier (&amp;N)</translation>
+        <translation>Ohne &amp;weißen Grund</translation>
     </message>
     <message>
         <source>No white behind the relief</source>
@@ -1578,6 +1716,46 @@
     <message>
         <source>Stopped. Nothing was written.</source>
         <translation>Abgebrochen. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>Licht von</translation>
+    </message>
+    <message>
+        <source>Light&apos;s height</source>
+        <translation>Lichthöhe</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>Stereo</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>There is no folder %1. Nothing was written. Choose another, or make it.</source>
+        <translation>Den Ordner %1 gibt es nicht. Nichts wurde geschrieben. Wählen Sie einen anderen, oder legen Sie ihn an.</translation>
+    </message>
+    <message>
+        <source>Replace figure</source>
+        <translation>Abbildung ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 exists already in %2. Replace it?</source>
+        <translation>%1 gibt es schon in %2. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -1660,7 +1838,7 @@
     </message>
     <message>
         <source>S&amp;trength</source>
-        <translation>S&amp;tärke</translation>
+        <translation>&amp;Stärke</translation>
     </message>
     <message>
         <source>Surfa&amp;ce</source>
@@ -1668,19 +1846,19 @@
     </message>
     <message>
         <source>Sh&amp;ape</source>
-        <translation>Form (&amp;A)</translation>
+        <translation>Fo&amp;rm</translation>
     </message>
     <message>
         <source>Pro&amp;xy</source>
-        <translation>Pro&amp;xy</translation>
+        <translation>Prox&amp;y</translation>
     </message>
     <message>
         <source>Sti&amp;ffness</source>
-        <translation>Stei&amp;figkeit</translation>
+        <translation>S&amp;teifigkeit</translation>
     </message>
     <message>
         <source>Fr&amp;iction</source>
-        <translation>Re&amp;ibung</translation>
+        <translation>Reib&amp;ung</translation>
     </message>
     <message>
         <source>Dam&amp;ping</source>
@@ -1692,7 +1870,7 @@
     </message>
     <message>
         <source>&amp;Device</source>
-        <translation>Gerät (&amp;D)</translation>
+        <translation>G&amp;erät</translation>
     </message>
     <message>
         <source>Force loop</source>
@@ -1700,7 +1878,7 @@
     </message>
     <message>
         <source>Forces &amp;on</source>
-        <translation>Kräfte an (&amp;O)</translation>
+        <translation>&amp;Kräfte an</translation>
     </message>
     <message>
         <source>Forces on</source>
@@ -1856,7 +2034,7 @@
     </message>
     <message>
         <source>More a&amp;bout the loop…</source>
-        <translation>Mehr ü&amp;ber die Schleife…</translation>
+        <translation>Mehr über d&amp;ie Schleife…</translation>
     </message>
     <message>
         <source>More about the force loop</source>
@@ -1884,19 +2062,19 @@
     </message>
     <message>
         <source>Not &amp;measured</source>
-        <translation>Nicht ge&amp;messen</translation>
+        <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
         <source>Tic&amp;k there</source>
-        <translation>Tic&amp;k dort</translation>
+        <translation>&amp;Tick dort</translation>
     </message>
     <message>
         <source>Text&amp;ure</source>
-        <translation>Text&amp;ur</translation>
+        <translation>Te&amp;xtur</translation>
     </message>
     <message>
         <source>K&amp;nock</source>
-        <translation>A&amp;nklopfen</translation>
+        <translation>An&amp;klopfen</translation>
     </message>
     <message>
         <source>Ma&amp;gnet</source>
@@ -1960,7 +2138,7 @@
     </message>
     <message>
         <source>Plots &amp;with a cursor…</source>
-        <translation>Kurven mit Zeiger (&amp;W)…</translation>
+        <translation>Kurven mit &amp;Zeiger…</translation>
     </message>
     <message>
         <source>Plots of height and force with a cursor</source>
@@ -1972,7 +2150,7 @@
     </message>
     <message>
         <source>Fi&amp;rm ground</source>
-        <translation>Feste&amp;r Grund</translation>
+        <translation>F&amp;ester Grund</translation>
     </message>
     <message>
         <source>What says where the ground is firm</source>
@@ -1992,7 +2170,7 @@
     </message>
     <message>
         <source>Non&amp;e</source>
-        <translation>K&amp;eines</translation>
+        <translation>Ke&amp;ines</translation>
     </message>
     <message>
         <source>No raster: firm where it was measured</source>
@@ -2023,7 +2201,7 @@
     <name>relievo::HapticsPlugin</name>
     <message>
         <source>Touch</source>
-        <translation>Tasten</translation>
+        <translation>Fühlen</translation>
     </message>
     <message>
         <source>%1 The mouse is the hand now.</source>
@@ -2035,7 +2213,7 @@
     </message>
     <message>
         <source>Nothing to touch yet. Open a scan first.</source>
-        <translation>Noch nichts zu tasten. Öffnen Sie zuerst einen Scan.</translation>
+        <translation>Noch nichts zu fühlen. Öffnen Sie zuerst einen Scan.</translation>
     </message>
     <message>
         <source>Forces on.</source>
@@ -2075,11 +2253,11 @@
     </message>
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
-        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Tasten, um ihn zu benutzen.</translation>
+        <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
     </message>
     <message>
         <source>Buttons</source>
-        <translation>Tasten am Gerät</translation>
+        <translation>Knöpfe am Gerät</translation>
     </message>
     <message>
         <source>The ground is firm where it was measured.</source>
@@ -2092,6 +2270,10 @@
     <message>
         <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
         <translation>Fester Grund: %1. Stellen Sie „Nicht gemessen“ unter 100 %, um ihn zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The recording has ended early.</source>
+        <translation>Die Aufzeichnung endete vorzeitig.</translation>
     </message>
 </context>
 <context>
@@ -2157,7 +2339,7 @@
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation>Durchsuchen (&amp;B)…</translation>
+        <translation>D&amp;urchsuchen…</translation>
     </message>
     <message>
         <source>Browse</source>
@@ -2173,15 +2355,15 @@
     </message>
     <message>
         <source>&amp;Picture of</source>
-        <translation>Bild von (&amp;P)</translation>
+        <translation>&amp;Bild von</translation>
     </message>
     <message>
         <source>Si&amp;ze</source>
-        <translation>Größe (&amp;Z)</translation>
+        <translation>&amp;Größe</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>Datei (&amp;F)</translation>
+        <translation>&amp;Datei</translation>
     </message>
 </context>
 <context>
@@ -2216,7 +2398,7 @@
     </message>
     <message>
         <source>Detail view: left button</source>
-        <translation>Detailansicht: linke Taste</translation>
+        <translation>Detailansicht: linke Maustaste</translation>
     </message>
     <message>
         <source>Press the hand in</source>
@@ -2240,7 +2422,7 @@
     </message>
     <message>
         <source>Detail view: middle, right button</source>
-        <translation>Detailansicht: mittlere, rechte Taste</translation>
+        <translation>Detailansicht: mittlere, rechte Maustaste</translation>
     </message>
     <message>
         <source>Turn the view, move the window</source>
@@ -2302,7 +2484,7 @@
     <name>relievo::MainWindow</name>
     <message>
         <source>&amp;Point</source>
-        <translation>&amp;Punkt</translation>
+        <translation>P&amp;unkt</translation>
     </message>
     <message>
         <source>Height of one place</source>
@@ -2310,7 +2492,7 @@
     </message>
     <message>
         <source>&amp;Distance</source>
-        <translation>&amp;Distanz</translation>
+        <translation>D&amp;istanz</translation>
     </message>
     <message>
         <source>Between two places</source>
@@ -2318,7 +2500,7 @@
     </message>
     <message>
         <source>Depth di&amp;fference</source>
-        <translation>Höhenunterschie&amp;f</translation>
+        <translation>&amp;Höhenunterschied</translation>
     </message>
     <message>
         <source>How much higher the second place lies</source>
@@ -2326,7 +2508,7 @@
     </message>
     <message>
         <source>&amp;Angle</source>
-        <translation>Winkel (&amp;A)</translation>
+        <translation>&amp;Winkel</translation>
     </message>
     <message>
         <source>At the second of three places</source>
@@ -2334,7 +2516,7 @@
     </message>
     <message>
         <source>P&amp;rofile</source>
-        <translation>P&amp;rofil</translation>
+        <translation>&amp;Profil</translation>
     </message>
     <message>
         <source>Heights along a line</source>
@@ -2342,23 +2524,15 @@
     </message>
     <message>
         <source>Area and &amp;volume</source>
-        <translation>Fläche und &amp;Volumen</translation>
-    </message>
-    <message>
-        <source>Of a piece of surface above its lowest corner</source>
-        <translation>Eines Flächenstücks über seiner tiefsten Ecke</translation>
+        <translation>&amp;Fläche und Volumen</translation>
     </message>
     <message>
         <source>&amp;Save…</source>
         <translation>&amp;Speichern…</translation>
     </message>
     <message>
-        <source>The list as CSV, or the selected profile as CSV or SVG</source>
-        <translation>Die Liste als CSV, oder das gewählte Profil als CSV oder SVG</translation>
-    </message>
-    <message>
         <source>&amp;Lit stone</source>
-        <translation>Be&amp;leuchteter Stein</translation>
+        <translation>&amp;Beleuchteter Stein</translation>
     </message>
     <message>
         <source>Matt stone under lamps</source>
@@ -2366,7 +2540,7 @@
     </message>
     <message>
         <source>&amp;Height in colour</source>
-        <translation>&amp;Höhe in Farbe</translation>
+        <translation>Höhe &amp;in Farbe</translation>
     </message>
     <message>
         <source>Lit, with a colour for each height</source>
@@ -2374,7 +2548,7 @@
     </message>
     <message>
         <source>H&amp;illshade</source>
-        <translation>Schummerung (&amp;I)</translation>
+        <translation>S&amp;chummerung</translation>
     </message>
     <message>
         <source>Brightness under one light</source>
@@ -2382,7 +2556,7 @@
     </message>
     <message>
         <source>Hillshade, &amp;four lights</source>
-        <translation>Schummerung, vier Lichter (&amp;F)</translation>
+        <translation>&amp;Schummerung, vier Lichter</translation>
     </message>
     <message>
         <source>No direction stays in the dark</source>
@@ -2390,7 +2564,7 @@
     </message>
     <message>
         <source>&amp;Slope</source>
-        <translation>Neigung (&amp;S)</translation>
+        <translation>&amp;Neigung</translation>
     </message>
     <message>
         <source>Steepness in degrees</source>
@@ -2398,7 +2572,7 @@
     </message>
     <message>
         <source>Local &amp;relief</source>
-        <translation>Lokales &amp;Relief</translation>
+        <translation>&amp;Lokales Relief</translation>
     </message>
     <message>
         <source>Worn detail without the broad shape</source>
@@ -2406,7 +2580,7 @@
     </message>
     <message>
         <source>Sky &amp;view</source>
-        <translation>Himmelssicht (&amp;V)</translation>
+        <translation>&amp;Himmelssicht</translation>
     </message>
     <message>
         <source>How much of the sky each place sees</source>
@@ -2445,10 +2619,6 @@
         <translation>Liste der Messungen (*.csv)</translation>
     </message>
     <message>
-        <source>Selected profile (*.csv *.svg)</source>
-        <translation>Gewähltes Profil (*.csv *.svg)</translation>
-    </message>
-    <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
     </message>
@@ -2458,11 +2628,11 @@
     </message>
     <message>
         <source>&amp;File</source>
-        <translation>Datei (&amp;F)</translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation>Zuletzt geöffnet (&amp;R)</translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>Files opened before</source>
@@ -2470,15 +2640,15 @@
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation>B&amp;earbeiten</translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>Ansicht (&amp;V)</translation>
+        <translation>A&amp;nsicht</translation>
     </message>
     <message>
         <source>Turn &amp;detail view</source>
-        <translation>&amp;Detailansicht drehen</translation>
+        <translation>De&amp;tailansicht drehen</translation>
     </message>
     <message>
         <source>Turn the detail view</source>
@@ -2486,7 +2656,7 @@
     </message>
     <message>
         <source>Relief ima&amp;ge</source>
-        <translation>Reliefbild (&amp;G)</translation>
+        <translation>Relie&amp;fbild</translation>
     </message>
     <message>
         <source>How heights are painted</source>
@@ -2494,7 +2664,7 @@
     </message>
     <message>
         <source>R&amp;elief colours</source>
-        <translation>R&amp;elieffarben</translation>
+        <translation>&amp;Relieffarben</translation>
     </message>
     <message>
         <source>Colours of heights, slopes and other values</source>
@@ -2502,11 +2672,11 @@
     </message>
     <message>
         <source>&amp;Surface</source>
-        <translation>Oberfläche (&amp;S)</translation>
+        <translation>&amp;Oberfläche</translation>
     </message>
     <message>
         <source>Depth &amp;engine</source>
-        <translation>V&amp;erfahren</translation>
+        <translation>&amp;Verfahren</translation>
     </message>
     <message>
         <source>How the depth map is made</source>
@@ -2518,31 +2688,23 @@
     </message>
     <message>
         <source>&amp;Touch</source>
-        <translation>&amp;Tasten</translation>
+        <translation>&amp;Fühlen</translation>
     </message>
     <message>
         <source>Re&amp;cord</source>
-        <translation>Aufzei&amp;chnen</translation>
+        <translation>&amp;Aufzeichnen</translation>
     </message>
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>Colours (&amp;h)</source>
-        <translation>Farben (&amp;H)</translation>
-    </message>
-    <message>
-        <source>Light or dark window</source>
-        <translation>Helles oder dunkles Fenster</translation>
-    </message>
-    <message>
         <source>As the &amp;system</source>
-        <translation>Wie das &amp;System</translation>
+        <translation>&amp;Wie das System</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation>He&amp;ll</translation>
+        <translation>H&amp;ell</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
@@ -2586,7 +2748,7 @@
     </message>
     <message>
         <source>&amp;Clear this list</source>
-        <translation>Diese Liste leeren (&amp;C)</translation>
+        <translation>&amp;Diese Liste leeren</translation>
     </message>
     <message>
         <source>Forget these files</source>
@@ -2594,11 +2756,11 @@
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation>Rückgängig: (&amp;U)</translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>Wiede&amp;rherstellen:</translation>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>Open</source>
@@ -2630,7 +2792,7 @@
     </message>
     <message>
         <source>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;See and touch scans of reliefs: a depth map, its pyramid, and a window on it that is shown in stereo and felt.&lt;br&gt;&lt;br&gt;BSD-3-Clause licence.</source>
-        <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;Scans von Reliefs sehen und tasten: eine Tiefenkarte, ihre Pyramide und ein Ausschnitt daraus, der in Stereo gezeigt und gefühlt wird.&lt;br&gt;&lt;br&gt;BSD-3-Clause-Lizenz.</translation>
+        <translation>&lt;b&gt;relievo %1&lt;/b&gt;&lt;br&gt;Scans von Reliefs sehen und fühlen: eine Tiefenkarte, ihre Pyramide und ein Ausschnitt daraus, der in Stereo gezeigt und gefühlt wird.&lt;br&gt;&lt;br&gt;BSD-3-Clause-Lizenz.</translation>
     </message>
     <message>
         <source>%1 needs %2, which has moved. Nothing was changed. Find it, or choose another file. (E501)</source>
@@ -2638,7 +2800,7 @@
     </message>
     <message>
         <source>&amp;Find it…</source>
-        <translation>Suchen (&amp;F)…</translation>
+        <translation>&amp;Suchen…</translation>
     </message>
     <message>
         <source>Find %1</source>
@@ -2658,7 +2820,7 @@
     </message>
     <message>
         <source>Na&amp;me this place…</source>
-        <translation>Diese Stelle benennen (&amp;M)…</translation>
+        <translation>&amp;Diese Stelle benennen…</translation>
     </message>
     <message>
         <source>Give the window&apos;s place a name, to come back to it</source>
@@ -2666,7 +2828,7 @@
     </message>
     <message>
         <source>Ne&amp;xt place</source>
-        <translation>Nächste Stelle (&amp;X)</translation>
+        <translation>&amp;Nächste Stelle</translation>
     </message>
     <message>
         <source>Go to the next place that has a name</source>
@@ -2674,7 +2836,7 @@
     </message>
     <message>
         <source>Pre&amp;vious place</source>
-        <translation>&amp;Vorige Stelle</translation>
+        <translation>Vorige &amp;Stelle</translation>
     </message>
     <message>
         <source>Go to the place with a name before this one</source>
@@ -2701,15 +2863,15 @@
     </message>
     <message>
         <source>&amp;Restore</source>
-        <translation>Wiede&amp;rherstellen</translation>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>&amp;Discard</source>
-        <translation>Verwerfen (&amp;D)</translation>
+        <translation>&amp;Verwerfen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation>Öffnen (&amp;O)…</translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open a scan or a height map</source>
@@ -2717,7 +2879,7 @@
     </message>
     <message>
         <source>&amp;Save project</source>
-        <translation>Projekt &amp;speichern</translation>
+        <translation>P&amp;rojekt speichern</translation>
     </message>
     <message>
         <source>Keep this state: file, depth map, window, measurements</source>
@@ -2725,7 +2887,7 @@
     </message>
     <message>
         <source>Save project &amp;as…</source>
-        <translation>Projekt speichern unter (&amp;A)…</translation>
+        <translation>Projekt &amp;speichern unter…</translation>
     </message>
     <message>
         <source>Keep this state in another file</source>
@@ -2733,7 +2895,7 @@
     </message>
     <message>
         <source>&amp;Figure…</source>
-        <translation>Abbildung (&amp;F)…</translation>
+        <translation>&amp;Abbildung…</translation>
     </message>
     <message>
         <source>A figure for print, with scale bar, legend and caption</source>
@@ -2749,7 +2911,7 @@
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>Beenden (&amp;Q)</translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Close relievo</source>
@@ -2765,7 +2927,7 @@
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation>Tasten (&amp;K)</translation>
+        <translation>&amp;Tasten</translation>
     </message>
     <message>
         <source>All keys on one sheet</source>
@@ -2773,7 +2935,7 @@
     </message>
     <message>
         <source>&amp;History…</source>
-        <translation>Verlauf (&amp;H)…</translation>
+        <translation>&amp;Verlauf…</translation>
     </message>
     <message>
         <source>Every step so far; choose one to go back to it</source>
@@ -2781,7 +2943,7 @@
     </message>
     <message>
         <source>&amp;Preferences…</source>
-        <translation>Einstellungen (&amp;P)…</translation>
+        <translation>&amp;Einstellungen…</translation>
     </message>
     <message>
         <source>Colours, text size, language, units, stereo, device</source>
@@ -2789,7 +2951,7 @@
     </message>
     <message>
         <source>&amp;Search commands…</source>
-        <translation>Befehle &amp;suchen…</translation>
+        <translation>&amp;Befehle suchen…</translation>
     </message>
     <message>
         <source>Find a command by its words and run it</source>
@@ -2797,7 +2959,7 @@
     </message>
     <message>
         <source>&amp;About relievo</source>
-        <translation>Über relievo (&amp;A)</translation>
+        <translation>Über &amp;relievo</translation>
     </message>
     <message>
         <source>Version and licence</source>
@@ -2825,7 +2987,7 @@
     </message>
     <message>
         <source>&amp;Coarser</source>
-        <translation>Gröber (&amp;C)</translation>
+        <translation>G&amp;röber</translation>
     </message>
     <message>
         <source>Coarser detail: a larger window</source>
@@ -2833,7 +2995,7 @@
     </message>
     <message>
         <source>&amp;Whole object</source>
-        <translation>Ganzes Objekt (&amp;W)</translation>
+        <translation>&amp;Ganzes Objekt</translation>
     </message>
     <message>
         <source>The whole object in the window</source>
@@ -2849,15 +3011,15 @@
     </message>
     <message>
         <source>Move &amp;right</source>
-        <translation>Nach &amp;rechts</translation>
+        <translation>N&amp;ach rechts</translation>
     </message>
     <message>
         <source>Move &amp;up</source>
-        <translation>Nach oben (&amp;U)</translation>
+        <translation>Nach &amp;oben</translation>
     </message>
     <message>
         <source>Move &amp;down</source>
-        <translation>Nach unten (&amp;D)</translation>
+        <translation>Nach &amp;unten</translation>
     </message>
     <message>
         <source>Move the window by a quarter of its side</source>
@@ -2869,7 +3031,7 @@
     </message>
     <message>
         <source>&amp;Type window…</source>
-        <translation>Ausschni&amp;tt eintippen…</translation>
+        <translation>Ausschnitt &amp;eintippen…</translation>
     </message>
     <message>
         <source>Type the window&apos;s place and size in millimetres</source>
@@ -2877,7 +3039,7 @@
     </message>
     <message>
         <source>Depth ma&amp;p…</source>
-        <translation>Tiefenkarte (&amp;P)…</translation>
+        <translation>&amp;Tiefenkarte…</translation>
     </message>
     <message>
         <source>Everything between the scan and its depth map, with a preview</source>
@@ -2885,7 +3047,7 @@
     </message>
     <message>
         <source>U&amp;nits…</source>
-        <translation>Ei&amp;nheiten…</translation>
+        <translation>E&amp;inheiten…</translation>
     </message>
     <message>
         <source>Say which length unit the file&apos;s coordinates have; kept for its folder</source>
@@ -2893,11 +3055,11 @@
     </message>
     <message>
         <source>&amp;Front</source>
-        <translation>Vorn (&amp;F)</translation>
+        <translation>&amp;Vorn</translation>
     </message>
     <message>
         <source>&amp;Back</source>
-        <translation>Hinten (&amp;B)</translation>
+        <translation>&amp;Hinten</translation>
     </message>
     <message>
         <source>&amp;Left</source>
@@ -2905,15 +3067,15 @@
     </message>
     <message>
         <source>&amp;Right</source>
-        <translation>&amp;Rechts</translation>
+        <translation>Re&amp;chts</translation>
     </message>
     <message>
         <source>&amp;Top</source>
-        <translation>Oben (&amp;T)</translation>
+        <translation>O&amp;ben</translation>
     </message>
     <message>
         <source>Botto&amp;m</source>
-        <translation>Unten (&amp;M)</translation>
+        <translation>&amp;Unten</translation>
     </message>
     <message>
         <source>Look from this side and make the relief anew</source>
@@ -2921,7 +3083,7 @@
     </message>
     <message>
         <source>&amp;Automatic</source>
-        <translation>&amp;Automatisch</translation>
+        <translation>Auto&amp;matisch</translation>
     </message>
     <message>
         <source>Look from the side that shows most</source>
@@ -2937,11 +3099,11 @@
     </message>
     <message>
         <source>Turn &amp;up</source>
-        <translation>Nach oben drehen (&amp;U)</translation>
+        <translation>Nach &amp;oben drehen</translation>
     </message>
     <message>
         <source>Turn &amp;down</source>
-        <translation>Nach unten &amp;drehen</translation>
+        <translation>&amp;Nach unten drehen</translation>
     </message>
     <message>
         <source>Turn the detail view by 15 degrees</source>
@@ -2949,7 +3111,7 @@
     </message>
     <message>
         <source>&amp;Use this view</source>
-        <translation>Diese Ansicht nehmen (&amp;U)</translation>
+        <translation>&amp;Diese Ansicht nehmen</translation>
     </message>
     <message>
         <source>Make the relief anew from where the turned detail view looks</source>
@@ -2965,7 +3127,7 @@
     </message>
     <message>
         <source>&amp;Depth buffer</source>
-        <translation>Tiefenpuffer (&amp;D)</translation>
+        <translation>&amp;Tiefenpuffer</translation>
     </message>
     <message>
         <source>Make the depth map by the graphics card&apos;s depth buffer</source>
@@ -2973,7 +3135,7 @@
     </message>
     <message>
         <source>F&amp;it</source>
-        <translation>E&amp;inpassen</translation>
+        <translation>Ein&amp;passen</translation>
     </message>
     <message>
         <source>Look straight down on the relief, fitted to the view</source>
@@ -2981,7 +3143,7 @@
     </message>
     <message>
         <source>&amp;Stereo (red/cyan)</source>
-        <translation>&amp;Stereo (rot/cyan)</translation>
+        <translation>Stereo (rot/c&amp;yan)</translation>
     </message>
     <message>
         <source>Anaglyph for red and cyan glasses</source>
@@ -2989,7 +3151,7 @@
     </message>
     <message>
         <source>Side &amp;panels</source>
-        <translation>Seitenfelder (&amp;P)</translation>
+        <translation>&amp;Seitenfelder</translation>
     </message>
     <message>
         <source>Show or hide the side panels</source>
@@ -2997,7 +3159,7 @@
     </message>
     <message>
         <source>Refere&amp;nce view</source>
-        <translation>Übersicht (&amp;N)</translation>
+        <translation>Üb&amp;ersicht</translation>
     </message>
     <message>
         <source>Show or hide the whole object</source>
@@ -3005,7 +3167,7 @@
     </message>
     <message>
         <source>Pl&amp;ots</source>
-        <translation>Kurven (&amp;O)</translation>
+        <translation>&amp;Kurven</translation>
     </message>
     <message>
         <source>Show or hide the plots of height and force</source>
@@ -3013,7 +3175,7 @@
     </message>
     <message>
         <source>Full s&amp;creen detail</source>
-        <translation>Detail im Vollbild (&amp;C)</translation>
+        <translation>Detail &amp;im Vollbild</translation>
     </message>
     <message>
         <source>The detail view alone on the whole screen</source>
@@ -3021,7 +3183,7 @@
     </message>
     <message>
         <source>Other vie&amp;w</source>
-        <translation>Andere Ansicht (&amp;W)</translation>
+        <translation>&amp;Andere Ansicht</translation>
     </message>
     <message>
         <source>Move the focus between the reference view and the detail view</source>
@@ -3029,7 +3191,7 @@
     </message>
     <message>
         <source>Ne&amp;xt part</source>
-        <translation>Nächster Teil (&amp;X)</translation>
+        <translation>&amp;Nächster Teil</translation>
     </message>
     <message>
         <source>Move the focus to the next part of the window</source>
@@ -3037,7 +3199,7 @@
     </message>
     <message>
         <source>Pre&amp;vious part</source>
-        <translation>&amp;Voriger Teil</translation>
+        <translation>Vori&amp;ger Teil</translation>
     </message>
     <message>
         <source>Move the focus to the part before</source>
@@ -3121,7 +3283,7 @@
     </message>
     <message>
         <source>&amp;Choose…</source>
-        <translation>Wählen (&amp;C)…</translation>
+        <translation>Wä&amp;hlen…</translation>
     </message>
     <message>
         <source>in %1 %2</source>
@@ -3220,11 +3382,7 @@
     </message>
     <message>
         <source>Touch is not available: %1 Viewing works.</source>
-        <translation>Tasten ist nicht möglich: %1 Sehen geht.</translation>
-    </message>
-    <message>
-        <source>%1 could not be written. Nothing was saved. Choose another place.</source>
-        <translation>%1 konnte nicht geschrieben werden. Nichts wurde gespeichert. Wählen Sie einen anderen Ort.</translation>
+        <translation>Fühlen ist nicht möglich: %1 Sehen geht.</translation>
     </message>
     <message>
         <source>the haptics plugin was not found.</source>
@@ -3232,15 +3390,15 @@
     </message>
     <message>
         <source>Re&amp;play…</source>
-        <translation>Wiedergabe (&amp;P)…</translation>
+        <translation>&amp;Wiedergabe…</translation>
     </message>
     <message>
         <source>Show a recording of a touch again; no device is moved</source>
-        <translation>Eine Aufzeichnung eines Tastens noch einmal zeigen; kein Gerät wird bewegt</translation>
+        <translation>Eine Aufzeichnung eines Ertastens noch einmal zeigen; kein Gerät wird bewegt</translation>
     </message>
     <message>
         <source>P&amp;lay or pause</source>
-        <translation>Abspie&amp;len oder halten</translation>
+        <translation>Abspielen &amp;oder halten</translation>
     </message>
     <message>
         <source>Go on with the replay, or halt it</source>
@@ -3248,7 +3406,7 @@
     </message>
     <message>
         <source>&amp;Close replay</source>
-        <translation>Wiedergabe s&amp;chließen</translation>
+        <translation>Wiedergabe &amp;schließen</translation>
     </message>
     <message>
         <source>Back to the window from before</source>
@@ -3272,7 +3430,7 @@
     </message>
     <message>
         <source>&amp;Open its input</source>
-        <translation>Ihre Quelle öffnen (&amp;O)</translation>
+        <translation>&amp;Ihre Quelle öffnen</translation>
     </message>
     <message>
         <source>%1 N</source>
@@ -3292,7 +3450,7 @@
     </message>
     <message>
         <source>&amp;Video…</source>
-        <translation>&amp;Video…</translation>
+        <translation>V&amp;ideo…</translation>
     </message>
     <message>
         <source>A video of the replay, or of the camera path, frame by frame</source>
@@ -3300,7 +3458,7 @@
     </message>
     <message>
         <source>Video of the vie&amp;w</source>
-        <translation>Video der Ansicht (&amp;W)</translation>
+        <translation>&amp;Video der Ansicht</translation>
     </message>
     <message>
         <source>Start or stop a video of what the detail view and the plots show</source>
@@ -3308,7 +3466,7 @@
     </message>
     <message>
         <source>Add &amp;key view</source>
-        <translation>Schlüsselansicht hinzufügen (&amp;K)</translation>
+        <translation>Kamerapunkt &amp;hinzufügen</translation>
     </message>
     <message>
         <source>Let the camera path pass this view, three seconds after the one before</source>
@@ -3316,15 +3474,15 @@
     </message>
     <message>
         <source>Show camera pa&amp;th</source>
-        <translation>Kameraweg zeigen (&amp;T)</translation>
+        <translation>Kameraweg &amp;zeigen</translation>
     </message>
     <message>
         <source>Run along the key views once, or stop</source>
-        <translation>Die Schlüsselansichten einmal durchlaufen, oder anhalten</translation>
+        <translation>Die Kamerapunkte einmal durchlaufen, oder anhalten</translation>
     </message>
     <message>
         <source>&amp;Forget key views</source>
-        <translation>Schlüsselansichten vergessen (&amp;F)</translation>
+        <translation>&amp;Kamerapunkte vergessen</translation>
     </message>
     <message>
         <source>Begin a new camera path</source>
@@ -3356,7 +3514,7 @@
     </message>
     <message>
         <source>&amp;Keep pictures</source>
-        <translation>Bilder behalten (&amp;K)</translation>
+        <translation>&amp;Bilder behalten</translation>
     </message>
     <message>
         <source>Camera path</source>
@@ -3364,11 +3522,11 @@
     </message>
     <message>
         <source>Key view %1 at %2 s</source>
-        <translation>Schlüsselansicht %1 bei %2 s</translation>
+        <translation>Kamerapunkt %1 bei %2 s</translation>
     </message>
     <message>
         <source>&amp;Introduction</source>
-        <translation>E&amp;inführung</translation>
+        <translation>&amp;Einführung</translation>
     </message>
     <message>
         <source>Say what is open and how it is touched</source>
@@ -3400,7 +3558,7 @@
     </message>
     <message>
         <source>%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. Plus: finer; Minus: coarser; both for two seconds: help.</source>
-        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Tasten die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
+        <translation>%1, %2 mal %3 mm, in %4 Details. Zum Fühlen die Hand eindrücken; F5 schaltet die Kräfte ein. Plus: feiner; Minus: gröber; beide zwei Sekunden lang: Hilfe.</translation>
     </message>
     <message>
         <source>Beacon %1</source>
@@ -3408,7 +3566,7 @@
     </message>
     <message>
         <source>&amp;Beacon here</source>
-        <translation>Leuchtfeuer hier (&amp;B)</translation>
+        <translation>Leuchtfeuer &amp;hier</translation>
     </message>
     <message>
         <source>Mark the place under the hand, or remove the beacon there</source>
@@ -3452,7 +3610,7 @@
     </message>
     <message>
         <source>By &amp;touch</source>
-        <translation>Durch &amp;Tasten</translation>
+        <translation>&amp;Durch Ertasten</translation>
     </message>
     <message>
         <source>Taps of the hand that feels the surface give depth differences, strokes profiles</source>
@@ -3469,6 +3627,110 @@
     <message>
         <source>Press the first button of the message above the views</source>
         <translation>Den ersten Knopf der Meldung über den Ansichten drücken</translation>
+    </message>
+    <message>
+        <source>Lig&amp;ht or dark</source>
+        <translation>Hell &amp;oder dunkel</translation>
+    </message>
+    <message>
+        <source>Cancelled. No picture was saved.</source>
+        <translation>Abgebrochen. Kein Bild wurde gespeichert.</translation>
+    </message>
+    <message>
+        <source>relievo closes when the picture is saved</source>
+        <translation>relievo schließt, sobald das Bild gespeichert ist</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>undo, step</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Copy view as text</source>
+        <translation>Ansicht als &amp;Text kopieren</translation>
+    </message>
+    <message>
+        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
+        <translation>Ort, Ebene, Überhöhung, Licht, Farben und Drehung, zum Verschicken oder Einfügen</translation>
+    </message>
+    <message>
+        <source>Paste &amp;view</source>
+        <translation>&amp;Ansicht einfügen</translation>
+    </message>
+    <message>
+        <source>Show the view that was copied as text</source>
+        <translation>Die Ansicht zeigen, die als Text kopiert wurde</translation>
+    </message>
+    <message>
+        <source>The view is copied as text</source>
+        <translation>Die Ansicht ist als Text kopiert</translation>
+    </message>
+    <message>
+        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
+        <translation>Die kopierte Ansicht liegt nicht auf dieser Karte. Der Ausschnitt wurde nicht verschoben. Öffnen Sie den Scan, von dem sie kopiert wurde.</translation>
+    </message>
+    <message>
+        <source>Paste view</source>
+        <translation>Ansicht einfügen</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Detail %1 of %2</source>
+        <translation>Die kopierte Ansicht wird gezeigt. Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>Pac&amp;kage for citation…</source>
+        <translation>&amp;Paket zum Zitieren…</translation>
+    </message>
+    <message>
+        <source>One zip with project, scan, recordings, figures and checksums</source>
+        <translation>Eine Zip-Datei mit Projekt, Scan, Aufzeichnungen, Abbildungen und Prüfsummen</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was packed.</source>
+        <translation>Abgebrochen. Nichts wurde gepackt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 ist gepackt: %n Datei mit ihrer Prüfsumme</numerusform>
+            <numerusform>%1 ist gepackt: %n Dateien, jede mit ihrer Prüfsumme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Relief image</source>
+        <translation>Reliefbild</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Of a piece of surface above its lowest corner, or another plane</source>
+        <translation>Eines Stücks Oberfläche über seiner tiefsten Ecke, oder einer anderen Ebene</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>Sch&amp;nitt</translation>
+    </message>
+    <message>
+        <source>Where a plane through one, two or three places cuts the surface</source>
+        <translation>Wo eine Ebene durch eine, zwei oder drei Stellen die Oberfläche schneidet</translation>
+    </message>
+    <message>
+        <source>The list as CSV, or the selected profile or section as CSV or SVG</source>
+        <translation>Die Liste als CSV, oder das gewählte Profil oder den Schnitt als CSV oder SVG</translation>
+    </message>
+    <message>
+        <source>Selected profile or section (*.csv *.svg)</source>
+        <translation>Gewähltes Profil oder Schnitt (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is saved in %2</source>
+        <translation>%1 ist in %2 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3542,10 +3804,6 @@
         <translation>Die gewählte Messung löschen</translation>
     </message>
     <message>
-        <source>Save the list as CSV, or the selected profile as CSV or SVG</source>
-        <translation>Die Liste als CSV speichern, oder das gewählte Profil als CSV oder SVG</translation>
-    </message>
-    <message>
         <source>There is no surface here</source>
         <translation>Hier ist keine Oberfläche</translation>
     </message>
@@ -3566,16 +3824,12 @@
         <translation>Ein Doppelklick oder F beendet.</translation>
     </message>
     <message>
-        <source>Select a profile in the list first.</source>
-        <translation>Wählen Sie zuerst ein Profil in der Liste.</translation>
-    </message>
-    <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
         <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
-        <translation>Durch Tasten: bei eingeschalteten Kräften (F5) zwei Stellen antippen für ihren Tiefenunterschied, oder einen Strich ziehen für ein Profil. Escape beendet.</translation>
+        <translation>Durch Ertasten: bei eingeschalteten Kräften (F5) zwei Stellen antippen für ihren Tiefenunterschied, oder einen Strich ziehen für ein Profil. Escape beendet.</translation>
     </message>
     <message>
         <source>Being read…</source>
@@ -3584,6 +3838,77 @@
     <message>
         <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
         <translation>%1 wird noch gelesen. Nichts wurde gespeichert. Speichern Sie erneut, sobald die Liste den Wert zeigt.</translation>
+    </message>
+    <message>
+        <source>Select a profile or a section in the list first.</source>
+        <translation>Wählen Sie zuerst ein Profil oder einen Schnitt in der Liste.</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Plane level at %1 mm</source>
+        <translation>Ebene waagerecht bei %1 mm</translation>
+    </message>
+    <message>
+        <source>Plane upright, %1 mm from the corner</source>
+        <translation>Ebene aufrecht, %1 mm von der Ecke</translation>
+    </message>
+    <message>
+        <source>Plane oblique, %1 mm from the corner</source>
+        <translation>Ebene schräg, %1 mm von der Ecke</translation>
+    </message>
+    <message>
+        <source>Save the list as CSV, or the selected profile or section as CSV or SVG</source>
+        <translation>Die Liste als CSV speichern, oder das gewählte Profil oder den Schnitt als CSV oder SVG</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Volume counts from:</source>
+        <translation>Volumen zählt ab:</translation>
+    </message>
+    <message>
+        <source>Plane at:</source>
+        <translation>Ebene bei:</translation>
+    </message>
+    <message>
+        <source>Height from which the volume counts</source>
+        <translation>Höhe, ab der das Volumen zählt</translation>
+    </message>
+    <message>
+        <source>Place of the section&apos;s plane</source>
+        <translation>Ort der Schnittebene</translation>
+    </message>
+    <message>
+        <source>Height of the plane above which the volume of the selected area counts</source>
+        <translation>Höhe der Ebene, über der das Volumen der gewählten Fläche zählt</translation>
+    </message>
+    <message>
+        <source>Distance of the section&apos;s plane from the lower left corner at height 0, along its normal; the height of a level plane</source>
+        <translation>Abstand der Schnittebene von der linken unteren Ecke in Höhe 0, entlang ihrer Normalen; bei einer waagerechten Ebene ihre Höhe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curve(s)</source>
+        <translation>
+            <numerusform>%n Kurve</numerusform>
+            <numerusform>%n Kurven</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The outline would cross itself here. Choose another place.</source>
+        <translation>Der Umriss würde sich hier selbst kreuzen. Wählen Sie eine andere Stelle.</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself or has no area. Its last corner was taken back.</source>
+        <translation>Der Umriss kreuzt sich selbst oder hat keine Fläche. Seine letzte Ecke wurde zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>F after one place: the contour at its height; after two: an upright cut through both. Three places: the plane through them.</source>
+        <translation>F nach einer Stelle: die Höhenlinie dort; nach zweien: ein aufrechter Schnitt durch beide. Drei Stellen: die Ebene durch sie.</translation>
     </message>
 </context>
 <context>
@@ -3610,6 +3935,89 @@
     <message>
         <source>Place of the window on the object</source>
         <translation>Ort des Ausschnitts auf dem Objekt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PackageDialog</name>
+    <message>
+        <source>Package for citation</source>
+        <translation>Paket zum Zitieren</translation>
+    </message>
+    <message>
+        <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
+        <translation>Eine Zip-Datei mit dieser Arbeit als Projekt, dem hier Angekreuzten, einer README und der Prüfsumme jeder Datei. Aufzeichnungen bringen die Raster mit, die sie zur Wiederholung brauchen.</translation>
+    </message>
+    <message>
+        <source>The &amp;scan %1, %2</source>
+        <translation>Der &amp;Scan %1, %2</translation>
+    </message>
+    <message>
+        <source>The scan %1</source>
+        <translation>Der Scan %1</translation>
+    </message>
+    <message>
+        <source>Off: only its name and checksum, if it may not be given away</source>
+        <translation>Aus: nur Name und Prüfsumme, wenn er nicht weitergegeben werden darf</translation>
+    </message>
+    <message>
+        <source>Recordings and &amp;figures</source>
+        <translation>&amp;Aufzeichnungen und Abbildungen</translation>
+    </message>
+    <message>
+        <source>Recordings and figures</source>
+        <translation>Aufzeichnungen und Abbildungen</translation>
+    </message>
+    <message>
+        <source>Ticked files are packed</source>
+        <translation>Angekreuzte Dateien werden gepackt</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Take another recording or figure along</source>
+        <translation>Eine weitere Aufzeichnung oder Abbildung mitnehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Package</source>
+        <translation>&amp;Paket</translation>
+    </message>
+    <message>
+        <source>Package</source>
+        <translation>Paket</translation>
+    </message>
+    <message>
+        <source>Where the package is saved</source>
+        <translation>Wo das Paket gespeichert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Take along</source>
+        <translation>Mitnehmen</translation>
+    </message>
+    <message>
+        <source>Recordings and figures (*.csv *.h5 *.hdf5 *.png *.tif *.tiff *.pdf *.svg)</source>
+        <translation>Aufzeichnungen und Abbildungen (*.csv *.h5 *.hdf5 *.png *.tif *.tiff *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>Packages (*.zip)</source>
+        <translation>Pakete (*.zip)</translation>
     </message>
 </context>
 <context>
@@ -3703,7 +4111,7 @@
     </message>
     <message>
         <source>&amp;Defaults of this page</source>
-        <translation>Vorgaben &amp;dieser Seite</translation>
+        <translation>&amp;Vorgaben dieser Seite</translation>
     </message>
     <message>
         <source>Defaults of this page</source>
@@ -3715,7 +4123,7 @@
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation>Durchsuchen (&amp;B)…</translation>
+        <translation>&amp;Durchsuchen…</translation>
     </message>
     <message>
         <source>Browse for %1</source>
@@ -3870,10 +4278,6 @@
         <translation>Falcon-Firmware</translation>
     </message>
     <message>
-        <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds from the next start</source>
-        <translation>Datei mit der Firmware des Falcon, oder ihr Ordner; leer: die üblichen Orte. Gilt ab dem nächsten Start</translation>
-    </message>
-    <message>
         <source>Keep work for a crash</source>
         <translation>Arbeit bei Absturz aufheben</translation>
     </message>
@@ -3883,7 +4287,7 @@
     </message>
     <message>
         <source>Restart no&amp;w</source>
-        <translation>Jetzt neu &amp;starten</translation>
+        <translation>&amp;Jetzt neu starten</translation>
     </message>
     <message>
         <source>For another language</source>
@@ -3896,6 +4300,10 @@
     <message>
         <source>Restart now</source>
         <translation>Jetzt neu starten</translation>
+    </message>
+    <message>
+        <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds when a Falcon is started next</source>
+        <translation>Datei mit der Firmware des Falcon, oder ihr Ordner; leer: die üblichen Orte. Gilt, sobald ein Falcon das nächste Mal gestartet wird</translation>
     </message>
 </context>
 <context>
@@ -3949,7 +4357,7 @@
     </message>
     <message>
         <source>Si&amp;de</source>
-        <translation>Seite (&amp;D)</translation>
+        <translation>&amp;Seite</translation>
     </message>
     <message>
         <source>Width and height of the pink window</source>
@@ -3957,7 +4365,7 @@
     </message>
     <message>
         <source>&amp;Level</source>
-        <translation>Ebene (&amp;L)</translation>
+        <translation>&amp;Ebene</translation>
     </message>
     <message>
         <source>Which detail feeds the window</source>
@@ -3965,7 +4373,7 @@
     </message>
     <message>
         <source>Gai&amp;n</source>
-        <translation>Überhöhu&amp;ng</translation>
+        <translation>Übe&amp;rhöhung</translation>
     </message>
     <message>
         <source>Heights are multiplied by this; 1 is true to scale</source>
@@ -4141,7 +4549,7 @@
     </message>
     <message>
         <source>Zoom &amp;in</source>
-        <translation>Vergrößern (&amp;I)</translation>
+        <translation>V&amp;ergrößern</translation>
     </message>
     <message>
         <source>Show a shorter time (plus, wheel)</source>
@@ -4149,7 +4557,7 @@
     </message>
     <message>
         <source>Zoom &amp;out</source>
-        <translation>Verkleinern (&amp;O)</translation>
+        <translation>&amp;Verkleinern</translation>
     </message>
     <message>
         <source>Show a longer time (minus, wheel)</source>
@@ -4305,22 +4713,6 @@
         <translation>Einführung</translation>
     </message>
     <message>
-        <source>Plus: finer. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off.</source>
-        <translation>Plus: feiner. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus.</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück.</translation>
-    </message>
-    <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last.</source>
-        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte. Noch einmal drücken nimmt, was ich zuletzt gesagt habe.</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es.</translation>
-    </message>
-    <message>
         <source>the device did not answer in time</source>
         <translation>das Gerät hat nicht rechtzeitig geantwortet</translation>
     </message>
@@ -4405,8 +4797,8 @@
         <translation>Der Falcon ist nicht gestartet. Sie können mit der Maus weitermachen.</translation>
     </message>
     <message>
-        <source>Please push the grip fully in, then pull it fully out.</source>
-        <translation>Bitte drücken Sie den Griff ganz hinein und ziehen Sie ihn dann ganz heraus.</translation>
+        <source>Please pull the grip fully out, then push it fully in.</source>
+        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein.</translation>
     </message>
     <message>
         <source>Straight out, straight in; do not twist the grip.</source>
@@ -4423,6 +4815,26 @@
     <message>
         <source>The Falcon does not answer. Forces are off.</source>
         <translation>Der Falcon antwortet nicht. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
     </message>
 </context>
 <context>
@@ -4449,15 +4861,11 @@
     </message>
     <message>
         <source>Open a scan to see and touch it</source>
-        <translation>Einen Scan öffnen, um ihn zu sehen und zu tasten</translation>
-    </message>
-    <message>
-        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). You can also drop a file on this window.</source>
-        <translation>Punktwolken und Netze (PLY, PCD, OBJ, STL, XYZ und anderer Text) und Höhenkarten (TIFF). Sie können eine Datei auch auf dieses Fenster ziehen.</translation>
+        <translation>Einen Scan öffnen, um ihn zu sehen und zu fühlen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation>Öffnen (&amp;O)…</translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4474,6 +4882,10 @@
     <message>
         <source>Recent</source>
         <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ and other text), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file on this window.</source>
+        <translation>Punktwolken und Netze (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ und anderer Text), Höhenkarten (TIFF, PNG, ASCII-Gitter), Projekte und Abbildungen. Sie können eine Datei auch auf dieses Fenster ziehen.</translation>
     </message>
 </context>
 <context>
@@ -4535,19 +4947,19 @@
     <name>relievo::StereoPanel</name>
     <message>
         <source>Red/cyan &amp;anaglyph</source>
-        <translation>Rot-cyane &amp;Anaglyphe</translation>
+        <translation>Rot-&amp;cyane Anaglyphe</translation>
     </message>
     <message>
         <source>At &amp;mid height</source>
-        <translation>Auf &amp;mittlerer Höhe</translation>
+        <translation>A&amp;uf mittlerer Höhe</translation>
     </message>
     <message>
         <source>S&amp;wap eyes</source>
-        <translation>Augen tauschen (&amp;W)</translation>
+        <translation>Augen &amp;tauschen</translation>
     </message>
     <message>
         <source>&amp;Keep comfortable</source>
-        <translation>Angenehm halten (&amp;K)</translation>
+        <translation>Angenehm ha&amp;lten</translation>
     </message>
     <message>
         <source>Red and cyan anaglyph</source>
@@ -4627,7 +5039,7 @@
     </message>
     <message>
         <source>&amp;Test glasses…</source>
-        <translation>Brille prüfen (&amp;T)…</translation>
+        <translation>Brille &amp;prüfen…</translation>
     </message>
     <message>
         <source>Test glasses</source>
@@ -4639,15 +5051,15 @@
     </message>
     <message>
         <source>K&amp;ind</source>
-        <translation>Art (&amp;I)</translation>
+        <translation>A&amp;rt</translation>
     </message>
     <message>
         <source>Eye sepa&amp;ration</source>
-        <translation>Augenabstand (&amp;R)</translation>
+        <translation>A&amp;ugenabstand</translation>
     </message>
     <message>
         <source>Zero &amp;plane</source>
-        <translation>Nullebene (&amp;P)</translation>
+        <translation>Nu&amp;llebene</translation>
     </message>
     <message>
         <source>%1°, above %2°</source>
@@ -4678,7 +5090,7 @@
     </message>
     <message>
         <source>&amp;Unit</source>
-        <translation>Einheit (&amp;U)</translation>
+        <translation>E&amp;inheit</translation>
     </message>
     <message>
         <source>Length unit of the file&apos;s coordinates</source>
@@ -4686,7 +5098,7 @@
     </message>
     <message>
         <source>En&amp;gine</source>
-        <translation>Verfahren (&amp;G)</translation>
+        <translation>&amp;Verfahren</translation>
     </message>
     <message>
         <source>How the depth map is made from points and triangles</source>
@@ -4768,7 +5180,7 @@
     <name>relievo::TouchActions</name>
     <message>
         <source>&amp;Forces on</source>
-        <translation>Krä&amp;fte an</translation>
+        <translation>Kräfte &amp;an</translation>
     </message>
     <message>
         <source>Switch forces on or off (F5)</source>
@@ -4780,7 +5192,7 @@
     </message>
     <message>
         <source>Forces &amp;off now</source>
-        <translation>Kräfte s&amp;ofort aus</translation>
+        <translation>&amp;Kräfte sofort aus</translation>
     </message>
     <message>
         <source>Switch forces off (Esc)</source>
@@ -4792,7 +5204,7 @@
     </message>
     <message>
         <source>&amp;Stronger</source>
-        <translation>&amp;Stärker</translation>
+        <translation>S&amp;tärker</translation>
     </message>
     <message>
         <source>Raise the strength of all forces by 10 %</source>
@@ -4804,7 +5216,7 @@
     </message>
     <message>
         <source>&amp;Weaker</source>
-        <translation>Sch&amp;wächer</translation>
+        <translation>&amp;Schwächer</translation>
     </message>
     <message>
         <source>Lower the strength of all forces by 10 %</source>
@@ -4812,7 +5224,7 @@
     </message>
     <message>
         <source>De&amp;vice set-up…</source>
-        <translation>Gerät einrichten (&amp;V)…</translation>
+        <translation>&amp;Gerät einrichten…</translation>
     </message>
     <message>
         <source>Set up, test and calibrate a Falcon</source>
@@ -4820,11 +5232,11 @@
     </message>
     <message>
         <source>From plug to touch: access, firmware, homing, self test, force by a known weight, left or right hand.</source>
-        <translation>Vom Stecker zum Tasten: Zugang, Firmware, Referenzfahrt, Selbsttest, Kraft an einem bekannten Gewicht, linke oder rechte Hand.</translation>
+        <translation>Vom Stecker zum Fühlen: Zugang, Firmware, Referenzfahrt, Selbsttest, Kraft an einem bekannten Gewicht, linke oder rechte Hand.</translation>
     </message>
     <message>
         <source>&amp;Record</source>
-        <translation>Aufzeichnen (&amp;R)</translation>
+        <translation>&amp;Aufzeichnen</translation>
     </message>
     <message>
         <source>Start or stop recording every sample (Ctrl+R)</source>
@@ -4836,7 +5248,7 @@
     </message>
     <message>
         <source>&amp;Use the mouse</source>
-        <translation>Die Maus benutzen (&amp;U)</translation>
+        <translation>Die &amp;Maus benutzen</translation>
     </message>
     <message>
         <source>Let the mouse be the hand</source>
@@ -4848,7 +5260,7 @@
     </message>
     <message>
         <source>&amp;Move mode</source>
-        <translation>Verschieben (&amp;M)</translation>
+        <translation>&amp;Verschieben</translation>
     </message>
     <message>
         <source>Begin Move mode, or confirm and leave it (Ctrl+Shift+M)</source>
@@ -4860,7 +5272,7 @@
     </message>
     <message>
         <source>&amp;Back to the old window</source>
-        <translation>Zurück zum alten Ausschnitt (&amp;B)</translation>
+        <translation>&amp;Zurück zum alten Ausschnitt</translation>
     </message>
     <message>
         <source>Leave Move mode and go back to where it began</source>
@@ -4868,11 +5280,11 @@
     </message>
     <message>
         <source>The device&apos;s button Centre does the same in Move mode.</source>
-        <translation>Die mittlere Taste des Geräts tut im Modus Verschieben dasselbe.</translation>
+        <translation>Der mittlere Knopf des Geräts tut im Modus Verschieben dasselbe.</translation>
     </message>
     <message>
         <source>Where am &amp;I</source>
-        <translation>Wo b&amp;in ich</translation>
+        <translation>&amp;Wo bin ich</translation>
     </message>
     <message>
         <source>Say where the hand is (Ctrl+I)</source>
@@ -4896,15 +5308,15 @@
     </message>
     <message>
         <source>Button &amp;help</source>
-        <translation>Hilfe zu den Tasten (&amp;H)</translation>
+        <translation>&amp;Hilfe zu den Knöpfen</translation>
     </message>
     <message>
         <source>Say what the device&apos;s buttons do now</source>
-        <translation>Sagen, was die Tasten des Geräts jetzt tun</translation>
+        <translation>Sagen, was die Knöpfe des Geräts jetzt tun</translation>
     </message>
     <message>
         <source>It differs in Move mode and while scanning with one button.</source>
-        <translation>Beim Verschieben und beim Abtasten mit einer Taste ist es etwas anderes.</translation>
+        <translation>Beim Verschieben und bei der Auswahl mit einem Knopf ist es etwas anderes.</translation>
     </message>
 </context>
 <context>
@@ -4920,6 +5332,10 @@
     <message>
         <source>Video saved: %1 s, %2 pictures dropped, in %3</source>
         <translation>Video gespeichert: %1 s, %2 Bilder ausgelassen, in %3</translation>
+    </message>
+    <message>
+        <source>The video has ended early</source>
+        <translation>Das Video endete vorzeitig</translation>
     </message>
 </context>
 <context>

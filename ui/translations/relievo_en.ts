@@ -17,6 +17,23 @@
             <numerusform>%n files were dropped. Nothing was opened. Drop one file.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 is packed: %n file with its checksum</numerusform>
+            <numerusform>%1 is packed: %n files, each with its checksum</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>relievo::MeasurePanel</name>
+    <message numerus="yes">
+        <source>%n curve(s)</source>
+        <translation>
+            <numerusform>%n curve</numerusform>
+            <numerusform>%n curves</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>relievo::ReplayControl</name>

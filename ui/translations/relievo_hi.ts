@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
-        <translation>%1 पढ़ा नहीं जा सकता: यह फ़ोल्डर है। इसकी कोई फ़ाइल चुनें।</translation>
+        <translation>%1 पढ़ी नहीं जा सकती: यह फ़ोल्डर है। इसकी कोई फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
@@ -279,6 +279,130 @@
         <source>%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
         <translation>%1 में 0 से 1 के बाहर के मान हैं, जैसे %2, और यह काम में नहीं लिया गया। मान बदलें: जहाँ जगह ठोस है वहाँ 1, जहाँ सबसे नरम है वहाँ 0।</translation>
     </message>
+    <message>
+        <source>Cannot read %1: its points have no %2 coordinate. Export it with x, y and z.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके बिंदुओं में %2 निर्देशांक नहीं है। इसे x, y और z के साथ निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds no rows of numbers. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें संख्याओं की पंक्तियाँ नहीं हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has 0 points. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें 0 बिंदु हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds 0 triangles. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें 0 त्रिभुज हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header promises no vertices. Choose a file with points.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसका शीर्ष कोई बिंदु नहीं बताता। बिंदुओं वाली फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header names no format. Export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसका शीर्ष कोई प्रारूप नहीं बताता। इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह LAS फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह E57 फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an STL file. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह STL फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its points cannot be decoded. The file is damaged; export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके बिंदु पढ़े नहीं जा सके। फ़ाइल क्षतिग्रस्त है; इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it became shorter while it was read, or its disk failed. Try again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: पढ़ते समय यह छोटा हो गया, या इसकी डिस्क विफल हुई। फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it was changed while it was read. Try again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: पढ़ते समय यह बदल गया। फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a colour picture, not a height raster. Choose the raster with one band of heights.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह रंगीन चित्र है, ऊँचाई रास्टर नहीं। ऊँचाइयों के एक बैंड वाला रास्टर चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its pixels are measured in degrees. Reproject it to metres, for example %2</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके पिक्सेल डिग्री में हैं। इसे मीटर में बदलें, जैसे %2</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is not a whole zip file. Copy or download it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह पूरी zip फ़ाइल नहीं है। इसे फिर से कॉपी या डाउनलोड करें।</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (line %2). Nothing was changed. Choose another file.</source>
+        <translation>परियोजना %1 क्षतिग्रस्त है (पंक्ति %2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (a part is missing or has another form). Nothing was changed. Choose another file.</source>
+        <translation>परियोजना %1 क्षतिग्रस्त है (कोई भाग नहीं है या उसका रूप अलग है)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (%2). Nothing was changed. Choose another file.</source>
+        <translation>परियोजना %1 क्षतिग्रस्त है (%2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 was written by another relievo (schema %2; this one reads up to %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 तक पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
+        <translation>%1 relievo की परियोजना नहीं है। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
+        <translation>स्कैन ग्रिड के किसी खाने पर नहीं पड़ा। कुछ नहीं बना। दूसरा दृश्य चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &apos;%1&apos; cannot be read. Choose another file.</source>
+        <translation>रिकॉर्डिंग &apos;%1&apos; पढ़ी नहीं जा सकती। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no recording: it has no column &apos;%2&apos;. Choose another file.</source>
+        <translation>&apos;%1&apos; रिकॉर्डिंग नहीं है: इसमें स्तंभ &apos;%2&apos; नहीं है। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
+        <translation>%1 लिखा नहीं जा सकता (%2)। जो वहाँ था वह वैसा ही है। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>The package %1 could not be written (%2). Nothing was left behind. Choose another folder or free some space.</source>
+        <translation>पैकेज %1 लिखा नहीं जा सका (%2)। कुछ पीछे नहीं छूटा। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>length of the cut</source>
+        <translation>काट की लंबाई</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself, so that it has no inside. Choose its corners in order.</source>
+        <translation>रूपरेखा स्वयं को काटती है, इसलिए उसका कोई भीतर नहीं है। कोने क्रम से चुनें।</translation>
+    </message>
+    <message>
+        <source>The corners lie on one line, so that there is no area among them. Choose others.</source>
+        <translation>कोने एक ही रेखा पर हैं, उनके बीच कोई क्षेत्र नहीं है। दूसरे चुनें।</translation>
+    </message>
+    <message>
+        <source>The plane does not cut the surface. Choose another plane.</source>
+        <translation>समतल सतह को नहीं काटता। दूसरा समतल चुनें।</translation>
+    </message>
+    <message>
+        <source>Two places, one above the other, give no plane. Choose another.</source>
+        <translation>एक के ऊपर एक दो जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
+    </message>
+    <message>
+        <source>Three places on one line give no plane. Choose another.</source>
+        <translation>एक रेखा पर तीन जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -293,6 +417,13 @@
     <message>
         <source>%1 cannot start: %2</source>
         <translation>%1 शुरू नहीं हो सकता: %2</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Return</source>
+        <translation>Return</translation>
     </message>
 </context>
 <context>
@@ -508,12 +639,12 @@
         <translation>दृश्य</translation>
     </message>
     <message>
-        <source>Each offer (&amp;g)</source>
-        <translation>हर सुझाव (&amp;G)</translation>
+        <source>Each offer</source>
+        <translation>हर प्रस्ताव</translation>
     </message>
     <message>
-        <source>SpaceMouse moves (&amp;w)</source>
-        <translation>SpaceMouse चलाए (&amp;W)</translation>
+        <source>SpaceMouse moves</source>
+        <translation>SpaceMouse चलाए</translation>
     </message>
 </context>
 <context>
@@ -948,6 +1079,14 @@
         <source>Back at the old window. %1</source>
         <translation>पुरानी विंडो पर वापस। %1</translation>
     </message>
+    <message>
+        <source>%1 is plugged in but this account may not use it. Install the rule that &apos;relievo devices rule&apos; prints, once, then replug.</source>
+        <translation>%1 जुड़ा है, पर इस खाते को उसके उपयोग की अनुमति नहीं है। &apos;relievo devices rule&apos; जो नियम छापता है उसे एक बार स्थापित करें, फिर दोबारा जोड़ें।</translation>
+    </message>
+    <message>
+        <source>Forces are off.</source>
+        <translation>बल बंद हैं।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DeviceSetupDialog</name>
@@ -1134,10 +1273,6 @@
         <translation>%1 गणना प्रति N mm</translation>
     </message>
     <message>
-        <source>Continue (&amp;a)</source>
-        <translation>आगे बढ़ें (&amp;A)</translation>
-    </message>
-    <message>
         <source>Falcon firmware</source>
         <translation>Falcon फ़र्मवेयर</translation>
     </message>
@@ -1176,6 +1311,10 @@
     <message>
         <source>Firmware: %1 cannot be used</source>
         <translation>फ़र्मवेयर: %1 उपयोग योग्य नहीं</translation>
+    </message>
+    <message>
+        <source>Contin&amp;ue</source>
+        <translation>जारी रखें (&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -1219,6 +1358,25 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>यह मानचित्र टाइलों में, जैसा बना था वैसा ही पढ़ा जाता है; कुछ नहीं बदला गया। इसे दूसरे ढंग से बनाने के लिए इसके स्कैन पर अपने विकल्पों के साथ relievo depthmap --memory चलाएँ।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::FalconNews</name>
+    <message>
+        <source>Top arm found.</source>
+        <translation>ऊपरी भुजा मिली।</translation>
+    </message>
+    <message>
+        <source>Right arm found.</source>
+        <translation>दाईं भुजा मिली।</translation>
+    </message>
+    <message>
+        <source>Left arm found.</source>
+        <translation>बाईं भुजा मिली।</translation>
+    </message>
+    <message>
+        <source>Touch &gt; Device set-up &gt; Firmware file takes one.</source>
+        <translation>स्पर्श &gt; उपकरण की तैयारी &gt; फ़र्मवेयर फ़ाइल से एक दी जा सकती है।</translation>
     </message>
 </context>
 <context>
@@ -1488,32 +1646,16 @@
         <translation>ऊँचाइयाँ कैसे रंगी जाती हैं</translation>
     </message>
     <message>
-        <source>Colours (&amp;k)</source>
-        <translation>रंग (&amp;K)</translation>
-    </message>
-    <message>
         <source>Even steps of lightness, also for colour-blind readers</source>
         <translation>उजाले के समान चरण, रंगांध पाठकों के लिए भी</translation>
-    </message>
-    <message>
-        <source>Light from (&amp;q)</source>
-        <translation>प्रकाश की दिशा (&amp;Q)</translation>
     </message>
     <message>
         <source>0 is above, clockwise; 315 is the upper left</source>
         <translation>0 ऊपर है, घड़ी की दिशा में; 315 ऊपर बाएँ</translation>
     </message>
     <message>
-        <source>Light&apos;s height (&amp;j)</source>
-        <translation>प्रकाश की ऊँचाई (&amp;J)</translation>
-    </message>
-    <message>
         <source>Low light brings out worn detail</source>
         <translation>नीचा प्रकाश घिसे विवरण उभारता है</translation>
-    </message>
-    <message>
-        <source>Radius (&amp;z)</source>
-        <translation>त्रिज्या (&amp;Z)</translation>
     </message>
     <message>
         <source>Of the neighbourhood of local relief, sky view, openness</source>
@@ -1522,10 +1664,6 @@
     <message>
         <source>10 samples</source>
         <translation>10 नमूने</translation>
-    </message>
-    <message>
-        <source>Stereo (&amp;v)</source>
-        <translation>स्टीरियो (&amp;V)</translation>
     </message>
     <message>
         <source>For red and cyan glasses, or two pictures</source>
@@ -1578,6 +1716,46 @@
     <message>
         <source>Stopped. Nothing was written.</source>
         <translation>रोका गया। कुछ नहीं लिखा गया।</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>रंग</translation>
+    </message>
+    <message>
+        <source>Light from</source>
+        <translation>प्रकाश की दिशा</translation>
+    </message>
+    <message>
+        <source>Light&apos;s height</source>
+        <translation>प्रकाश की ऊँचाई</translation>
+    </message>
+    <message>
+        <source>Stereo</source>
+        <translation>स्टीरियो</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>त्रिज्या</translation>
+    </message>
+    <message>
+        <source>There is no folder %1. Nothing was written. Choose another, or make it.</source>
+        <translation>फ़ोल्डर %1 नहीं है। कुछ नहीं लिखा गया। दूसरा चुनें, या उसे बनाएँ।</translation>
+    </message>
+    <message>
+        <source>Replace figure</source>
+        <translation>चित्र बदलें</translation>
+    </message>
+    <message>
+        <source>%1 exists already in %2. Replace it?</source>
+        <translation>%1 पहले से %2 में है। बदलें?</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>बदलें (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>बदलें</translation>
     </message>
 </context>
 <context>
@@ -2093,6 +2271,10 @@
         <source>Firm ground: %1. Set Not measured below 100 % to feel it.</source>
         <translation>ठोस जगह: %1। इसे महसूस करने के लिए “मापा नहीं गया” को 100 % से कम रखें।</translation>
     </message>
+    <message>
+        <source>The recording has ended early.</source>
+        <translation>रिकॉर्डिंग समय से पहले समाप्त हुई।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HeightHistogram</name>
@@ -2345,16 +2527,8 @@
         <translation>क्षेत्रफल और आयतन (&amp;V)</translation>
     </message>
     <message>
-        <source>Of a piece of surface above its lowest corner</source>
-        <translation>सतह के टुकड़े का, उसके सबसे नीचे कोने के ऊपर</translation>
-    </message>
-    <message>
         <source>&amp;Save…</source>
         <translation>सहेजें (&amp;S)…</translation>
-    </message>
-    <message>
-        <source>The list as CSV, or the selected profile as CSV or SVG</source>
-        <translation>सूची CSV में, या चुनी हुई प्रोफ़ाइल CSV या SVG में</translation>
     </message>
     <message>
         <source>&amp;Lit stone</source>
@@ -2445,10 +2619,6 @@
         <translation>मापों की सूची (*.csv)</translation>
     </message>
     <message>
-        <source>Selected profile (*.csv *.svg)</source>
-        <translation>चुनी हुई प्रोफ़ाइल (*.csv *.svg)</translation>
-    </message>
-    <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
     </message>
@@ -2527,14 +2697,6 @@
     <message>
         <source>&amp;Help</source>
         <translation>सहायता (&amp;H)</translation>
-    </message>
-    <message>
-        <source>Colours (&amp;h)</source>
-        <translation>रंग (&amp;H)</translation>
-    </message>
-    <message>
-        <source>Light or dark window</source>
-        <translation>हल्की या गहरी खिड़की</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
@@ -3223,10 +3385,6 @@
         <translation>स्पर्श उपलब्ध नहीं: %1 देखना चलता है।</translation>
     </message>
     <message>
-        <source>%1 could not be written. Nothing was saved. Choose another place.</source>
-        <translation>%1 लिखी नहीं जा सकी। कुछ नहीं सहेजा गया। दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
         <source>the haptics plugin was not found.</source>
         <translation>हैप्टिक प्लगइन नहीं मिला।</translation>
     </message>
@@ -3470,6 +3628,110 @@
         <source>Press the first button of the message above the views</source>
         <translation>दृश्यों के ऊपर के संदेश का पहला बटन दबाएँ</translation>
     </message>
+    <message>
+        <source>Lig&amp;ht or dark</source>
+        <translation>हल्का या गहरा (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Cancelled. No picture was saved.</source>
+        <translation>रद्द किया गया। कोई चित्र नहीं सहेजा गया।</translation>
+    </message>
+    <message>
+        <source>relievo closes when the picture is saved</source>
+        <translation>चित्र सहेजे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>undo, step</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>&amp;Copy view as text</source>
+        <translation>दृश्य को पाठ के रूप में कॉपी करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Place, level, gain, light, colours and turn, to be sent or pasted</source>
+        <translation>जगह, स्तर, गुणक, प्रकाश, रंग और घुमाव, भेजने या चिपकाने के लिए</translation>
+    </message>
+    <message>
+        <source>Paste &amp;view</source>
+        <translation>दृश्य चिपकाएँ (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Show the view that was copied as text</source>
+        <translation>पाठ के रूप में कॉपी किया गया दृश्य दिखाएँ</translation>
+    </message>
+    <message>
+        <source>The view is copied as text</source>
+        <translation>दृश्य पाठ के रूप में कॉपी हुआ</translation>
+    </message>
+    <message>
+        <source>The copied view does not lie on this map. The window was not moved. Open the scan that it was copied from.</source>
+        <translation>कॉपी किया गया दृश्य इस मानचित्र पर नहीं है। विंडो नहीं खिसकाई गई। वह स्कैन खोलें जिससे दृश्य कॉपी किया गया था।</translation>
+    </message>
+    <message>
+        <source>Paste view</source>
+        <translation>दृश्य चिपकाएँ</translation>
+    </message>
+    <message>
+        <source>The copied view is shown. Detail %1 of %2</source>
+        <translation>कॉपी किया गया दृश्य दिखाया गया। विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>Pac&amp;kage for citation…</source>
+        <translation>उद्धरण के लिए पैकेज… (&amp;K)</translation>
+    </message>
+    <message>
+        <source>One zip with project, scan, recordings, figures and checksums</source>
+        <translation>परियोजना, स्कैन, रिकॉर्डिंग, चित्र और जाँच-योग की एक zip फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was packed.</source>
+        <translation>रद्द किया गया। कुछ नहीं पैक हुआ।</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is packed: %n file(s), each with its checksum</source>
+        <translation>
+            <numerusform>%1 पैक हुआ: %n फ़ाइल, अपने जाँच-योग के साथ</numerusform>
+            <numerusform>%1 पैक हुआ: %n फ़ाइलें, हर एक अपने जाँच-योग के साथ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Relief image</source>
+        <translation>उभार चित्र</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>माप</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>प्रकाश</translation>
+    </message>
+    <message>
+        <source>Of a piece of surface above its lowest corner, or another plane</source>
+        <translation>सतह के एक भाग का, उसके सबसे नीचे के कोने या किसी दूसरे समतल के ऊपर</translation>
+    </message>
+    <message>
+        <source>Se&amp;ction</source>
+        <translation>काट (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Where a plane through one, two or three places cuts the surface</source>
+        <translation>जहाँ एक, दो या तीन जगहों से होकर जाता समतल सतह को काटता है</translation>
+    </message>
+    <message>
+        <source>The list as CSV, or the selected profile or section as CSV or SVG</source>
+        <translation>सूची CSV में, या चुना प्रोफ़ाइल या काट CSV या SVG में</translation>
+    </message>
+    <message>
+        <source>Selected profile or section (*.csv *.svg)</source>
+        <translation>चुना प्रोफ़ाइल या काट (*.csv *.svg)</translation>
+    </message>
+    <message>
+        <source>%1 is saved in %2</source>
+        <translation>%1 %2 में सहेजा गया</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3542,10 +3804,6 @@
         <translation>चुना हुआ माप हटाएँ</translation>
     </message>
     <message>
-        <source>Save the list as CSV, or the selected profile as CSV or SVG</source>
-        <translation>सूची CSV में, या चुनी हुई प्रोफ़ाइल CSV या SVG में सहेजें</translation>
-    </message>
-    <message>
         <source>There is no surface here</source>
         <translation>यहाँ कोई सतह नहीं है</translation>
     </message>
@@ -3566,10 +3824,6 @@
         <translation>दोहरा क्लिक या F समाप्त करता है।</translation>
     </message>
     <message>
-        <source>Select a profile in the list first.</source>
-        <translation>पहले सूची में कोई प्रोफ़ाइल चुनें।</translation>
-    </message>
-    <message>
         <source>%1 could not be written. Choose another place.</source>
         <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
     </message>
@@ -3584,6 +3838,77 @@
     <message>
         <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
         <translation>%1 अभी पढ़ा जा रहा है। कुछ सहेजा नहीं गया। सूची में इसका मान दिखने पर फिर सहेजें।</translation>
+    </message>
+    <message>
+        <source>Select a profile or a section in the list first.</source>
+        <translation>पहले सूची में एक प्रोफ़ाइल या काट चुनें।</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>काट</translation>
+    </message>
+    <message>
+        <source>Plane level at %1 mm</source>
+        <translation>समतल क्षैतिज, %1 mm पर</translation>
+    </message>
+    <message>
+        <source>Plane upright, %1 mm from the corner</source>
+        <translation>समतल खड़ा, कोने से %1 mm</translation>
+    </message>
+    <message>
+        <source>Plane oblique, %1 mm from the corner</source>
+        <translation>समतल तिरछा, कोने से %1 mm</translation>
+    </message>
+    <message>
+        <source>Save the list as CSV, or the selected profile or section as CSV or SVG</source>
+        <translation>सूची CSV में सहेजें, या चुना प्रोफ़ाइल या काट CSV या SVG में</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Volume counts from:</source>
+        <translation>आयतन यहाँ से गिना जाता है:</translation>
+    </message>
+    <message>
+        <source>Plane at:</source>
+        <translation>समतल यहाँ:</translation>
+    </message>
+    <message>
+        <source>Height from which the volume counts</source>
+        <translation>ऊँचाई जहाँ से आयतन गिना जाता है</translation>
+    </message>
+    <message>
+        <source>Place of the section&apos;s plane</source>
+        <translation>काट के समतल की जगह</translation>
+    </message>
+    <message>
+        <source>Height of the plane above which the volume of the selected area counts</source>
+        <translation>उस समतल की ऊँचाई जिसके ऊपर चुने क्षेत्र का आयतन गिना जाता है</translation>
+    </message>
+    <message>
+        <source>Distance of the section&apos;s plane from the lower left corner at height 0, along its normal; the height of a level plane</source>
+        <translation>काट के समतल की निचले बाएँ कोने से ऊँचाई 0 पर, उसके अभिलंब की दिशा में दूरी; क्षैतिज समतल की ऊँचाई</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n curve(s)</source>
+        <translation>
+            <numerusform>%n वक्र</numerusform>
+            <numerusform>%n वक्र</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The outline would cross itself here. Choose another place.</source>
+        <translation>यहाँ रूपरेखा स्वयं को काटेगी। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself or has no area. Its last corner was taken back.</source>
+        <translation>रूपरेखा स्वयं को काटती है या उसका कोई क्षेत्र नहीं है। उसका आख़िरी कोना वापस लिया गया।</translation>
+    </message>
+    <message>
+        <source>F after one place: the contour at its height; after two: an upright cut through both. Three places: the plane through them.</source>
+        <translation>एक जगह के बाद F: उसकी ऊँचाई की समोच्च रेखा; दो के बाद: दोनों से होकर खड़ी काट। तीन जगहें: उनसे होकर समतल।</translation>
     </message>
 </context>
 <context>
@@ -3610,6 +3935,89 @@
     <message>
         <source>Place of the window on the object</source>
         <translation>वस्तु पर विंडो की जगह</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PackageDialog</name>
+    <message>
+        <source>Package for citation</source>
+        <translation>उद्धरण के लिए पैकेज</translation>
+    </message>
+    <message>
+        <source>One zip with this work as a project, what is ticked here, a README, and the checksum of each file. Recordings bring the rasters along that they need to be repeated.</source>
+        <translation>एक zip फ़ाइल: यह काम परियोजना के रूप में, यहाँ चुना हुआ, एक README और हर फ़ाइल का जाँच-योग। रिकॉर्डिंग अपने साथ वे रास्टर लाती हैं जो दोहराने के लिए चाहिए।</translation>
+    </message>
+    <message>
+        <source>The &amp;scan %1, %2</source>
+        <translation>स्कैन %1, %2 (&amp;S)</translation>
+    </message>
+    <message>
+        <source>The scan %1</source>
+        <translation>स्कैन %1</translation>
+    </message>
+    <message>
+        <source>Off: only its name and checksum, if it may not be given away</source>
+        <translation>बंद: केवल नाम और जाँच-योग, यदि वह किसी को नहीं दिया जा सकता</translation>
+    </message>
+    <message>
+        <source>Recordings and &amp;figures</source>
+        <translation>रिकॉर्डिंग और चित्र (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Recordings and figures</source>
+        <translation>रिकॉर्डिंग और चित्र</translation>
+    </message>
+    <message>
+        <source>Ticked files are packed</source>
+        <translation>चुनी हुई फ़ाइलें पैक होती हैं</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>जोड़ें… (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Take another recording or figure along</source>
+        <translation>एक और रिकॉर्डिंग या चित्र साथ लें</translation>
+    </message>
+    <message>
+        <source>&amp;Package</source>
+        <translation>पैकेज (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Package</source>
+        <translation>पैकेज</translation>
+    </message>
+    <message>
+        <source>Where the package is saved</source>
+        <translation>पैकेज कहाँ सहेजा जाए</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ब्राउज़ करें… (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>रिकॉर्डिंग %1</translation>
+    </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>चित्र %1</translation>
+    </message>
+    <message>
+        <source>Take along</source>
+        <translation>साथ लें</translation>
+    </message>
+    <message>
+        <source>Recordings and figures (*.csv *.h5 *.hdf5 *.png *.tif *.tiff *.pdf *.svg)</source>
+        <translation>रिकॉर्डिंग और चित्र (*.csv *.h5 *.hdf5 *.png *.tif *.tiff *.pdf *.svg)</translation>
+    </message>
+    <message>
+        <source>Packages (*.zip)</source>
+        <translation>पैकेज (*.zip)</translation>
     </message>
 </context>
 <context>
@@ -3870,10 +4278,6 @@
         <translation>Falcon फ़र्मवेयर</translation>
     </message>
     <message>
-        <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds from the next start</source>
-        <translation>Falcon के फ़र्मवेयर की फ़ाइल या उसका फ़ोल्डर; खाली: सामान्य जगहें। अगली शुरुआत से लागू</translation>
-    </message>
-    <message>
         <source>Keep work for a crash</source>
         <translation>क्रैश के लिए काम रखें</translation>
     </message>
@@ -3896,6 +4300,10 @@
     <message>
         <source>Restart now</source>
         <translation>अभी पुनः आरंभ करें</translation>
+    </message>
+    <message>
+        <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds when a Falcon is started next</source>
+        <translation>Falcon के फ़र्मवेयर की फ़ाइल या उसका फ़ोल्डर; खाली: सामान्य जगहें। Falcon की अगली शुरुआत से लागू</translation>
     </message>
 </context>
 <context>
@@ -4305,22 +4713,6 @@
         <translation>परिचय</translation>
     </message>
     <message>
-        <source>Plus: finer. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off.</source>
-        <translation>प्लस: बारीक। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद।</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस।</translation>
-    </message>
-    <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last.</source>
-        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ।</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ।</translation>
-    </message>
-    <message>
         <source>the device did not answer in time</source>
         <translation>उपकरण ने समय पर उत्तर नहीं दिया</translation>
     </message>
@@ -4405,8 +4797,8 @@
         <translation>Falcon शुरू नहीं हुआ। आप माउस से आगे बढ़ सकते हैं।</translation>
     </message>
     <message>
-        <source>Please push the grip fully in, then pull it fully out.</source>
-        <translation>कृपया ग्रिप को पूरा अंदर धकेलें, फिर पूरा बाहर खींचें।</translation>
+        <source>Please pull the grip fully out, then push it fully in.</source>
+        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें।</translation>
     </message>
     <message>
         <source>Straight out, straight in; do not twist the grip.</source>
@@ -4423,6 +4815,26 @@
     <message>
         <source>The Falcon does not answer. Forces are off.</source>
         <translation>Falcon उत्तर नहीं देता। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>बल बंद</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
 </context>
 <context>
@@ -4452,10 +4864,6 @@
         <translation>देखने और छूने के लिए स्कैन खोलें</translation>
     </message>
     <message>
-        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, XYZ and other text) and height maps (TIFF). You can also drop a file on this window.</source>
-        <translation>बिंदु-समूह और जाल (PLY, PCD, OBJ, STL, XYZ और दूसरे पाठ) तथा ऊँचाई मानचित्र (TIFF)। फ़ाइल को इस खिड़की पर छोड़ भी सकते हैं।</translation>
-    </message>
-    <message>
         <source>&amp;Open…</source>
         <translation>खोलें (&amp;O)…</translation>
     </message>
@@ -4474,6 +4882,10 @@
     <message>
         <source>Recent</source>
         <translation>हाल के</translation>
+    </message>
+    <message>
+        <source>Point clouds and meshes (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ and other text), height maps (TIFF, PNG, ASCII grid), projects and figures. You can also drop a file on this window.</source>
+        <translation>बिंदु-मेघ और जाल (PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ और अन्य पाठ), ऊँचाई मानचित्र (TIFF, PNG, ASCII ग्रिड), परियोजनाएँ और चित्र। फ़ाइल को इस खिड़की पर भी छोड़ा जा सकता है।</translation>
     </message>
 </context>
 <context>
@@ -4920,6 +5332,10 @@
     <message>
         <source>Video saved: %1 s, %2 pictures dropped, in %3</source>
         <translation>वीडियो सहेजा गया: %1 s, %2 चित्र छूटे, %3 में</translation>
+    </message>
+    <message>
+        <source>The video has ended early</source>
+        <translation>वीडियो समय से पहले समाप्त हुआ</translation>
     </message>
 </context>
 <context>

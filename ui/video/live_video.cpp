@@ -15,7 +15,7 @@ namespace relievo {
 struct LiveVideo::Impl {
   struct Picture {
     std::uint64_t frame;
-    RgbaImage image;
+    std::function<RgbaImage()> make;
   };
 
   std::unique_ptr<VideoFile> file;  // [thread] once it runs.
@@ -32,18 +32,20 @@ struct LiveVideo::Impl {
 
   void run(const std::stop_token& stop) {
     const Task task{stop, {}};
-    std::string error;
+    std::string error, code;
     try {
       pack(task);
     } catch (const Cancelled&) {
       error = "Cancelled.";
     } catch (const Error& failure) {
       error = failure.what();
+      code = failure.code;
     }
     file.reset();  // Whatever is left of it goes or stays before the end is told.
     const std::lock_guard lock(mutex);
     report.ended = true;
     report.error = std::move(error);
+    report.code = std::move(code);
   }
 
   void pack(const Task& task) {
@@ -57,9 +59,10 @@ struct LiveVideo::Impl {
       Picture picture = std::move(waiting.front());
       waiting.pop_front();
       lock.unlock();
-      if (next == 0) shown = picture.image;
+      RgbaImage made = picture.make();
+      if (next == 0) shown = made;
       for (; next < picture.frame; ++next) add(shown, task);
-      shown = std::move(picture.image);
+      shown = std::move(made);
       add(shown, task);
       ++next;
     }
@@ -83,6 +86,11 @@ LiveVideo::LiveVideo(const std::filesystem::path& file, const VideoFormat& forma
 LiveVideo::~LiveVideo() = default;
 
 void LiveVideo::offer(RgbaImage picture, double t_s) {
+  const auto kept = std::make_shared<RgbaImage>(std::move(picture));
+  offer([kept] { return std::move(*kept); }, t_s);
+}
+
+void LiveVideo::offer(std::function<RgbaImage()> make, double t_s) {
   const auto frame = static_cast<std::int64_t>(std::floor(t_s * impl_->fps + 1e-6));
   if (frame <= impl_->last_offered) return;
   const std::lock_guard lock(impl_->mutex);
@@ -92,7 +100,7 @@ void LiveVideo::offer(RgbaImage picture, double t_s) {
     ++impl_->report.dropped;
     return;
   }
-  impl_->waiting.push_back({static_cast<std::uint64_t>(frame), std::move(picture)});
+  impl_->waiting.push_back({static_cast<std::uint64_t>(frame), std::move(make)});
   impl_->came.notify_one();
 }
 

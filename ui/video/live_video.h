@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,9 @@ class LiveVideo {
 
   /// @param t_s  since the start; a second picture for the same frame is passed over
   void offer(RgbaImage picture, double t_s);
+  /// The same of a picture that is put together where it is packed.
+  /// @param make  runs in the thread of the packing; throws nothing
+  void offer(std::function<RgbaImage()> make, double t_s);
   void finish();  ///< No more will come; the file is complete once report().ended.
 
   struct Report {
@@ -33,6 +37,7 @@ class LiveVideo {
     std::uint64_t dropped = 0;  ///< Not taken because packing was behind.
     bool ended = false;
     std::string error;  ///< Empty: all is saved.
+    std::string code;   ///< Of the error: "E401"; or empty.
   };
   Report report() const;
 

@@ -18,19 +18,19 @@ constexpr int kSamples = 8;
 
 constexpr double kMostPixels = 1U << 29U;
 
-/// Reads the window into its place in a picture. @return false: every byte of the tile is 0
+/// Reads the window into its place in a picture. @return false: the driver drew nothing
 bool readTile(vtkRenderWindow* window, const PictureTile& tile, bool opaque, RgbaImage& image) {
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, tile.width - 1, tile.height - 1, 0, pixels);
-  if (pixels->GetNumberOfTuples() != static_cast<vtkIdType>(tile.width) * tile.height) return false;
+  const auto count = static_cast<vtkIdType>(tile.width) * tile.height;
+  if (pixels->GetNumberOfTuples() != count) return false;
   const unsigned char* in = pixels->GetPointer(0);
-  bool drawn = false;
+  const bool drawn = anythingDrawn({in, 4 * static_cast<std::size_t>(count)});
   for (int row = 0; row < tile.height; ++row) {
     const auto from_top = static_cast<std::size_t>(image.height - 1 - tile.y - row);
     std::uint8_t* out = image.rgba.data() + 4 * (from_top * static_cast<std::size_t>(image.width) +
                                                  static_cast<std::size_t>(tile.x));
     for (int col = 0; col < tile.width; ++col, in += 4) {
-      drawn = drawn || (in[0] | in[1] | in[2]) != 0;
       *out++ = in[0];
       *out++ = in[1];
       *out++ = in[2];
@@ -77,6 +77,8 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
   task.check();
   copy->setTransparent(options.transparent);
   if (options.transparent) window.get()->SetAlphaBitPlanes(1);
+  // Then every pixel of an opaque picture has an alpha, whatever its colour, unless drawing failed.
+  copy->renderer()->SetBackgroundAlpha(options.transparent ? 0 : 1);
   copy->stopBy(task.stop);
   copy->attachTo(window.get(), kSamples);
   RgbaImage image{width, height,
@@ -94,11 +96,10 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
       task.check();  // Else it may be cut.
       const bool tile_drawn = readTile(window.get(), tile, !options.transparent, image);
       drawn = drawn || tile_drawn;
-      // With a background that is not black no part may be black.
-      if (!tile_drawn && !copy->mayBeBlackInPart()) drawn = false, y = height, x = width;
+      if (!tile_drawn && !options.transparent) drawn = false, y = height, x = width;
     }
   }
-  if (!drawn && !scene.mayBeBlack()) {
+  if (!drawn && !(options.transparent && scene.isEmpty())) {
     throw GraphicsError("The graphics driver returned a black picture of " + std::to_string(width) +
                         " x " + std::to_string(height) + " pixels. Try a smaller one.");
   }
@@ -124,7 +125,7 @@ std::vector<std::uint8_t> storedBytes(const RgbaImage& image) {
 namespace {
 
 /// Each eye's picture by itself, mixed as on paper.
-RgbaImage renderAnaglyph(const ReliefScene& scene, int width, int height) {
+RgbaImage renderAnaglyph(const ReliefScene& scene, const PictureOptions& size, const Task& task) {
   const StereoOptions stereo = scene.stereo();
   const std::unique_ptr<ReliefScene> eye = scene.copy();
   StereoOptions one_eye = stereo;
@@ -132,19 +133,19 @@ RgbaImage renderAnaglyph(const ReliefScene& scene, int width, int height) {
   eye->setStereo(one_eye);
   const double half_deg = (stereo.swap_eyes ? -0.5 : 0.5) * stereo.eye_angle_deg;
   eye->setEyeTurn(-half_deg);
-  RgbaImage left = renderPicture(*eye, {.width = width, .height = height});
+  RgbaImage left = renderPicture(*eye, size, task);
   eye->setEyeTurn(half_deg);
-  mixAnaglyph(printed(stereo.mode), left.rgba,
-              renderPicture(*eye, {.width = width, .height = height}).rgba);
+  mixAnaglyph(printed(stereo.mode), left.rgba, renderPicture(*eye, size, task).rgba);
   return left;
 }
 
 }  // namespace
 
-RgbImage renderOffscreen(const ReliefScene& scene, int width, int height) {
+RgbImage renderOffscreen(const ReliefScene& scene, int width, int height, const Task& task) {
+  const PictureOptions size{.width = width, .height = height};
   const RgbaImage picture = scene.stereo().mode == StereoMode::off
-                                ? renderPicture(scene, {.width = width, .height = height})
-                                : renderAnaglyph(scene, width, height);
+                                ? renderPicture(scene, size, task)
+                                : renderAnaglyph(scene, size, task);
   RgbImage image{width, height, {}};
   image.rgb.reserve(picture.rgba.size() / 4 * 3);
   for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
@@ -153,8 +154,8 @@ RgbImage renderOffscreen(const ReliefScene& scene, int width, int height) {
   return image;
 }
 
-bool isBlack(const RgbImage& image) {
-  return std::all_of(image.rgb.begin(), image.rgb.end(), [](std::uint8_t v) { return v == 0; });
+bool anythingDrawn(std::span<const std::uint8_t> rgba) {
+  return std::any_of(rgba.begin(), rgba.end(), [](std::uint8_t v) { return v != 0; });
 }
 
 }  // namespace relievo

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,8 +42,8 @@ class DisplayGuard {
 /// Renders a copy of a scene into memory, independent of any window on screen; the OpenGL context
 /// that was current stays so. Pictures above 512 pixels, or the driver's limit if that is less,
 /// are drawn in tiles; no seam shows. [the scene's thread] @throw GraphicsError  no display, a
-/// picture beyond 2^29 pixels, or a black (failed) image
-RgbImage renderOffscreen(const ReliefScene& scene, int width, int height);
+/// picture beyond 2^29 pixels, or an image that the driver failed to draw; Cancelled
+RgbImage renderOffscreen(const ReliefScene& scene, int width, int height, const Task& task = {});
 
 /// 8 bits a channel, row 0 at the top; colours are multiplied by alpha already.
 struct RgbaImage {
@@ -62,8 +63,9 @@ struct PictureOptions {
 RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
                         const Task& task = {});
 
-/// True if every byte is 0: what a driver gives back when it silently failed to draw.
-bool isBlack(const RgbImage& image);
+/// False if every byte is 0: what a driver gives back when it silently failed to draw. Black that
+/// was drawn has an alpha.
+bool anythingDrawn(std::span<const std::uint8_t> rgba);
 
 /// PNG with text entries (Title, Software, relievo:state, ...). @throw WriteError
 void writePng(const std::filesystem::path& file, const RgbImage& image,

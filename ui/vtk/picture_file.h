@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,6 +18,10 @@ using PictureText = std::vector<std::pair<std::string, std::string>>;
 /// The entry that holds the project, from which a picture's state comes back
 /// (core/provenance/embedded.h reads it).
 inline constexpr const char* kStateEntry = "relievo:state";
+
+enum class PictureFormat { png, tiff };
+/// By the name's ending: .png .tif .tiff
+std::optional<PictureFormat> pictureFormatOf(const std::filesystem::path& file);
 
 /// PNG, RGB where every pixel is opaque and RGBA else, with its density and text entries (Title,
 /// Software, relievo:state, ...). Written beside the target and renamed. @throw WriteError

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -117,6 +118,14 @@ void writeRows(const std::filesystem::path& file, const PngShape& shape,
 
 void writePng(const std::filesystem::path& file, const RgbImage& image, const PictureText& text) {
   writeRows(file, {.width = image.width, .height = image.height}, image.rgb, text);
+}
+
+std::optional<PictureFormat> pictureFormatOf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".png") return PictureFormat::png;
+  if (ending == ".tif" || ending == ".tiff") return PictureFormat::tiff;
+  return std::nullopt;
 }
 
 void writePng(const std::filesystem::path& file, const RgbaImage& image, double dpi,

@@ -113,7 +113,7 @@ struct ReliefScene::Impl {
   bool pink_handles = false;
   std::optional<Probe> probe;
   double ball_radius_mm = 1;
-  std::vector<std::vector<ViewMm>> lines;
+  std::vector<std::vector<ViewMm>> lines, curves;
   bool scale_bar = false;
 
   // What draws it. Layer 0: surface; 1: proxy, line, arrow; 2: HIP, pink window, scale bar.
@@ -329,8 +329,10 @@ void ReliefScene::setProbe(const std::optional<Probe>& probe, double ball_radius
   impl_->probe_actors.set(probe, ball_radius_mm);
 }
 
-void ReliefScene::setLines(const std::vector<std::vector<ViewMm>>& lines) {
+void ReliefScene::setLines(const std::vector<std::vector<ViewMm>>& lines,
+                           const std::vector<std::vector<ViewMm>>& curves) {
   impl_->lines = lines;
+  impl_->curves = curves;
 }
 
 void ReliefScene::setScaleBar(bool visible) {
@@ -362,6 +364,7 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
                            .handles = impl_->pink_handles,
                            .scale_bar = impl_->scale_bar,
                            .lines = impl_->lines,
+                           .curves = impl_->curves,
                            .scale = impl_->mark_scale,
                            .dpi = impl_->window ? impl_->window->GetDPI() : 72,
                            .origin = {static_cast<double>(drawn.x), static_cast<double>(drawn.y)}});
@@ -380,14 +383,8 @@ ViewMm ReliefScene::viewFromPixel(double px, double py, int width_px, int height
   return impl_->view(width_px, height_px).viewOf({px, height_px - py}, z_mm);
 }
 
-bool ReliefScene::mayBeBlackInPart() const {
-  return impl_->transparent || std::all_of(impl_->background.begin(), impl_->background.end(),
-                                           [](double c) { return c < 0.5 / 255; });
-}
-
-bool ReliefScene::mayBeBlack() const {
-  return mayBeBlackInPart() && !impl_->has_surface && !impl_->probe && !impl_->pink &&
-         !impl_->scale_bar;
+bool ReliefScene::isEmpty() const {
+  return !impl_->has_surface && !impl_->probe && !impl_->pink && !impl_->scale_bar;
 }
 
 std::unique_ptr<ReliefScene> ReliefScene::copy() const {
@@ -402,7 +399,7 @@ std::unique_ptr<ReliefScene> ReliefScene::copy() const {
   other->setMarkScale(impl_->mark_scale);
   other->setPinkWindow(impl_->pink, impl_->pink_handles);
   other->setProbe(impl_->probe, impl_->ball_radius_mm);
-  other->setLines(impl_->lines);
+  other->setLines(impl_->lines, impl_->curves);
   other->setScaleBar(impl_->scale_bar);
   return other;
 }

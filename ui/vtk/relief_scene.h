@@ -70,8 +70,10 @@ class ReliefScene {
   /// Proxy: blue ball; HIP: red ring around a small ball; line between; arrow along the force.
   /// ball_radius_mm in view mm. Nothing hides them.
   void setProbe(const std::optional<Probe>& probe, double ball_radius_mm);
-  /// Measurements: lines through points on the surface, a dot at each. Nothing hides them.
-  void setLines(const std::vector<std::vector<ViewMm>>& lines);
+  /// Measurements: lines through points on the surface, a dot at each, and curves without dots.
+  /// Nothing hides them.
+  void setLines(const std::vector<std::vector<ViewMm>>& lines,
+                const std::vector<std::vector<ViewMm>>& curves = {});
   /// "|-- 10 mm --|" at the lower left.
   void setScaleBar(bool visible);
 
@@ -90,10 +92,8 @@ class ReliefScene {
   /// continuous from the picture's top left corner: the middle of the first pixel is (0.5, 0.5).
   ViewMm viewFromPixel(double px, double py, int width_px, int height_px, double z_mm) const;
 
-  /// Background black and nothing to see: then a black picture is no failure.
-  bool mayBeBlack() const;
-  /// Background black: then a part of a picture may be, too.
-  bool mayBeBlackInPart() const;
+  /// Nothing but the background.
+  bool isEmpty() const;
 
   /// Another scene that shows the same, for another render window. Costs a copy of the surface.
   std::unique_ptr<ReliefScene> copy() const;

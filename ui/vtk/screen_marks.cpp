@@ -57,7 +57,8 @@ void ScreenMarks::draw(const SceneView& view, const Marks& marks) {
   poly_->SetPolys(cells);
   poly_->GetCellData()->SetScalars(colours);
   if (marks.corners.size() == 4) pinkWindow(view, marks.corners, marks.handles);
-  for (const auto& course : marks.lines) line(view, course);
+  for (const auto& course : marks.curves) line(view, course, false);
+  for (const auto& course : marks.lines) line(view, course, true);
   label_->SetVisibility(marks.scale_bar);
   if (marks.scale_bar) scaleBar(view);
   poly_->Modified();
@@ -117,14 +118,14 @@ void ScreenMarks::pinkWindow(const SceneView& view, const std::vector<ViewMm>& c
 }
 
 // Dark with a light core, and a square dot at each point: seen on any surface.
-void ScreenMarks::line(const SceneView& view, const std::vector<ViewMm>& points) {
+void ScreenMarks::line(const SceneView& view, const std::vector<ViewMm>& points, bool dots) {
   const Colour dark{16, 16, 20, 255}, light{255, 226, 92, 255};
   for (const auto& [half_width, dot, colour] :
        {std::tuple{2.0 * scale_, 5.0 * scale_, dark}, std::tuple{scale_, 3.5 * scale_, light}}) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       const PixelPlace p = clamped(view.pixelOf(points[i]));
       if (i > 0) edge(clamped(view.pixelOf(points[i - 1])), p, half_width, colour);
-      box(p.x - dot, p.y - dot, p.x + dot, p.y + dot, colour);
+      if (dots) box(p.x - dot, p.y - dot, p.x + dot, p.y + dot, colour);
     }
   }
 }

@@ -29,8 +29,8 @@ class ScreenMarks {
   struct Marks {
     std::vector<ViewMm> corners;  ///< Of the pink window, in order; empty: none.
     bool handles = false, scale_bar = false;
-    std::vector<std::vector<ViewMm>> lines;
-    double scale = 1;   ///< Pixels of a line of width 1.
+    std::vector<std::vector<ViewMm>> lines, curves;  ///< Lines have a dot at each point.
+    double scale = 1;                                ///< Pixels of a line of width 1.
     int dpi = 72;       ///< Of the render window: VTK enlarges text by it.
     PixelPlace origin;  ///< Of the part of the picture that is drawn.
   };
@@ -44,7 +44,7 @@ class ScreenMarks {
   void edge(PixelPlace a, PixelPlace b, double half_width, const Colour& colour);
   void pinkWindow(const SceneView& view, const std::vector<ViewMm>& corners, bool handles);
   void scaleBar(const SceneView& view);
-  void line(const SceneView& view, const std::vector<ViewMm>& points);
+  void line(const SceneView& view, const std::vector<ViewMm>& points, bool dots);
 
   vtkNew<vtkPolyData> poly_;
   vtkNew<vtkActor2D> shapes_;

@@ -184,6 +184,19 @@ TEST_F(FigureTest, TheSameRequestGivesTheSamePixelsAndAPreviewShowsTheSameCrop) 
   EXPECT_LT(meanDifference(preview.image, small), 8);
 }
 
+TEST_F(FigureTest, APreviewSaysWhatTheFileWillSay) {
+  project_.figure.dpi = 300;
+  for (const FigureLayout layout : {FigureLayout::reference_detail, FigureLayout::levels}) {
+    project_.figure.layout = layout;
+    const FigureFacts shown = previewFigure(*surface_, project_, 300).facts;
+    const FigureFacts written = writeFigure(*surface_, project_, folder_ / "a.png");
+    EXPECT_EQ(shown.caption, written.caption);
+    EXPECT_EQ(shown.width_px, written.width_px);
+    EXPECT_EQ(shown.height_px, written.height_px);
+    EXPECT_EQ(shown.mm_per_pixel, written.mm_per_pixel);
+  }
+}
+
 TEST_F(FigureTest, AStateReadFromTheFileDrawsTheSamePixelsAgain) {
   project_.figure.dpi = 150;
   project_.measurements = {{"step", MeasureKind::depth, {{45, 45}, {70, 45}}, 0}};
@@ -193,13 +206,15 @@ TEST_F(FigureTest, AStateReadFromTheFileDrawsTheSamePixelsAgain) {
                         .colours = ColourMap::cividis,
                         .radius_mm = 3,
                         .range = {{60, 95}}};
-  for (const auto& [name, look] : {std::pair{"a.png", lit}, std::pair{"a.tif", open}}) {
+  project_.file = (folder_ / "a <b> & 'c'.ply").string();
+  for (const auto& [name, look] : {std::pair{"a.png", lit}, std::pair{"a.tif", open},
+                                   std::pair{"a.pdf", open}, std::pair{"a.svg", lit}}) {
     project_.figure.look = look;
     writeFigure(*surface_, project_, folder_ / name);
     const auto state = embeddedState(folder_ / name);
     ASSERT_TRUE(state) << name;
     const Project back = projectFromJson(*state, name);
-    EXPECT_EQ(back.file, "relief.ply") << "as found from the figure's folder";
+    EXPECT_EQ(back.file, "a <b> & 'c'.ply") << "as found from the figure's folder";
     EXPECT_EQ(drawFigure(*surface_, back).image.rgba, draw().image.rgba) << name;
   }
   writePng(folder_ / "plain.png", RgbaImage{1, 1, {1, 2, 3, 255}}, 300, {});
@@ -213,6 +228,8 @@ TEST_F(FigureTest, VectorsKeepTextAsTextAroundThePictures) {
   project_.figure.dpi = 150;
   writeFigure(*surface_, project_, folder_ / "a.svg");
   const std::string svg = bytesOf(folder_ / "a.svg");
+  EXPECT_NE(svg.find("<title>relief.ply</title>"), std::string::npos);
+  EXPECT_EQ(svg.find(folder_.string()), std::string::npos) << "no path of this computer";
   EXPECT_NE(svg.find("<text"), std::string::npos);
   EXPECT_NE(svg.find("<image"), std::string::npos);
   EXPECT_NE(svg.find("20 mm"), std::string::npos) << "the scale bar's words";
@@ -222,6 +239,27 @@ TEST_F(FigureTest, VectorsKeepTextAsTextAroundThePictures) {
   EXPECT_NE(pdf.find("/FontFile"), std::string::npos) << "fonts are embedded";
   EXPECT_THROW(writeFigure(*surface_, project_, folder_ / "a.jpg"), ArgumentError);
   EXPECT_THROW(writeFigure(*surface_, project_, folder_ / "missing" / "a.svg"), WriteError);
+}
+
+TEST_F(FigureTest, TheLegendStatesTheSharesThatTheCaptionStates) {
+  project_.figure.dpi = 60;
+  project_.region = {.x_mm = 5, .y_mm = 50, .side_mm = 40, .level = {0}};
+  project_.figure.layout = FigureLayout::detail;
+  const std::string caption = writeFigure(*surface_, project_, folder_ / "a.svg").caption;
+  const std::size_t end = caption.find(" % holes on the base plane");
+  ASSERT_NE(end, std::string::npos) << caption;
+  const std::size_t start = caption.rfind(' ', end - 1) + 1;
+  EXPECT_NE(bytesOf(folder_ / "a.svg")
+                .find("hole, on the base plane, " + caption.substr(start, end - start) +
+                      " % of the region<"),
+            std::string::npos);
+  // Beside the hole there is nothing to explain.
+  project_.region = {.x_mm = 50, .y_mm = 10, .side_mm = 40, .level = {0}};
+  writeFigure(*surface_, project_, folder_ / "b.svg");
+  EXPECT_EQ(bytesOf(folder_ / "b.svg").find("base plane, "), std::string::npos);
+  project_.figure.layout = FigureLayout::reference_detail;
+  writeFigure(*surface_, project_, folder_ / "c.svg");
+  EXPECT_NE(bytesOf(folder_ / "c.svg").find(" % of the object<"), std::string::npos);
 }
 
 TEST_F(FigureTest, LabelsOfMeasurementsAtOnePlaceStandBelowEachOther) {
@@ -243,6 +281,23 @@ TEST_F(FigureTest, LabelsOfMeasurementsAtOnePlaceStandBelowEachOther) {
   for (std::size_t i = 1; i < lines.size(); ++i) {
     EXPECT_GE(lines[i], lines[i - 1] + 0.9 * text_px) << i;
   }
+}
+
+TEST_F(FigureTest, ALabelOfAMeasurementStandsBesideTheHeightBar) {
+  project_.figure.dpi = 100;
+  project_.figure.layout = FigureLayout::detail;
+  // Ends in the lower right corner, where the height bar stands.
+  project_.measurements.push_back({"low", MeasureKind::depth, {{74, 11}, {79, 11}}, 0});
+  writeFigure(*surface_, project_, folder_ / "a.svg");
+  const std::string svg = bytesOf(folder_ / "a.svg");
+  const auto line = [&](const char* label) {
+    const std::size_t at = svg.find(label);
+    if (at == std::string::npos) throw std::runtime_error(label);
+    const std::size_t end = svg.find(')', svg.rfind("matrix(", at));
+    return std::stod(svg.substr(svg.rfind(',', end) + 1));
+  };
+  const double text_px = project_.figure.text_pt * project_.figure.dpi / 72;
+  EXPECT_LT(line(">low: "), line(">height ") - text_px);
 }
 
 TEST_F(FigureTest, TransparentPaperLetsThePageThrough) {
@@ -293,6 +348,20 @@ TEST_F(FigureTest, EveryLayoutAndReliefImageIsDrawn) {
   }
 }
 
+TEST_F(FigureTest, TheFirstRadiusIsTheSameLengthInEveryPanel) {
+  project_.figure.dpi = 60;
+  project_.figure.look.kind = ReliefKind::local_relief;
+  project_.region.level = {1};
+  for (const FigureLayout layout : {FigureLayout::reference_detail, FigureLayout::levels}) {
+    project_.figure.layout = layout;
+    project_.figure.look.radius_mm = 0;
+    const Figure first = draw();
+    EXPECT_NE(first.facts.caption.find("radius 10 mm"), std::string::npos) << first.facts.caption;
+    project_.figure.look.radius_mm = 10;
+    EXPECT_EQ(draw().image.rgba, first.image.rgba) << name(layout);
+  }
+}
+
 TEST_F(FigureTest, StereoKeepsToTheComfortLimitAndSwapsEyes) {
   project_.figure.dpi = 100;
   project_.figure.layout = FigureLayout::detail;
@@ -312,7 +381,7 @@ TEST_F(FigureTest, StereoKeepsToTheComfortLimitAndSwapsEyes) {
   project_.figure.stereo = StereoPrint::side_by_side;
   const Figure pair = draw();
   EXPECT_LT(pair.image.height, wide.image.height);
-  const auto files = writeEyes(*surface_, project_, folder_ / "e.png");
+  const auto files = writeEyes(*surface_, project_, folder_ / "e.png").files;
   ASSERT_EQ(files.size(), 2U);
   EXPECT_NE(bytesOf(files[0]), bytesOf(files[1]));
 }
@@ -351,7 +420,8 @@ TEST_F(FigureTest, OfAMapByTilesIsThatOfTheMapInMemory) {
   project_.region = {.x_mm = 20, .y_mm = 10, .side_mm = 60, .level = {1}};
   project_.figure.dpi = 60;
   project_.measurements = {{"step", MeasureKind::depth, {{40, 30}, {70, 60}}, 0},
-                           {"cut", MeasureKind::profile, {{25, 20}, {75, 65}}, 0}};
+                           {"cut", MeasureKind::profile, {{25, 20}, {75, 65}}, 0},
+                           {"contour", MeasureKind::section, {}, 3.1}};
   for (const FigureLayout layout : {FigureLayout::reference_detail, FigureLayout::levels}) {
     project_.figure.layout = layout;
     const Figure tiled = drawFigure(both.tiled, project_);

@@ -335,6 +335,7 @@ TEST_F(VideoTest, ALiveVideoThatIsNotFinishedLeavesNothingAndAFullDiskSaysSo) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));  // As a camera's pictures come.
   }
   EXPECT_NE(live.report().error.find("Video stopped"), std::string::npos) << live.report().error;
+  EXPECT_EQ(live.report().code, "E401");
 }
 
 TEST_F(VideoTest, ACameraPathNeedsNoRecording) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -29,6 +30,10 @@ inline double meanGrey(const RgbImage& image, int x0, int y0, int x1, int y1) {
     for (int x = x0; x < x1; ++x) sum += grey(at(image, x, y));
   }
   return sum / ((x1 - x0) * (y1 - y0));
+}
+
+inline bool isBlack(const RgbImage& image) {
+  return std::all_of(image.rgb.begin(), image.rgb.end(), [](std::uint8_t v) { return v == 0; });
 }
 
 struct Box {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/look_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "app/batch/arguments.h"
+#include "core/base/error.h"
+
+namespace relievo::batch {
+
+void refuseWord(const char* option, const std::string& text, const std::string& words) {
+  throw ArgumentError(std::string(option) + ": '" + text + "' is none of " + words + ".");
+}
+
+void addValueOptions(CLI::App& verb, LookArguments& a) {
+  verb.add_option("--relief", a.relief, listOf(kReliefKindNames));
+  verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
+  verb.add_option("--radius", a.radius_mm, "Of local, skyview and openness, mm; 10 samples");
+}
+
+void addLookOptions(CLI::App& verb, LookArguments& a) {
+  addValueOptions(verb, a);
+  verb.add_option("--colours", a.colours, listOf(kColourMapNames));
+  verb.add_option("--range", a.range, "LOW,HIGH: values at the colours' ends");
+}
+
+ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
+  if (!a.relief.empty()) {
+    look.kind = word("--relief", a.relief, reliefKind(a.relief), kReliefKindNames);
+  }
+  if (!a.colours.empty()) {
+    look.colours = word("--colours", a.colours, colourMap(a.colours), kColourMapNames);
+  }
+  if (!a.light.empty()) {
+    const std::vector<double> light = numberList("--light", a.light, 2);
+    if (!std::isfinite(light[0]) || !(light[1] >= 0 && light[1] <= 90)) {
+      throw ArgumentError("--light: the elevation must be between 0 and 90 degrees.");
+    }
+    look.light = {.azimuth_deg = light[0], .elevation_deg = light[1]};
+  }
+  if (!a.range.empty()) {
+    const std::vector<double> range = numberList("--range", a.range, 2);
+    if (!(range[1] > range[0])) {
+      throw ArgumentError("--range: the upper end must lie above the lower end.");
+    }
+    look.range = {{range[0], range[1]}};
+  }
+  if (a.radius_mm && !(*a.radius_mm >= 0 && std::isfinite(*a.radius_mm))) {
+    throw ArgumentError("--radius: it must be 0 (automatic) or more millimetres.");
+  }
+  look.radius_mm = a.radius_mm.value_or(look.radius_mm);
+  return look;
+}
+
+}  // namespace relievo::batch

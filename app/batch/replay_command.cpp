@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/batch/replay_command.h"
+
+#include <algorithm>
+#include <CLI/CLI.hpp>
+
+#include "app/batch/json.h"
+#include "core/base/error.h"
+#include "core/provenance/embedded.h"
+
+namespace relievo::batch {
+namespace {
+
+/// What follows a word at the start of one of the header's lines, as JSON.
+Json headerJson(const LogTable& log, const std::string& word) {
+  const std::size_t at = log.header.find(word);
+  if (at == std::string::npos) return Json(Json::value_t::discarded);
+  const std::size_t from = at + word.size();
+  return Json::parse(log.header.substr(from, log.header.find('\n', from) - from), nullptr, false);
+}
+
+}  // namespace
+
+std::optional<std::vector<std::string>> commandIn(const LogTable& log) {
+  const Json json = headerJson(log, "parameters ");
+  if (!json.is_object() || !json.contains("command")) return std::nullopt;
+  const Json& command = json["command"];
+  if (!command.is_array() || command.empty() ||
+      !std::all_of(command.begin(), command.end(),
+                   [](const Json& part) { return part.is_string(); })) {
+    return std::nullopt;
+  }
+  return command.get<std::vector<std::string>>();
+}
+
+std::vector<std::string> commandOf(const LogTable& log, const std::string& file) {
+  if (auto command = commandIn(log)) return std::move(*command);
+  throw FileError(
+      "The log \"" + file +
+      "\" does not say what made it; only logs of touch, record and the window can be replayed.");
+}
+
+TouchArguments argumentsOf(const std::vector<std::string>& command) {
+  TouchArguments arguments;
+  CLI::App parser;
+  if (command.front() == "record") {
+    declareRecord(parser, arguments);
+  } else {
+    declareTouch(parser, arguments);
+  }
+  parser.add_option("--report", "")->expected(1);
+  try {
+    parser.parse(std::vector<std::string>(command.rbegin(), command.rend() - 1));
+  } catch (const CLI::ParseError& error) {
+    throw FileError("The log was made by a command that this version does not understand: " +
+                    std::string(error.what()) + ".");
+  }
+  return arguments;
+}
+
+std::optional<InputFile> firmnessOfCommand(const LogTable& log) {
+  const auto command = commandIn(log);
+  if (!command) return std::nullopt;
+  const std::string file = argumentsOf(*command).firmness;
+  if (file.empty()) return std::nullopt;
+  InputFile raster{.file = file, .sha256 = {}};
+  const Json state = headerJson(log, std::string(kStateKey) + " ");
+  const Json::json_pointer sha256("/touch/firmness/sha256");
+  if (!state.is_discarded() && state.contains(sha256) && state[sha256].is_string()) {
+    raster.sha256 = state[sha256].get<std::string>();
+  }
+  return raster;
+}
+
+}  // namespace relievo::batch

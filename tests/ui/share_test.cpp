@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What leaves the window for others: a view as text, and a package for citation.
+#include <QAction>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QDialog>
+#include <QFile>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QtTest/QTest>
+
+#include "core/project/package.h"
+#include "tests/ui/gui_fixture.h"
+#include "ui/package_dialog.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ShareTest : public GuiTest {
+ protected:
+  static QString clipboard() { return QGuiApplication::clipboard()->text(); }
+  static void copy(const QString& text) { QGuiApplication::clipboard()->setText(text); }
+  QString status() const { return child<QLabel>("status_message")->text(); }
+
+  QString writeFile(const QString& name, const QByteArray& text) const {
+    QFile file(path(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
+  void saveImage(const QString& name) {
+    window().saveImage(ImageSource::detail, {64, 48}, path(name));
+    ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
+  }
+  void note(const QString& recording) {
+    const std::size_t before = window().project().recordings.size();
+    window().noteRecording(recording);
+    ASSERT_TRUE(waitFor([&] { return window().project().recordings.size() > before; }));
+  }
+  void finishPacking() {
+    ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
+    QApplication::processEvents();
+  }
+  fs::path unpacked(const QString& package) const {
+    const fs::path folder = path("unpacked").toStdString();
+    fs::create_directories(folder);
+    unpackPackage(package.toStdString(), folder);
+    return folder;
+  }
+};
+
+TEST_F(ShareTest, AViewGoesThroughTheClipboardAsText) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  window().runCommand("relief_slope");
+  window().detailView().turnBy(20, 10);
+  const ViewState shown = viewOf(window().project());
+  QTest::keyClick(&window().detailView(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(viewFromText(clipboard().toStdString()), shown);
+
+  window().runCommand("relief_lit");
+  window().detailView().straighten();
+  document().whole();
+  const Region whole = document().state().region;
+  copy("  " + clipboard() + "\n");  // As mail programs give it back.
+  QTest::keyClick(&window().detailView(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(viewOf(window().project()), shown);
+  EXPECT_TRUE(status().startsWith("The copied view is shown")) << status().toStdString();
+  window().runCommand("undo");
+  EXPECT_EQ(document().state().region, whole);
+}
+
+TEST_F(ShareTest, APictureFindsItsScanBesideItself) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  const Region region = document().state().region;
+  saveImage("fig.png");
+  document().whole();
+  for (const QString& name : {QStringLiteral("fig.png"), QStringLiteral("relief.ply")}) {
+    fs::create_directories(path("moved").toStdString());
+    ASSERT_TRUE(QFile::rename(path(name), path("moved/" + name)));
+  }
+  window().open(path("moved/fig.png"));
+  ASSERT_TRUE(waitFor([&] { return document().file() == path("moved/relief.ply"); }))
+      << window().message().toStdString();
+  EXPECT_EQ(document().state().region, region);
+  EXPECT_EQ(window().message(), QString());
+}
+
+TEST_F(ShareTest, ATextThatIsNoViewOfThisMapChangesNothing) {
+  openRelief();
+  window().runCommand("copy_view");
+  const QString view = clipboard();
+  const Region before = document().state().region;
+  copy("have a look");
+  window().runCommand("paste_view");
+  EXPECT_TRUE(window().message().contains("not a view of relievo"));
+  ViewState elsewhere = viewFromText(view.toStdString());
+  elsewhere.region.x_mm += 5000;
+  copy(QString::fromStdString(toText(elsewhere)));
+  window().runCommand("paste_view");
+  EXPECT_TRUE(window().message().contains("does not lie on this map"));
+  elsewhere = viewFromText(view.toStdString());
+  elsewhere.region.level.value = 7;
+  copy(QString::fromStdString(toText(elsewhere)));
+  window().runCommand("paste_view");
+  EXPECT_TRUE(window().message().contains("does not lie on this map"));
+  EXPECT_EQ(document().state().region, before);
+}
+
+TEST_F(ShareTest, RecordingsBelongToTheProjectOnceEach) {
+  openRelief();
+  const QString log = writeFile("touch.csv", "what was felt");
+  note(log);
+  ASSERT_EQ(window().project().recordings.size(), 1U);
+  EXPECT_EQ(window().project().recordings[0].file, log.toStdString());
+  EXPECT_EQ(window().project().recordings[0].sha256.size(), 64U);
+  window().noteRecording(log);
+  note(writeFile("more.csv", "and more"));
+  EXPECT_EQ(window().project().recordings.size(), 2U);
+  window().saveProject(path("p.relievo.json"));
+  EXPECT_EQ(readProject(path("p.relievo.json").toStdString()).recordings.size(), 2U);
+}
+
+TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
+  openRelief();
+  saveImage("fig.png");
+  note(writeFile("touch.csv", "what was felt"));
+  const QString raster = writeFile("firm.asc", "where it is firm");
+  window().setCompanions([&](const fs::path& recording, bool scans, const Task&) {
+    EXPECT_EQ(recording.filename(), "touch.csv");
+    EXPECT_TRUE(scans);
+    const std::string file = raster.toStdString();
+    return std::vector<InputFile>{{.file = file, .sha256 = sha256OfFile(file)}};
+  });
+  window().runCommand("package");
+  auto* dialog = child<PackageDialog>("package_dialog");
+  ASSERT_NE(dialog, nullptr);
+  auto* files = dialog->findChild<QListWidget*>("package_files");
+  ASSERT_EQ(files->count(), 2);
+  EXPECT_EQ(files->item(0)->text(), "Recording touch.csv");
+  EXPECT_EQ(files->item(1)->text(), "Figure fig.png");
+  auto* file = dialog->findChild<QLineEdit*>("package_file");
+  EXPECT_TRUE(file->text().endsWith("relief-package.zip")) << file->text().toStdString();
+  file->clear();
+  EXPECT_FALSE(dialog->findChild<QPushButton*>("package_save")->isEnabled());
+  file->setText(path("cite"));
+  QTest::mouseClick(dialog->findChild<QPushButton*>("package_save"), Qt::LeftButton);
+  finishPacking();
+  EXPECT_EQ(window().message(), QString());
+  EXPECT_TRUE(status().startsWith("cite.zip is packed: 6 file")) << status().toStdString();
+  const fs::path folder = unpacked(path("cite.zip"));
+  for (const char* name : {"input/relief.ply", "recordings/touch.csv", "recordings/firm.asc",
+                           "figures/fig.png", "README.txt", "project.json"}) {
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  }
+  const Project packed = readProject(folder / "project.json");
+  EXPECT_EQ(packed.region, document().state().region);
+  EXPECT_EQ(packed.recordings.size(), 1U);
+}
+
+TEST_F(ShareTest, WhatIsNotTickedStaysAway) {
+  openRelief();
+  saveImage("fig.png");
+  window().runCommand("package");
+  auto* dialog = child<PackageDialog>("package_dialog");
+  ASSERT_NE(dialog, nullptr);
+  QTest::mouseClick(dialog->findChild<QCheckBox*>("package_input"), Qt::LeftButton, Qt::NoModifier,
+                    QPoint(6, 6));
+  dialog->findChild<QListWidget*>("package_files")->item(0)->setCheckState(Qt::Unchecked);
+  dialog->findChild<QLineEdit*>("package_file")->setText(path("bare.zip"));
+  dialog->accept();
+  finishPacking();
+  const fs::path folder = unpacked(path("bare.zip"));
+  EXPECT_FALSE(fs::exists(folder / "input"));
+  EXPECT_FALSE(fs::exists(folder / "figures"));
+  EXPECT_TRUE(fs::exists(folder / "project.json"));
+}
+
+TEST_F(ShareTest, APackageThatCannotBeMadeIsSaidAndLeavesNothing) {
+  openRelief();
+  window().writePackage({path("no/such/folder/p.zip"), true, {}, {}});
+  finishPacking();
+  EXPECT_TRUE(window().message().contains("could not be written"))
+      << window().message().toStdString();
+  saveImage("other.png");  // Carries the state of relief.ply.
+  QFile::copy(path("relief.ply"), path("second.ply"));
+  QFile more(path("second.ply"));
+  ASSERT_TRUE(more.open(QIODevice::Append));
+  more.write(" ");
+  more.close();
+  window().open(path("second.ply"));
+  ASSERT_TRUE(waitFor([&] { return document().file().endsWith("second.ply"); }));
+  window().writePackage({path("p.zip"), true, {path("other.png")}, {}});
+  finishPacking();
+  EXPECT_TRUE(window().message().contains("other.png is a recording of relief.ply"))
+      << window().message().toStdString();
+  EXPECT_FALSE(QFileInfo::exists(path("p.zip")));
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/figure/view_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/project/caption.h"
+#include "core/provenance/embedded.h"
+#include "core/provenance/program.h"
+#include "core/relief/relief_image.h"
+#include "ui/vtk/offscreen.h"
+#include "ui/vtk/picture_file.h"
+#include "ui/vtk/relief_scene.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kScreenDpi = 96;  // A TIFF must say one.
+
+/// @param colour  "#rrggbb"
+std::array<double, 3> channels(const std::string& colour) {
+  const auto channel = [&](std::size_t at) {
+    return static_cast<double>(std::stoi(colour.substr(at, 2), nullptr, 16)) / 255;
+  };
+  return {channel(1), channel(3), channel(5)};
+}
+
+Probe probeOf(const DrawnHand& hand) {
+  Probe probe;
+  probe.proxy = hand.proxy;
+  probe.hip = hand.hip;
+  probe.force = hand.force;
+  probe.force_limit_n = hand.force_limit_n;
+  probe.touching = hand.touching;
+  probe.forces_on = hand.forces_on;
+  return probe;
+}
+
+RgbImage draw(const RegionWindow& window, const Project& p, const Task& task) {
+  ReliefScene scene;
+  const DepthMap drawn = windowMap(window, 1);
+  std::vector<std::uint8_t> colours;
+  if (p.look.kind != ReliefKind::lit) {
+    colours = reliefColours(reliefValues(drawn, p.look, task), p.look);
+  }
+  scene.setSurface({.frame = drawn.frame,
+                    .heights_mm = &drawn.heights_mm,
+                    .origins = &drawn.origins,
+                    .colours = colours.empty() ? nullptr : &colours,
+                    .lit = isLit(p.look.kind)});
+  const Region& region = p.region;
+  scene.setCamera({.rect = {.x_mm = region.x_mm,
+                            .y_mm = region.y_mm,
+                            .width_mm = region.side_mm,
+                            .height_mm = region.side_mm},
+                   .azimuth_deg = p.azimuth_deg,
+                   .elevation_deg = p.elevation_deg});
+  scene.setStereo(p.stereo);
+  scene.setLight(p.look.light);
+  scene.setScaleBar(p.picture->scale_bar);
+  if (!p.picture->background.empty()) {
+    const auto [red, green, blue] = channels(p.picture->background);
+    scene.setBackground(red, green, blue);
+  }
+  scene.setLines(p.picture->lines);
+  if (p.picture->hand) scene.setProbe(probeOf(*p.picture->hand), p.picture->hand->ball_radius_mm);
+  return renderOffscreen(scene, p.picture->width_px, p.picture->height_px, task);
+}
+
+void writePicture(const std::filesystem::path& file, const RgbImage& image,
+                  const PictureText& text) {
+  if (pictureFormatOf(file) == PictureFormat::png) {
+    writePng(file, image, text);
+    return;
+  }
+  RgbaImage opaque{image.width, image.height, {}};
+  opaque.rgba.reserve(image.rgb.size() / 3 * 4);
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    opaque.rgba.insert(opaque.rgba.end(), {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2], 255});
+  }
+  writeTiff(file, opaque, kScreenDpi, text);
+}
+
+}  // namespace
+
+ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& window,
+                                  const Project& project, const std::filesystem::path& file,
+                                  const Task& task) {
+  Project p = project;
+  if (p.picture->source != PictureChoice{}.source) {
+    throw ArgumentError("This is a picture of the " + p.picture->source +
+                        ", which only the window can draw. Nothing was drawn. Open it with relievo "
+                        "to get its state back.");
+  }
+  p.made = madeText(surface);
+  const RgbImage image = draw(window, p, task);
+  ViewPictureFacts facts{.width_px = image.width,
+                         .height_px = image.height,
+                         .mm_per_pixel = p.region.side_mm / std::min(image.width, image.height),
+                         .caption = {}};
+  facts.caption = captionOf(p, surface, window, pictureFacts(p, facts.mm_per_pixel));
+  writePicture(file, image,
+               {{"Title", std::filesystem::path(p.file).filename().string()},
+                {"Description", facts.caption},
+                {"Software", "relievo " + std::string(programVersion())},
+                {std::string(kStateKey), projectJson(relativeTo(p, file))}});
+  return facts;
+}
+
+}  // namespace relievo

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/base/task.h"
+#include "core/project/project.h"
+#include "core/region/window.h"
+
+namespace relievo {
+
+struct ViewPictureFacts {
+  int width_px = 0, height_px = 0;
+  double mm_per_pixel = 0;
+  std::string caption;
+};
+
+/// Draws exactly the project's region as its `picture` says and writes it as PNG or, if its name
+/// ends so, as TIFF with caption and state: what `relievo render` makes, and "Save picture" of the
+/// detail view. An older file stays until the new one is whole. [any thread that may use OpenGL]
+/// @param window  of the project's region on that surface
+/// @throw ArgumentError  only the window can draw that picture  @throw GraphicsError, WriteError,
+/// Cancelled
+ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& window,
+                                  const Project& project, const std::filesystem::path& file,
+                                  const Task& task = {});
+
+}  // namespace relievo

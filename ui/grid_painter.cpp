@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/grid_painter.h"
+
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace relievo {
+
+GridPainter::GridPainter(QObject* parent) : QObject(parent) {}
+
+bool GridPainter::isSlow(ReliefKind kind) {
+  return kind == ReliefKind::local_relief || kind == ReliefKind::sky_view ||
+         kind == ReliefKind::openness;
+}
+
+PaintedGrid GridPainter::paintNow(const HeldGrid& plain, const ReliefLook& look, const Task& task) {
+  auto grid = std::make_shared<HeldGrid>(plain);
+  const DepthMap map{plain.frame, plain.heights_mm, plain.origins};
+  ReliefValues values = reliefValues(map, look, task);
+  grid->colours = reliefColours(values, look);
+  grid->lit = isLit(look.kind);
+  return {std::move(grid), std::move(values)};
+}
+
+void GridPainter::start(std::shared_ptr<const HeldGrid> plain, const ReliefLook& look) {
+  const auto made = std::make_shared<PaintedGrid>();
+  worker_.start(
+      [plain = std::move(plain), look, made](const Task& task) {
+        try {
+          *made = paintNow(*plain, look, task);
+        } catch (const Cancelled&) {  // Somebody wants another one; this one's end is not told.
+        }
+      },
+      [this, made] { Q_EMIT painted(*made); });
+}
+
+void GridPainter::cancel() {
+  worker_.cancel();
+}
+
+}  // namespace relievo

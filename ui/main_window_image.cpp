@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures of the views and of the window.
+#include <memory>
+#include <optional>
+#include <QFileInfo>
+
+#include "core/base/error.h"
+#include "ui/detail_view.h"
+#include "ui/image_dialog.h"
+#include "ui/main_window.h"
+#include "ui/message_strip.h"
+#include "ui/picture_file.h"
+#include "ui/reference_view.h"
+#include "ui/spoken_error.h"
+#include "ui/status_fields.h"
+
+namespace relievo {
+namespace {
+
+std::optional<DrawnHand> handOf(const SceneState& scene) {
+  if (!scene.probe) return std::nullopt;
+  const Probe& probe = *scene.probe;
+  return DrawnHand{.proxy = probe.proxy,
+                   .hip = probe.hip,
+                   .force = probe.force,
+                   .force_limit_n = probe.force_limit_n,
+                   .touching = probe.touching,
+                   .forces_on = probe.forces_on,
+                   .ball_radius_mm = scene.ball_radius_mm};
+}
+
+}  // namespace
+
+void MainWindow::chooseImage() {
+  auto* dialog =
+      new ImageDialog(QFileInfo(document_.file()).completeBaseName(), detail_->size(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ImageDialog::chosen, this, [this](const ImageChoice& choice) {
+    saveImage(choice.source, choice.pixels, choice.file);
+  });
+  dialog->open();
+}
+
+void MainWindow::connectImages() {
+  connect(&image_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
+  connect(status_, &StatusFields::cancelAsked, this, [this] {
+    closes_when_saved_ = false;
+    if (image_work_.cancel()) announce(tr("Cancelled. No picture was saved."));
+  });
+}
+
+void MainWindow::saveImage(ImageSource source, const QSize& pixels, const QString& file) {
+  const auto error = std::make_shared<QString>();
+  image_work_.add(
+      [order = pictureOrder(source, pixels, file), error](const Task& task) {
+        try {
+          writePicture(order, task);
+        } catch (const Cancelled&) {  // Its end is not told.
+        } catch (const std::exception& failure) {
+          *error = shownError(failure);
+        }
+      },
+      [this, file, error] {
+        if (error->isEmpty()) {
+          noteFigure(file);
+          announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+        } else {
+          strip_->show(*error);
+          closes_when_saved_ = false;
+        }
+        if (closes_when_saved_ && !savingImage()) close();
+      });
+}
+
+bool MainWindow::closesWhenImagesAreSaved() {
+  closes_when_saved_ = savingImage();
+  if (closes_when_saved_) announce(tr("relievo closes when the picture is saved"));
+  return closes_when_saved_;
+}
+
+PictureOrder MainWindow::pictureOrder(ImageSource source, const QSize& pixels,
+                                      const QString& file) {
+  const SceneState& detail = detail_->sceneState();
+  PictureOrder order{.project = project(),
+                     .surface = document_.surface(),
+                     .window = document_.window(),
+                     .reference = {},
+                     .grabbed = {},
+                     .description = recordingHeader(file).toStdString(),
+                     .file = file};
+  PictureChoice picture{
+      .width_px = pixels.width(), .height_px = pixels.height(), .scale_bar = true};
+  switch (source) {
+    case ImageSource::detail:
+      picture.background = detail.background.name().toStdString();
+      picture.lines = detail.lines;
+      picture.hand = handOf(detail);
+      break;
+    case ImageSource::reference:
+      picture.source = "reference view";
+      order.reference = reference_->plainState();
+      break;
+    case ImageSource::window:
+      picture.source = "whole window";
+      reference_->appear();
+      detail_->appear();
+      order.grabbed = grab().toImage();
+      break;
+  }
+  order.project.picture = picture;
+  return order;
+}
+
+}  // namespace relievo

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Packages for citation, and the recordings that belong to the work.
+#include <algorithm>
+#include <memory>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/project/carried_state.h"
+#include "core/project/package.h"
+#include "ui/main_window.h"
+#include "ui/message_strip.h"
+#include "ui/package_dialog.h"
+#include "ui/spoken_error.h"
+#include "ui/status_fields.h"
+#include "ui/work_keeper.h"
+
+namespace relievo {
+namespace {
+
+std::filesystem::path pathOf(const QString& file) {
+  return QFile::encodeName(file).toStdString();
+}
+
+QStringList shown(const std::vector<InputFile>& files) {
+  QStringList names;
+  for (const InputFile& file : files) names << QString::fromStdString(file.file);
+  return names;
+}
+
+/// A file with its path as it is here, and its checksum.
+InputFile asItIs(const QString& file, const Task& task) {
+  InputFile known = inputFile(pathOf(file), {}, task);
+  known.file = pathOf(QFileInfo(file).absoluteFilePath()).generic_string();
+  return known;
+}
+
+/// @throw ArgumentError  the recording says that another scan was touched
+void requireSameScan(const QString& recording, const Project& project) {
+  const auto touched = carriedProject(pathOf(recording));
+  if (!touched || touched->sha256 == project.sha256) return;
+  throw ArgumentError(QFileInfo(recording).fileName().toStdString() + " is a recording of " +
+                      std::filesystem::path(touched->file).filename().string() +
+                      ", another file. Nothing was packed. Leave it out.");
+}
+
+}  // namespace
+
+void MainWindow::setCompanions(CompanionsOf companions) {
+  companions_ = std::move(companions);
+}
+
+void MainWindow::makePackageCommand() {
+  make({"package",
+        tr("Pac&kage for citation\u2026"),
+        {},
+        tr("One zip with project, scan, recordings, figures and checksums"),
+        [this] { choosePackage(); },
+        {}});
+}
+
+void MainWindow::connectPackages() {
+  connect(&package_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
+  connect(status_, &StatusFields::cancelAsked, this, [this] {
+    if (package_work_.cancel()) announce(tr("Cancelled. Nothing was packed."));
+  });
+}
+
+void MainWindow::noteRecording(const QString& file) {
+  if (!document_.isOpen()) return;
+  const auto known = std::make_shared<InputFile>();
+  const QString scan = document_.fileSha256();
+  record_work_.add(
+      [file, known](const Task& task) {
+        try {
+          *known = asItIs(file, task);
+        } catch (const Error&) {  // It is gone again; then it belongs to nothing.
+        }
+      },
+      [this, known, scan] {
+        if (known->sha256.empty() || scan != document_.fileSha256()) return;
+        std::vector<InputFile>& all = project_.recordings;
+        all.erase(std::remove_if(all.begin(), all.end(),
+                                 [&](const InputFile& one) { return one.file == known->file; }),
+                  all.end());
+        all.push_back(*known);
+        keepWork();
+      });
+}
+
+void MainWindow::noteFigure(const QString& file) {
+  const QString path = QFileInfo(file).absoluteFilePath();
+  figures_made_.removeAll(path);
+  figures_made_ << path;
+}
+
+void MainWindow::choosePackage() {
+  if (!document_.isOpen() || document_.busy() || package_work_.busy()) return;
+  const QFileInfo near(project_file_.isEmpty() ? document_.file() : project_file_);
+  const QString stem = near.fileName().section('.', 0, 0);
+  auto* dialog =
+      new PackageDialog({document_.file(), shown(project_.recordings), figures_made_,
+                         near.absoluteDir().filePath(stem + QLatin1String("-package.zip"))},
+                        this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { writePackage(dialog->choice()); });
+  dialog->open();
+}
+
+void MainWindow::writePackage(const PackageChoice& choice) {
+  const auto error = std::make_shared<QString>();
+  const auto files = std::make_shared<std::uint64_t>(0);
+  package_work_.add(
+      [choice, error, files, project = project(), companions = companions_](const Task& task) {
+        try {
+          Project packed = project;
+          packed.recordings.clear();
+          for (const QString& recording : choice.recordings) {
+            requireSameScan(recording, project);
+            packed.recordings.push_back(asItIs(recording, task));
+          }
+          PackageContents contents{.with_input = choice.with_input};
+          for (const QString& figure : choice.figures) contents.figures.push_back(pathOf(figure));
+          if (companions) {
+            contents.companions = [&](const std::filesystem::path& recording, const Task& work) {
+              return companions(recording, choice.with_input, work);
+            };
+          }
+          const std::filesystem::path target = pathOf(choice.file);
+          relievo::writePackage(target, packed, contents, task);
+          *files = verifyPackage(target, task).files;
+        } catch (const Cancelled&) {  // Its end is not told.
+        } catch (const std::exception& failure) {
+          *error = shownError(failure);
+        }
+      },
+      [this, choice, error, files] {
+        if (!error->isEmpty()) {
+          strip_->show(*error);
+          return;
+        }
+        announce(tr("%1 is packed: %n file(s), each with its checksum", nullptr,
+                    static_cast<int>(*files))
+                     .arg(QFileInfo(choice.file).fileName()));
+      });
+}
+
+}  // namespace relievo

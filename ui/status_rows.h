@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QLayout>
+#include <vector>
+
+namespace relievo {
+
+/// Places fields at the right of one row, or of as many rows as they need; what stretches (progress
+/// and message) has the rest of the first row. The last row is filled first.
+class StatusRows : public QLayout {
+ public:
+  explicit StatusRows(QWidget* parent);
+  ~StatusRows() override;
+
+  /// The widgets added so far, and none after, share the rest of the first row.
+  void endOfFront() { front_ = items_.size(); }
+
+  void addItem(QLayoutItem* item) override;
+  int count() const override;
+  QLayoutItem* itemAt(int index) const override;
+  QLayoutItem* takeAt(int index) override;
+  QSize minimumSize() const override;
+  QSize sizeHint() const override;
+  Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
+  void setGeometry(const QRect& rect) override;
+
+ private:
+  /// Indices of visible fields, first row first; the front is in none.
+  std::vector<std::vector<std::size_t>> rows(int width) const;
+  int rowHeight() const;
+  int height() const { return shown_rows_ * rowHeight(); }
+  int leastFront() const;  ///< Width, pixels.
+
+  std::vector<QLayoutItem*> items_;
+  std::size_t front_ = 0;
+  int shown_rows_ = 1;  ///< At the last width; a status bar asks for no height for a width.
+};
+
+}  // namespace relievo
