@@ -4,6 +4,8 @@
 #include <chrono>
 #include <QWidget>
 
+#include "core/base/background.h"
+
 namespace relievo {
 namespace {
 constexpr auto kProgressPeriod = std::chrono::milliseconds(33);
@@ -50,6 +52,7 @@ void LatestWorker::launch(Request request) {
   if (thread_.joinable()) thread_.join();
   running_ = true;
   thread_ = std::jthread([this, request = std::move(request)](std::stop_token stop) {
+    workInBackground();
     Task task;
     task.stop = std::move(stop);
     auto last = std::chrono::steady_clock::time_point{};

@@ -133,18 +133,17 @@ bool VideoControl::startLive(const QString& file, VideoProfile profile, const st
   source_ = std::move(source);
   taken_ = false;
   view_ = {};
-  clock_.start();
-  timer_.start();
-  QTimer::singleShot(0, this, &VideoControl::takeView);
+  timer_.start();  // Not at once: the window now draws that a video is made.
   return true;
 }
 
 double VideoControl::liveS() const {
-  return live() ? 1e-3 * static_cast<double>(clock_.elapsed()) : 0;
+  return live() && taken_ ? 1e-3 * static_cast<double>(clock_.elapsed()) : 0;
 }
 
 void VideoControl::takeView() {
   if (!live() || !view_.isNull()) return;  // The part below the one before is still to come.
+  if (!taken_) clock_.start();
   view_t_s_ = taken_ ? 1e-9 * static_cast<double>(clock_.nsecsElapsed()) : 0;
   taken_ = true;
   view_ = source_.view();

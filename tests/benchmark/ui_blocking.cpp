@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long the window's thread is held up while a scan is loaded, a figure exported and a video
 // made, and how long work goes on after Cancel. Prints a table for docs/dev/ui-figures.md.
-// ui_blocking [SCAN]; needs a display. As on a computer where Mesa cannot keep what it compiled:
+// ui_blocking [SCAN [MS]]; needs a display. With MS, what took the window's thread longer than that
+// is told on stderr, event by event. As on a computer where Mesa cannot keep what it compiled:
 // MESA_SHADER_CACHE_DISABLE=true ui_blocking.
 #include <QVTKOpenGLNativeWidget.h>
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <clocale>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <QAction>
@@ -49,6 +51,30 @@ double threadMs() {
   return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
+/// Tells which events held up the thread.
+class TellingApplication : public QApplication {
+ public:
+  using QApplication::QApplication;
+  void tellFrom(double ms) { tell_from_ms_ = ms; }
+  bool notify(QObject* receiver, QEvent* event) override {
+    const std::string name =
+        receiver->metaObject()->className() + (" " + receiver->objectName().toStdString());
+    const int type = event->type();
+    const Clock::time_point start = Clock::now();
+    const double start_ms = threadMs();
+    const bool taken = QApplication::notify(receiver, event);
+    const double took_ms = msSince(start);
+    if (took_ms >= tell_from_ms_) {
+      std::fprintf(stderr, "  %6.1f ms, own %5.1f: event %d to %s\n", took_ms,
+                   threadMs() - start_ms, type, name.c_str());
+    }
+    return taken;
+  }
+
+ private:
+  double tell_from_ms_ = 1e9;
+};
+
 /// The longest time between two rounds of the event loop. Wall time counts what other programs
 /// took, too; processor time is the window's own.
 class Watch : public QObject {
@@ -85,15 +111,22 @@ bool until(const std::function<bool()>& holds) {
   return true;
 }
 
+/// Half a second, in which the window draws what it was asked for.
+void settle() {
+  const Clock::time_point start = Clock::now();
+  until([&] { return msSince(start) > 500; });
+}
+
 void measured(const char* what, const std::function<void()>& begin,
               const std::function<bool()>& done) {
   const Watch watch;
   const Clock::time_point start = Clock::now();
   begin();
   const bool ended = until(done);
-  until([rounds = 0]() mutable { return ++rounds > 20; });  // What follows the end, too.
+  const double took_ms = msSince(start);
+  settle();  // What follows the end, too.
   std::printf("| %s%s | %.1f | %.0f | %.0f |\n", what, ended ? "" : " (never ended)",
-              1e-3 * msSince(start), watch.longestMs(), watch.longestCpuMs());
+              1e-3 * took_ms, watch.longestMs(), watch.longestCpuMs());
   std::fflush(stdout);
 }
 
@@ -166,8 +199,10 @@ void run(const QString& scan) {
                return std::string(command).rfind("relief_", 0) != 0 || scene.grid != before;
              });
   }
-  window.runCommand("full_screen");
+  measured(
+      "full screen left", [&] { window.runCommand("full_screen"); }, [] { return true; });
   window.runCommand("stereo");
+  settle();
   measured(
       "picture of a view, 1600 x 1200",
       [&] {
@@ -185,6 +220,7 @@ void run(const QString& scan) {
       },
       [&] { return QFile::exists(folder.filePath("figure.png")); });
   if (auto* dialog = window.findChild<QDialog*>("figure_dialog")) dialog->reject();
+  settle();
   const TouchRecording recording = recordingOn(window.document().state().region);
   window.setRecordingReader([&](const std::filesystem::path&, const Task&) { return recording; });
   QFile made(folder.filePath("made.csv"));
@@ -198,6 +234,7 @@ void run(const QString& scan) {
       [&] { window.writeVideo(VideoRequest{}, folder.filePath("replay.mp4")); },
       [&] { return !window.videoControl().writing(); });
   window.replayControl().close();
+  settle();
   measured(
       "video of the view, 3 s",
       [&] {
@@ -240,7 +277,8 @@ int main(int argc, char** argv) {
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   qputenv("QT_QPA_PLATFORM", "xcb");
-  QApplication app(argc, argv);
+  relievo::TellingApplication app(argc, argv);
+  if (argc > 2) app.tellFrom(std::strtod(argv[2], nullptr));
   std::setlocale(LC_NUMERIC, "C");
   relievo::installAccessibleViews();
   relievo::run(argc > 1 ? QString::fromLocal8Bit(argv[1])

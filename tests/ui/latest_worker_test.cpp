@@ -2,6 +2,8 @@
 #include "ui/latest_worker.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+
 #include <atomic>
 #include <QApplication>
 #include <QDialog>
@@ -83,6 +85,17 @@ TEST(LatestWorker, ADialogThatClosesGoesOnceItsJobHasLeft) {
   EXPECT_FALSE(dialog->worker.busy());
   deaf.gate.release();
   EXPECT_TRUE(waitFor([&] { return dialog.isNull(); }));
+}
+
+TEST(LatestWorker, WorksInTheBackground) {
+  const int before = ::getpriority(PRIO_PROCESS, 0);
+  if (before >= 10) GTEST_SKIP() << "this process already runs in the background";
+  LatestWorker worker;
+  int inside = before;
+  bool done = false;
+  worker.start([&](const Task&) { inside = ::getpriority(PRIO_PROCESS, 0); }, [&] { done = true; });
+  ASSERT_TRUE(waitFor([&] { return done; }));
+  EXPECT_GT(inside, before) << "the window's drawing waits for it";
 }
 
 TEST(LatestWorker, TheEndOfTheProgramWaitsForTheJob) {

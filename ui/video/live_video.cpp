@@ -4,10 +4,13 @@
 #include <cmath>
 #include <condition_variable>
 #include <deque>
+#include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <utility>
 
+#include "core/base/background.h"
 #include "core/base/error.h"
 
 namespace relievo {
@@ -78,9 +81,22 @@ struct LiveVideo::Impl {
 
 LiveVideo::LiveVideo(const std::filesystem::path& file, const VideoFormat& format)
     : impl_(std::make_unique<Impl>()) {
-  impl_->file = openVideo(file, format);
   impl_->fps = format.fps;
-  impl_->thread = std::jthread([this](const std::stop_token& stop) { impl_->run(stop); });
+  std::promise<void> opened;
+  std::future<void> is_open = opened.get_future();
+  impl_->thread = std::jthread(
+      [this, &file, &format, opened = std::move(opened)](const std::stop_token& stop) mutable {
+        workInBackground();  // Before the encoder starts, which inherits it.
+        try {
+          impl_->file = openVideo(file, format);
+        } catch (...) {
+          opened.set_exception(std::current_exception());
+          return;
+        }
+        opened.set_value();
+        impl_->run(stop);
+      });
+  is_open.get();
 }
 
 LiveVideo::~LiveVideo() = default;

@@ -321,6 +321,42 @@ TEST_F(VideoTest, LivePicturesNeverWaitAreCountedIfDroppedAndKeepTheirTime) {
   EXPECT_EQ(greyOf(4), 40);
 }
 
+/// Of the programs that this process has started, the encoder's.
+std::vector<int> nicenessOfChildren() {
+  std::vector<int> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    std::ifstream file(entry.path() / "stat");
+    std::string stat;
+    std::getline(file, stat);
+    int parent = 0;
+    char state = 0;
+    std::istringstream after_name(stat.substr(stat.rfind(')') + 1));
+    if (!(after_name >> state >> parent) || parent != ::getpid()) continue;
+    const int child = std::stoi(entry.path().filename());
+    found.push_back(::getpriority(PRIO_PROCESS, static_cast<id_t>(child)));
+  }
+  return found;
+}
+
+TEST_F(VideoTest, ALiveVideoIsPackedInTheBackground) {
+  const int before = ::getpriority(PRIO_PROCESS, 0);
+  if (before >= 10) GTEST_SKIP() << "this process already runs in the background";
+  LiveVideo live(path("live.mp4"), {VideoProfile::talk, 64, 64, 10, "{}", "live"});
+  std::vector<int> seen;
+  live.offer(
+      [&] {
+        seen = nicenessOfChildren();
+        seen.push_back(::getpriority(PRIO_PROCESS, 0));
+        return plain(64, 64, 10);
+      },
+      0);
+  live.finish();
+  while (!live.report().ended) std::this_thread::yield();
+  ASSERT_EQ(seen.size(), 2U) << "one encoder";
+  EXPECT_EQ(seen, (std::vector<int>{10, 10}));
+  EXPECT_EQ(::getpriority(PRIO_PROCESS, 0), before);
+}
+
 TEST_F(VideoTest, ALiveVideoThatIsNotFinishedLeavesNothingAndAFullDiskSaysSo) {
   { const LiveVideo live(path("left.mp4"), {VideoProfile::talk, 64, 64, 10, "{}", "left"}); }
   EXPECT_TRUE(left().empty());

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/base/background.h"
+
+#include <sys/resource.h>
+
+namespace relievo {
+namespace {
+constexpr int kNice = 10;  // A tenth of the processor where others want all of it.
+}
+
+void workInBackground() noexcept {
+  // On Linux, of the thread, not of the process (setpriority(2), "C library/kernel differences").
+  if (::getpriority(PRIO_PROCESS, 0) < kNice) ::setpriority(PRIO_PROCESS, 0, kNice);
+}
+
+}  // namespace relievo
