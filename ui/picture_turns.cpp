@@ -4,16 +4,25 @@
 #include <utility>
 
 namespace relievo {
+namespace {
+constexpr qint64 kLongRoundMs = 20;
+constexpr int kMostRests = 4;  // On a busy computer every round is long.
+}  // namespace
 
 void PictureTurns::ask(QObject* who, std::function<void()> draw) {
   turns_.push_back({who, std::move(draw)});
   if (!next_.isActive()) next_.start(0, this);
 }
 
-// The timer may come in the same round as what asked, or as the painting of the picture before.
+// The timer comes once a round: perhaps in the one of what asked, of the painting of the picture
+// before, or of a worker's result.
 void PictureTurns::timerEvent(QTimerEvent* /*event*/) {
-  rested_ = !rested_;
-  if (rested_) return;
+  const bool was_long = !since_round_.isValid() || since_round_.restart() > kLongRoundMs;
+  if (!since_round_.isValid()) since_round_.start();
+  if (std::exchange(drew_, false)) return;
+  if (was_long && ++rests_ < kMostRests) return;
+  rests_ = 0;
+  drew_ = true;
   while (!turns_.empty()) {
     const Turn turn = std::move(turns_.front());
     turns_.pop_front();
@@ -21,6 +30,7 @@ void PictureTurns::timerEvent(QTimerEvent* /*event*/) {
     turn.draw();
     break;
   }
+  since_round_.start();
   if (turns_.empty()) next_.stop();
 }
 

@@ -4,13 +4,15 @@
 #include <deque>
 #include <functional>
 #include <QBasicTimer>
+#include <QElapsedTimer>
 #include <QObject>
 #include <QPointer>
 
 namespace relievo {
 
 /// Lets the views of a window draw one after the other, one in a round of the event loop and not in
-/// the round in which the window is painted, so that keys and mouse are answered in between.
+/// a round in which the window is painted or something else took long, so that keys and mouse are
+/// answered in between.
 /// [GUI thread]
 class PictureTurns : public QObject {
  public:
@@ -27,7 +29,9 @@ class PictureTurns : public QObject {
   };
   std::deque<Turn> turns_;
   QBasicTimer next_;
-  bool rested_ = false;  ///< A round went by since the last picture.
+  bool drew_ = true;           ///< The round of the last picture may still go on.
+  int rests_ = 0;              ///< Rounds that were let go by since then.
+  QElapsedTimer since_round_;  ///< Since the last timer event or picture.
 };
 
 }  // namespace relievo

@@ -234,6 +234,9 @@ void run(const QString& scan) {
       [&] { window.writeVideo(VideoRequest{}, folder.filePath("replay.mp4")); },
       [&] { return !window.videoControl().writing(); });
   window.replayControl().close();
+  window.runCommand("key_view");
+  window.runCommand("finer");
+  window.runCommand("key_view");
   settle();
   measured(
       "video of the view, 3 s",
@@ -242,6 +245,9 @@ void run(const QString& scan) {
                                         window.liveSource());
       },
       [&] { return window.videoControl().liveS() > 3; });
+  measured(
+      "the same, 3 s, along a camera path", [&] { window.runCommand("path_play"); },
+      [&] { return window.videoControl().liveS() > 6.5; });
   measured(
       "its end", [&] { window.videoControl().stopLive(); },
       [&] { return !window.videoControl().live(); });

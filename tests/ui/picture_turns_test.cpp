@@ -5,6 +5,7 @@
 #include <memory>
 #include <QApplication>
 #include <QStringList>
+#include <QThread>
 
 #include "tests/ui/gui_fixture.h"
 
@@ -24,6 +25,24 @@ TEST(PictureTurns, BetweenTwoPicturesEventsAreHandled) {
   EXPECT_TRUE(done.isEmpty()) << "nothing is drawn by whoever asks";
   ASSERT_TRUE(waitFor([&] { return done.size() == 3; }));
   EXPECT_EQ(done, (QStringList{"first picture", "a key", "second picture"}));
+}
+
+TEST(PictureTurns, WhatCameDuringALongRoundIsHandledFirst) {
+  PictureTurns turns;
+  QObject view;
+  QStringList done;
+  const auto later = [&](const std::function<void()>& work) {
+    QMetaObject::invokeMethod(&view, work, Qt::QueuedConnection);
+  };
+  turns.ask(&view, [&] { done << "picture"; });
+  later([&] {    // In the round in which the turns rest anyway.
+    later([&] {  // In the one after it, in which the picture would be drawn.
+      QThread::msleep(100);
+      later([&] { done << "a key"; });
+    });
+  });
+  ASSERT_TRUE(waitFor([&] { return done.size() == 2; }));
+  EXPECT_EQ(done, (QStringList{"a key", "picture"}));
 }
 
 TEST(PictureTurns, WhoIsGoneDoesNotDrawAndHoldsNobodyUp) {
