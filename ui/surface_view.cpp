@@ -20,6 +20,7 @@
 #include "core/relief/stereo.h"
 #include "ui/colour_bar.h"
 #include "ui/grid_painter.h"
+#include "ui/palette.h"
 #include "ui/picture_turns.h"
 #include "ui/vtk/first_draws.h"
 
@@ -201,8 +202,10 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   }
   void prepare() {
     const QSize pixels = size() * devicePixelRatioF();
-    // Lines grow with the screen's density and, like text, with the dots that the desktop asks for.
-    scene_.setMarkScale(devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi));
+    // Lines and the scale bar grow with the screen's density and, like text, with its size and the
+    // dots that the desktop asks for.
+    scene_.setMarkScale(devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi) *
+                        textScale());
     scene_.prepare(std::max(1, pixels.width()), std::max(1, pixels.height()));
   }
 
@@ -399,6 +402,11 @@ void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
 void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
   canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
   bar_->place();
+}
+
+void SurfaceView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange) requestRender();  // The size of text, too.
 }
 
 void SurfaceView::focusInEvent(QFocusEvent* event) {

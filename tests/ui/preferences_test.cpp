@@ -124,6 +124,22 @@ TEST_F(PreferencesTest, MarksGrowWithTheTextAndAreFusionsOwnAtFirst) {
   EXPECT_NEAR(arrow(), 3 * arrow_before, 3);
 }
 
+TEST_F(PreferencesTest, TheScaleBarOfAViewGrowsWithTheText) {
+  openRelief();
+  const auto white = [this] {  // Of the bar and its words; stone is never so bright.
+    const QImage shot = window().detailView().shot().convertToFormat(QImage::Format_RGB32);
+    int count = 0;
+    for (int y = shot.height() * 3 / 4; y < shot.height(); ++y) {
+      for (int x = 0; x < shot.width() / 2; ++x) count += shot.pixel(x, y) == qRgb(255, 255, 255);
+    }
+    return count;
+  };
+  const int before = white();
+  ASSERT_GT(before, 20);
+  applyTextSize(200);
+  EXPECT_TRUE(waitFor([&] { return white() > 1.7 * before; })) << before << " then " << white();
+}
+
 TEST_F(PreferencesTest, AnOpenDialogGrowsWithItsText) {
   PreferencesDialog& dialog = openDialog();
   const QSize before = dialog.size();

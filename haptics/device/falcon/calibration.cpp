@@ -16,6 +16,13 @@ constexpr double kNPerMm = 0.12, kNPerMmS = 0.25, kNsPerMm = 0.003;
 constexpr double kMostHoldN = 4;
 constexpr double kMeanSeconds = 0.5, kLeastSeconds = 3, kMostSeconds = 20;
 constexpr double kSteadyN = 0.01;
+constexpr double kLateS = 0.02;    // Of ourselves: then the driver shows no force.
+constexpr double kRecoverS = 0.5;  // Until the grip is back in its place.
+
+/// Each let the force rise from zero again.
+std::uint64_t interruptions(const LinkCounts& counts) {
+  return counts.hiccups + counts.malformed + counts.stalls + counts.impossible_poses;
+}
 }  // namespace
 
 Calibration::Calibration(FalconDevice& device, double counts_per_n_mm, double weight_g)
@@ -51,10 +58,30 @@ DeviceN Calibration::holdingForce(const DeviceReading& reading, double dt_s) {
 bool Calibration::settled(std::int64_t now_ns) {
   const double since_s = 1e-9 * static_cast<double>(now_ns - phase_ns_);
   if (since_s > kMostSeconds) {
-    fail("the grip did not come to rest");
+    fail(undisturbed_s_ > kLeastSeconds
+             ? "the grip did not come to rest"
+             : "the Falcon or this computer was interrupted too often to measure a force");
     return false;
   }
-  return since_s > kLeastSeconds && drift_n_ < kSteadyN;
+  return undisturbed_s_ > kLeastSeconds && drift_n_ < kSteadyN;
+}
+
+void Calibration::begin(Phase phase, std::int64_t now_ns) {
+  phase_ = phase;
+  phase_ns_ = now_ns;
+  undisturbed_s_ = 0;
+}
+
+// While the force is off or rising again, what is asked for is more than what the motors show.
+void Calibration::follow(std::int64_t now_ns, double dt_s) {
+  const std::uint64_t interrupted = interruptions(device_.status().counts);
+  if (interrupted != interrupted_ || dt_s > kLateS) disturbed_ns_ = now_ns;
+  interrupted_ = interrupted;
+  if (1e-9 * static_cast<double>(now_ns - disturbed_ns_) < kRecoverS) return;
+  undisturbed_s_ += dt_s;
+  const double weight = std::min(1.0, dt_s / kMeanSeconds);
+  mean_up_n_ += weight * (force_.y - mean_up_n_);
+  drift_n_ += weight * (std::abs(force_.y - mean_up_n_) - drift_n_);
 }
 
 bool Calibration::step(std::int64_t now_ns) {
@@ -64,13 +91,14 @@ bool Calibration::step(std::int64_t now_ns) {
     fail(std::string(describe(reading.fault)));
     return false;
   }
-  if (phase_ns_ == 0) phase_ns_ = last_ns_ = now_ns;
+  if (phase_ns_ == 0) {
+    begin(Phase::hold_empty, now_ns);
+    last_ns_ = disturbed_ns_ = now_ns;
+  }
   const double dt_s = 1e-9 * static_cast<double>(now_ns - last_ns_);
   last_ns_ = now_ns;
   force_ = holdingForce(reading, dt_s);
-  const double weight = std::min(1.0, dt_s / kMeanSeconds);
-  mean_up_n_ += weight * (force_.y - mean_up_n_);
-  drift_n_ += weight * (std::abs(force_.y - mean_up_n_) - drift_n_);
+  follow(now_ns, dt_s);
   switch (phase_) {
     case Phase::hold_empty:
       if (!settled(now_ns)) break;
@@ -79,8 +107,7 @@ bool Calibration::step(std::int64_t now_ns) {
       break;
     case Phase::hang_weight:
       if (!weight_hangs_) break;
-      phase_ = Phase::hold_weight;
-      phase_ns_ = now_ns;
+      begin(Phase::hold_weight, now_ns);
       break;
     case Phase::hold_weight: {
       if (!settled(now_ns)) break;

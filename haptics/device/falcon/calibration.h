@@ -28,6 +28,8 @@ class Calibration {
 
  private:
   DeviceN holdingForce(const DeviceReading& reading, double dt_s);
+  void begin(Phase phase, std::int64_t now_ns);
+  void follow(std::int64_t now_ns, double dt_s);
   bool settled(std::int64_t now_ns);
   void fail(const std::string& why);
 
@@ -35,7 +37,9 @@ class Calibration {
   double counts_per_n_mm_, weight_n_;
   Phase phase_ = Phase::hold_empty;
   bool weight_hangs_ = false;
-  std::int64_t last_ns_ = 0, phase_ns_ = 0;
+  std::int64_t last_ns_ = 0, phase_ns_ = 0, disturbed_ns_ = 0;
+  std::uint64_t interrupted_ = 0;
+  double undisturbed_s_ = 0;
   std::optional<DeviceMm> place_;
   DeviceMm last_position_;
   DeviceN integral_, force_;

@@ -188,6 +188,35 @@ TEST_F(FalconSelfTest, AKnownWeightFindsTheMotorsTrueGain) {
   EXPECT_NEAR(*calibration.result(), kTrue, 0.02 * kTrue);
 }
 
+/// The force rises from zero after each; what is asked for meanwhile says nothing of the weight.
+TEST_F(FalconSelfTest, ALineWithInterruptionsGivesTheWeightOrAReason) {
+  constexpr double kTrue = 6, kWeightG = 100;
+  for (const int every_ms : {1500, 40}) {
+    falcon([](auto& f) {
+      f.body.counts_per_n_mm = kTrue;
+      f.body.hold({0, 0, 125});
+      f.body.letGo(0.3);
+    });
+    device_->setGain(8);
+    Calibration calibration(*device_, 8, kWeightG);
+    for (int ms = 0; ms < 90'000 && calibration.step(clock_->now()); ++ms) {
+      if (ms % every_ms == 0) falcon([](auto& f) { f.troubles.lose_answer_bytes = 1; });
+      step();
+      if (calibration.phase() == Calibration::Phase::hang_weight) {
+        falcon([](auto& f) { f.body.letGo(0.3 + 9.80665e-3 * kWeightG); });
+        calibration.weightHangs();
+      }
+    }
+    if (every_ms > 1000) {
+      ASSERT_TRUE(calibration.result()) << calibration.prompt();
+      EXPECT_NEAR(*calibration.result(), kTrue, 0.02 * kTrue);
+    } else {
+      EXPECT_FALSE(calibration.result());
+      EXPECT_THAT(calibration.prompt(), HasSubstr("interrupted too often"));
+    }
+  }
+}
+
 TEST_F(FalconSelfTest, AWeightThatIsNotThereIsNoticed) {
   falcon([](auto& f) { f.body.letGo(0.2); });
   Calibration calibration(*device_, 10, 100);
