@@ -57,7 +57,7 @@ constexpr std::array kSentences{
                       "is. Choose another name."),
     QT_TRANSLATE_NOOP(
         "Core",
-        "There is not enough memory to draw: the graphics driver needs 320 MB of "
+        "There is not enough memory to draw: the graphics driver needs 512 MB of "
         "address space, and a limit that was set (ulimit -v) leaves less. Nothing was "
         "drawn. Raise the limit."),
     QT_TRANSLATE_NOOP("Core",

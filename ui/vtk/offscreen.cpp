@@ -44,8 +44,8 @@ bool readTile(vtkRenderWindow* window, const PictureTile& tile, bool opaque, Rgb
 }
 
 /// Without it the driver fails to load or crashes, and says something else or nothing. Measured:
-/// 230 MB are too few, 280 enough.
-constexpr std::size_t kDriverBytes = 320U << 20U;
+/// 280 MB are enough for a small relief; with a million samples it crashes below 450 MB.
+constexpr std::size_t kDriverBytes = 512U << 20U;
 
 /// @throw GraphicsError  a limit leaves the driver no room; asked before it is loaded
 void requireRoomForDriver() {
@@ -55,7 +55,7 @@ void requireRoomForDriver() {
       mmap(nullptr, kDriverBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) {
     throw GraphicsError(
-        "There is not enough memory to draw: the graphics driver needs 320 MB of address space, "
+        "There is not enough memory to draw: the graphics driver needs 512 MB of address space, "
         "and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.");
   }
   munmap(room, kDriverBytes);
