@@ -10,9 +10,10 @@
 namespace relievo {
 namespace {
 
-// Sentences of core (io, measure, project, session), haptics/record and ui/video with their parts
-// as %1, %2, ...: core knows no languages, and its error carries the sentence alone. A sentence
-// that was reworded there is shown in English until it is here; language_test provokes the errors.
+// Sentences of core (base, io, measure, project, session), haptics/record, ui/vtk and ui/video with
+// their parts as %1, %2, ...: core knows no languages, and its error carries the sentence alone. A
+// sentence that was reworded there is shown in English until it is here; language_test provokes the
+// errors.
 constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "Cannot read %1: there is no such file. Check the name and the folder."),
@@ -51,6 +52,14 @@ constexpr std::array kSentences{
                       "where the ground is firm, 0 where it is softest."),
     QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1: %2. Check the folder, its permissions and the free space."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot write %1: what has this name is no regular file. It was left as it "
+                      "is. Choose another name."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "There is not enough memory to draw: the graphics driver needs 512 MB of "
+        "address space, and a limit that was set (ulimit -v) leaves less. Nothing was "
+        "drawn. Raise the limit."),
     QT_TRANSLATE_NOOP("Core",
                       "The outline crosses itself, so that it has no inside. Choose its corners in "
                       "order."),

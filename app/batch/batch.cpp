@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
+#include <system_error>
 #include <thread>
 
 #include "app/batch/state.h"
@@ -119,11 +121,24 @@ void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface
 }  // namespace batch
 
 namespace {
-/// What a log can be searched for, then the sentence.
+
+constexpr const char* kOutOfMemory =
+    "There is not enough memory for this: the computer, or a limit that was set (ulimit -v), gives "
+    "no more. The work was given up. Choose larger cells or a smaller picture, or raise the limit.";
+
+/// What a log can be searched for, then the sentence, unless that says it already.
 std::string withCode(const std::exception& error) {
+  // Threads need room for their stacks; without it they say "try again".
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  const bool no_thread =
+      system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
+  if (no_thread || dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return kOutOfMemory;
   const auto* known = dynamic_cast<const Error*>(&error);
-  return (known == nullptr || known->code.empty() ? "" : known->code + ": ") + error.what();
+  const std::string sentence = error.what();
+  if (known == nullptr || sentence.find(known->code) != std::string::npos) return sentence;
+  return known->code + ": " + sentence;
 }
+
 }  // namespace
 
 bool isVerb(std::string_view word) {

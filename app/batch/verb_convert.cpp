@@ -4,8 +4,10 @@
 
 #include "app/batch/json.h"
 #include "app/batch/look_arguments.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
@@ -67,6 +69,7 @@ ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
 }
 
 Outcome runConvert(const ConvertArguments& a, const Task& task) {
+  requireReplaceable(a.out);
   const auto format = exportFormatOf(a.out);
   if (!format) {
     throw ArgumentError(a.out + ": its ending is none of .tif, .asc, .vti, .ply, .xyz and .stl.");
@@ -85,13 +88,18 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   const bool foreign = source.raster && !source.raster->is_own_map;
   const bool in_file =
       a.frame.empty() ? foreign && *format != ExportFormat::stl : a.frame == "file";
+  Provenance provenance = provenanceOfVerb(a.map, surface, a.out, task);
+  provenance.values = look;
+  const std::string state = toJson(provenance, -1);
   ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
   const std::string unit = grid.unit;
+  grid.state = state;
   if (look) {
     grid.unit = paint(grid, surface.map, *look, task);
     exportGrid(a.out, grid, *format);
   } else if (*format == ExportFormat::geotiff && !in_file) {
-    writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .mask_band = true});
+    writeMap(a.out, surface.map,
+             {.view_from_file = surface.view_from_file, .mask_band = true, .state = state});
   } else {
     exportGrid(a.out, grid, *format, a.how);
   }

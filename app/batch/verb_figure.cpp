@@ -7,6 +7,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
@@ -71,10 +72,12 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   if (!a.heights.empty() && pictureFormatOf(a.heights) != PictureFormat::tiff) {
     throw ArgumentError("--heights: '" + a.heights + "' does not end in .tif. Nothing was drawn.");
   }
+  for (const std::string& file : {a.out, a.caption, a.heights}) requireReplaceable(file);
   const Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
   const Surface& surface = state.surface;
   const Project& project = state.project;
   warnIfAliased(surface, project.region);
+  const Json measured = measurementsJson(surface, project);  // Refused before anything is drawn.
   const DisplayGuard display;
   const FigureSession session;
   const FigureFacts facts = writeFigure(surface, project, a.out, task);
@@ -90,7 +93,7 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   json["stereo"] = name(project.figure.stereo);
   json["eye_angle_deg"] = facts.eye_angle_deg;
   json["parallax_deg"] = facts.parallax_deg;
-  json["measurements"] = measurementsJson(surface, project);
+  json["measurements"] = measured;
   json["caption"] = facts.caption;
   json["input_sha256"] = project.sha256;
   if (a.both_eyes) {

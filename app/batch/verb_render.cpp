@@ -8,8 +8,9 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/text_file.h"
-#include "core/project/caption.h"
+#include "core/project/shown_lengths.h"
 #include "core/session/tiled_surface.h"
 #include "ui/figure/figure.h"
 #include "ui/figure/view_picture.h"
@@ -32,17 +33,43 @@ struct RenderArguments {
   CarrierArguments carrier;
 };
 
-StereoOptions stereoOptions(const RenderArguments& a) {
-  if (a.stereo == name(StereoPrint::side_by_side) || a.stereo == name(StereoPrint::over_under)) {
-    throw ArgumentError(
-        "--stereo: two pictures make a figure. Use 'relievo figure --layout detail "
-        "--stereo " +
-        a.stereo + "'. Nothing was drawn.");
+constexpr const char* kStereoWords = "off anaglyph half dubois sidebyside overunder";
+constexpr int kLeastPixelsOfTwo = 32, kMostPixelsOfTwo = 8192;
+
+/// Two eyes' pictures in one file.
+bool isPair(StereoPrint print) {
+  return print == StereoPrint::side_by_side || print == StereoPrint::over_under;
+}
+
+/// They are a figure that has no marks, `pixels` by `pixels` each; its paper only carries them.
+FigureRequest pairOf(const RenderArguments& a, StereoPrint print, const ReliefLook& look) {
+  if (a.pixels < kLeastPixelsOfTwo || a.pixels > kMostPixelsOfTwo) {
+    throw ArgumentError("--pixels: of two pictures in one file each has " +
+                        std::to_string(kLeastPixelsOfTwo) + " to " +
+                        std::to_string(kMostPixelsOfTwo) + ". Nothing was drawn.");
   }
+  constexpr double kPaperMm = 180, kLeastDpi = 30, kMostDpi = 2400;
+  const int width_px = print == StereoPrint::side_by_side ? 2 * a.pixels : a.pixels;
+  FigureRequest f;
+  f.layout = FigureLayout::detail;
+  f.dpi = std::clamp(width_px * 25.4 / kPaperMm, kLeastDpi, kMostDpi);
+  f.width_mm = width_px * 25.4 / f.dpi;
+  f.look = look;
+  f.scale_bar = a.scale_bar;
+  f.height_bar = f.up_mark = f.window_outline = f.legend = f.letters = f.measurements = false;
+  f.stereo = print;
+  f.eye_angle_deg = a.eye_angle_deg;
+  f.zero_plane_mm = a.zero_plane_mm;
+  f.swap_eyes = a.swap_eyes;
+  f.limit_parallax = false;  // What was asked for, as in the other modes.
+  return f;
+}
+
+StereoOptions stereoOptions(const RenderArguments& a) {
   // Also by the word of `figure`.
   const auto mode =
       a.stereo == name(StereoPrint::grey) ? StereoMode::anaglyph : stereoMode(a.stereo);
-  if (!mode) refuseWord("--stereo", a.stereo, listOf(kStereoModeNames));
+  if (!mode) refuseWord("--stereo", a.stereo, kStereoWords);
   return {.mode = *mode,
           .eye_angle_deg = a.eye_angle_deg,
           .zero_plane_mm = a.zero_plane_mm,
@@ -58,14 +85,21 @@ void checkEnding(const std::string& file) {
 
 Stored fromArguments(const RenderArguments& a, const Task& task) {
   checkEnding(a.out);
-  const StereoOptions stereo = stereoOptions(a);
   const ReliefLook look = reliefLook(a.look);
+  const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
+  const StereoOptions stereo = isPair(print) ? StereoOptions{} : stereoOptions(a);
+  std::optional<FigureRequest> pair;
+  if (isPair(print)) pair = pairOf(a, print, look);
   Stored state{.surface = openForVerb(a.map, task), .project = {}};
   const Region region = chosenRegion(state.surface, a.region);
   warnIfAliased(state.surface, region);
   Project& p = state.project;
   p = projectOfVerb(a.map, state.surface, region, a.region.gain, task);
   p.look = p.figure.look = look;
+  if (pair) {
+    p.figure = *pair;
+    return state;
+  }
   p.stereo = stereo;
   p.picture = PictureChoice{.width_px = a.pixels, .height_px = a.pixels, .scale_bar = a.scale_bar};
   return state;
@@ -76,8 +110,8 @@ void writeCaptionIfAsked(const RenderArguments& a, const std::string& text, Outc
   if (!a.caption.empty() && a.caption != "-") writeTextFile(a.caption, text + "\n");
 }
 
-/// A figure that carries its project, drawn again as `figure` draws it.
-Outcome drawFigureAgain(const RenderArguments& a, const Stored& stored, const Task& task) {
+/// Two eyes' pictures, or what a figure of ours shows, drawn as `figure` draws it.
+Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, const Task& task) {
   const DisplayGuard display;
   const FigureSession session;
   const FigureFacts facts = writeFigure(stored.surface, stored.project, a.out, task);
@@ -86,19 +120,30 @@ Outcome drawFigureAgain(const RenderArguments& a, const Stored& stored, const Ta
   json["mm_per_pixel"] = facts.mm_per_pixel;
   json["level"] = stored.project.region.level.value;
   json["region_mm"] = jsonOf(stored.project.region);
+  json["gain"] = stored.project.gain;
+  json["stereo"] = name(stored.project.figure.stereo);
   json["caption"] = facts.caption;
   Outcome outcome{.json = json.dump(2),
                   .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
-                            std::to_string(facts.height_px) + " pixels, as the figure"},
+                            std::to_string(facts.height_px) + " pixels, " +
+                            (a.carrier.given() ? "as the figure" : "two eyes' pictures")},
                   .exit_code = exitCodeAfter(stored.surface)};
   writeCaptionIfAsked(a, facts.caption, outcome);
   return outcome;
 }
 
 Outcome runRender(const RenderArguments& a, const Task& task) {
+  requireReplaceable(a.out);
+  if (a.caption != "-") requireReplaceable(a.caption);
   Stored state =
       a.carrier.given() ? loadStored(a.carrier, a.map.file, task) : fromArguments(a, task);
-  if (!state.project.picture) return drawFigureAgain(a, state, task);
+  if (!state.project.picture) {
+    if (!a.region.window_out.empty()) {
+      writeWindowIfAsked(a.region, state.surface,
+                         windowOf(state.surface, state.project.region, state.project.gain));
+    }
+    return drawAsFigure(a, state, task);
+  }
   checkEnding(a.out);
   const Surface& surface = state.surface;
   Project& p = state.project;
@@ -120,12 +165,12 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   json["view"] = surface.view_name;
   json["view_from_file"] = jsonOf(surface.view_from_file);
   json["caption"] = facts.caption;
-  Outcome outcome{
-      .json = json.dump(2),
-      .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
-                std::to_string(facts.height_px) + " pixels, " + shortNumber(json["mm_per_pixel"]) +
-                " mm each, level " + std::to_string(p.region.level.value)},
-      .exit_code = exitCodeAfter(surface)};
+  Outcome outcome{.json = json.dump(2),
+                  .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
+                            std::to_string(facts.height_px) + " pixels, " +
+                            ShownLengths(surface).text(facts.mm_per_pixel) + " each, level " +
+                            std::to_string(p.region.level.value)},
+                  .exit_code = exitCodeAfter(surface)};
   writeCaptionIfAsked(a, facts.caption, outcome);
   return outcome;
 }
@@ -143,31 +188,32 @@ void checkUse(const CLI::App& verb, const RenderArguments& a) {
 
 Verb renderVerb() {
   auto arguments = std::make_shared<RenderArguments>();
-  return {
-      .name = "render",
-      .help = "Picture of a region at its level, as the detail view shows it",
-      .declare =
-          [arguments](CLI::App& verb) {
-            addMapOptions(verb, arguments->map);
-            addRegionOptions(verb, arguments->region);
-            verb.add_option("--stereo", arguments->stereo, "Red/cyan: " + listOf(kStereoModeNames));
-            verb.add_flag("--swap-eyes", arguments->swap_eyes, "Left and right eye change places");
-            verb.add_option("--eye-angle", arguments->eye_angle_deg,
-                            "Angle between the eyes' directions in degrees")
-                ->check(CLI::Range(0.5, 10.0));
-            verb.add_option("--zero-plane", arguments->zero_plane_mm,
-                            "Height of zero parallax in mm; default mid height");
-            addLookOptions(verb, arguments->look);
-            verb.add_option("--pixels", arguments->pixels, "Width and height of the image")
-                ->check(CLI::Range(16, 16384));
-            verb.add_flag("--scale-bar", arguments->scale_bar, "Draw a scale bar");
-            verb.add_option("-o,--output", arguments->out, "FIG.png or .tif")->required();
-            verb.add_option("--caption", arguments->caption,
-                            "Also write the text under the picture: FILE, or - for the report");
-            addCarrierOptions(verb, arguments->carrier);
-            verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
-          },
-      .run = [arguments](const Task& task) { return runRender(*arguments, task); }};
+  return {.name = "render",
+          .help = "Picture of a region at its level, as the detail view shows it",
+          .declare =
+              [arguments](CLI::App& verb) {
+                addMapOptions(verb, arguments->map);
+                addRegionOptions(verb, arguments->region);
+                verb.add_option("--stereo", arguments->stereo,
+                                std::string("Red/cyan, or two pictures: ") + kStereoWords);
+                verb.add_flag("--swap-eyes", arguments->swap_eyes,
+                              "Left and right eye change places");
+                verb.add_option("--eye-angle", arguments->eye_angle_deg,
+                                "Angle between the eyes' directions in degrees")
+                    ->check(CLI::Range(0.5, 10.0));
+                verb.add_option("--zero-plane", arguments->zero_plane_mm,
+                                "Height of zero parallax in mm; default mid height");
+                addLookOptions(verb, arguments->look);
+                verb.add_option("--pixels", arguments->pixels, "Width and height of the image")
+                    ->check(CLI::Range(16, 16384));
+                verb.add_flag("--scale-bar", arguments->scale_bar, "Draw a scale bar");
+                verb.add_option("-o,--output", arguments->out, "FIG.png or .tif")->required();
+                verb.add_option("--caption", arguments->caption,
+                                "Also write the text under the picture: FILE, or - for the report");
+                addCarrierOptions(verb, arguments->carrier);
+                verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
+              },
+          .run = [arguments](const Task& task) { return runRender(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

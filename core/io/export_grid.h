@@ -22,6 +22,7 @@ struct ExportGrid {
   std::vector<Origin> origins;                   ///< Same order and size.
   std::string unit = "mm";
   std::string projection;  ///< Well-known text; empty: none.
+  std::string state = {};  ///< As MapFileOptions::state, of a GeoTIFF.
 
   /// Is there a height? Holes on the base plane have one, cells outside the object have none.
   bool holds(std::size_t i) const noexcept { return origins[i] != Origin::outside; }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 
 namespace relievo {
 
@@ -19,7 +20,9 @@ ReplacedFile::ReplacedFile(std::filesystem::path final_name)
     : final_(std::move(final_name)),
       temporary_(final_.parent_path() /
                  ("." + final_.stem().string() + "." + std::to_string(::getpid()) + ".tmp" +
-                  final_.extension().string())) {}
+                  final_.extension().string())) {
+  requireReplaceable(final_);
+}
 
 ReplacedFile::~ReplacedFile() {
   std::error_code ignored;

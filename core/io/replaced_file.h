@@ -13,6 +13,7 @@ namespace relievo {
 /// failure leaves nothing half done, and what was there before.
 class ReplacedFile {
  public:
+  /// @throw WriteError  what is there must not be replaced
   explicit ReplacedFile(std::filesystem::path final_name);
   ~ReplacedFile();
   ReplacedFile(const ReplacedFile&) = delete;

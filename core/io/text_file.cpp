@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/file_check.h"
 #include "core/io/owned_fd.h"
 
@@ -27,6 +28,7 @@ bool writeAll(int descriptor, std::string_view text) {
 }  // namespace
 
 void writeTextFile(const std::filesystem::path& file, std::string_view text) {
+  requireReplaceable(file);
   std::filesystem::path part = file;
   part += ".part" + std::to_string(::getpid());
   bool written = false;

@@ -155,6 +155,8 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
   CPLStringList metadata;
   metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
   metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
+  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
+  if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
   ReplacedFile written(file);
   writeBand(written.path(), file,
             {grid.size, grid.first_x, grid.first_y, grid.spacing, grid.projection.c_str()},

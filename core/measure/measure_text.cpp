@@ -186,11 +186,14 @@ std::string planeNumbers(const Measurement& m) {
          " " + numberText(m.plane_mm);
 }
 
-std::string planeText(const Measurement& m) {
+std::string planeText(const Measurement& m, double unit_mm, std::string_view unit) {
   if (!hasPlane(m.kind)) return {};
+  const auto lengthText = [&](double mm) {
+    return shortText(mm / unit_mm) + " " + std::string(unit);
+  };
   if (m.kind == MeasureKind::area || isLevel(m.normal)) {
     const double sign = m.kind == MeasureKind::section && m.normal.z < 0 ? -1 : 1;
-    return "level at " + shortText(sign * m.plane_mm) + " mm";
+    return "level at " + lengthText(sign * m.plane_mm);
   }
   std::string text = isUpright(m.normal) ? "upright: " : "oblique: ";
   const double length = norm(m.normal);
@@ -203,7 +206,7 @@ std::string planeText(const Measurement& m) {
     text += shortText(std::abs(part)) + axis;
     between = "+";
   }
-  return text + " = " + shortText(m.plane_mm) + " mm";
+  return text + " = " + lengthText(m.plane_mm);
 }
 
 int decimalsFor(double uncertainty) {

@@ -15,7 +15,8 @@ namespace relievo {
 
 /// The plane of a measurement that has one, for people: "level at 2.5 mm", "upright: 0.6 x + 0.8 y
 /// = 12 mm"; of others empty.
-std::string planeText(const Measurement& m);
+/// @param unit  that lengths are told in, of `unit_mm` each
+std::string planeText(const Measurement& m, double unit_mm = 1, std::string_view unit = "mm");
 /// The same for programs, in round-trip form: "NX NY NZ OFFSET".
 std::string planeNumbers(const Measurement& m);
 

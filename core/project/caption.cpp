@@ -7,6 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/measure/measure_text.h"
+#include "core/project/shown_lengths.h"
 #include "core/provenance/program.h"
 #include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
@@ -14,7 +16,7 @@
 namespace relievo {
 namespace {
 
-constexpr double kShortestMm2 = 0.01;
+constexpr double kLeastArea = 0.01;  // Of the object's unit, squared.
 
 std::string counted(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
@@ -23,10 +25,15 @@ std::string counted(std::size_t count, const std::string& thing) {
 std::string objectText(const Project& p, const Surface& surface) {
   const HeightRange z = mapFacts(surface).heights;
   const GridFrame& map = mapFrame(surface);
-  return std::filesystem::path(p.file).filename().string() + ", " +
-         shortNumber(map.size.cols * map.spacing_mm) + " \u00d7 " +
-         shortNumber(map.size.rows * map.spacing_mm) + " \u00d7 " +
-         shortNumber(z.max_mm - z.min_mm) + " mm (unit " + std::string(name(surface.unit)) + ", " +
+  const ShownLengths lengths(surface);
+  const double width_mm = map.size.cols * map.spacing_mm;
+  const double height_mm = map.size.rows * map.spacing_mm;
+  const double rise_mm = z.max_mm - z.min_mm;
+  const ShownUnit unit = lengths.unitOf(std::max(width_mm, height_mm));
+  std::string size = lengths.rectangle(width_mm, height_mm);
+  if (lengths.unitOf(rise_mm).name == unit.name) size.resize(size.rfind(' '));  // Said once.
+  return std::filesystem::path(p.file).filename().string() + ", " + size + " \u00d7 " +
+         lengths.text(rise_mm) + " (unit " + std::string(name(surface.unit)) + ", " +
          std::string(name(surface.unit_source)) + "), view " + surface.view_name + ".";
 }
 
@@ -39,7 +46,11 @@ std::string holesText(const Project& p, const Surface& surface) {
     if (hole.filled) ++filled;
   }
   std::string text = counted(surface.holes.size(), "enclosed hole");
-  if (area_mm2 >= kShortestMm2) text += " of " + shortNumber(area_mm2, 3) + " mm\u00b2 together";
+  const ShownUnit unit = ShownLengths(surface).unitFor("mm\u00b2");
+  if (area_mm2 >= kLeastArea * unit.size) {
+    text +=
+        " of " + shortNumber(area_mm2 / unit.size, 3) + " " + std::string(unit.name) + " together";
+  }
   if (p.options.holes.rule == HoleRule::none) return text + " left open";
   if (filled == surface.holes.size()) return text + ", interpolated";
   if (filled == 0) return text + ", on the base plane";
@@ -49,29 +60,31 @@ std::string holesText(const Project& p, const Surface& surface) {
 std::string mapText(const Project& p, const Surface& surface) {
   const GridFrame& frame = mapFrame(surface);
   std::string text = "Depth map of " + std::to_string(frame.size.cols) + " \u00d7 " +
-                     std::to_string(frame.size.rows) + " cells, " + shortNumber(frame.spacing_mm) +
-                     " mm apart";
+                     std::to_string(frame.size.rows) + " cells, " +
+                     ShownLengths(surface).text(frame.spacing_mm) + " apart";
   if (surface.engine == "as stored") return text + ", as stored.";
-  return text + ", engine " + surface.engine + ", heights by " + surface.rule + "; " +
-         holesText(p, surface) + ".";
+  text += ", engine " + surface.engine;
+  text += surface.rule == "as stored" ? ", heights as stored" : ", heights by " + surface.rule;
+  return text + "; " + holesText(p, surface) + ".";
 }
 
 std::string regionText(const Project& p, const Surface& surface) {
   const Region& r = p.region;
+  const ShownLengths lengths(surface);
   return "Detail " + std::to_string(surface.ladder.detailOf(r.level)) + " of " +
          std::to_string(surface.ladder.levels()) + " (level " + std::to_string(r.level.value) +
-         ", M = " + shortNumber(surface.ladder.factor, 9) + "): " + shortNumber(r.side_mm) +
-         " \u00d7 " + shortNumber(r.side_mm) + " mm from x " + shortNumber(r.x_mm) + ", y " +
-         shortNumber(r.y_mm) + " mm; heights \u00d7 " + shortNumber(p.gain) +
-         (p.gain == 1 ? " (true to scale)." : ".");
+         ", M = " + shortNumber(surface.ladder.factor, 9) +
+         "): " + lengths.rectangle(r.side_mm, r.side_mm) + " from x " + lengths.number(r.x_mm) +
+         ", y " + lengths.number(r.y_mm) + " " + std::string(lengths.unit().name) +
+         "; heights \u00d7 " + shortNumber(p.gain) + (p.gain == 1 ? " (true to scale)." : ".");
 }
 
 /// @param spacing_mm  of the samples, which decides a radius that the look leaves open
-std::string lookText(const ReliefLook& look, double spacing_mm) {
+std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengths& lengths) {
   const std::string light = "light from " + shortNumber(look.light.azimuth_deg) + "\u00b0, " +
                             shortNumber(look.light.elevation_deg) + "\u00b0 above the plane";
   const std::string colours = " in " + std::string(name(look.colours));
-  const std::string around = ", radius " + shortNumber(radiusMm(look, spacing_mm)) + " mm";
+  const std::string around = ", radius " + lengths.text(radiusMm(look, spacing_mm));
   switch (look.kind) {
     case ReliefKind::lit:
       return "Lit relief, " + light;
@@ -107,8 +120,9 @@ std::string stereoText(const CaptionFacts& facts) {
          (facts.swap_eyes ? ", eyes swapped" : "");
 }
 
-std::string seenText(const Project& p, const CaptionFacts& facts, double spacing_mm) {
-  std::string text = lookText(facts.look, spacing_mm);
+std::string seenText(const Project& p, const CaptionFacts& facts, double spacing_mm,
+                     const ShownLengths& lengths) {
+  std::string text = lookText(facts.look, spacing_mm, lengths);
   if (p.azimuth_deg != 0 || p.elevation_deg != 0) {
     text += "; turned by " + shortNumber(p.azimuth_deg) + "\u00b0 and " +
             shortNumber(p.elevation_deg) + "\u00b0";
@@ -116,7 +130,7 @@ std::string seenText(const Project& p, const CaptionFacts& facts, double spacing
   return text + stereoText(facts) + ".";
 }
 
-std::string scaleText(const CaptionFacts& facts) {
+std::string scaleText(const CaptionFacts& facts, const ShownLengths& lengths) {
   std::string text;
   if (facts.paper_mm_per_mm) {
     const double one_to = 1 / *facts.paper_mm_per_mm;
@@ -124,8 +138,21 @@ std::string scaleText(const CaptionFacts& facts) {
                        : " Scale " + shortNumber(1 / one_to, 3) + ":1";
     text += ".";
   }
-  if (facts.mm_per_pixel) text += " 1 pixel is " + shortNumber(*facts.mm_per_pixel) + " mm.";
+  if (facts.mm_per_pixel) text += " 1 pixel is " + lengths.text(*facts.mm_per_pixel) + ".";
   return text;
+}
+
+/// Of what is drawn, the planes that a reader cannot see: where a section cuts, and from where a
+/// volume counts.
+std::string planesText(const CaptionFacts& facts, const ShownLengths& lengths) {
+  std::string text;
+  for (const Measurement& m : facts.measurements) {
+    if (!hasPlane(m.kind)) continue;
+    text += text.empty() ? " Planes: " : "; ";
+    text += m.kind == MeasureKind::section ? "section " : "volume of ";
+    text += m.name + ", " + planeText(m, lengths.unit().size, lengths.unit().name);
+  }
+  return text.empty() ? text : text + ".";
 }
 
 /// Of the picture, not of the whole map: what the reader sees.
@@ -176,18 +203,21 @@ std::string sharesText(const std::array<double, kOriginCount>& shares) {
 }
 
 CaptionFacts pictureFacts(const Project& p, double mm_per_pixel) {
+  const bool measured = p.picture && !p.picture->lines.empty();
   return {.look = p.look,
           .stereo = printed(p.stereo.mode),
           .swap_eyes = p.stereo.swap_eyes,
           .eye_angle_deg = p.stereo.eye_angle_deg,
-          .mm_per_pixel = mm_per_pixel};
+          .mm_per_pixel = mm_per_pixel,
+          .measurements = measured ? p.measurements : std::vector<Measurement>{}};
 }
 
 std::string captionOf(const Project& p, const Surface& surface, const RegionWindow& window,
                       const CaptionFacts& facts) {
+  const ShownLengths lengths(surface);
   return objectText(p, surface) + " " + mapText(p, surface) + " " + regionText(p, surface) + " " +
-         seenText(p, facts, window.spacingMm()) + scaleText(facts) + " " +
-         windowSharesText(window) + " " + sourceText(p);
+         seenText(p, facts, window.spacingMm(), lengths) + scaleText(facts, lengths) +
+         planesText(facts, lengths) + " " + windowSharesText(window) + " " + sourceText(p);
 }
 
 }  // namespace relievo

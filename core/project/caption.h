@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/origin.h"
 #include "core/project/project.h"
@@ -20,13 +21,15 @@ struct CaptionFacts {
   double eye_angle_deg = 0;                              ///< As drawn.
   std::optional<double> mm_per_pixel = std::nullopt;     ///< On the object; nothing: not of pixels.
   std::optional<double> paper_mm_per_mm = std::nullopt;  ///< On paper; nothing: not printed.
+  std::vector<Measurement> measurements = {};            ///< Those that are drawn over it.
 };
 /// Of a picture of exactly the region, as `render` and the views draw it.
 CaptionFacts pictureFacts(const Project& project, double mm_per_pixel);
 
 /// The text that belongs under a picture, one paragraph of UTF-8, decimal points whatever the
 /// locale: object, unit, view, engine, rule, holes, detail, level, M, gain, light or relief image,
-/// stereo, scale, shares of measured cells in the region, program and checksum.
+/// stereo, scale, planes of what is measured, shares of measured cells in the region, program and
+/// checksum. Lengths in the object's unit (core/project/shown_lengths.h).
 /// @param window  the region's samples
 std::string captionOf(const Project& project, const Surface& surface, const RegionWindow& window,
                       const CaptionFacts& facts);

@@ -75,6 +75,7 @@ Provenance provenanceFrom(const Json& json) {
   p.options = optionsFrom(json.at("depth_map"));
   if (json.contains("view")) p.view = viewFrom(json.at("view"));
   if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
+  if (json.contains("values")) p.values = lookFrom(json.at("values"));
   p.touch = objectText(json, "touch");
   p.figure = objectText(json, "figure");
   p.made = objectText(json, "made");
@@ -130,6 +131,7 @@ std::string toJson(const Provenance& p, int indent) {
   json["depth_map"] = jsonOf(p.options);
   if (p.view) json["view"] = jsonOf(*p.view);
   if (p.picture) json["picture"] = jsonOf(*p.picture);
+  if (p.values) json["values"] = jsonOf(*p.values);
   if (!p.touch.empty()) json["touch"] = Json::parse(p.touch);
   if (!p.figure.empty()) json["figure"] = Json::parse(p.figure);
   if (!p.made.empty()) json["made"] = Json::parse(p.made);

@@ -57,6 +57,7 @@ struct Provenance {
   bool accept_incomplete = false;  ///< The complete records of a cut file were taken.
   std::optional<ViewState> view;
   std::optional<PictureChoice> picture;
+  std::optional<ReliefLook> values;  ///< A map of this relief image's values, not of heights.
   /// JSON objects, kept as they are; empty: none. `touch` is the stroke and the law of the force,
   /// `made` what the surface came out as, `figure` a page around the picture.
   std::string touch, made, figure;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Figures by the command line, tried from outside.
+#include <sys/resource.h>
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <fstream>
 
+#include "core/provenance/embedded.h"
+#include "core/provenance/provenance.h"
 #include "tests/app/command_test.h"
 
 namespace relievo {
@@ -93,6 +98,66 @@ TEST_F(FigureVerb, SaysSoWhenTheInputChanged) {
   EXPECT_TRUE(fs::exists(path("b.png")));
 }
 
+TEST_F(FigureVerb, SaysACodeOnce) {
+  ASSERT_EQ(figure({"-o", path("a.png")}).exit_code, 0);
+  fs::remove(path("step.xyz"));
+  const CommandResult again =
+      runRelievo({"figure", "--from-image", path("a.png"), "-o", path("b.png")}, {"DISPLAY"});
+  EXPECT_EQ(again.exit_code, 2);
+  const std::size_t code = again.err.find("E501");
+  ASSERT_NE(code, std::string::npos) << again.err;
+  EXPECT_EQ(again.err.find("E501", code + 1), std::string::npos) << again.err;
+}
+
+TEST_F(FigureVerb, SaysInOneSentenceThatAPlaceIsBesideTheObject) {
+  for (const std::vector<std::string>& marks :
+       {std::vector<std::string>{}, {"--without", "measurements"}}) {
+    const CommandResult off =
+        figure(test::joined({"--measure", "p:point:999,999", "-o", path("a.png")}, marks));
+    EXPECT_EQ(off.exit_code, 1);
+    EXPECT_NE(off.err.find("There is no surface at"), std::string::npos) << off.err;
+    EXPECT_EQ(off.err.find("QPainter"), std::string::npos) << off.err;
+    EXPECT_FALSE(fs::exists(path("a.png")));
+  }
+}
+
+TEST_F(FigureVerb, NamesThePlaneOfWhatIsDrawn) {
+  const CommandResult result =
+      figure({"--measure", "rim:section:0,0,1,2.5", "--measure", "pit:area:20,20;40,20;40,40@1",
+              "--caption", path("c.txt"), "-o", path("a.png")});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string caption = bytesOf(path("c.txt"));
+  EXPECT_NE(caption.find("Planes: section rim, level at 2.5 mm; volume of pit, level at 1 mm."),
+            std::string::npos)
+      << caption;
+}
+
+TEST_F(FigureVerb, ReplacesNothingThatIsNoFile) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const auto refused = [&](const std::vector<std::string>& words) {
+    const CommandResult result = runRelievo(words, {"DISPLAY"});
+    EXPECT_EQ(result.exit_code, 3) << words[0] << ": " << result.err;
+    EXPECT_NE(result.err.find("no regular file"), std::string::npos) << result.err;
+  };
+  for (const char* ending : {".png", ".tif", ".pdf", ".svg", ".asc"}) {
+    const std::string link = path(std::string("link") + ending);
+    fs::create_symlink("pipe", link);
+    const std::string scan = path("step.xyz");
+    if (ending != std::string(".asc")) refused({"figure", scan, "-o", link});
+    if (ending == std::string(".png") || ending == std::string(".tif")) {
+      refused({"render", scan, "-o", link});
+    }
+    if (ending == std::string(".asc") || ending == std::string(".tif")) {
+      refused({"convert", scan, link});
+    }
+    refused({"figure", scan, "--caption", link, "-o", path("a.png")});
+    refused({"render", scan, "--caption", link, "-o", path("a.png")});
+    EXPECT_TRUE(fs::is_symlink(link));
+  }
+  EXPECT_TRUE(fs::is_fifo(path("pipe")));
+  EXPECT_FALSE(fs::exists(path("a.png"))) << "nothing is drawn that could not be written";
+}
+
 TEST_F(FigureVerb, RefusesWhatItCannotDrawInWords) {
   EXPECT_EQ(figure({"--relief", "rainbow", "-o", path("a.png")}).exit_code, 1);
   EXPECT_EQ(figure({"--dpi", "9", "-o", path("a.png")}).exit_code, 1);
@@ -131,6 +196,22 @@ TEST_F(FigureVerb, SaysHowFarApartTheEyesOfItsFilesAre) {
   EXPECT_EQ(bytesOf(path("grey.png")), bytesOf(path("anaglyph.png")));
 }
 
+/// While it lives, what this process starts has no more address space.
+class AddressSpace {
+ public:
+  explicit AddressSpace(rlim_t kilobytes) {
+    ::getrlimit(RLIMIT_AS, &before_);
+    const rlimit limit{.rlim_cur = kilobytes * 1024, .rlim_max = before_.rlim_max};
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  ~AddressSpace() { ::setrlimit(RLIMIT_AS, &before_); }
+  AddressSpace(const AddressSpace&) = delete;
+  AddressSpace& operator=(const AddressSpace&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
 class RenderVerb : public test::CommandTest {
  protected:
   CommandResult render(const std::vector<std::string>& more) const {
@@ -164,12 +245,75 @@ TEST_F(RenderVerb, WritesWhatTheEndingSaysOrNothing) {
   EXPECT_EQ(bytesOf(path("a.png")), bytesOf(path("b.png")));
   EXPECT_EQ(render({"-o", path("a.jpg")}).exit_code, 1);
   EXPECT_FALSE(fs::exists(path("a.jpg")));
-  const CommandResult pair = render({"--stereo", "sidebyside", "-o", path("c.png")});
-  EXPECT_EQ(pair.exit_code, 1);
-  EXPECT_NE(pair.err.find("relievo figure"), std::string::npos) << pair.err;
+  EXPECT_EQ(render({"--stereo", "sidebyside", "-o", path("c.pdf")}).exit_code, 1);
+  EXPECT_EQ(render({"--stereo", "beside", "-o", path("c.png")}).exit_code, 1);
   EXPECT_EQ(render({"--stereo", "grey", "--zero-plane", "1e9", "-o", path("c.png")}).exit_code, 1);
   EXPECT_FALSE(fs::exists(path("c.png")));
 }
+
+TEST_F(RenderVerb, DrawsTwoEyesPicturesOfTheSizeAskedFor) {
+  const auto sizeOf = [&](const std::string& stereo, const std::string& pixels) {
+    const CommandResult result =
+        runRelievo({"render", plane_, "--unit", "mm", "--view", "top", "--stereo", stereo,
+                    "--pixels", pixels, "--report", "json", "-o", path(stereo + ".png")},
+                   {"DISPLAY"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const json report = json::parse(result.out, nullptr, false);
+    EXPECT_EQ(report.value("stereo", ""), stereo);
+    return report.value("pixels", std::vector<int>{});
+  };
+  EXPECT_EQ(sizeOf("sidebyside", "64"), (std::vector<int>{128, 64}));
+  EXPECT_EQ(sizeOf("overunder", "64"), (std::vector<int>{64, 128}));
+  EXPECT_EQ(sizeOf("sidebyside", "501"), (std::vector<int>{1002, 501}));
+  EXPECT_EQ(sizeOf("overunder", "501"), (std::vector<int>{501, 1002}));
+  const CommandResult again = runRelievo(
+      {"render", "--from-image", path("overunder.png"), "-o", path("again.png")}, {"DISPLAY"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(bytesOf(path("again.png")), bytesOf(path("overunder.png")));
+  ASSERT_EQ(render({"--stereo", "sidebyside", "-o", path("pair.png")}).exit_code, 0);
+  ASSERT_EQ(render({"--stereo", "sidebyside", "--swap-eyes", "-o", path("swapped.png")}).exit_code,
+            0);
+  EXPECT_NE(bytesOf(path("pair.png")), bytesOf(path("swapped.png")));
+  EXPECT_EQ(
+      render({"--stereo", "sidebyside", "--zero-plane", "1e9", "-o", path("c.png")}).exit_code, 1);
+  EXPECT_FALSE(fs::exists(path("c.png")));
+}
+
+TEST_F(RenderVerb, ValuesOfAReliefImageSayWhereTheyComeFrom) {
+  for (const char* file : {"slope.tif", "map.tif"}) {
+    std::vector<std::string> words{"convert", plane_, path(file), "--unit", "mm", "--view", "top"};
+    const bool slope = file == std::string("slope.tif");
+    if (slope) words.insert(words.end(), {"--relief", "slope"});
+    ASSERT_EQ(runRelievo(words).exit_code, 0);
+    const auto state = embeddedState(path(file));
+    ASSERT_TRUE(state) << file;
+    const Provenance from = provenanceFromJson(*state, file);
+    EXPECT_EQ(from.input.sha256, sha256OfFile(plane_));
+    EXPECT_EQ(from.version, RELIEVO_VERSION_STRING);
+    ASSERT_EQ(from.values.has_value(), slope);
+    if (slope) {
+      EXPECT_EQ(from.values->kind, ReliefKind::slope);
+    }
+    const CommandResult drawn =
+        runRelievo({"render", "--from-image", path(file), "-o", path("a.png")}, {"DISPLAY"});
+    EXPECT_EQ(drawn.exit_code, 2);
+    EXPECT_NE(drawn.err.find("shows no region"), std::string::npos) << drawn.err;
+  }
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // They reserve terabytes.
+TEST_F(RenderVerb, SaysSoWhenMemoryIsTooLittleToDraw) {
+  for (const char* verb : {"render", "figure"}) {
+    for (const rlim_t kilobytes : {320000, 500000, 600000}) {
+      const AddressSpace limit(kilobytes);
+      const CommandResult result = runRelievo({verb, plane_, "-o", path("a.png")}, {"DISPLAY"});
+      EXPECT_TRUE(result.exit_code == 7 || result.exit_code == 2) << result.exit_code;
+      EXPECT_NE(result.err.find("not enough memory"), std::string::npos) << result.err;
+      EXPECT_FALSE(fs::exists(path("a.png")));
+    }
+  }
+}
+#endif
 
 TEST_F(RenderVerb, ConvertWritesTheValuesOfAReliefImage) {
   const auto convert = [this](const std::vector<std::string>& more) {

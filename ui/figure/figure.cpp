@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include "core/project/caption.h"
+#include "core/session/map_facts.h"
 #include "core/session/tiled_surface.h"
 #include "ui/figure/figure_marks.h"
 #include "ui/figure/figure_plot.h"
@@ -39,23 +40,32 @@ std::string figureCaption(const Surface& surface, const Project& project,
                      .eye_angle_deg = facts.eye_angle_deg,
                      .paper_mm_per_mm = facts.paper_per_mm};
   if (facts.mm_per_pixel > 0) drawn.mm_per_pixel = facts.mm_per_pixel;
+  if (facts.measured) drawn.measurements = project.measurements;
   return captionOf(project, surface, windowOf(surface, project.region, project.gain), drawn);
 }
 
 namespace {
 
 /// What the layout alone decides.
-FigureFacts sizesOf(const FigureSheet& layout, const FigureInk& ink, double dpi) {
+FigureFacts sizesOf(const FigureSheet& layout, const FigureInk& ink, double dpi, bool measured) {
   FigureFacts facts;
   facts.width_mm = layout.width_mm;
   facts.height_mm = layout.height_mm;
   facts.width_px = static_cast<int>(std::lround(facts.width_mm / 25.4 * dpi));
   facts.height_px = static_cast<int>(std::ceil(facts.height_mm / 25.4 * dpi - 1e-6));
   facts.paper_per_mm = layout.paper_per_mm;
+  facts.measured = measured;
   for (const FigurePanel& panel : layout.panels) {
     if (!panel.whole) facts.mm_per_pixel = panel.shown.width_mm / ink.pixels(panel.paper).width();
   }
   return facts;
+}
+
+std::vector<Reading> readAll(const Surface& surface, const Project& project) {
+  std::vector<Reading> readings;
+  const MapCells cells = mapCells(surface);
+  for (const Measurement& m : project.measurements) readings.push_back(read(cells, m));
+  return readings;
 }
 
 }  // namespace
@@ -68,11 +78,13 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
   drawn.layout = layOut(surface, project);
   drawn.dpi = dpi;
   if (f.layout == FigureLayout::plot) drawn.recording = readForceCurve(f.recording);
+  // Before the pictures: one place beside the object and there is no figure.
+  if (f.measurements) drawn.measured = readAll(surface, project);
   QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
   QPainter painter(&unit);
   const FigureInk ink(painter, dpi, f.text_pt, FigureInk::Target::pixels);
   FigureFacts& facts = drawn.facts;
-  facts = sizesOf(drawn.layout, ink, dpi);
+  facts = sizesOf(drawn.layout, ink, dpi, f.measurements);
   // The region's first: where its colours end they end in the others, which its bar explains, too.
   Project alike = project;
   alike.figure.look = figureLook(surface, project);
@@ -99,7 +111,7 @@ void paintSheet(QPainter& painter, const Surface& surface, const Project& projec
     painter.drawImage(ink.pixels(sheet.layout.panels[i].paper), sheet.pictures[i].image);
   }
   for (std::size_t i = 0; i < sheet.layout.panels.size(); ++i) {
-    drawMarks(ink, surface, project, sheet.layout, sheet.layout.panels[i], static_cast<int>(i));
+    drawMarks(ink, surface, project, sheet, static_cast<int>(i));
   }
   if (!sheet.recording.empty()) {
     drawForcePlots(ink, sheet.recording, sheet.layout.heights_plot, sheet.layout.force_plot);
@@ -147,7 +159,7 @@ Figure previewFigure(const Surface& surface, const Project& project, int longest
   QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
   QPainter painter(&unit);
   const FigureInk ink(painter, dpi, project.figure.text_pt, FigureInk::Target::pixels);
-  FigureFacts facts = sizesOf(sheet, ink, dpi);
+  FigureFacts facts = sizesOf(sheet, ink, dpi, project.figure.measurements);
   facts.eye_angle_deg = figure.facts.eye_angle_deg;
   facts.parallax_deg = figure.facts.parallax_deg;
   facts.caption = figureCaption(surface, project, facts);

@@ -21,6 +21,7 @@ struct FigureFacts {
   double paper_per_mm = 0;             ///< Of the region's panel.
   double eye_angle_deg = 0;            ///< As drawn.
   double parallax_deg = 0;             ///< At reading distance; 0 without stereo.
+  bool measured = false;               ///< Measurements are drawn.
   std::string caption;
 };
 

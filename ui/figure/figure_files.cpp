@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <QBuffer>
@@ -11,6 +12,7 @@
 #include <QSvgGenerator>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "ui/figure/figure.h"
@@ -46,6 +48,7 @@ std::string lowerEnding(const fs::path& file) {
 }
 
 void save(const QByteArray& bytes, const fs::path& file) {
+  requireReplaceable(file);
   QSaveFile out(QFile::decodeName(file.c_str()));
   if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
     cannotWrite(file);
@@ -77,6 +80,19 @@ QByteArray xmpOf(const PictureText& text) {
       "\n</rdf:Description>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"w\"?>\n");
 }
 
+/// Qt counts a page in whole points. The page is that large at least; its box is made exact here,
+/// its upper left corner where Qt has it.
+/// @param bytes  of a PDF of one page; as many afterwards, so that all its offsets stay true
+void setExactPage(QByteArray& bytes, double width_pt, double height_pt, int top_pt) {
+  constexpr const char* kBox = "/MediaBox [";
+  const int start = bytes.indexOf(kBox) + static_cast<int>(std::strlen(kBox));
+  const int room = bytes.indexOf(']', start) - start;
+  const QByteArray box = "0 " + QByteArray::number(top_pt - height_pt, 'f', 3) + ' ' +
+                         QByteArray::number(width_pt, 'f', 3) + ' ' + QByteArray::number(top_pt);
+  if (room < 0 || box.size() > room) return;  // Not as Qt 5.15 writes it: whole points, then.
+  bytes.replace(start, room, box.leftJustified(room, ' '));
+}
+
 QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnSheet& sheet,
                  const PictureText& text) {
   QByteArray bytes;
@@ -84,8 +100,11 @@ QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnShee
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
   writer.setResolution(static_cast<int>(std::lround(sheet.dpi)));
-  writer.setPageSize(QPageSize(QSizeF(sheet.facts.width_mm, sheet.facts.height_mm),
-                               QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+  const double width_pt = sheet.facts.width_mm / kMmPerPoint;
+  const double height_pt = sheet.facts.height_mm / kMmPerPoint;
+  const auto whole = [](double points) { return static_cast<int>(std::ceil(points - 1e-6)); };
+  writer.setPageSize(QPageSize(QSizeF(whole(width_pt), whole(height_pt)), QPageSize::Point,
+                               QString(), QPageSize::ExactMatch));
   writer.setPageMargins(QMarginsF());
   writer.setTitle(QString::fromStdString(entry(text, "Title")));
   writer.setCreator(QStringLiteral("relievo " RELIEVO_VERSION_STRING));
@@ -94,6 +113,7 @@ QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnShee
   painter.setRenderHint(QPainter::LosslessImageRendering);
   paintSheet(painter, surface, project, sheet, FigureInk::Target::vectors);
   painter.end();
+  setExactPage(bytes, width_pt, height_pt, whole(height_pt));
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/project/caption.h"
+#include "core/project/shown_lengths.h"
 #include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
 #include "core/session/tiled_surface.h"
@@ -88,10 +89,12 @@ class Sheet {
   static QString tr(const char* text) { return QString::fromLatin1(text); }
 
   /// Of the region's panel, with `count` of them in a row.
-  double side(int count) const {
+  double side(int count, double gap_mm = kGapMm) const {
     if (f_.scale_1_to) return p_.region.side_mm / *f_.scale_1_to;
-    return (f_.width_mm - (count - 1) * kGapMm) / count;
+    return (f_.width_mm - (count - 1) * gap_mm) / count;
   }
+  /// A page names two pictures; without names they touch, as projectors halve a frame.
+  double eyesGap() const { return f_.letters ? kGapMm : 0; }
   void grow() {
     for (const FigurePanel& panel : sheet_.panels) {
       sheet_.width_mm = std::max(sheet_.width_mm, panel.paper.right());
@@ -100,10 +103,10 @@ class Sheet {
   }
   void detail() {
     if (f_.stereo == StereoPrint::side_by_side) {
-      pair({}, {}, side(2), true);
+      pair({}, {}, side(2, eyesGap()), true, eyesGap());
       eyes();
     } else if (f_.stereo == StereoPrint::over_under) {
-      pair({}, {}, side(1), false);
+      pair({}, {}, side(1), false, eyesGap());
       eyes();
     } else {
       side_mm_ = side(1);
@@ -119,9 +122,10 @@ class Sheet {
       panel.title = panel.eye < 0 ? tr("left eye") : tr("right eye");
     }
   }
-  void pair(const QString& first, const QString& second, double side_mm, bool beside) {
+  void pair(const QString& first, const QString& second, double side_mm, bool beside,
+            double gap_mm = kGapMm) {
     side_mm_ = side_mm;
-    const double step = side_mm + kGapMm;
+    const double step = side_mm + gap_mm;
     sheet_.panels.push_back(regionPanel(p_, {0, 0, side_mm, side_mm}));
     sheet_.panels.push_back(
         regionPanel(p_, {beside ? step : 0, beside ? 0 : step, side_mm, side_mm}));
@@ -156,15 +160,16 @@ class Sheet {
     const int count = std::min(ladder_.levels(), kMostLevels);
     const int across = count == 4 ? 2 : count;
     side_mm_ = side(across);
+    const ShownLengths lengths(std::max(ladder_.width_mm, ladder_.height_mm));
     for (int i = 0; i < count; ++i) {
       const double step = side_mm_ + kGapMm;
       const int row = i / across;
       FigurePanel panel = regionPanel(p_, {(i % across) * step, row * step, side_mm_, side_mm_});
       panel.level = {count - 1 - i};
-      panel.title =
-          QStringLiteral("level %1, %2 mm")
-              .arg(panel.level.value)
-              .arg(ladder_.spacings_mm[static_cast<std::size_t>(panel.level.value)], 0, 'g', 3);
+      panel.title = QStringLiteral("level %1, %2")
+                        .arg(panel.level.value)
+                        .arg(QString::fromStdString(lengths.text(
+                            ladder_.spacings_mm[static_cast<std::size_t>(panel.level.value)], 3)));
       sheet_.panels.push_back(panel);
     }
     grow();
@@ -208,7 +213,7 @@ FigureSheet layOut(const Surface& surface, const Project& project) {
   }
   if (needsLegend(surface, project)) {
     sheet.legend = {0, sheet.height_mm + 0.4 * line, sheet.width_mm, 1.2 * line};
-    if (hasLegend(f.look.kind)) sheet.legend.setHeight(2.4 * line);
+    if (hasLegend(f.look.kind)) sheet.legend.setHeight(2.7 * line);
     sheet.height_mm = sheet.legend.bottom();
   }
   if (!(sheet.width_mm <= kMostPaperMm) || !(sheet.height_mm <= kMostPaperMm)) {

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <QPainterPath>
 #include <tuple>
 #include <vector>
 
+#include "core/base/axis.h"
 #include "core/measure/measure_text.h"
 #include "core/project/caption.h"
-#include "core/session/map_facts.h"
+#include "core/project/shown_lengths.h"
 #include "ui/vtk/scale_length.h"
 
 namespace relievo {
@@ -18,6 +20,8 @@ namespace {
 
 const QColor kWindowPink(0xff, 0x4f, 0xa3);
 const QColor kWindowRim(40, 12, 26);
+const QColor kHatchDark(46, 52, 64), kHatchLight(246, 246, 242);
+const QColor kHatchedStone(206, 205, 202), kHatchedPlane(176, 178, 182);
 constexpr double kInsetPt = 3;  // Of marks from the picture's edge.
 
 QString text(double value, int digits = 3) {
@@ -136,13 +140,22 @@ void outline(FigureInk& ink, const PanelSpace& space, const Region& r) {
   ink.painter().drawRect(frame);
 }
 
-QString valueOf(const Quantity& q) {
-  const int decimals = decimalsFor(q.uncertainty);
-  QString value = QString::number(q.value, 'f', decimals);
-  value.replace('-', QChar(0x2212));
+QString words(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+/// As typeset: with a minus instead of a hyphen.
+QString numeral(const std::string& number) {
+  return QString::fromStdString(number).replace('-', QChar(0x2212));
+}
+
+QString valueOf(const Quantity& q, const ShownLengths& lengths) {
+  const ShownUnit unit = lengths.unitFor(q.unit);
+  const double uncertainty = q.uncertainty / unit.size;
+  const int decimals = decimalsFor(uncertainty);
   return QStringLiteral("%1 \u00b1 %2 %3")
-      .arg(value, QString::number(q.uncertainty, 'f', decimals),
-           QString::fromUtf8(q.unit.data(), static_cast<int>(q.unit.size())));
+      .arg(numeral(fixedDigits(q.value / unit.size, decimals)),
+           QString::fromStdString(fixedDigits(uncertainty, decimals)), words(unit.name));
 }
 
 /// A place for a label beside `at`: above, below, below what is there already, or above it where
@@ -177,10 +190,16 @@ QPointF shownPart(const QPolygonF& curve, const QRectF& box) {
   return shown.empty() ? curve.front() : shown[shown.size() / 2];
 }
 
+struct Measured {
+  const Measurement& m;
+  const Reading& reading;
+  const ShownLengths& lengths;
+};
+
 /// @param taken  the places of marks and labels, to which this one's is added
-void measurement(FigureInk& ink, const PanelSpace& space, const MapCells& map, const Measurement& m,
+void measurement(FigureInk& ink, const PanelSpace& space, const Measured& measured,
                  std::vector<QRectF>& taken) {
-  const Reading reading = read(map, m);
+  const auto& [m, reading, lengths] = measured;
   std::vector<QPolygonF> curves;
   for (const SectionCurve& curve : reading.curves) {
     curves.emplace_back();
@@ -201,7 +220,7 @@ void measurement(FigureInk& ink, const PanelSpace& space, const MapCells& map, c
     for (const QPointF& p : line) ink.painter().drawEllipse(p, ink.pt(points), ink.pt(points));
   }
   const QString label = QStringLiteral("%1: %2").arg(QString::fromStdString(m.name),
-                                                     valueOf(reading.quantities.front()));
+                                                     valueOf(reading.quantities.front(), lengths));
   const double width = ink.width(label, 0.9) + ink.pt(4);
   if (!curves.empty()) line << shownPart(curves.front(), space.box());
   QPointF at = 0.5 * (line.front() + line[std::min(1, line.size() - 1)]) + QPointF(ink.pt(4), 0);
@@ -233,12 +252,16 @@ void swatch(FigureInk& ink, const QRectF& box, bool crossed) {
   QPainter& painter = ink.painter();
   painter.save();
   painter.setClipRect(box);
-  painter.fillRect(box, crossed ? QColor(176, 178, 182) : QColor(206, 205, 202));
-  painter.setPen(ink.pen(QColor(96, 104, 122), 0.8));
-  const double step = ink.pt(3.5);
-  for (double x = box.left() - box.height(); x < box.right(); x += step) {
-    painter.drawLine(QPointF(x, box.top()), QPointF(x + box.height(), box.bottom()));
-    if (crossed) painter.drawLine(QPointF(x, box.bottom()), QPointF(x + box.height(), box.top()));
+  painter.fillRect(box, crossed ? kHatchedPlane : kHatchedStone);
+  const double step = ink.pt(5);
+  // A light line beside every dark one: both show on any ground.
+  for (const auto& [colour, aside] :
+       {std::pair{kHatchLight, ink.pt(1)}, std::pair{kHatchDark, 0.0}}) {
+    painter.setPen(ink.pen(colour, 0.7));
+    for (double x = box.left() - box.height() + aside; x < box.right(); x += step) {
+      painter.drawLine(QPointF(x, box.top()), QPointF(x + box.height(), box.bottom()));
+      if (crossed) painter.drawLine(QPointF(x, box.bottom()), QPointF(x + box.height(), box.top()));
+    }
   }
   painter.restore();
   painter.setPen(ink.pen(kInk, 0.4));
@@ -249,8 +272,9 @@ void swatch(FigureInk& ink, const QRectF& box, bool crossed) {
 }  // namespace
 
 void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
-               const FigureSheet& sheet, const FigurePanel& panel, int letter) {
+               const DrawnSheet& sheet, int number) {
   const FigureRequest& f = project.figure;
+  const FigurePanel& panel = sheet.layout.panels[static_cast<std::size_t>(number)];
   const PanelSpace space(ink, panel);
   ink.painter().save();
   ink.painter().setClipRect(space.box());
@@ -262,13 +286,15 @@ void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
     taken.push_back(heightBar(ink, space, z.max_mm - z.min_mm));
   }
   if (f.up_mark) taken.push_back(upMark(ink, space, upName(surface)));
-  if (f.letters && sheet.panels.size() > 1) {
-    taken.push_back(letterMark(ink, space, letter, panel.title));
+  if (f.letters && sheet.layout.panels.size() > 1) {
+    taken.push_back(letterMark(ink, space, number, panel.title));
   }
   // Over the marks and their words aside: a mark must not hide where a measurement ends.
-  if (f.measurements && !panel.whole) {
-    const MapCells cells = mapCells(surface);
-    for (const Measurement& m : project.measurements) measurement(ink, space, cells, m, taken);
+  if (!panel.whole) {
+    const ShownLengths lengths(surface);
+    for (std::size_t i = 0; i < sheet.measured.size(); ++i) {
+      measurement(ink, space, {project.measurements[i], sheet.measured[i], lengths}, taken);
+    }
   }
   ink.painter().restore();
 }
@@ -285,53 +311,76 @@ std::vector<Swatch> swatchesOf(const Surface& surface, const Project& project) {
   if (!project.figure.hatch) return swatches;
   const auto [shares, of_object] = legendShares(surface, project);
   const QLatin1String whole(of_object ? "object" : "region");
-  for (const auto& [origin, words, crossed] :
+  for (const auto& [origin, label, crossed] :
        {std::tuple{Origin::interpolated, "interpolated", false},
         std::tuple{Origin::base_plane, "hole, on the base plane", true}}) {
     const double share = shares[static_cast<std::size_t>(origin)];
     if (share == 0) continue;
     swatches.push_back(
         {crossed,
-         QStringLiteral("%1, %2 % of the %3").arg(QLatin1String(words), text(100 * share), whole)});
+         QStringLiteral("%1, %2 % of the %3").arg(QLatin1String(label), text(100 * share), whole)});
   }
   return swatches;
 }
 
-QString titleOf(const ReliefValues& values) {
-  const auto word = [](std::string_view t) {
-    return QString::fromUtf8(t.data(), static_cast<int>(t.size()));
-  };
-  if (values.unit.empty()) return word(values.title);
-  return QStringLiteral("%1 (%2)").arg(word(values.title), word(values.unit));
+QString titleOf(const ReliefValues& values, const ShownUnit& unit) {
+  if (unit.name.empty()) return words(values.title);
+  return QStringLiteral("%1 (%2)").arg(words(values.title), words(unit.name));
 }
 
-}  // namespace
+constexpr int kMostTickSteps = 5;
+constexpr double kBarEm =
+    13;  // Width of a bar, times the text's size; more if its numbers need it.
 
-// One row. Where the figure is too narrow for it, its text is smaller.
-void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, const QRectF& paper,
-                const ReliefValues& values) {
-  const FigureRequest& f = project.figure;
-  const QRectF box = ink.px(paper);
-  const bool coloured = hasLegend(f.look.kind);
-  const std::vector<Swatch> swatches = swatchesOf(surface, project);
-  const QString low = text(values.low);
-  const QString high = text(values.high);
-  const double gap = ink.pt(10);
-  const double bar_width =
-      coloured ? ink.width(low) + ink.width(titleOf(values)) + ink.width(high) + 2 * gap : 0;
-  double needed = bar_width;
-  for (const Swatch& s : swatches) {
-    needed += 1.6 * ink.lineHeight() + ink.pt(3) + gap + ink.width(s.label);
+/// The bar that explains the colours: round numbers under it, as many decimals as their step needs.
+class ColourBar {
+ public:
+  ColourBar(const FigureInk& ink, const ReliefValues& values, const ShownUnit& unit)
+      : title_(titleOf(values, unit)) {
+    const double low = values.low / unit.size;
+    const double range = values.high / unit.size - low;
+    const double step = axisFor(low, low + range, kMostTickSteps, AxisEnds::exact).step;
+    double widest = 0;
+    for (double n = std::ceil(low / step - kRounding); n * step <= low + range + kRounding * step;
+         ++n) {
+      ticks_.push_back({(n * step - low) / range, numeral(tickText(n * step, step))});
+      widest = std::max(widest, ink.width(ticks_.back().label));
+    }
+    const double em = ink.pt(ink.textPt());
+    bar_ = std::max(kBarEm * em, (widest + 0.8 * em) * range / step);
+    for (const Tick& tick : ticks_) {
+      const double half = 0.5 * ink.width(tick.label);
+      left_ = std::max(left_, half - tick.at * bar_);
+      right_ = std::max(right_, half - (1 - tick.at) * bar_);
+    }
   }
-  const double size = std::min(1.0, box.width() / std::max(needed, 1.0));
-  const double line = ink.lineHeight(size);
-  double x = box.left();
-  QPainter& painter = ink.painter();
-  if (coloured) {
-    const QRectF bar(x, box.top() + 0.1 * line, size * bar_width, 0.7 * line);
+
+  /// With what the outermost numbers stand out, at the text's size.
+  double width() const { return left_ + bar_ + right_; }
+
+  /// @param size  times the figure's text size
+  void draw(FigureInk& ink, const QPointF& corner, ColourMap colours, double size) const {
+    const double line = ink.lineHeight(size);
+    const QRectF bar(corner.x() + size * left_, corner.y() + 0.1 * line, size * bar_, 0.7 * line);
+    paint(ink, bar, colours);
+    const double below = bar.bottom() + 0.95 * line;
+    ink.painter().setPen(ink.pen(kInk, 0.4));
+    for (const Tick& tick : ticks_) {
+      const double x = bar.left() + tick.at * bar.width();
+      ink.painter().drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + 0.15 * line));
+      ink.text({x, below}, tick.label, Qt::AlignHCenter, size);
+    }
+    ink.text({bar.center().x(), below + 0.95 * line}, title_, Qt::AlignHCenter, size);
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;  // Of a step.
+
+  static void paint(FigureInk& ink, const QRectF& bar, ColourMap colours) {
+    QPainter& painter = ink.painter();
     const int steps = 128;
     for (int i = 0; i < steps; ++i) {
-      const Rgb8 c = colourOf(coloursOf(f.look), (i + 0.5) / steps);
+      const Rgb8 c = colourOf(colours, (i + 0.5) / steps);
       const double from = bar.left() + bar.width() * i / steps;
       const double to = bar.left() + bar.width() * (i + 1) / steps;
       // Up to the end from each step on: no paper shines through between two of them.
@@ -342,11 +391,40 @@ void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, 
     painter.setBrush(Qt::NoBrush);
     painter.setPen(ink.pen(kInk, 0.4));
     painter.drawRect(bar);
-    const double below = bar.bottom() + 0.85 * line;
-    ink.text({bar.left(), below}, low, Qt::AlignLeft, size);
-    ink.text({bar.right(), below}, high, Qt::AlignRight, size);
-    ink.text({bar.center().x(), below}, titleOf(values), Qt::AlignHCenter, size);
-    x = bar.right() + size * gap;
+  }
+
+  struct Tick {
+    double at = 0;  ///< Along the bar, 0 to 1.
+    QString label;
+  };
+  QString title_;
+  std::vector<Tick> ticks_;
+  double bar_ = 0, left_ = 0, right_ = 0;  ///< Pixels.
+};
+
+}  // namespace
+
+// One row. Where the figure is too narrow for it, its text is smaller.
+void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, const QRectF& paper,
+                const ReliefValues& values) {
+  const FigureRequest& f = project.figure;
+  const QRectF box = ink.px(paper);
+  std::optional<ColourBar> bar;
+  if (hasLegend(f.look.kind)) {
+    bar.emplace(ink, values, ShownLengths(surface).unitFor(values.unit));
+  }
+  const std::vector<Swatch> swatches = swatchesOf(surface, project);
+  const double gap = ink.pt(10);
+  double needed = bar ? bar->width() : 0;
+  for (const Swatch& s : swatches) {
+    needed += 1.6 * ink.lineHeight() + ink.pt(3) + gap + ink.width(s.label);
+  }
+  const double size = std::min(1.0, box.width() / std::max(needed, 1.0));
+  const double line = ink.lineHeight(size);
+  double x = box.left();
+  if (bar) {
+    bar->draw(ink, box.topLeft(), coloursOf(f.look), size);
+    x += size * (bar->width() + gap);
   }
   for (const Swatch& s : swatches) {
     const QRectF field(x, box.top() + 0.1 * line, 1.6 * line, 0.8 * line);

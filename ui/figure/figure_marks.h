@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ui/figure/figure_ink.h"
-#include "ui/figure/figure_pictures.h"
+#include "ui/figure/figure_sheet.h"
 
 namespace relievo {
 
 /// Everything that is drawn over and beside the pictures of a figure, as vectors.
 
 /// Scale bar, height bar, up mark, window's outline, measurements and letter of one panel.
-/// @param letter  0 for a
+/// @param panel  by its place in the sheet; 0 has the letter a
 void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
-               const FigureSheet& sheet, const FigurePanel& panel, int letter);
+               const DrawnSheet& sheet, int panel);
 
 /// Bar of colours and swatches of hatches with their shares.
 void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, const QRectF& paper,

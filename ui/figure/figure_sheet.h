@@ -15,6 +15,7 @@ namespace relievo {
 struct DrawnSheet {
   FigureSheet layout;
   std::vector<PanelPicture> pictures;  ///< One for each panel.
+  std::vector<Reading> measured;       ///< One for each measurement that is drawn.
   std::vector<ForceCurveRow> recording;
   double dpi = 300;
   FigureFacts facts;

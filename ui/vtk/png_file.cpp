@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 
@@ -97,6 +98,7 @@ void writeRows(const std::filesystem::path& file, const PngShape& shape,
   for (int row = 0; row < shape.height; ++row) {
     rows.push_back(bytes.data() + row_bytes * static_cast<std::size_t>(row));
   }
+  requireReplaceable(file);
   std::filesystem::path part = file;
   part += ".part" + std::to_string(getpid());
   std::FILE* const out = std::fopen(part.c_str(), "wb");

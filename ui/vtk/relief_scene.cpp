@@ -63,8 +63,9 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "  return 1.0 - smoothstep(0.09 - 0.5 * soft, 0.09 + 0.5 * soft, d);\n"
       "}\n",
       false);
-  // A cell with corners outside is drawn up to its middle. Interpolated cells: a light diagonal
-  // hatch. Base plane: darker, crossed.
+  // A cell with corners outside is drawn up to its middle. Interpolated cells: a diagonal hatch.
+  // Base plane: darker, crossed. Beside every dark line runs a light one, which no shadow darkens:
+  // one of the two shows on any ground.
   shader->AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
       "//VTK::Color::Impl\n"
@@ -75,11 +76,18 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "  if (originVSOutput.x + originVSOutput.y > 0.0) {\n"
       "    float single = stripe(lines.x, soft.x);\n"
       "    float crossed = max(single, stripe(lines.y, soft.y));\n"
-      "    float amount = originVSOutput.x * (0.05 + 0.16 * single)\n"
-      "                 + originVSOutput.y * (0.16 + 0.26 * crossed);\n"
-      "    vec3 tint = vec3(0.20, 0.27, 0.38);\n"
-      "    diffuseColor = mix(diffuseColor, tint, amount);\n"
-      "    ambientColor = mix(ambientColor, tint * ambientIntensity, amount);\n"
+      "    float singleLight = stripe(lines.x + 0.18, soft.x);\n"
+      "    float crossedLight = max(singleLight, stripe(lines.y + 0.18, soft.y));\n"
+      "    float ground = 0.05 * originVSOutput.x + 0.16 * originVSOutput.y;\n"
+      "    float lightPart = max(0.5 * originVSOutput.x * singleLight,\n"
+      "                          0.6 * originVSOutput.y * crossedLight);\n"
+      "    float darkPart = max(0.5 * originVSOutput.x * single,\n"
+      "                         0.7 * originVSOutput.y * crossed);\n"
+      "    diffuseColor = mix(diffuseColor, vec3(0.20, 0.27, 0.38), ground);\n"
+      "    diffuseColor = mix(diffuseColor, vec3(0.97, 0.97, 0.95), lightPart);\n"
+      "    ambientColor = mix(ambientColor, vec3(0.45), lightPart);\n"
+      "    diffuseColor = mix(diffuseColor, vec3(0.10, 0.12, 0.17), darkPart);\n"
+      "    ambientColor = mix(ambientColor, vec3(0.02), darkPart);\n"
       "  }\n",
       false);
   // Stone is matt: VTK's own code would compute a highlight for each lamp and multiply it by 0,

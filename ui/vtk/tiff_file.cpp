@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo {
@@ -66,6 +67,7 @@ void describe(TIFF* tiff, const TiffShape& shape, const PictureText& text) {
 
 void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t* bytes,
                const PictureText& text) {
+  requireReplaceable(file);
   TIFFSetErrorHandler(beQuiet);
   TIFFSetWarningHandler(beQuiet);
   fs::path part = file;

@@ -60,6 +60,41 @@ TEST(Caption, NumbersAreShortAndWithoutExponents) {
   EXPECT_EQ(shortNumber(-1025399.44), "-1025399");
 }
 
+TEST(Caption, ObjectsAreToldInTheUnitOfTheirScaleBars) {
+  const Scan scan = test::latticeScan(101, 81, 20, [](double x, double) { return x / 20; });
+  Project p;
+  p.file = "hill.ply";
+  for (const auto& [unit, size, pixel] :
+       {std::tuple{LengthUnit::m, "hill.ply, 2.02 \u00d7 1.62 km \u00d7 100 m (unit m",
+                   "20 m apart"},
+        {LengthUnit::cm, "hill.ply, 20.2 \u00d7 16.2 \u00d7 1 m (unit cm", "0.2 m apart"},
+        {LengthUnit::mm, "hill.ply, 2020 \u00d7 1620 \u00d7 100 mm (unit mm", "20 mm apart"}}) {
+    SurfaceOptions options;
+    options.unit = unit;
+    options.view = ViewChoice{"top", {}};
+    const Surface surface = makeSurface(scan, options, rasterize);
+    p.region = wholeRegion(surface.ladder);
+    const RegionWindow window = sampleWindow(surface.map, surface.pyramid, p.region, p.gain);
+    const std::string text = captionOf(p, surface, window, pictureFacts(p, 0.25));
+    EXPECT_THAT(text, HasSubstr(size));
+    EXPECT_THAT(text, HasSubstr(pixel));
+  }
+}
+
+TEST(Caption, NamesThePlanesOfWhatIsDrawn) {
+  const Surface surface = surfaceWithHole();
+  Project p;
+  p.region = wholeRegion(surface.ladder);
+  p.measurements = {{"rim", MeasureKind::section, {}, 2.5},
+                    {"pit", MeasureKind::area, {{10, 10}, {20, 10}, {20, 20}}, 1},
+                    {"dip", MeasureKind::depth, {{10, 10}, {20, 10}}, 0}};
+  const RegionWindow window = sampleWindow(surface.map, surface.pyramid, p.region, p.gain);
+  EXPECT_THAT(captionOf(p, surface, window, pictureFacts(p, 1)), testing::Not(HasSubstr("Planes")));
+  p.picture = PictureChoice{.width_px = 10, .height_px = 10, .lines = {{{1, 1, 1}, {2, 2, 2}}}};
+  EXPECT_THAT(captionOf(p, surface, window, pictureFacts(p, 1)),
+              HasSubstr(" Planes: section rim, level at 2.5 mm; volume of pit, level at 1 mm. Of"));
+}
+
 TEST(Caption, SharesNameTheMeasuredCellsAlways) {
   EXPECT_EQ(sharesText({0, 0, 0, 0, 1}), "0 % measured, 100 % outside the object");
   EXPECT_EQ(sharesText({0.875, 0.125, 0, 0, 0}), "87.5 % measured, 12.5 % interpolated");

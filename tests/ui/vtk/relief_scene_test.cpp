@@ -239,6 +239,47 @@ TEST(ReliefScene, FilledCellsAreMarkedAndTheBasePlaneMoreSo) {
   EXPECT_LT(base, interpolated - 8);
 }
 
+TEST(ReliefScene, TheHatchIsSeenOnEveryGround) {
+  struct Ground {
+    const char* name;
+    int painted;           ///< 0 to 255; -1: stone.
+    double elevation_deg;  ///< Of the light.
+  };
+  for (const Ground& ground : {Ground{"bright stone", -1, 80}, Ground{"grazed stone", -1, 2},
+                               Ground{"white", 255, 45}, Ground{"black", 0, 45}}) {
+    SyntheticRelief relief = flat(0);
+    const GridFrame& f = relief.frame;
+    for (int row = 0; row < 200; ++row) {
+      for (int col = 0; col < 200; ++col) {
+        relief.origins[f.size.index({col, row})] =
+            col < 100 ? Origin::interpolated : Origin::base_plane;
+      }
+    }
+    const std::vector<std::uint8_t> colours(3 * f.size.count(),
+                                            static_cast<std::uint8_t>(ground.painted));
+    ReliefScene scene;
+    SurfaceGrid grid = relief.grid();
+    if (ground.painted >= 0) {
+      grid.colours = &colours;
+      grid.lit = false;
+    }
+    scene.setSurface(grid);
+    scene.setCamera({.rect = kWhole});
+    scene.setLight({.azimuth_deg = 315, .elevation_deg = ground.elevation_deg});
+    const RgbImage image = renderOffscreen(scene, 400, 400);
+    for (const int left : {40, 240}) {
+      double darkest = 255, lightest = 0;
+      for (int y = 150; y < 250; ++y) {
+        for (int x = left; x < left + 100; ++x) {
+          darkest = std::min(darkest, grey(at(image, x, y)));
+          lightest = std::max(lightest, grey(at(image, x, y)));
+        }
+      }
+      EXPECT_GT(lightest - darkest, 70) << ground.name << (left < 200 ? ", filled" : ", hole");
+    }
+  }
+}
+
 TEST(ReliefScene, ReplacingTheSurfaceReplacesThePicture) {
   ReliefScene scene;
   scene.setCamera({.rect = kWhole});
