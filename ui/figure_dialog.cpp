@@ -44,14 +44,21 @@ FigureDialog::FigureDialog(std::shared_ptr<const Surface> surface, Project proje
       delay_(new QTimer(this)) {
   setObjectName(QStringLiteral("figure_dialog"));
   setWindowTitle(tr("Figure"));
-  auto* columns = new QHBoxLayout;
+  auto* both = new QWidget;
+  auto* columns = new QHBoxLayout(both);
+  columns->setContentsMargins({});
   columns->addWidget(formColumn(), 0);
   columns->addLayout(previewColumn(), 1);
   file_->setText(file);
   showRequest(project_.figure);
   complete_ = true;
+  // On a small screen with large text not even the columns' least widths have room.
+  auto* scrolled = new QScrollArea;
+  scrolled->setWidget(both);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
   auto* all = new QVBoxLayout(this);
-  all->addLayout(columns, 1);
+  all->addWidget(scrolled, 1);
   all->addLayout(buttonRow());
   resizeToText(*this, {142, 37});
   delay_->setSingleShot(true);
