@@ -20,7 +20,7 @@ namespace relievo {
 namespace {
 
 constexpr int kLeastCharacters = 16;  // That a field shows ...
-constexpr int kMostCharacters = 30;   // ... or more, where the screen is wide.
+constexpr int kMostCharacters = 34;   // ... or more, where the screen is wide.
 constexpr double kFarMm = 1e9;        // Maps of countries have such heights and scales.
 
 struct Words {
@@ -145,8 +145,9 @@ QLineEdit* FigureDialog::place(QFormLayout* layout, const QString& title, const 
 }
 
 void FigureDialog::browse(QLineEdit* field, const Place& chosen_in) {
-  auto* dialog =
-      new QFileDialog(this, chosen_in.title, QFileInfo(field->text()).path(), chosen_in.filter);
+  const QString near =
+      field->text().isEmpty() ? QString::fromStdString(project_.file) : field->text();
+  auto* dialog = new QFileDialog(this, chosen_in.title, QFileInfo(near).path(), chosen_in.filter);
   dialog->setObjectName(field->objectName() + QLatin1String("_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   if (chosen_in.new_file) {
