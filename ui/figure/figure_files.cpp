@@ -187,21 +187,29 @@ EyeFiles writeEyes(const Surface& surface, const Project& project, const fs::pat
   sheet.paper_per_mm = paper_mm / project.region.side_mm;
   const int side = std::max(2, static_cast<int>(std::lround(paper_mm / 25.4 * f.dpi)));
   EyeFiles eyes;
+  struct Drawn {
+    RgbaImage image;
+    PictureText text;
+  };
+  std::vector<Drawn> drawn;  // Before any is written: stopped, there are both or none.
   for (const int eye : {-1, 1}) {
     const PanelPicture picture = drawPanel(surface, both, eyePanel(both, f.swap_eyes ? -eye : eye),
                                            sheet, {side, side}, f.dpi, task);
     const QImage page = picture.image.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
-    RgbaImage image{side, side, {page.constBits(), page.constBits() + page.sizeInBytes()}};
-    const fs::path target = eyeFile(file, eye);
+    eyes.files.push_back(eyeFile(file, eye));
     FigureFacts facts;
     facts.paper_per_mm = sheet.paper_per_mm;
     facts.eye_angle_deg = picture.eye_angle_deg;
     facts.mm_per_pixel = project.region.side_mm / side;
     facts.caption = figureCaption(surface, both, facts);
-    writePng(target, image, f.dpi, textOf(surface, both, facts, target));
-    eyes.files.push_back(target);
+    drawn.push_back({{side, side, {page.constBits(), page.constBits() + page.sizeInBytes()}},
+                     textOf(surface, both, facts, eyes.files.back())});
     eyes.eye_angle_deg = picture.eye_angle_deg;
     eyes.parallax_deg = picture.parallax_deg;
+  }
+  task.check();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    writePng(eyes.files[i], drawn[i].image, f.dpi, drawn[i].text);
   }
   return eyes;
 }
