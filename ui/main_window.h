@@ -312,7 +312,9 @@ class MainWindow : public QMainWindow {
   QComboBox* detail_choice_ = nullptr;
   QMenu* recent_menu_ = nullptr;
 
-  Project project_;                   ///< What of the state no other part holds.
+  Project project_;  ///< What of the state no other part holds.
+  /// How the view looked when the figure's look was chosen; nothing: not chosen yet.
+  std::optional<ReliefLook> figure_view_;
   std::optional<Project> restoring_;  ///< Until its file is open.
   QString project_file_;
   std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.

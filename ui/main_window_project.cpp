@@ -116,6 +116,7 @@ void MainWindow::relink(const Project& project, const QString& from) {
 void MainWindow::showRestored() {
   const QScopedValueRollback<bool> no_steps(stepping_, true);
   figures_made_.clear();
+  figure_view_.reset();
   if (!restoring_) {
     project_ = Project{};
     project_file_.clear();
@@ -131,6 +132,7 @@ void MainWindow::showRestored() {
   measure_panel_->setMeasurements(stored.measurements);
   places_panel_->setPlaces(stored.places);
   showView(viewOf(stored));
+  if (stored.figure.look != ReliefLook{}) figure_view_ = project().look;
   noted_ = shownWork();
   keeper_->forget();
   noteSaved();
@@ -209,9 +211,9 @@ void MainWindow::saveProject(const QString& file) {
 void MainWindow::chooseFigure() {
   if (!document_.isOpen() || document_.busy()) return;
   Project now = project();
-  // A figure starts as the view is painted and lit.
-  now.figure.look = detail_->sceneState().look;
-  now.figure.look.light = detail_->sceneState().light;
+  // A figure starts as the view is painted and lit; a look that was chosen for it stays until the
+  // view's changes.
+  if (figure_view_ != now.look) now.figure.look = now.look;
   auto* dialog =
       new FigureDialog(document_.surface(), now,
                        freeFigureName(QFileInfo(document_.file()).completeBaseName()), this);
@@ -219,6 +221,7 @@ void MainWindow::chooseFigure() {
   dialog->setModal(true);  // The state must not change below a preview of it.
   connect(dialog, &FigureDialog::requestChanged, this, [this](const FigureRequest& request) {
     project_.figure = request;
+    figure_view_ = project().look;
     keepWork();
   });
   connect(dialog, &FigureDialog::written, this, [this](const QString& file) {

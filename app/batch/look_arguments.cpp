@@ -6,6 +6,7 @@
 
 #include "app/batch/arguments.h"
 #include "core/base/error.h"
+#include "core/relief/relief_image.h"
 
 namespace relievo::batch {
 
@@ -41,10 +42,8 @@ ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
   }
   if (!a.range.empty()) {
     const std::vector<double> range = numberList("--range", a.range, 2);
-    if (!(range[1] > range[0])) {
-      throw ArgumentError("--range: the upper end must lie above the lower end.");
-    }
     look.range = {{range[0], range[1]}};
+    checkRange(look);
   }
   if (a.radius_mm && !(*a.radius_mm >= 0 && std::isfinite(*a.radius_mm))) {
     throw ArgumentError("--radius: it must be 0 (automatic) or more millimetres.");

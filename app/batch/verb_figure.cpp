@@ -7,12 +7,9 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
-#include "core/base/replaceable.h"
-#include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
 #include "ui/figure/figure.h"
-#include "ui/vtk/picture_file.h"
 
 namespace relievo::batch {
 namespace {
@@ -69,10 +66,11 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   if (!a.carrier.given() && a.map.file.empty()) {
     throw ArgumentError("Give FILE, --project or --from-image. Nothing was drawn.");
   }
-  if (!a.heights.empty() && pictureFormatOf(a.heights) != PictureFormat::tiff) {
-    throw ArgumentError("--heights: '" + a.heights + "' does not end in .tif. Nothing was drawn.");
-  }
-  for (const std::string& file : {a.out, a.caption, a.heights}) requireReplaceable(file);
+  const FigureFiles files{.figure = a.out,
+                          .both_eyes = a.both_eyes,
+                          .heights = a.heights,
+                          .caption = a.caption == "-" ? "" : a.caption};  // Shown in any case.
+  check(files);  // Refused before the work.
   const Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
   const Surface& surface = state.surface;
   const Project& project = state.project;
@@ -80,7 +78,8 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   const Json measured = measurementsJson(surface, project);  // Refused before anything is drawn.
   const DisplayGuard display;
   const FigureSession session;
-  const FigureFacts facts = writeFigure(surface, project, a.out, task);
+  const FigureWritten written = writeFigureFiles(surface, project, files, task);
+  const FigureFacts& facts = written.facts;
   Json json;
   json["pixels"] = {facts.width_px, facts.height_px};
   json["paper_mm"] = {facts.width_mm, facts.height_mm};
@@ -96,14 +95,11 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   json["measurements"] = measured;
   json["caption"] = facts.caption;
   json["input_sha256"] = project.sha256;
-  if (a.both_eyes) {
-    const EyeFiles eyes = writeEyes(surface, project, a.out, task);
-    for (const auto& file : eyes.files) json["eyes"].push_back(file.string());
-    json["eye_angle_deg"] = eyes.eye_angle_deg;
-    json["parallax_deg"] = eyes.parallax_deg;
+  if (written.eyes) {
+    for (const auto& file : written.eyes->files) json["eyes"].push_back(file.string());
+    json["eye_angle_deg"] = written.eyes->eye_angle_deg;
+    json["parallax_deg"] = written.eyes->parallax_deg;
   }
-  if (!a.heights.empty()) writeHeightsTiff(surface, project, a.heights);
-  if (!a.caption.empty()) writeTextFile(a.caption, facts.caption + "\n");
   return {
       .json = json.dump(2),
       .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +

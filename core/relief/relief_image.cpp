@@ -186,6 +186,11 @@ ColourMap coloursOf(const ReliefLook& look) {
   return hasLegend(look.kind) ? look.colours : ColourMap::grey;
 }
 
+void checkRange(const ReliefLook& look) {
+  if (!look.range || (*look.range)[1] > (*look.range)[0]) return;
+  throw ArgumentError("The colours' upper end must lie above their lower end.");
+}
+
 ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Task& task) {
   const bool light = std::isfinite(look.light.azimuth_deg) && look.light.elevation_deg >= 0 &&
                      look.light.elevation_deg <= 90;
@@ -193,9 +198,7 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
   if (!(look.radius_mm >= 0) || !std::isfinite(look.radius_mm)) {
     throw ArgumentError("The radius of a relief image must be 0 (automatic) or more millimetres.");
   }
-  if (look.range && !((*look.range)[1] > (*look.range)[0])) {
-    throw ArgumentError("The colours' upper end must lie above their lower end.");
-  }
+  checkRange(look);
   ReliefValues made;
   made.values = compute(map, look, task);
   struct Kind {

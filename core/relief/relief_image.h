@@ -27,6 +27,9 @@ struct ReliefValues {
 /// @throw Cancelled
 ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Task& task = {});
 
+/// @throw ArgumentError  the colours' ends are not in order
+void checkRange(const ReliefLook& look);
+
 /// Does the look depend on a radius?
 bool hasRadius(ReliefKind kind);
 /// The look's radius; where it says none, 10 samples.

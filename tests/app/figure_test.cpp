@@ -51,6 +51,11 @@ TEST_F(FigureVerb, ReportsItsSizeAndMeasuresWithoutADisplay) {
   EXPECT_FALSE(bytesOf(path("h.tif")).empty());
 }
 
+TEST_F(FigureVerb, ACaptionToTheScreenIsNoFile) {
+  ASSERT_EQ(figure({"--layout", "detail", "--caption", "-", "-o", path("a.png")}).exit_code, 0);
+  EXPECT_FALSE(fs::exists("-"));
+}
+
 TEST_F(FigureVerb, DrawsASectionAndKeepsItInThePicture) {
   const std::string cut = "rim:section:0,0,1,2.5";
   ASSERT_EQ(figure({"--layout", "detail", "-o", path("plain.png")}).exit_code, 0);
@@ -176,6 +181,7 @@ TEST_F(FigureVerb, RefusesWhatItCannotDrawInWords) {
            {"--light", "0,-20"},
            {"--scale", "2", "--width-mm", "85"},
            {"--heights", path("h.png")},
+           {"--caption", path("a.png")},
            {"--stereo", "grey", "--zero-plane", "1e9"},
        }) {
     EXPECT_EQ(figure(test::joined(wrong, {"-o", path("a.png")})).exit_code, 1) << wrong[0];

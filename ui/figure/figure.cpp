@@ -99,6 +99,12 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
   }
   facts.eye_angle_deg = drawn.pictures.back().eye_angle_deg;
   facts.parallax_deg = drawn.pictures.back().parallax_deg;
+  facts.zero_plane_mm = drawn.pictures.back().zero_plane_mm;
+  if (hasLegend(f.look.kind)) {
+    const ReliefValues& values = drawn.pictures.back().values;
+    facts.range = {{values.low, values.high}};
+    facts.range_unit = values.unit;
+  }
   facts.caption = figureCaption(surface, project, facts);
   return drawn;
 }
@@ -162,6 +168,9 @@ Figure previewFigure(const Surface& surface, const Project& project, int longest
   FigureFacts facts = sizesOf(sheet, ink, dpi, project.figure.measurements);
   facts.eye_angle_deg = figure.facts.eye_angle_deg;
   facts.parallax_deg = figure.facts.parallax_deg;
+  facts.zero_plane_mm = figure.facts.zero_plane_mm;
+  facts.range = figure.facts.range;
+  facts.range_unit = figure.facts.range_unit;
   facts.caption = figureCaption(surface, project, facts);
   figure.facts = facts;
   return figure;

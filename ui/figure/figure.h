@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/task.h"
@@ -22,6 +26,10 @@ struct FigureFacts {
   double eye_angle_deg = 0;            ///< As drawn.
   double parallax_deg = 0;             ///< At reading distance; 0 without stereo.
   bool measured = false;               ///< Measurements are drawn.
+  double zero_plane_mm = 0;            ///< Of zero parallax, whether or not there is any.
+  /// Values at the colours' ends; nothing: stone or grey.
+  std::optional<std::array<double, 2>> range;
+  std::string_view range_unit;  ///< "mm", "\u00b0" or empty.
   std::string caption;
 };
 
@@ -76,5 +84,29 @@ EyeFiles writeEyes(const Surface& surface, const Project& project,
 /// @throw WriteError, ArgumentError
 void writeHeightsTiff(const Surface& surface, const Project& project,
                       const std::filesystem::path& file);
+
+/// The files that one figure is written as; an empty name: not that one.
+struct FigureFiles {
+  std::filesystem::path figure = {};   ///< As writeFigure.
+  bool both_eyes = false;              ///< As writeEyes, beside the figure and named after it.
+  std::filesystem::path heights = {};  ///< As writeHeightsTiff.
+  std::filesystem::path caption = {};  ///< The caption as text.
+};
+/// Their names, in the order in which they are written.
+std::vector<std::filesystem::path> namesOf(const FigureFiles& files);
+/// @throw ArgumentError  an ending that says another kind of file, or one name for two files
+void check(const FigureFiles& files);
+
+/// What was written beside how it came out.
+struct FigureWritten {
+  FigureFacts facts;
+  std::optional<EyeFiles> eyes;
+};
+/// One after the other what `relievo figure` and the dialog "Figure..." write.
+/// @param told  how many of namesOf(files) are there, after each step, on the calling thread
+/// @throw as writeFigure, check(files)
+FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
+                               const FigureFiles& files, const Task& task = {},
+                               const std::function<void(std::size_t)>& told = {});
 
 }  // namespace relievo

@@ -10,9 +10,11 @@
 #include <QPdfWriter>
 #include <QSaveFile>
 #include <QSvgGenerator>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
+#include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "ui/figure/figure.h"
@@ -140,10 +142,28 @@ QByteArray svgOf(const Surface& surface, const Project& project, const DrawnShee
                                     "</metadata>\n"));
 }
 
+fs::path eyeFile(fs::path figure, int eye) {
+  return figure.replace_extension(eye < 0 ? ".left.png" : ".right.png");
+}
+
+/// The endings that writeFigure takes.
+void checkFigureName(const fs::path& file) {
+  const std::string ending = lowerEnding(file);
+  if (pictureFormatOf(file) || ending == ".pdf" || ending == ".svg") return;
+  throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" +
+                      file.filename().string() + "' does not. Nothing was drawn.");
+}
+
+/// Side of the region's square in the eyes' files.
+double eyePaperMm(const Project& project) {
+  const FigureRequest& f = project.figure;
+  return f.scale_1_to ? project.region.side_mm / *f.scale_1_to : f.width_mm;
+}
+
 FigurePanel eyePanel(const Project& project, int eye) {
   FigurePanel panel;
   const Region& r = project.region;
-  panel.paper = {0, 0, project.figure.width_mm, project.figure.width_mm};
+  panel.paper = {0, 0, eyePaperMm(project), eyePaperMm(project)};
   panel.shown = {r.x_mm, r.y_mm, r.side_mm, r.side_mm};
   panel.level = r.level;
   panel.eye = eye;
@@ -154,6 +174,7 @@ FigurePanel eyePanel(const Project& project, int eye) {
 
 FigureFacts writeFigure(const Surface& surface, const Project& project, const fs::path& file,
                         const Task& task) {
+  checkFigureName(file);
   if (const auto pixels = pictureFormatOf(file)) {
     const Figure figure = drawFigure(surface, project, task);
     const PictureText text = textOf(surface, project, figure.facts, file);
@@ -164,17 +185,12 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const fs
     }
     return figure.facts;
   }
-  const std::string ending = lowerEnding(file);
-  if (ending != ".pdf" && ending != ".svg") {
-    throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" +
-                        file.filename().string() + "' does not. Nothing was drawn.");
-  }
+  const bool pdf = lowerEnding(file) == ".pdf";
   Project whole = project;
   whole.figure.dpi = std::round(project.figure.dpi);  // Both writers count whole dots.
   const DrawnSheet sheet = drawPictures(surface, whole, whole.figure.dpi, task);
   const PictureText text = textOf(surface, whole, sheet.facts, file);
-  save(ending == ".pdf" ? pdfOf(surface, whole, sheet, text) : svgOf(surface, whole, sheet, text),
-       file);
+  save(pdf ? pdfOf(surface, whole, sheet, text) : svgOf(surface, whole, sheet, text), file);
   return sheet.facts;
 }
 
@@ -187,25 +203,33 @@ EyeFiles writeEyes(const Surface& surface, const Project& project, const fs::pat
   both.figure.look = figureLook(surface, project);
   check(both.figure);
   FigureSheet sheet;
-  sheet.paper_per_mm = f.width_mm / project.region.side_mm;
-  const int side = static_cast<int>(std::lround(f.width_mm / 25.4 * f.dpi));
+  const double paper_mm = eyePaperMm(project);
+  sheet.paper_per_mm = paper_mm / project.region.side_mm;
+  const int side = std::max(2, static_cast<int>(std::lround(paper_mm / 25.4 * f.dpi)));
   EyeFiles eyes;
+  struct Drawn {
+    RgbaImage image;
+    PictureText text;
+  };
+  std::vector<Drawn> drawn;  // Before any is written: stopped, there are both or none.
   for (const int eye : {-1, 1}) {
     const PanelPicture picture = drawPanel(surface, both, eyePanel(both, f.swap_eyes ? -eye : eye),
                                            sheet, {side, side}, f.dpi, task);
     const QImage page = picture.image.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
-    RgbaImage image{side, side, {page.constBits(), page.constBits() + page.sizeInBytes()}};
-    fs::path target = file;
-    target.replace_extension(eye < 0 ? ".left.png" : ".right.png");
+    eyes.files.push_back(eyeFile(file, eye));
     FigureFacts facts;
     facts.paper_per_mm = sheet.paper_per_mm;
     facts.eye_angle_deg = picture.eye_angle_deg;
     facts.mm_per_pixel = project.region.side_mm / side;
     facts.caption = figureCaption(surface, both, facts);
-    writePng(target, image, f.dpi, textOf(surface, both, facts, target));
-    eyes.files.push_back(target);
+    drawn.push_back({{side, side, {page.constBits(), page.constBits() + page.sizeInBytes()}},
+                     textOf(surface, both, facts, eyes.files.back())});
     eyes.eye_angle_deg = picture.eye_angle_deg;
     eyes.parallax_deg = picture.parallax_deg;
+  }
+  task.check();
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    writePng(eyes.files[i], drawn[i].image, f.dpi, drawn[i].text);
   }
   return eyes;
 }
@@ -249,6 +273,59 @@ void writeHeightsTiff(const Surface& surface, const Project& project, const fs::
                   " mm + (v - 1) x " + shortNumber(step_mm, 9) + " mm. " +
                   figureCaption(surface, project, facts);
   writeTiff(file, picture, f.dpi, textOf(surface, project, facts, file));
+}
+
+std::vector<fs::path> namesOf(const FigureFiles& files) {
+  std::vector<fs::path> names{files.figure};
+  if (files.both_eyes) {
+    for (const int eye : {-1, 1}) names.push_back(eyeFile(files.figure, eye));
+  }
+  for (const fs::path& other : {files.heights, files.caption}) {
+    if (!other.empty()) names.push_back(other);
+  }
+  return names;
+}
+
+void check(const FigureFiles& files) {
+  checkFigureName(files.figure);
+  if (!files.heights.empty() && pictureFormatOf(files.heights) != PictureFormat::tiff) {
+    throw ArgumentError("The name of a figure's heights ends in .tif; '" +
+                        files.heights.filename().string() + "' does not. Nothing was drawn.");
+  }
+  std::set<fs::path> taken;
+  for (const fs::path& name : namesOf(files)) {
+    requireReplaceable(name);
+    if (taken.insert(fs::absolute(name).lexically_normal()).second) continue;
+    throw ArgumentError("Two of the figure's files would be '" + name.string() +
+                        "'. Nothing was drawn. Give one of them another name.");
+  }
+}
+
+FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
+                               const FigureFiles& files, const Task& task,
+                               const std::function<void(std::size_t)>& told) {
+  check(files);
+  std::size_t there = 0;
+  const auto tell = [&](std::size_t more) {
+    there += more;
+    if (told) told(there);
+    task.check();
+  };
+  FigureWritten written{.facts = writeFigure(surface, project, files.figure, task), .eyes = {}};
+  tell(1);
+  if (files.both_eyes) {
+    written.eyes = writeEyes(surface, project, files.figure, task);
+    tell(written.eyes->files.size());
+  }
+  if (!files.heights.empty()) {
+    writeHeightsTiff(surface, project, files.heights);
+    tell(1);
+  }
+  if (!files.caption.empty()) {
+    writeTextFile(files.caption, written.facts.caption + "\n");
+    tell(1);
+  }
+  return written;
 }
 
 }  // namespace relievo

@@ -107,6 +107,7 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
   scene.setStereo({.mode = StereoMode::off, .zero_plane_mm = eyes.zero_plane_mm});
   made.eye_angle_deg = eyes.angle_deg;
   made.parallax_deg = eyes.parallax_deg;
+  made.zero_plane_mm = eyes.zero_plane_mm;
   const PictureOptions options{
       .width = pixels.width(), .height = pixels.height(), .transparent = f.transparent};
   const auto seen_by = [&](int eye) {

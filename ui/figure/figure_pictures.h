@@ -12,7 +12,7 @@ namespace relievo {
 struct PanelPicture {
   QImage image;         ///< Premultiplied ARGB.
   ReliefValues values;  ///< Without the values themselves: title, unit and the colours' ends.
-  double eye_angle_deg = 0, parallax_deg = 0;
+  double eye_angle_deg = 0, parallax_deg = 0, zero_plane_mm = 0;
 };
 
 /// The samples of a level within a rectangle and `margin` samples around it, heights times `gain`;

@@ -386,6 +386,16 @@ TEST_F(FigureTest, StereoKeepsToTheComfortLimitAndSwapsEyes) {
   EXPECT_NE(bytesOf(files[0]), bytesOf(files[1]));
 }
 
+TEST_F(FigureTest, TheEyesFilesKeepToTheScale) {
+  project_.figure.dpi = 100;
+  project_.figure.scale_1_to = 0.5;
+  project_.region = {.x_mm = 60, .y_mm = 30, .side_mm = 30, .level = {0}};
+  const auto files = writeEyes(*surface_, project_, folder_ / "e.png").files;
+  const std::string png = bytesOf(files[0]);
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(png.at(at)); };
+  EXPECT_EQ(256 * byte(18) + byte(19), 236) << "60 mm of paper, in IHDR";
+}
+
 TEST_F(FigureTest, HeightsInSixteenBitsAreTheReliefsHeights) {
   project_.figure.dpi = 100;
   project_.region = {.x_mm = 60, .y_mm = 30, .side_mm = 30, .level = {0}};
