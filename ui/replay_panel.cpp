@@ -172,10 +172,14 @@ void ReplayPanel::showReadout() {
                           numberText(norm(row.force), 2));
   const TouchRecording& recording = *player_.recording();
   const TouchEvent* event = eventAt(recording, recording.startS() + player_.timeS());
-  if (event != nullptr) {
-    text += tr("   |   since %1 s: %2")
-                .arg(numberText(event->t_s - recording.startS(), 2), eventText(*event));
+  if (event != event_) {
+    event_ = event;
+    event_text_ = event == nullptr
+                      ? QString()
+                      : tr("   |   since %1 s: %2")
+                            .arg(numberText(event->t_s - recording.startS(), 2), eventText(*event));
   }
+  text += event_text_;
   if (text == readout_->toolTip()) return;
   readout_->setToolTip(text);
   readout_->setAccessibleDescription(text);
@@ -210,6 +214,8 @@ void ReplayPanel::takeColours() {
 
 void ReplayPanel::showLoaded() {
   shown_ = player_.recording();
+  event_ = nullptr;
+  event_text_.clear();
   const QSignalBlocker quiet(slider_);
   slider_->setRange(0, static_cast<int>(std::lround(1000 * player_.durationS())));
   low_s_ = high_s_ = 0;

@@ -57,6 +57,8 @@ class ReplayPanel : public QWidget {
   QComboBox* speed_;
   StripPlot heights_, forces_;
   const TouchRecording* shown_ = nullptr;  ///< Whose curves are drawn; compared, never followed.
+  const TouchEvent* event_ = nullptr;      ///< Whose words are event_text_; likewise.
+  QString event_text_;
   double low_s_ = 0, high_s_ = 0, cursor_s_ = 0;
 };
 
