@@ -150,12 +150,12 @@ TEST_F(ReplayTest, EventsAndSamplesAreReachedByKeysButtonsAndCommands) {
 
 TEST_F(ReplayTest, ALongNoteDoesNotWidenTheWindow) {
   replay();
-  const int width = window().minimumSizeHint().width();
+  const int width = control().panel()->minimumSizeHint().width();
   recording_->events = {{2, std::string(2000, 'x'), true}};
   control().close();
   replay();
   QApplication::processEvents();
-  EXPECT_EQ(window().minimumSizeHint().width(), width);
+  EXPECT_EQ(control().panel()->minimumSizeHint().width(), width);
 }
 
 TEST_F(ReplayTest, PlaysAtFullAndAtQuarterSpeedAndHaltsAtTheEnd) {

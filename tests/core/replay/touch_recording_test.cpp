@@ -47,6 +47,10 @@ TEST(TouchRecording, FindsTheEventsBesideATime) {
   EXPECT_EQ(eventAfter(recording, 0.001 + 0.001)->text, "b") << "not the one that is here";
   EXPECT_EQ(eventAfter(recording, 0.004), nullptr);
   EXPECT_EQ(eventBefore(recording, 0.002), nullptr);
+  recording.events[2].t_s = 0.3;
+  ASSERT_LT(0.7 - 0.4, 0.3);
+  EXPECT_EQ(eventAfter(recording, 0.7 - 0.4), nullptr) << "it is here, but for a rounding";
+  recording.events[2].t_s = 0.004;
   EXPECT_EQ(eventBefore(recording, 0.004)->text, "a");
   EXPECT_EQ(eventBefore(recording, 0.003)->text, "a");
   EXPECT_EQ(eventAt(recording, 0.001), nullptr);

@@ -6,7 +6,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <thread>
 #include <vector>
 
 #include "core/base/error.h"
@@ -140,6 +139,7 @@ TEST(Hdf5Log, WhatALogHoldsOutlivesAProgramThatIsKilled) {
   write(*log, 0, 10'000);
   // What a kill leaves on the disk is the file as it is now.
   std::filesystem::copy_file(file, left, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_LT(std::filesystem::file_size(left), 2'000'000U) << "no room is left in it";
   const LogTable kept = readLog(left);
   expectRows(kept, 8192);  // Two chunks; the third is not complete.
   ASSERT_EQ(kept.events.size(), 9U);
@@ -189,32 +189,14 @@ TEST(Hdf5Log, TakesNoMoreRoomThanItNeeds) {
   EXPECT_EQ(readLog(file).footer, "loop ticks 5000");
 }
 
-TEST(Hdf5Log, IsReadWhileAnotherIsWritten) {
-  const std::filesystem::path read = temporary("read.h5"), written = temporary("written.h5");
-  {
-    const auto log = openLog(read, "relievo log");
-    write(*log, 0, 20'000);
-    log->close();
-  }
-  const auto log = openLog(written, "relievo log");
-  std::thread writer([&log] { write(*log, 0, 100'000); });
-  for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(readLog(read).rows.size(), 20'000U);
-    EXPECT_EQ(hdf5State(read), std::nullopt);
-  }
-  writer.join();
-  log->close();
-  expectRows(readLog(written), 100'000);
-}
-
 TEST(Hdf5Log, CutsALongEventBetweenCharacters) {
   const std::filesystem::path file = temporary("long.h5");
   const auto log = openLog(file, "relievo log");
-  std::string umlauts = "x";
+  std::string umlauts;
   for (int i = 0; i < 200; ++i) umlauts += "\u00e4";
   log->write(sampleAt(0), 0, umlauts);
   log->close();
-  EXPECT_EQ(readLog(file).events.at(0).text, umlauts.substr(0, 255));
+  EXPECT_EQ(readLog(file).events.at(0).text, umlauts.substr(0, 254));
 }
 
 TEST(Hdf5Log, RefusesAPlaceThatCannotBeWritten) {
