@@ -160,6 +160,14 @@ QString WindowHost::recordingHeader(const QString& file) const {
   return window_.recordingHeader(file);
 }
 
+QString WindowHost::scanName() const {
+  return QFileInfo(window_.document().file()).completeBaseName();
+}
+
+QString WindowHost::recordingEnding() const {
+  return window_.recordingEnding();
+}
+
 void WindowHost::recordingSaved(const QString& file) {
   window_.noteRecording(file);
 }

@@ -30,6 +30,8 @@ class WindowHost : public Host {
   std::uint8_t edges() const override;
   void turnView(double azimuth_deg, double elevation_deg) override;
   QString recordingHeader(const QString& file) const override;
+  QString scanName() const override;
+  QString recordingEnding() const override;
   void recordingSaved(const QString& file) override;
   QString mapState(const QString& folder) const override;
 

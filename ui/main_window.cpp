@@ -74,7 +74,7 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
       settings_.choice(QStringLiteral("keep_work"), true).toBool()
           ? settings_.stateFolder(QStringLiteral("autosave"))
           : QString(),
-      [this] { return project(); }, this);
+      [this] { return keptWork(); }, this);
   layOut();
   makeCommands();
   makeMenus();
@@ -84,7 +84,7 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   showWindow();
   showHistory();
   showRecent();
-  for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind"}) {
+  for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind"}) {
     applyPreference(QString::fromLatin1(key));
   }
   restoreLayout();
@@ -296,7 +296,7 @@ void MainWindow::showSurface() {
   stereo_panel_->setHeights(heights.min_mm, heights.max_mm);
   view_panel_->showView(QString::fromStdString(surface.view_name));
   detail_->straighten();
-  setWindowTitle(tr("%1 \u2013 relievo").arg(QFileInfo(document_.file()).fileName()));
+  showTitle();
   reference_title_->setText(tr("REFERENCE"));
   reference_note_->setText(sizeText({surface.ladder.width_mm, surface.ladder.height_mm}));
 }

@@ -122,10 +122,11 @@ class MainWindow : public QMainWindow {
   void replay(const QString& file);
   ReplayControl& replayControl() { return *replay_; }
   /// A video of the replay, or of the camera path, in the background.
-  /// @param chosen  profile, size and rate; the rest is as the window shows it
+  /// @param chosen  light and relief image are as the view shows them
   void writeVideo(const VideoRequest& chosen, const QString& file);
   VideoControl& videoControl() { return *video_; }
   VideoControl::LiveSource liveSource();  ///< What a video of the view shows.
+  QString recordingEnding() const;        ///< Of names of recordings: "csv" or "h5", as chosen.
   /// Comment lines about input, unit, view and region for the header of a recording in `file`.
   QString recordingHeader(const QString& file) const;
 
@@ -221,6 +222,9 @@ class MainWindow : public QMainWindow {
   void relink(const Project& project, const QString& from);
   void showRestored();
   bool restoreFromFile(const QString& file);
+  void showDamaged(const QString& text);
+  Project keptWork();  ///< For an automatic copy.
+  void showTitle();    ///< Which project or scan, and whether a file holds all of the work.
   void showLook(const ReliefLook& look);
   void showStereo(const StereoOptions& stereo);
   void showParallax();
@@ -252,6 +256,7 @@ class MainWindow : public QMainWindow {
 
   // main_window_replay.cpp
   void makeReplayCommands();
+  void makeRecordingKinds();
   void connectReplay();
   void chooseRecording();
   void showReplaying(bool on);
@@ -319,6 +324,7 @@ class MainWindow : public QMainWindow {
   QString project_file_;
   std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.
   bool closes_anyway_ = false;
+  bool title_due_ = false;
   QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;
   TouchReadout touch_;

@@ -131,6 +131,9 @@ void MainWindow::applyPreference(const QString& key) {
     setSizeUnit(lengthUnit(settings_.choice(key, QString()).toString().toStdString()));
     showSurface();
     showWindow();
+  } else if (key == QLatin1String("recording_kind")) {
+    command(recordingEnding() == QLatin1String("h5") ? "record_h5" : "record_csv")
+        ->setChecked(true);
   } else if (key.startsWith(QLatin1String("stereo_"))) {
     StereoOptions stereo = detail_->sceneState().stereo;
     const auto mode =

@@ -143,7 +143,7 @@ void MainWindow::saveMeasurements() {
         measure_panel_->writeSelected(file);
       } else {
         QSaveFile out(file);
-        const QByteArray text = measure_panel_->csv().toUtf8();
+        const QByteArray text = measure_panel_->csv(file).toUtf8();
         if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit()) {
           throw WriteError(
               tr("%1 could not be written. Choose another place.").arg(file).toStdString());

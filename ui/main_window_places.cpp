@@ -6,6 +6,8 @@
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QTimer>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/region/window.h"
@@ -106,7 +108,14 @@ void MainWindow::connectPlaces() {
 }
 
 void MainWindow::keepWork() {
-  if (document_.isOpen()) keeper_->changed();
+  if (!document_.isOpen()) return;
+  keeper_->changed();
+  if (std::exchange(title_due_, true)) return;
+  constexpr int kTitleMs = 200;  // Of many changes in a row the title tells the last.
+  QTimer::singleShot(kTitleMs, this, [this] {
+    title_due_ = false;
+    showTitle();
+  });
 }
 
 void MainWindow::namePlace() {
@@ -207,7 +216,10 @@ void MainWindow::showView(const ViewState& view) {
 void MainWindow::offerLeftWork() {
   const auto left = keeper_->left();
   if (!left) return;
-  const QString name = QFileInfo(QString::fromStdString(left->project.file)).fileName();
+  const Project& work = left->project;
+  const QString name =
+      QFileInfo(QString::fromStdString(work.saved_as.empty() ? work.file : work.saved_as))
+          .fileName();
   const int steps = static_cast<int>(left->project.history.size());
   strip_->show(
       tr("relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).", nullptr, steps)

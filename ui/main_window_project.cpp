@@ -36,6 +36,15 @@ bool endsIn(const QString& file, std::initializer_list<const char*> endings) {
   });
 }
 
+/// A recording among the tables that carry a state: told by its first column.
+bool isLog(const QString& file) {
+  QFile table(file);
+  if (!endsIn(file, {".csv"}) || !table.open(QIODevice::ReadOnly)) return false;
+  QByteArray line = table.readLine();
+  while (line.startsWith('#')) line = table.readLine();
+  return line.startsWith("t_s,");
+}
+
 /// NAME-1.png, NAME-2.png, ... in the pictures folder: the first that is free.
 QString freeFigureName(const QString& model) {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation) +
@@ -54,6 +63,7 @@ Project MainWindow::project() {
   p.sha256 = document_.fileSha256().toStdString();
   p.bytes = static_cast<std::uint64_t>(QFileInfo(document_.file()).size());
   p.picture.reset();
+  p.saved_as.clear();
   p.options = document_.state().options;
   p.region = document_.state().region;
   p.gain = document_.state().gain;
@@ -67,6 +77,23 @@ Project MainWindow::project() {
   p.history = document_.stepNames();
   p.undo = document_.undoSteps();
   return p;
+}
+
+Project MainWindow::keptWork() {
+  Project p = project();
+  p.saved_as = QFileInfo(project_file_).absoluteFilePath().toStdString();
+  if (project_file_.isEmpty()) p.saved_as.clear();
+  return p;
+}
+
+void MainWindow::showTitle() {
+  if (!document_.isOpen()) return;
+  const QString shown = project_file_.isEmpty() ? document_.file() : project_file_;
+  // Qt puts a star at the first [*] where something is unsaved.
+  const QString name =
+      QFileInfo(shown).fileName().replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
+  setWindowTitle(tr("%1[*] \u2013 relievo").arg(name));
+  setWindowModified(hasUnsavedWork());
 }
 
 void MainWindow::restore(const Project& project, const QString& from) {
@@ -88,11 +115,12 @@ void MainWindow::restore(const Project& project, const QString& from) {
     strip_->show(tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
                     "file. (E501)")
                      .arg(QFileInfo(from).fileName(), request.file),
-                 {{tr("&Find it\u2026"), [this, project, from] { relink(project, from); }}});
+                 {{tr("&Find it\u2026"), [this, project, from] { relink(project, from); }},
+                  {tr("&Choose another\u2026"), [this] { chooseFile(); }}});
     return;
   }
   restoring_ = project;
-  project_file_ = endsIn(from, {".json"}) ? from : QString();
+  project_file_ = endsIn(from, {".json"}) ? from : QString::fromStdString(project.saved_as);
   strip_->close();
   open(request);
 }
@@ -140,6 +168,7 @@ void MainWindow::showRestored() {
     WorkKeeper::discard(std::exchange(recovered_copy_, QString()));
     saved_work_.clear();
     keeper_->changed();  // It is still in no file of the user's.
+    showTitle();
   }
   if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {
     strip_->show(
@@ -154,11 +183,15 @@ void MainWindow::showRestored() {
 }
 
 bool MainWindow::restoreFromFile(const QString& file) {
+  if (endsIn(file, {".h5", ".hdf5"}) && replay_->canRead()) {
+    replay(file);
+    return true;
+  }
   if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".pdf", ".svg", ".csv"})) return false;
   try {
     const auto project = carriedProject(pathOf(file));
     if (!project) return false;  // A height map or points, then.
-    if (endsIn(file, {".csv"}) && replay_->canRead()) {
+    if (isLog(file) && replay_->canRead()) {
       replay(file);  // A log: it brings its state along.
     } else {
       restore(*project, file);
@@ -166,9 +199,19 @@ bool MainWindow::restoreFromFile(const QString& file) {
     return true;
   } catch (const Error& error) {
     if (!endsIn(file, {".json"})) return false;  // The readers say what is wrong.
-    strip_->show(shownError(error));
+    showDamaged(shownError(error));
     return true;
   }
+}
+
+// A project that cannot be read: what else there is.
+void MainWindow::showDamaged(const QString& text) {
+  std::vector<MessageStrip::Button> buttons{
+      {tr("&Choose another\u2026"), [this] { chooseFile(); }}};
+  if (keeper_->left()) {
+    buttons.push_back({tr("&Work that was kept\u2026"), [this] { offerLeftWork(); }});
+  }
+  strip_->show(text, buttons);
 }
 
 void MainWindow::saveProject() {

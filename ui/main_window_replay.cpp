@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window's part in a replay: commands, what the status bar says, and the map it needs.
+#include <array>
 #include <QAction>
+#include <QActionGroup>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMenu>
 #include <QStandardPaths>
 
 #include "core/base/error.h"
@@ -17,6 +20,11 @@
 #include "ui/time_plot.h"
 
 namespace relievo {
+namespace {
+
+constexpr QLatin1String kRecordingKind("recording_kind");
+
+}  // namespace
 
 void MainWindow::makeReplayCommands() {
   make({"replay",
@@ -31,15 +39,67 @@ void MainWindow::makeReplayCommands() {
         tr("Go on with the replay, or halt it"),
         [this] { replay_->player().toggle(); },
         {}});
+  make({"replay_next_event",
+        tr("Ne&xt event"),
+        {QKeySequence("Ctrl+Shift+PgDown")},
+        tr("Go to the next event or note of the recording"),
+        [this] { replay_->goToEvent(1); },
+        {}});
+  make({"replay_previous_event",
+        tr("Event &before"),
+        {QKeySequence("Ctrl+Shift+PgUp")},
+        tr("Go back to the event or note before"),
+        [this] { replay_->goToEvent(-1); },
+        {}});
   make({"replay_close",
         tr("&Close replay"),
         {},
         tr("Back to the window from before"),
         [this] { replay_->close(); },
         {}});
-  for (const char* name : {"replay", "replay_play", "replay_close"}) {
+  for (const char* name :
+       {"replay", "replay_play", "replay_next_event", "replay_previous_event", "replay_close"}) {
     command(name)->setEnabled(false);
   }
+}
+
+// What the next recording will be; the same choice as in the preferences.
+void MainWindow::makeRecordingKinds() {
+  QMenu* record = menu(QStringLiteral("record"), {});
+  auto* kinds = new QMenu(tr("Record &as"), record);
+  kinds->setObjectName(QStringLiteral("record_as"));
+  record->insertMenu(command("replay"), kinds);
+  kinds->menuAction()->setToolTip(tr("Kind of file of the next recording"));
+  kinds->setToolTipsVisible(true);
+  auto* group = new QActionGroup(this);
+  struct Kind {
+    const char* name;
+    QString text, tip, ending;
+  };
+  const std::array<Kind, 2> all{
+      {{"record_csv", tr("&CSV"), tr("A table as text that every program opens"),
+        QStringLiteral("csv")},
+       {"record_h5", tr("&HDF5"), tr("Smaller, with units and surface; for Python and MATLAB"),
+        QStringLiteral("h5")}}};
+  for (const Kind& kind : all) {
+    QAction* action = make({kind.name,
+                            kind.text,
+                            {},
+                            kind.tip,
+                            [this, kind] {
+                              settings_.setChoice(kRecordingKind, kind.ending);
+                              announce(tr("The next recording is %1").arg(kind.ending.toUpper()));
+                            },
+                            {},
+                            true});
+    group->addAction(action);
+    kinds->addAction(action);
+  }
+}
+
+QString MainWindow::recordingEnding() const {
+  const QString csv = QStringLiteral("csv"), h5 = QStringLiteral("h5");
+  return settings_.choice(kRecordingKind, csv).toString() == h5 ? h5 : csv;
 }
 
 void MainWindow::connectReplay() {
@@ -86,7 +146,10 @@ void MainWindow::replay(const QString& file) {
 void MainWindow::showReplaying(bool on) {
   if (on) stopForces();  // What is shown is not where the hand is.
   if (QAction* forces = command("forces")) forces->setEnabled(!on);
-  for (const char* name : {"replay_play", "replay_close"}) command(name)->setEnabled(on);
+  for (const char* name :
+       {"replay_play", "replay_next_event", "replay_previous_event", "replay_close"}) {
+    command(name)->setEnabled(on);
+  }
   replay_->panel()->setVisible(on);
   plot_->setVisible(!on && command("show_plots")->isVisible() &&
                     command("show_plots")->isChecked());

@@ -72,8 +72,10 @@ void MainWindow::addToMenu(const QString& title, QAction* action) {
     }
   }
   QMenu* to = menu(title, title);
-  const bool first = action->objectName() == QLatin1String("record");
-  to->insertAction(first ? to->actions().value(0) : nullptr, action);
+  // A recording and its notes stand before what is made of them.
+  const QStringList first{QStringLiteral("record"), QStringLiteral("addNote")};
+  const int place = static_cast<int>(first.indexOf(action->objectName()));
+  to->insertAction(place < 0 ? nullptr : to->actions().value(place), action);
   to->menuAction()->setVisible(true);
   const bool forces = action->objectName() == QLatin1String("forces");
   if (!forces && action->objectName() != QLatin1String("record")) return;

@@ -37,6 +37,7 @@ bool MainWindow::hasUnsavedWork() {
 
 void MainWindow::noteSaved() {
   saved_work_ = workIn(project(), !project_file_.isEmpty());
+  showTitle();
 }
 
 void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {

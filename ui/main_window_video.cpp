@@ -117,7 +117,18 @@ void MainWindow::chooseVideo() {
   if (!can_pack) {
     announce(tr("The program ffmpeg is not installed: a folder of pictures can be made."));
   }
-  auto* dialog = new VideoDialog(detail_->size() * devicePixelRatioF(), can_pack, this);
+  VideoDialog::Start start;
+  start.view_px = detail_->size() * devicePixelRatioF();
+  start.can_pack = can_pack;
+  start.recording = replay_->showing();
+  start.duration_s =
+      start.recording ? replay_->player().durationS() : project_.paths.front().endS();
+  if (start.recording) start.request.speed = replay_->player().speed();
+  if (hasPath()) start.request.path = project_.paths.front();
+  const StereoOptions& stereo = detail_->sceneState().stereo;
+  start.request.eye_angle_deg = stereo.eye_angle_deg;
+  start.request.swap_eyes = stereo.swap_eyes;
+  auto* dialog = new VideoDialog(start, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] { chooseVideoFile(dialog->request()); });
   dialog->open();
@@ -145,12 +156,9 @@ void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
   order.request = chosen;
   order.request.look = detail_->sceneState().look;
   order.request.look.light = detail_->sceneState().light;
-  if (chosen.profile == VideoProfile::anaglyph) order.request.stereo = StereoPrint::grey;
-  order.request.eye_angle_deg = detail_->sceneState().stereo.eye_angle_deg;
   if (replay_->showing()) {
     order.recording = replay_->player().shared();
     order.recording_file = replay_->file();
-    order.request.speed = replay_->player().speed();
   } else if (hasPath()) {
     order.request.path = project_.paths.front();
     order.request.overview = false;

@@ -44,10 +44,9 @@ class MeasurePanel : public QWidget {
   /// Of an area or a section; others have no plane.
   void setPlane(int row, double plane_mm);
 
-  /// Every row of the list: name, kind, value, uncertainty, unit, share not measured, places,
-  /// plane.
+  /// The list as core/measure/measure_text writes it, for this file.
   /// @throw ArgumentError  one of them is still being read
-  QString csv() const;
+  QString csv(const QString& file) const;
   /// Heights along the profile that is selected, or the curves of the section, as CSV or SVG.
   /// @throw ArgumentError, WriteError
   void writeSelected(const QString& file) const;
@@ -66,7 +65,7 @@ class MeasurePanel : public QWidget {
  private:
   void showList();
   void showReadings();
-  QString sourceText() const;
+  QString sourceText(const QString& file) const;
   QString readingText(const Measurement& m) const;
   std::shared_ptr<const MeasureReadings::Entry> readEntry(const Measurement& m) const;
   void rename(int row, const QString& name);

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the list of measurements writes into files.
+#include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
 
 #include "core/base/error.h"
 #include "core/measure/measure_text.h"
+#include "core/provenance/embedded.h"
+#include "core/provenance/provenance.h"
+#include "core/provenance/sha256.h"
 #include "ui/figure/profile_plot.h"
 #include "ui/measure_panel.h"
 
 namespace relievo {
-namespace {
-
-QString word(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
-
-QString quoted(QString text) {
-  return '"' + text.replace('"', QLatin1String("\"\"")) + '"';
-}
-
-QString exact(double value) {
-  return QString::number(value, 'g', 10);
-}
-
-}  // namespace
 
 std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Measurement& m) const {
   auto entry = readings_->of(m);
@@ -34,39 +23,27 @@ std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Meas
           .toStdString());
 }
 
-/// What the files were measured on.
-QString MeasurePanel::sourceText() const {
-  return QStringLiteral("relievo %1, input %2, sha256 %3")
-      .arg(QStringLiteral(RELIEVO_VERSION_STRING), QFileInfo(document_.file()).fileName(),
-           document_.fileSha256());
+/// What a file was measured on: in words, and as the line that brings the map back.
+QString MeasurePanel::sourceText(const QString& file) const {
+  const DocumentState& state = document_.state();
+  Provenance made = provenanceOf(*state.surface, state.options);
+  const QFileInfo input(document_.file());
+  made.input = {relativePath(QFile::encodeName(document_.file()).toStdString(),
+                             QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
+                document_.fileSha256().toStdString(), static_cast<std::uint64_t>(input.size())};
+  return QStringLiteral("relievo %1, input %2, sha256 %3\n%4")
+      .arg(QStringLiteral(RELIEVO_VERSION_STRING), input.fileName(), document_.fileSha256(),
+           QString::fromStdString(stateLine(toJson(made, -1))));
 }
 
-QString MeasurePanel::csv() const {
-  QStringList rows{
-      "# " + sourceText(),
-      QStringLiteral("name,kind,what,value,uncertainty,unit,not_measured,places_mm,plane")};
+QString MeasurePanel::csv(const QString& file) const {
+  std::vector<Measured> list;
   for (const Measurement& m : measurements_) {
-    QStringList places;
-    for (const PlaceMm& place : m.places) places << exact(place.x) + ' ' + exact(place.y);
     const auto entry = readEntry(m);
-    if (!entry->reading) {
-      rows << QStringLiteral("# %1: %2").arg(QString::fromStdString(m.name), entry->problem);
-      continue;
-    }
-    for (const Quantity& q : entry->reading->quantities) {
-      rows << QStringList{quoted(QString::fromStdString(m.name)),
-                          word(name(m.kind)),
-                          quoted(word(q.title)),
-                          exact(q.value),
-                          exact(q.uncertainty),
-                          word(q.unit),
-                          exact(entry->reading->not_measured),
-                          quoted(places.join(QStringLiteral("; "))),
-                          QString::fromStdString(planeNumbers(m))}
-                  .join(',');
-    }
+    list.push_back(
+        {.measurement = m, .reading = entry->reading, .problem = entry->problem.toStdString()});
   }
-  return rows.join('\n') + '\n';
+  return QString::fromStdString(measurementsCsv(list, sourceText(file).toStdString()));
 }
 
 void MeasurePanel::writeSelected(const QString& file) const {
@@ -83,11 +60,9 @@ void MeasurePanel::writeSelected(const QString& file) const {
   if (m->kind == section) {
     const std::string title = QFileInfo(document_.file()).fileName().toStdString() + ": " + m->name;
     text = svg ? sectionSvg(entry->reading->curves, planeOf(*m), title)
-               : sectionCsv(entry->reading->curves, sourceText().toStdString());
+               : sectionCsv(entry->reading->curves, sourceText(file).toStdString());
   } else {
-    text = svg ? profileSvg(entry->rows)
-               : profileCsv(entry->rows, document_.file().toStdString(),
-                            document_.fileSha256().toStdString());
+    text = svg ? profileSvg(entry->rows) : profileCsv(entry->rows, sourceText(file).toStdString());
   }
   QSaveFile out(file);
   if (!out.open(QIODevice::WriteOnly) ||

@@ -16,6 +16,7 @@
 
 #include "ui/core_words.h"
 #include "ui/dialog_size.h"
+#include "ui/mnemonic.h"
 
 namespace relievo {
 namespace {
@@ -31,7 +32,7 @@ bool isRecording(const QString& file) {
 QPushButton* button(const QString& text, const char* name, const QString& tip) {
   auto* made = new QPushButton(text);
   made->setObjectName(QString::fromLatin1(name));
-  made->setAccessibleName(QString(text).remove('&').remove(u'\u2026'));
+  made->setAccessibleName(withoutMnemonic(text).remove(u'\u2026'));
   made->setToolTip(tip);
   return made;
 }

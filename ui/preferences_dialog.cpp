@@ -63,6 +63,7 @@ PreferencesDialog::PreferencesDialog(Settings& settings, QWidget* parent)
   makeUnits();
   makeStereo();
   makeDevice();
+  makeRecording();
   auto* column = new QVBoxLayout(this);
   column->addWidget(words_);
   column->addWidget(nothing_);
@@ -270,6 +271,16 @@ void PreferencesDialog::makeDevice() {
   addSwitch({"keep_work", tr("Keep work for a crash"),
              tr("A copy of unsaved work every two seconds, offered after a crash")},
             true);
+}
+
+void PreferencesDialog::makeRecording() {
+  addPage(tr("Recording"));
+  addChoice({"recording_kind", tr("Recordings are"),
+             tr("Kind of file of the next recording: a table as text, or HDF5, smaller and with "
+                "units and surface")},
+            QStringLiteral("csv"),
+            {{tr("CSV: every program opens it"), QStringLiteral("csv")},
+             {tr("HDF5: for Python and MATLAB"), QStringLiteral("h5")}});
 }
 
 void PreferencesDialog::search(const QString& words) {

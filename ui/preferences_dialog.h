@@ -53,6 +53,7 @@ class PreferencesDialog : public QDialog {
   void makeUnits();
   void makeStereo();
   void makeDevice();
+  void makeRecording();
 
   Settings& settings_;
   QLineEdit* words_;

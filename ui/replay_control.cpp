@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/provenance/sha256.h"
 #include "ui/document.h"
+#include "ui/replay_events.h"
 #include "ui/replay_panel.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
@@ -36,6 +37,7 @@ ReplayControl::ReplayControl(Document& document, QObject* parent)
       Q_EMIT said((playing ? tr("Playing, %1") : tr("Paused, %1")).arg(panel_->timeText()));
     }
   });
+  connect(panel_, &ReplayPanel::eventAsked, this, &ReplayControl::goToEvent);
   connect(panel_, &ReplayPanel::closeAsked, this, &ReplayControl::close);
   connect(&worker_, &LatestWorker::busyChanged, this, &ReplayControl::busyChanged);
   connect(&worker_, &LatestWorker::progressed, this, &ReplayControl::progressed);
@@ -128,6 +130,16 @@ void ReplayControl::close() {
   document_.revert();  // The window from before.
   Q_EMIT shownChanged(false);
   Q_EMIT said(tr("Replay closed"));
+}
+
+void ReplayControl::goToEvent(int direction) {
+  if (!showing()) return;
+  const TouchEvent* event = player_.goToEvent(direction);
+  if (event == nullptr) {
+    Q_EMIT said(direction > 0 ? tr("No event after this place") : tr("No event before this place"));
+    return;
+  }
+  Q_EMIT said(tr("%1 s: %2").arg(numberText(player_.timeS(), 2), eventText(*event)));
 }
 
 void ReplayControl::showRow() {

@@ -40,6 +40,8 @@ class ReplayControl : public QObject {
   void show(std::shared_ptr<const TouchRecording> recording, const QString& file);
   bool showing() const { return player_.recording() != nullptr; }
   void close();
+  /// To the next event or, below 0, the one before; says which.
+  void goToEvent(int direction);
   QString file() const { return file_; }
 
   /// A file with the recording's checksum: where the recording says, beside it, or one of

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "ui/palette.h"
+#include "ui/replay_events.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -22,6 +23,7 @@ constexpr double kMostShownS = 60;   // A longer recording is shown in parts ...
 constexpr double kPartS = 20;        // ... of this length.
 constexpr std::size_t kBins = 1500;  // Points per curve; a strip is a thousand pixels wide.
 constexpr double kLeastForceN = 1;
+constexpr int kLeastPlotPx = 80;  // Below the controls there is still something to see.
 constexpr double kStepS = 0.1, kLargeStepS = 1;
 
 QToolButton* button(const char* name, const QString& text, const QString& tip) {
@@ -72,6 +74,7 @@ ReplayPanel::ReplayPanel(ReplayPlayer& player, QWidget* parent)
       close_(button("replay_close_button", tr("Close"), tr("End the replay (Esc)"))),
       slider_(new QSlider(Qt::Horizontal)),
       time_(new QLabel),
+      readout_(new QLabel),
       speed_(new QComboBox),
       heights_(tr("Height of hand and proxy in the recording"), tr("z (mm)"),
                {tr("hand"), tr("proxy")}, kPartS, this),
@@ -96,7 +99,9 @@ ReplayPanel::ReplayPanel(ReplayPlayer& player, QWidget* parent)
 void ReplayPanel::layOut() {
   slider_->setObjectName(QStringLiteral("replay_slider"));
   slider_->setAccessibleName(tr("Place in the recording"));
-  slider_->setToolTip(tr("Drag through the recording; left and right by 0.1 s, Page keys by 1 s"));
+  slider_->setToolTip(
+      tr("Drag through the recording; left and right by 0.1 s, Page keys by 1 s, "
+         "up and down by events"));
   slider_->setSingleStep(static_cast<int>(1000 * kStepS));
   slider_->setPageStep(static_cast<int>(1000 * kLargeStepS));
   slider_->setFocusPolicy(Qt::StrongFocus);
@@ -115,16 +120,70 @@ void ReplayPanel::layOut() {
   controls->addWidget(time_);
   controls->addWidget(speed_);
   controls->addWidget(close_);
+  auto* steps = new QHBoxLayout;
+  steps->setSpacing(12);
+  steps->addWidget(makeSteps());
+  steps->addWidget(readout_, 1);
   auto* plots = new QHBoxLayout;
   plots->setSpacing(12);
   plots->addWidget(heights_.widget(), 1);
   plots->addWidget(forces_.widget(), 1);
+  for (StripPlot* plot : {&heights_, &forces_}) plot->widget()->setMinimumHeight(kLeastPlotPx);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 2, 8, 2);
   column->setSpacing(2);
   column->addLayout(controls);
+  column->addLayout(steps);
   column->addLayout(plots, 1);
   takeFont();
+}
+
+QWidget* ReplayPanel::makeSteps() {
+  auto* row = new QWidget;
+  auto* line = new QHBoxLayout(row);
+  line->setContentsMargins(0, 0, 0, 0);
+  const auto add = [this, line](const char* name, const QString& text, const QString& about,
+                                const QString& key, auto action) {
+    auto* made = button(name, text, QStringLiteral("%1 (%2)").arg(about, key));
+    made->setAccessibleName(about);
+    connect(made, &QToolButton::clicked, this, action);
+    line->addWidget(made);
+  };
+  add("replay_event_before", tr("\u25c2 Event"), tr("Event before"), tr("Up"),
+      [this] { Q_EMIT eventAsked(-1); });
+  add("replay_event_next", tr("Event \u25b8"), tr("Next event"), tr("Down"),
+      [this] { Q_EMIT eventAsked(1); });
+  add("replay_sample_before", tr("\u25c2 Sample"), tr("Sample before"), tr("Shift+Left"),
+      [this] { goByKey(Qt::Key_Left, Qt::ShiftModifier); });
+  add("replay_sample_next", tr("Sample \u25b8"), tr("Next sample"), tr("Shift+Right"),
+      [this] { goByKey(Qt::Key_Right, Qt::ShiftModifier); });
+  readout_->setObjectName(QStringLiteral("replay_readout"));
+  readout_->setAccessibleName(tr("Here in the recording"));
+  readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  // A long note must not widen the window; its whole text is the tooltip.
+  readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  return row;
+}
+
+void ReplayPanel::showReadout() {
+  const TouchRow& row = player_.row();
+  QString text = tr("hand z %1 mm   proxy z %2 mm   force %3 N")
+                     .arg(numberText(row.hip.z, 2), numberText(row.proxy.z, 2),
+                          numberText(norm(row.force), 2));
+  const TouchRecording& recording = *player_.recording();
+  const TouchEvent* event = eventAt(recording, recording.startS() + player_.timeS());
+  if (event != event_) {
+    event_ = event;
+    event_text_ = event == nullptr
+                      ? QString()
+                      : tr("   |   since %1 s: %2")
+                            .arg(numberText(event->t_s - recording.startS(), 2), eventText(*event));
+  }
+  text += event_text_;
+  if (text == readout_->toolTip()) return;
+  readout_->setToolTip(text);
+  readout_->setAccessibleDescription(text);
+  readout_->setText(text);
 }
 
 void ReplayPanel::takeFont() {
@@ -155,6 +214,8 @@ void ReplayPanel::takeColours() {
 
 void ReplayPanel::showLoaded() {
   shown_ = player_.recording();
+  event_ = nullptr;
+  event_text_.clear();
   const QSignalBlocker quiet(slider_);
   slider_->setRange(0, static_cast<int>(std::lround(1000 * player_.durationS())));
   low_s_ = high_s_ = 0;
@@ -184,6 +245,7 @@ void ReplayPanel::showTime() {
     high_s_ = high;
     showPart();
   }
+  showReadout();
   cursor_s_ = t;
   heights_.setCursor(t);
   forces_.setCursor(t);
@@ -206,7 +268,14 @@ void ReplayPanel::showPart() {
   forces_.setRange(0, 1.05 * std::max(kLeastForceN, largest(force)));
 }
 
-bool ReplayPanel::goByKey(int key) {
+bool ReplayPanel::goByKey(int key, Qt::KeyboardModifiers modifiers) {
+  if (player_.recording() == nullptr) return false;
+  if (modifiers == Qt::ShiftModifier && (key == Qt::Key_Left || key == Qt::Key_Right)) {
+    player_.pause();
+    player_.stepRows(key == Qt::Key_Right ? 1 : -1);
+    return true;
+  }
+  if (modifiers != Qt::NoModifier) return false;
   const double t = player_.timeS();
   switch (key) {
     case Qt::Key_Left:
@@ -220,6 +289,12 @@ bool ReplayPanel::goByKey(int key) {
       return true;
     case Qt::Key_PageDown:
       player_.setTime(t + kLargeStepS);
+      return true;
+    case Qt::Key_Up:
+      Q_EMIT eventAsked(-1);
+      return true;
+    case Qt::Key_Down:
+      Q_EMIT eventAsked(1);
       return true;
     case Qt::Key_Home:
       player_.setTime(0);
@@ -236,7 +311,7 @@ bool ReplayPanel::goByKey(int key) {
 }
 
 void ReplayPanel::keyPressEvent(QKeyEvent* event) {
-  if (event->modifiers() != Qt::NoModifier || !goByKey(event->key())) {
+  if (!goByKey(event->key(), event->modifiers() & ~Qt::KeypadModifier)) {
     QWidget::keyPressEvent(event);
   }
 }
@@ -245,7 +320,7 @@ void ReplayPanel::keyPressEvent(QKeyEvent* event) {
 bool ReplayPanel::eventFilter(QObject* watched, QEvent* event) {
   if (watched == slider_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->modifiers() == Qt::NoModifier && goByKey(key->key())) return true;
+    if (goByKey(key->key(), key->modifiers() & ~Qt::KeypadModifier)) return true;
   }
   return QWidget::eventFilter(watched, event);
 }

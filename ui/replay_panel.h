@@ -15,8 +15,10 @@ class QToolButton;
 namespace relievo {
 
 /// A replay's controls above its plots: play, a slider through the recording, speed, close; z of
-/// hand and proxy and the force, with a cursor where the picture is. Keys: Space plays and pauses,
-/// left and right go by 0.1 s, Page Up and Down by 1 s, Home and End to the ends. [GUI thread]
+/// hand and proxy and the force, with a cursor where the picture is. What is there stands between
+/// them as text. Keys: Space plays and pauses, left and right go by 0.1 s, with Shift by a sample,
+/// Page Up and Down by 1 s, up and down to the event before and after, Home and End to the ends.
+/// [GUI thread]
 class ReplayPanel : public QWidget {
   Q_OBJECT
  public:
@@ -31,6 +33,7 @@ class ReplayPanel : public QWidget {
 
  Q_SIGNALS:
   void closeAsked();
+  void eventAsked(int direction);  ///< 1: the next, -1: the one before.
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -39,19 +42,23 @@ class ReplayPanel : public QWidget {
 
  private:
   void layOut();
+  QWidget* makeSteps();
+  void showReadout();
   void takeFont();
   void showLoaded();
   void showTime();
   void showPart();
-  bool goByKey(int key);
+  bool goByKey(int key, Qt::KeyboardModifiers modifiers);
 
   ReplayPlayer& player_;
   QToolButton *play_, *close_;
   QSlider* slider_;
-  QLabel* time_;
+  QLabel *time_, *readout_;
   QComboBox* speed_;
   StripPlot heights_, forces_;
   const TouchRecording* shown_ = nullptr;  ///< Whose curves are drawn; compared, never followed.
+  const TouchEvent* event_ = nullptr;      ///< Whose words are event_text_; likewise.
+  QString event_text_;
   double low_s_ = 0, high_s_ = 0, cursor_s_ = 0;
 };
 

@@ -2,6 +2,8 @@
 #include "ui/replay_player.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace relievo {
 
@@ -38,6 +40,25 @@ void ReplayPlayer::setTime(double time_s) {
   if (time == time_s_) return;
   time_s_ = time;
   Q_EMIT moved();
+}
+
+void ReplayPlayer::stepRows(int count) {
+  const std::vector<TouchRow>& rows = recording_->rows;
+  const auto now = static_cast<std::ptrdiff_t>(&row() - rows.data());
+  const auto last = static_cast<std::ptrdiff_t>(rows.size()) - 1;
+  const auto to = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(now + count, 0, last));
+  setTime(rows[to].t_s - recording_->startS());
+}
+
+const TouchEvent* ReplayPlayer::goToEvent(int direction) {
+  if (!recording_) return nullptr;
+  const double now = recording_->startS() + time_s_;
+  const TouchEvent* event =
+      direction > 0 ? eventAfter(*recording_, now) : eventBefore(*recording_, now);
+  if (event == nullptr) return nullptr;
+  pause();
+  setTime(event->t_s - recording_->startS());
+  return event;
 }
 
 void ReplayPlayer::setSpeed(double factor) {

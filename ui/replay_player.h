@@ -27,6 +27,9 @@ class ReplayPlayer : public QObject {
   const TouchRow& row() const;  ///< At this time. Precondition: loaded.
 
   void setTime(double time_s);  ///< Clamped. What was playing goes on from there.
+  void stepRows(int count);     ///< On by so many samples, or back. Precondition: loaded.
+  /// To the next event or, below 0, the one before; pauses. @return null: there is none
+  const TouchEvent* goToEvent(int direction);
   void setSpeed(double factor);
   double speed() const { return speed_; }
   bool playing() const { return timer_.isActive(); }

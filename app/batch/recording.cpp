@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/batch/recording.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -11,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
 #include "core/provenance/embedded.h"
+#include "haptics/record/events.h"
 #include "haptics/record/replay.h"
 
 namespace relievo::batch {
@@ -107,6 +109,33 @@ void takeWindowLines(TouchRecording& recording, std::string_view footer) {
   }
 }
 
+/// A note belongs to the tick at which it was begun, though its text came later.
+void takeEvents(TouchRecording& recording, const LogTable& log) {
+  const auto add_note = [&](const Note& note) {
+    const auto row =
+        std::lower_bound(log.rows.begin(), log.rows.end(), note.tick,
+                         [](const LogRow& one, std::uint64_t tick) { return tickOf(one) < tick; });
+    const LogRow& of = row == log.rows.end() ? log.rows.back() : *row;
+    recording.events.push_back({.t_s = of[0], .text = note.text, .is_note = true});
+  };
+  for (const LogEvent& event : log.events) {
+    if (const auto note = noteIn(event.text)) {
+      add_note(*note);
+    } else {
+      recording.events.push_back({.t_s = event.t_s, .text = event.text});
+    }
+  }
+  for (std::string_view lines : {std::string_view(log.header), std::string_view(log.footer)}) {
+    while (!lines.empty()) {
+      const std::size_t end = std::min(lines.find('\n'), lines.size());
+      if (const auto note = noteIn(lines.substr(0, end))) add_note(*note);
+      lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
+  }
+  std::stable_sort(recording.events.begin(), recording.events.end(),
+                   [](const TouchEvent& a, const TouchEvent& b) { return a.t_s < b.t_s; });
+}
+
 }  // namespace
 
 TouchRecording readRecording(const std::filesystem::path& file, const Task& task) {
@@ -133,6 +162,7 @@ TouchRecording readRecording(const std::filesystem::path& file, const Task& task
   // A recording of the window has its last lines in room that its header kept for them.
   takeWindowLines(recording, log.header);
   takeWindowLines(recording, log.footer);
+  takeEvents(recording, log);
   return recording;
 }
 

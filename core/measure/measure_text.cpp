@@ -41,6 +41,14 @@ std::string quoted(std::string_view name) {
   return text + '"';
 }
 
+std::string placesText(const Measurement& m) {
+  std::string text;
+  for (const PlaceMm& place : m.places) {
+    text += (text.empty() ? "" : "; ") + numberText(place.x) + " " + numberText(place.y);
+  }
+  return text;
+}
+
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -262,19 +270,31 @@ std::string sectionSvg(const std::vector<SectionCurve>& curves, const PlaneMm& p
   return svg + "</svg>\n";
 }
 
-std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
-                            std::string_view header) {
+std::string measurementsCsv(const std::vector<Measured>& list, std::string_view header) {
   std::string text =
-      comments(header) + "name,kind,quantity,value,uncertainty,unit,not_measured,plane\n";
-  for (const Measurement& m : list) {
-    const Reading reading = read(map, m);
-    for (const Quantity& q : reading.quantities) {
+      comments(header) + "name,kind,quantity,value,uncertainty,unit,not_measured,plane,places_mm\n";
+  for (const auto& [m, reading, problem] : list) {
+    if (!reading) {
+      text += comments(m.name + ": " + problem);
+      continue;
+    }
+    for (const Quantity& q : reading->quantities) {
       text += quoted(m.name) + "," + std::string(name(m.kind)) + "," + std::string(q.title) + "," +
               numberText(q.value) + "," + numberText(q.uncertainty) + "," + std::string(q.unit) +
-              "," + numberText(reading.not_measured) + "," + planeNumbers(m) + "\n";
+              "," + numberText(reading->not_measured) + "," + planeNumbers(m) + "," +
+              placesText(m) + "\n";
     }
   }
   return text;
+}
+
+std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
+                            std::string_view header) {
+  std::vector<Measured> read_all;
+  for (const Measurement& m : list) {
+    read_all.push_back({.measurement = m, .reading = read(map, m), .problem = {}});
+  }
+  return measurementsCsv(read_all, header);
 }
 
 std::string profileCsv(const std::vector<ProfileRow>& rows, std::string_view header) {

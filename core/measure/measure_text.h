@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,17 @@ std::string planeNumbers(const Measurement& m);
 /// uncertainty is always seen, of larger ones the second.
 int decimalsFor(double uncertainty);
 
-/// One row per quantity: name, kind, quantity, value, uncertainty, unit, not_measured, plane.
+/// A measurement with what was read of it.
+struct Measured {
+  Measurement measurement;
+  std::optional<Reading> reading;  ///< Nothing: `problem` says why.
+  std::string problem;
+};
+
+/// One row per quantity: name, kind, quantity, value, uncertainty, unit, not_measured, plane,
+/// places_mm ("X Y; X Y"). What could not be read is a comment with its problem.
+std::string measurementsCsv(const std::vector<Measured>& list, std::string_view header = {});
+/// The same, read here.
 std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
                             std::string_view header = {});
 

@@ -150,9 +150,9 @@ NamedRegion placeFrom(const Json& json) {
 
 /// Keys that a later version wrote.
 std::string unknownKeys(const Json& json) {
-  constexpr std::array<const char*, 13> kKnown{
-      "relievo_project", "program", "input",      "depth_map", "view", "picture",     "figure",
-      "measurements",    "places",  "recordings", "history",   "undo", "camera_paths"};
+  constexpr std::array<const char*, 14> kKnown{
+      "relievo_project", "program", "input",      "depth_map", "view", "picture",      "figure",
+      "measurements",    "places",  "recordings", "history",   "undo", "camera_paths", "saved_as"};
   Json others = Json::object();
   for (const auto& [key, value] : json.items()) {
     if (key == "made") continue;  // Belongs to what was written, not to what will be.
@@ -208,6 +208,7 @@ Project projectFrom(Json json) {
   }
   p.history = json.value("history", std::vector<std::string>());
   for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(placeFrom(step));
+  p.saved_as = json.value("saved_as", std::string());
   p.others = unknownKeys(json);
   return p;
 }
@@ -278,6 +279,7 @@ std::string projectJson(const Project& p) {
   json["history"] = p.history;
   json["undo"] = Json::array();
   for (const NamedRegion& step : p.undo) json["undo"].push_back(placeJson(step));
+  if (!p.saved_as.empty()) json["saved_as"] = p.saved_as;
   if (!p.made.empty()) json["made"] = Json::parse(p.made);
   if (!p.others.empty()) json.update(Json::parse(p.others));
   // A file name need not be UTF-8; JSON must be.

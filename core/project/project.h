@@ -54,9 +54,10 @@ struct Project {
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
   /// The last of these that can be undone without making the surface anew: where each began.
   std::vector<NamedRegion> undo;
-  std::string version;  ///< Of the program that wrote it.
-  std::string made;     ///< See madeText; empty: not said.
-  std::string others;   ///< JSON object of keys this version does not know.
+  std::string version;   ///< Of the program that wrote it.
+  std::string made;      ///< See madeText; empty: not said.
+  std::string saved_as;  ///< Of an automatic copy: the project file it goes on from, absolute.
+  std::string others;    ///< JSON object of keys this version does not know.
 };
 
 /// The part of the state that decides a picture of the region, and back.

@@ -42,6 +42,24 @@ const TouchRow& rowAt(const TouchRecording& recording, double t_s) {
   return later == recording.rows.begin() ? *later : *std::prev(later);
 }
 
+const TouchEvent* eventAfter(const TouchRecording& recording, double t_s) {
+  const auto& all = recording.events;
+  const auto next = std::upper_bound(all.begin(), all.end(), t_s + kGraceS,
+                                     [](double t, const TouchEvent& e) { return t < e.t_s; });
+  return next == all.end() ? nullptr : &*next;
+}
+
+const TouchEvent* eventBefore(const TouchRecording& recording, double t_s) {
+  const auto& all = recording.events;
+  const auto here = std::lower_bound(all.begin(), all.end(), t_s - kGraceS,
+                                     [](const TouchEvent& e, double t) { return e.t_s < t; });
+  return here == all.begin() ? nullptr : &*std::prev(here);
+}
+
+const TouchEvent* eventAt(const TouchRecording& recording, double t_s) {
+  return eventBefore(recording, t_s + 2 * kGraceS);
+}
+
 const TouchedWindow* windowOf(const TouchRecording& recording, const TouchRow& row) {
   const auto found =
       std::find_if(recording.windows.begin(), recording.windows.end(),

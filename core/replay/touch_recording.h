@@ -34,6 +34,13 @@ struct TouchedWindow {
   bool known = true;
 };
 
+/// What happened, as the recording says it, or what a person noted.
+struct TouchEvent {
+  double t_s = 0;  ///< As TouchRow's; of a note: when it was begun.
+  std::string text;
+  bool is_note = false;
+};
+
 /// A recording of a touch as a plain value: no device, no file, no thread. What a replay shows
 /// depends on the time alone, so that the same time gives the same picture.
 struct TouchRecording {
@@ -41,6 +48,7 @@ struct TouchRecording {
   /// At least one; times are finite and do not decrease.
   std::vector<TouchRow> rows;
   std::vector<TouchedWindow> windows;  ///< One for every window_id of the rows, once placed.
+  std::vector<TouchEvent> events;      ///< In order of time.
   std::string input;                   ///< Name of the file that was touched; empty: not said.
   std::string input_sha256;            ///< Of its bytes; empty: not said.
   /// File coordinates to view mm, row-major, as the map was made; nothing: not said.
@@ -55,6 +63,12 @@ struct TouchRecording {
 /// The last row that is not later than `t_s`; the first one before the start. Times are compared
 /// with a nanosecond's grace: frame times are sums of floating-point steps.
 const TouchRow& rowAt(const TouchRecording& recording, double t_s);
+
+/// The first event after a time, and the last one before it; null: there is none.
+const TouchEvent* eventAfter(const TouchRecording& recording, double t_s);
+const TouchEvent* eventBefore(const TouchRecording& recording, double t_s);
+/// The last event that is not later than `t_s`; null: there is none.
+const TouchEvent* eventAt(const TouchRecording& recording, double t_s);
 
 /// Null if no such window is known.
 const TouchedWindow* windowOf(const TouchRecording& recording, const TouchRow& row);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/hdf5_log.h"
 
+#include <fcntl.h>
 #include <hdf5.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,7 +20,16 @@ namespace relievo {
 
 namespace {
 constexpr hsize_t kChunkRows = 4096;
+constexpr hsize_t kChunkEvents = 64;
 constexpr unsigned kDeflate = 4;
+/// More than a flush can write: every column's chunk as it is, the events, indices.
+constexpr off_t kRoomBytes = 4 << 20;
+
+/// The library serves one thread at a time.
+std::mutex& library() {
+  static std::mutex one;
+  return one;
+}
 
 /// An HDF5 identifier and what closes it.
 class Id {
@@ -67,8 +81,8 @@ void writeText(hid_t file, const char* name, std::string_view text) {
   require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()));
 }
 
-Id growingSet(hid_t group, const std::string& name, hid_t type) {
-  const hsize_t none = 0, unlimited = H5S_UNLIMITED, chunk = kChunkRows;
+Id growingSet(hid_t group, const std::string& name, hid_t type, hsize_t chunk) {
+  const hsize_t none = 0, unlimited = H5S_UNLIMITED;
   const Id space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
   const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   require(H5Pset_chunk(properties, 1, &chunk));
@@ -121,11 +135,22 @@ std::string_view lineOf(std::string_view header, std::string_view word) {
 
 constexpr const char* kStateSet = "relievo:state";  // As in the CSV's comment.
 
+constexpr const char* kEventsSet = "events";
+
 /// One happening; the text is cut to what fits.
 struct EventRow {
   double time_s = 0;
   double tick = 0;
-  std::array<char, 120> text{};
+  std::array<char, 256> text{};
+
+  void take(std::string_view words) {
+    std::size_t bytes = std::min(words.size(), text.size() - 1);
+    const auto goes_on = [&] {
+      return (static_cast<unsigned char>(words[bytes]) & 0xC0U) == 0x80U;
+    };
+    while (bytes > 0 && bytes < words.size() && goes_on()) --bytes;  // Whole characters.
+    words.copy(text.data(), bytes);
+  }
 };
 
 Id eventType() {
@@ -154,22 +179,43 @@ std::vector<double> readColumn(hid_t file, std::string_view name) {
   require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return values;
 }
+
+/// Logs of earlier versions have shorter texts, which the library brings to this length.
+std::vector<LogEvent> readEvents(hid_t file) {
+  const Id set(H5Dopen2(file, kEventsSet, H5P_DEFAULT), H5Dclose);
+  const Id space(H5Dget_space(set), H5Sclose);
+  const Id type = eventType();
+  std::vector<EventRow> rows(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  if (!rows.empty()) {
+    require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()));
+  }
+  std::vector<LogEvent> events;
+  for (EventRow& row : rows) {
+    row.text.back() = 0;
+    events.push_back({row.time_s, static_cast<std::uint64_t>(row.tick), row.text.data()});
+  }
+  return events;
+}
 }  // namespace
 
 LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
+  std::unique_lock<std::mutex> turn(library());
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
   LogTable table;
   try {
     const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     table.header = readText(held, "provenance");
     if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
+    table.events = readEvents(held);
     for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
       task.check();
       const std::vector<double> values = readColumn(held, kLogColumns[i].name);
       if (i == 0) table.rows.resize(values.size());
       if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
+      turn.unlock();  // A recording may be running, and its thread must not wait for long.
       for (std::size_t row = 0; row < values.size(); ++row) table.rows[row][i] = values[row];
+      turn.lock();
     }
   } catch (const WriteError&) {
     throw FileError(name + "cannot be read as a log of this version.");
@@ -179,6 +225,7 @@ LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
 }
 
 std::optional<std::string> hdf5State(const std::filesystem::path& file) {
+  const std::lock_guard<std::mutex> turn(library());
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   try {
     const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
@@ -189,34 +236,59 @@ std::optional<std::string> hdf5State(const std::filesystem::path& file) {
   }
 }
 
+/// Every call into the library is made while its turn is held.
 struct Hdf5Log::Impl {
   std::filesystem::path path;
   hid_t file = -1;
+  int descriptor = -1;   // Of the same file, to take room and give it back.
   std::vector<Id> sets;  // One per column.
   std::vector<std::vector<double>> columns{kLogColumns.size()};
   std::vector<EventRow> events;
   std::uint64_t rows = 0, saved = 0, events_saved = 0;
 
   void create(std::string_view header, const HapticSpace* surface);
+  void takeRoom(std::size_t more_bytes = 0);
+  void giveBackRoom();
   void flush();
   void saveEvents();
   void shut() {
     sets.clear();
     if (file >= 0) H5Fclose(std::exchange(file, -1));
+    if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
   }
-  [[noreturn]] void giveUp() {
+  [[noreturn]] void giveUp(const char* why) {
     rows = saved;
     shut();
-    throw WriteError("Recording stopped: HDF5 could not write. " + std::to_string(rows) +
-                         " samples are saved in \"" + path.string() + "\".",
+    throw WriteError(std::string("Recording stopped: ") + why + ". " + std::to_string(rows) +
+                         " samples are saved and complete in \"" + path.string() + "\".",
                      "E401");
   }
 };
 
+/// A file that the library could write only a part of is lost with all that was recorded before.
+/// So the room is taken first, and without it nothing is begun.
+void Hdf5Log::Impl::takeRoom(std::size_t more_bytes) {
+  haddr_t end = 0;
+  require(H5Fget_eoa(file, &end));
+  const off_t bytes = kRoomBytes + static_cast<off_t>(more_bytes);
+  const int error = ::posix_fallocate(descriptor, static_cast<off_t>(end), bytes);
+  if (error == 0) return;
+  giveBackRoom();
+  const bool full = error == ENOSPC || error == EFBIG || error == EDQUOT;
+  giveUp(full ? "disk full" : std::strerror(error));
+}
+
+void Hdf5Log::Impl::giveBackRoom() {
+  haddr_t end = 0;
+  require(H5Fget_eoa(file, &end));
+  if (::ftruncate(descriptor, static_cast<off_t>(end)) != 0) giveUp(std::strerror(errno));
+}
+
 void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
   file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (file < 0) {
+  if (file >= 0) descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0 || descriptor < 0) {
     throw WriteError("The recording \"" + path.string() +
                      "\" cannot be written. Choose another place.");
   }
@@ -228,29 +300,32 @@ void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) 
   if (surface != nullptr) writeSurface(file, *surface);
   const Id group(H5Gcreate2(file, "log", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   for (const LogColumn& column : kLogColumns) {
-    sets.push_back(growingSet(group, std::string(column.name), H5T_IEEE_F64LE));
+    sets.push_back(growingSet(group, std::string(column.name), H5T_IEEE_F64LE, kChunkRows));
     writeAttribute(sets.back(), "unit", column.unit);
     writeAttribute(sets.back(), "description", column.description);
   }
   const Id type = eventType();
-  [[maybe_unused]] const Id made = growingSet(file, "events", type);
+  [[maybe_unused]] const Id made = growingSet(file, kEventsSet, type, kChunkEvents);
+  require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
 void Hdf5Log::Impl::flush() {
   const auto count = static_cast<hsize_t>(columns[0].size());
   if (count == 0) return;
+  takeRoom();
   for (std::size_t i = 0; i < columns.size(); ++i) {
     append(sets[i], H5T_NATIVE_DOUBLE, saved, count, columns[i].data());
     columns[i].clear();
   }
-  saved += count;
   saveEvents();
   require(H5Fflush(file, H5F_SCOPE_LOCAL));
+  saved += count;
+  giveBackRoom();  // Until the next flush the file is complete, whatever becomes of the program.
 }
 
 void Hdf5Log::Impl::saveEvents() {
   if (events.empty()) return;
-  const Id set(H5Dopen2(file, "events", H5P_DEFAULT), H5Dclose);
+  const Id set(H5Dopen2(file, kEventsSet, H5P_DEFAULT), H5Dclose);
   const Id type = eventType();
   append(set, type, events_saved, events.size(), events.data());
   events_saved += events.size();
@@ -260,6 +335,7 @@ void Hdf5Log::Impl::saveEvents() {
 Hdf5Log::Hdf5Log(std::filesystem::path file, std::string_view header, const HapticSpace* surface)
     : impl_(std::make_unique<Impl>()) {
   impl_->path = std::move(file);
+  const std::lock_guard<std::mutex> turn(library());
   try {
     impl_->create(header, surface);
   } catch (const WriteError&) {
@@ -272,7 +348,7 @@ Hdf5Log::~Hdf5Log() {
   try {
     close();
   } catch (const Error&) {
-    impl_->shut();  // Said in the header: whoever wants to hear of it calls close().
+    // Said in the header: whoever wants to hear of it calls close().
   }
 }
 
@@ -282,28 +358,39 @@ void Hdf5Log::write(const HapticSample& sample, double t_s, std::string_view eve
   for (std::size_t i = 0; i < values.size(); ++i) impl_->columns[i].push_back(values[i]);
   if (!event.empty()) {
     EventRow row{t_s, static_cast<double>(sample.tick), {}};
-    event.copy(row.text.data(), row.text.size() - 1);
+    row.take(event);
     impl_->events.push_back(row);
   }
   ++impl_->rows;
   if (impl_->columns[0].size() < kChunkRows) return;
+  const std::lock_guard<std::mutex> turn(library());
   try {
     impl_->flush();
   } catch (const WriteError&) {
-    impl_->giveUp();
+    if (impl_->file < 0) throw;  // Given up already, with the reason.
+    impl_->giveUp("HDF5 could not write");
   }
 }
 
 void Hdf5Log::close(std::string_view footer) {
   if (impl_->file < 0) return;
+  const std::lock_guard<std::mutex> turn(library());
   try {
     impl_->flush();
-    if (!footer.empty()) writeText(impl_->file, "loop", footer);
+    if (!footer.empty()) {
+      impl_->takeRoom(footer.size());
+      writeText(impl_->file, "loop", footer);
+      require(H5Fflush(impl_->file, H5F_SCOPE_LOCAL));
+      impl_->giveBackRoom();
+    }
   } catch (const WriteError&) {
-    impl_->giveUp();
+    if (impl_->file < 0) throw;
+    impl_->giveUp("HDF5 could not write");
   }
   impl_->sets.clear();
-  if (H5Fclose(std::exchange(impl_->file, -1)) < 0) {
+  const bool closed = H5Fclose(std::exchange(impl_->file, -1)) >= 0;
+  impl_->shut();
+  if (!closed) {
     throw WriteError("The recording \"" + impl_->path.string() + "\" may be incomplete.", "E401");
   }
 }

@@ -16,6 +16,7 @@ Recorder::~Recorder() {
   while (ends_.pop(end)) delete end;
   std::string* footer = nullptr;
   while (footers_.pop(footer)) delete footer;
+  while (notes_.pop(footer)) delete footer;
 }
 
 void Recorder::start(const std::filesystem::path& file, std::string_view header,
@@ -35,6 +36,14 @@ void Recorder::stop(const std::string& footer) {
     [[maybe_unused]] const std::string* handed_over = text.release();
   }
   commands_.push(nullptr);
+}
+
+bool Recorder::note(const std::string& event) {
+  if (!running_) return false;
+  auto text = std::make_unique<std::string>(event);
+  if (!notes_.push(text.get())) return false;
+  [[maybe_unused]] const std::string* handed_over = text.release();
+  return true;
 }
 
 std::uint64_t Recorder::samples() noexcept {
@@ -89,7 +98,8 @@ void Recorder::write(const HapticSample& sample) {
     if (first_) replay_lines_ = snapshotLine(*begins_, start_ns_, build_);
     replay_lines_ += changeLine(first_ ? nullptr : &last_, sample);
   }
-  const std::string event = first_ ? eventAtStart(sample) : eventBetween(last_, sample);
+  std::string event = first_ ? eventAtStart(sample) : eventBetween(last_, sample);
+  if (event.empty()) event = takeNote();  // A row of its own: whatever it says, it is read back.
   first_ = false;
   last_ = sample;
   try {
@@ -99,13 +109,22 @@ void Recorder::write(const HapticSample& sample) {
   }
 }
 
+std::string Recorder::takeNote() {
+  std::string* note = nullptr;
+  if (!notes_.pop(note)) return {};
+  const std::unique_ptr<std::string> taken(note);
+  return std::move(*taken);
+}
+
 void Recorder::finish(std::string error) {
+  std::string notes;
+  for (std::string note = takeNote(); !note.empty(); note = takeNote()) notes += note + '\n';
   if (error.empty()) {
     try {
       std::string* footer = nullptr;
       std::unique_ptr<std::string> last;
       while (footers_.pop(footer)) last.reset(footer);
-      writer_->close((last ? *last : std::string()) + replay_lines_);
+      writer_->close((last ? *last : std::string()) + notes + replay_lines_);
     } catch (const WriteError& late) {
       error = late.what();
     }

@@ -43,6 +43,9 @@ class Recorder {
   void beginAt(SnapshotRing& snapshots, std::string build);
   /// [GUI thread] Ends with the drain's next batch; see ended(). Footer lines end the file.
   void stop(const std::string& footer = {});
+  /// [GUI thread] An event for the next row without another (noteEvent). One that comes with the
+  /// end stands in the footer. @return false: no recording is running, or too many wait
+  bool note(const std::string& event);
   bool running() const noexcept { return running_; }  ///< [GUI thread] start() until ended().
   std::uint64_t samples() noexcept;                   ///< [GUI thread] Recorded so far.
   /// [GUI thread] Once per recording that came to its end.
@@ -54,10 +57,12 @@ class Recorder {
   void switchOver();                       // [drain thread]
   void write(const HapticSample& sample);  // [drain thread]
   void finish(std::string error);          // [drain thread]
+  std::string takeNote();                  // [drain thread] Empty: none.
 
   // GUI to drain: a file to write to, or null: stop. Drain to GUI: how it ended. The pointers own.
   SpscRing<SampleLog*, 16> commands_;
   SpscRing<std::string*, 16> footers_;
+  SpscRing<std::string*, 16> notes_;
   SpscRing<RecordingEnd*, 16> ends_;
   TripleBuffer<std::uint64_t> counts_;
   bool running_ = false;  // [GUI thread]

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 #include "core/base/error.h"
 #include "haptics/record/hdf5_log.h"
@@ -25,10 +26,21 @@ enum Column : std::size_t {
 static_assert(kLogColumns[kButtons].name == "buttons" && kLogColumns[kRate].name == "rate_Hz");
 static_assert(kLogColumns[kHandX].name == "dev_hip_x_mm" && kLogColumns[kAge].name == "age_s");
 
-/// The numbers of a CSV row; its one quoted field, the event, is passed over.
-bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& values) {
+std::string unquoted(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') ++i;  // Written twice.
+    if (i < text.size()) plain += text[i];
+  }
+  return plain;
+}
+
+/// The numbers of a CSV row, and its one quoted field, the event.
+bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& values,
+              std::string& event) {
   const std::size_t quote = line.find('"'), last_quote = line.rfind('"');
   if (quote == std::string_view::npos || last_quote <= quote || quote == 0) return false;
+  event = unquoted(line.substr(quote + 1, last_quote - quote - 1));
   std::string numbers(line.substr(0, quote - 1));
   numbers += line.substr(last_quote + 1);
   const char* at = numbers.data();
@@ -62,11 +74,13 @@ LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
     }
     constexpr std::size_t kRowsPerCheck = 4096;
     if (table.rows.size() % kRowsPerCheck == 0) task.check();
-    table.rows.emplace_back();
-    if (!parseRow(line, table.rows.back())) {
+    LogRow& row = table.rows.emplace_back();
+    std::string event;
+    if (!parseRow(line, row, event)) {
       throw FileError(name + "has a row that cannot be read: number " +
                       std::to_string(table.rows.size()) + ".");
     }
+    if (!event.empty()) table.events.push_back({row[kTime], tickOf(row), std::move(event)});
   }
   if (table.rows.empty()) throw FileError(name + "has no rows.");
   return table;

@@ -17,11 +17,19 @@ namespace relievo {
 /// One row's numbers, as logValues() gives them.
 using LogRow = std::array<double, kLogColumns.size()>;
 
+/// What happened at a row.
+struct LogEvent {
+  double t_s = 0;
+  std::uint64_t tick = 0;
+  std::string text;
+};
+
 /// A log that was read back.
 struct LogTable {
   std::string header;  ///< Comment lines before the rows, without "# ".
   std::string footer;  ///< Those after the first row: how the loop ran, where windows lay.
   std::vector<LogRow> rows;
+  std::vector<LogEvent> events;  ///< In order.
 };
 
 /// Reads a log of `openLog`, CSV or HDF5.

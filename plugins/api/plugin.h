@@ -87,6 +87,10 @@ class Host : public QObject {
   /// Comment lines for the header of a recording in `file`: input (its path from there), hash,
   /// unit, view, region (conventions.md 5.5).
   virtual QString recordingHeader(const QString& file) const = 0;
+  /// How a recording that nobody named is called: the open scan without its ending (empty: nothing
+  /// is open), and the ending that was chosen, "csv" or "h5".
+  virtual QString scanName() const = 0;
+  virtual QString recordingEnding() const = 0;
   /// A recording of the open map is on the disk and belongs to the work.
   virtual void recordingSaved(const QString& file) = 0;
   /// How the open map is made, in one line: its input (the path from `folder`), hash, every choice;

@@ -5,8 +5,6 @@
 #include <array>
 #include <QAction>
 #include <QApplication>
-#include <QDir>
-#include <QFile>
 #include <QSignalBlocker>
 
 #include "core/base/error.h"
@@ -65,6 +63,7 @@ void HapticsPlugin::attach(Host& host) {
 }
 
 void HapticsPlugin::openDevice() {
+  endRecording();
   session_.reset();  // One program at a time can hold a device.
   news_ = {};
   stand_in_.clear();
@@ -116,6 +115,7 @@ void HapticsPlugin::detach() noexcept {
   sleep_.reset();
   disconnect(host_, nullptr, this, nullptr);
   delete setup_;  // Zero force, joins.
+  endRecording();
   buttons_.reset();
   session_.reset();  // Zero force, joins, closes an open recording.
   forces_asked_ = false;
@@ -145,6 +145,7 @@ void HapticsPlugin::connectControls() {
   connect(actions_.stronger, &QAction::triggered, this, [this] { changeStrength(kStrengthStep); });
   connect(actions_.weaker, &QAction::triggered, this, [this] { changeStrength(-kStrengthStep); });
   connect(actions_.record, &QAction::toggled, this, &HapticsPlugin::setRecording);
+  connect(actions_.note, &QAction::triggered, this, &HapticsPlugin::askNote);
   connect(actions_.setup, &QAction::triggered, this, &HapticsPlugin::setUpDevice);
   connect(panel_, &HapticsPanel::forcesAsked, this, &HapticsPlugin::setForces);
   connect(panel_, &HapticsPanel::firmnessAsked, this, [this](const QString& file) {
@@ -224,31 +225,6 @@ void HapticsPlugin::applySettings() {
   HapticOptions options = hapticOptions(settings_, forces_asked_);
   if (buttons_) options.gate = buttons_->gate();
   session_->setOptions(options);
-}
-
-void HapticsPlugin::setRecording(bool on) {
-  if (!session_) return;
-  if (!on) {
-    session_->stopRecording(loopLines(session_->stats()) + recorded_windows_.toStdString());
-    return;
-  }
-  try {
-    const QDateTime now = QDateTime::currentDateTime();
-    const QString file = proposedRecording(now);
-    const DeviceInfo& device = session_->loop().device();
-    const QString header = recordingHeaderLines(
-        host_->recordingHeader(file), QString::fromStdString(device.name),
-        withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface,
-        firmness_fits_ ? firmness_.get() : nullptr, now);
-    session_->startRecording(file.toStdString(), header.toStdString());
-    const auto window = host_->shownWindow();
-    recorded_windows_ = window ? windowLine(*window) : QString();
-    host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
-  } catch (const Error& error) {
-    const QSignalBlocker blocker(actions_.record);
-    actions_.record->setChecked(false);
-    host_->announce(QString::fromStdString(error.what()));
-  }
 }
 
 void HapticsPlugin::frame() {
@@ -371,30 +347,6 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
   if (!again) return;
   host_->announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
                       .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
-}
-
-void HapticsPlugin::watchRecording() {
-  if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
-    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
-                                                .arg(durationText(flight->samples))
-                                                .arg(QString::fromStdString(flight->file.string()))
-                                          : QString::fromStdString(flight->error));
-  }
-  const std::optional<RecordingEnd> end = session_->recorder().ended();
-  if (!end) return;
-  const QSignalBlocker blocker(actions_.record);
-  actions_.record->setChecked(false);
-  if (!end->error.empty()) {
-    host_->announce(tr("The recording has ended early."));
-    host_->showError(QString::fromStdString(end->error), QStringLiteral("E401"));
-    host_->recordingSaved(QFile::decodeName(end->file.c_str()));  // What is there is complete.
-    return;
-  }
-  host_->recordingSaved(QFile::decodeName(end->file.c_str()));
-  host_->announce(tr("Recording saved: %1, %2 samples in %3")
-                      .arg(durationText(end->samples))
-                      .arg(end->samples)
-                      .arg(QString::fromStdString(end->file.string())));
 }
 
 void HapticsPlugin::runButtons(const HapticSample& sample) {

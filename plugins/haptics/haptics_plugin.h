@@ -15,6 +15,7 @@
 #include "plugins/haptics/falcon_news.h"
 #include "plugins/haptics/haptics_panel.h"
 #include "plugins/haptics/loop_session.h"
+#include "plugins/haptics/note_dialog.h"
 #include "plugins/haptics/touch_actions.h"
 #include "plugins/haptics/touch_settings.h"
 
@@ -62,6 +63,9 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
+  void endRecording();                   // Before its loop goes.
+  void askNote();                        // Of the present tick.
+  void addNote();                        // As it was written.
   void watchDevice(LoopReport& report);  // Announces its news, and adds them.
   void watchPlugs();
   void lookAgain();  // For a Falcon that was there and could not be opened.
@@ -89,7 +93,8 @@ class HapticsPlugin : public QObject, public Plugin {
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
   QString recorded_windows_;  // Lines for the running recording's end.
-  Probe shown_;               // Last given to the host; window_id 0: none yet.
+  QPointer<NoteDialog> note_;
+  Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.

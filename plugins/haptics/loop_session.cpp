@@ -123,8 +123,9 @@ void LoopSession::setOptions(const HapticOptions& options) {
   loop_->options().write(named);
 }
 
-void LoopSession::startRecording(const std::string& file, const std::string& header) {
-  recorder_.start(file, header);
+void LoopSession::startRecording(const std::string& file, const std::string& header,
+                                 const HapticSpace* surface) {
+  recorder_.start(file, header, surface);
   recording_folder_ = std::filesystem::path(file).parent_path().string();
   loop_->wantSnapshot();
 }

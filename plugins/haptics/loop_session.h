@@ -52,8 +52,10 @@ class LoopSession {
   void pushHand(DeviceMm by);
   static constexpr double kMostLeadMm = 6;
   void setOptions(const HapticOptions& options);
-  /// Begins with one of the next ticks. @throw as Recorder::start
-  void startRecording(const std::string& file, const std::string& header);
+  /// Begins with one of the next ticks. @param surface  for HDF5; null: none
+  /// @throw as Recorder::start
+  void startRecording(const std::string& file, const std::string& header,
+                      const HapticSpace* surface = nullptr);
   /// @param footer  lines that end the file, with what a replay needs after them
   void stopRecording(const std::string& footer);
   /// In Move mode the window goes on below the hand: what is touched does not come along.

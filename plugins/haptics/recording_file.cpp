@@ -16,16 +16,23 @@ QString recordingFolder() {
   return documents.isEmpty() ? QString() : documents + QStringLiteral("/relievo");
 }
 
-QString proposedRecording(const QDateTime& now) {
+QString proposedRecording(const QString& scan, const QString& ending, const QDate& today) {
   const QDir folder(recordingFolder());
   if (recordingFolder().isEmpty() || !folder.mkpath(QStringLiteral("."))) {
     throw WriteError("The folder \"" + folder.path().toStdString() +
                      "\" for recordings cannot be made. Nothing is recorded.");
   }
-  const QString stem = QStringLiteral("touch-") + now.toString(QStringLiteral("yyyy-MM-dd-HHmmss"));
-  QString name = stem + QStringLiteral(".csv");
-  for (int i = 2; folder.exists(name); ++i) name = stem + QStringLiteral("-%1.csv").arg(i);
-  return folder.filePath(name);
+  QString stem = scan.isEmpty() ? QStringLiteral("touch") : scan;
+  constexpr int kMostBytes = 200;  // Of 255 that a name may have.
+  while (stem.toUtf8().size() > kMostBytes) stem.chop(1);
+  stem += today.toString(QStringLiteral("_yyyy-MM-dd_"));
+  for (int number = 1;; ++number) {
+    const QString name = stem + QStringLiteral("%1.").arg(number, 3, 10, QLatin1Char('0'));
+    // Two recordings that differ in their endings alone would be taken for the same.
+    if (!folder.exists(name + QLatin1String("csv")) && !folder.exists(name + QLatin1String("h5"))) {
+      return folder.filePath(name + ending);
+    }
+  }
 }
 
 QString flightFolder() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QDate>
 #include <QDateTime>
 #include <QString>
 
@@ -14,9 +15,10 @@ namespace relievo {
 /// there is none. Not made here.
 QString recordingFolder();
 
-/// Where a recording goes that nobody named: the documents folder, relievo/touch-DATE-TIME.csv,
-/// with a number if that is taken. Makes the folder. @throw WriteError
-QString proposedRecording(const QDateTime& now);
+/// Where a recording goes that nobody named: recordingFolder(), SCAN_DATE_001.ENDING with the first
+/// number that no recording of that name has. Makes the folder. @throw WriteError
+/// @param scan  name of what is touched; empty: "touch"
+QString proposedRecording(const QString& scan, const QString& ending, const QDate& today);
 
 /// Where flight records go: the user's state folder. Not made here.
 QString flightFolder();

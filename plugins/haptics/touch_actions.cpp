@@ -118,6 +118,15 @@ TouchActions addTouchActions(Host& host) {
                          "Writes hand, proxy and force, 1000 times a second, to a table in your "
                          "documents folder.")},
       {QKeySequence(QStringLiteral("Ctrl+R"))}, true);
+  actions.note =
+      made({"addNote", QT_TRANSLATE_NOOP("relievo::TouchActions", "Add &note…"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "Write a note into the running recording (Ctrl+Shift+N)"),
+            QT_TRANSLATE_NOOP("relievo::TouchActions",
+                              "It belongs to the moment at which this is chosen; the recording "
+                              "goes on while you write.")},
+           {QKeySequence(QStringLiteral("Ctrl+Shift+N"))}, false);
+  actions.note->setEnabled(false);
   makeButtonActions(actions);
   for (QAction* action : {actions.forces, actions.forces_off, actions.stronger, actions.weaker,
                           actions.setup, actions.use_mouse, actions.move_mode, actions.move_back,
@@ -125,6 +134,7 @@ TouchActions addTouchActions(Host& host) {
     host.addAction(touch, action);
   }
   host.addAction(record, actions.record);
+  host.addAction(record, actions.note);
   return actions;
 }
 

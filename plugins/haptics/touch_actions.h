@@ -21,6 +21,7 @@ struct TouchActions {
   QAction* say_detail = nullptr;   ///< "sayDetail": detail, window and scale; Ctrl+Shift+I.
   QAction* button_help = nullptr;  ///< "buttonHelp": what the device's buttons do now.
   QAction* record = nullptr;       ///< "record": start and stop; Ctrl+R.
+  QAction* note = nullptr;         ///< "addNote": into the running recording; Ctrl+Shift+N.
 };
 
 TouchActions addTouchActions(Host& host);

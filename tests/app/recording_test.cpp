@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/provenance/sha256.h"
+#include "haptics/record/events.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
 #include "tests/app/command_test.h"
@@ -85,6 +86,32 @@ TEST_F(Recording, ReadsFromItsLastLinesWhereLaterWindowsLay) {
     ASSERT_NE(later, nullptr);
     EXPECT_EQ(later->region, (Region{100.5, -20, 50, {1}}));
     EXPECT_DOUBLE_EQ(later->gain, 2.5);
+  }
+}
+
+TEST_F(Recording, HasEventsAndNotesAtTheTimesTheyBelongTo) {
+  for (const char* name : {"noted.csv", "noted.h5"}) {
+    const auto log =
+        openLog(path(name), "relievo recording, schema 1", nullptr, LogKind::recording);
+    HapticSample sample;
+    for (std::uint64_t tick = 100; tick < 200; ++tick) {
+      sample.tick = tick;
+      log->write(sample, 0.001 * static_cast<double>(tick - 100),
+                 tick == 130   ? "button 1 down"
+                 : tick == 180 ? noteEvent(120, "a \"crack\", here")
+                               : "");
+    }
+    log->close("loop ticks 100\n" + noteEvent(190, "late") + '\n');
+    const TouchRecording recording = batch::readRecording(path(name));
+    ASSERT_EQ(recording.events.size(), 3U) << name;
+    EXPECT_DOUBLE_EQ(recording.events[0].t_s, 0.02) << "when it was begun, not when it was ready";
+    EXPECT_EQ(recording.events[0].text, "a \"crack\", here");
+    EXPECT_TRUE(recording.events[0].is_note);
+    EXPECT_DOUBLE_EQ(recording.events[1].t_s, 0.03);
+    EXPECT_EQ(recording.events[1].text, "button 1 down");
+    EXPECT_FALSE(recording.events[1].is_note);
+    EXPECT_DOUBLE_EQ(recording.events[2].t_s, 0.09);
+    EXPECT_EQ(recording.events[2].text, "late");
   }
 }
 

@@ -9,14 +9,18 @@
 #include <QDir>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
 #include <QtTest/QTest>
 
+#include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/replay_panel.h"
 
 namespace relievo {
 namespace {
@@ -85,9 +89,9 @@ class TouchWindowTest : public GuiTest {
     const QDir folder(path("home/Documents/relievo"));
     QStringList files;
     const bool ended = waitFor([&] {
-      files = folder.entryList({"touch-*.csv"}, QDir::Files, QDir::Time);
+      files = folder.entryList({"*.csv", "*.h5"}, QDir::Files, QDir::Time);
       QFile file(folder.filePath(files.value(0)));
-      return file.open(QIODevice::ReadOnly) && file.readAll().contains("# replay core ");
+      return file.open(QIODevice::ReadOnly) && file.readAll().contains("replay core ");
     });
     return ended ? folder.filePath(files.front()) : QString();
   }
@@ -203,6 +207,45 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   // Packed for citation it is found and repeated as well.
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
+  EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
+}
+
+TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit) {
+  useOwnHome();
+  WindowHost host(window());
+  PluginLoader plugins(host, window().settings());
+  plugins.load();
+  ASSERT_TRUE(plugins.has("haptics"));
+  window().setRecordingReader(batch::readRecording);
+  openRelief();
+  auto& view = window().detailView();
+  touchMiddle();
+  action("record_h5")->trigger();
+  action("record")->trigger();
+  QTest::qWait(300);
+  ASSERT_TRUE(window().runCommand("addNote"));
+  auto* text = child<QLineEdit>("note_text");
+  ASSERT_NE(text, nullptr);
+  QTest::keyClicks(text, "the dome");
+  QTest::keyClick(text, Qt::Key_Return);
+  ASSERT_TRUE(window().runCommand("finer"));
+  QTest::qWait(600);
+  const QString recording = endRecording();
+  release(view, QRectF(view.rect()).center());
+  ASSERT_TRUE(recording.endsWith(".h5")) << recording.toStdString();
+  EXPECT_TRUE(QFileInfo(recording).fileName().startsWith("relief_"));
+  ASSERT_TRUE(waitFor([this] { return window().project().recordings.size() == 1; }));
+  QTest::keyClick(&view, Qt::Key_Escape);  // Forces off.
+  window().open(recording);                // As if it were dropped.
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }))
+      << window().message().toStdString();
+  QTest::keyClick(window().replayControl().panel(), Qt::Key_Down);
+  EXPECT_TRUE(child<QLabel>("replay_readout")->text().endsWith("note: the dome"))
+      << child<QLabel>("replay_readout")->text().toStdString();
+  plugins.detachAll();
+  EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
+  window().saveProject(path("p.relievo.json"));
+  said({"project", "package", path("p.relievo.json"), "-o", path("p.zip")});
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
 }
 

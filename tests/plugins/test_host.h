@@ -76,6 +76,8 @@ class TestHost : public Host {
   void showError(const QString& sentence, const QString& code) override {
     errors << sentence + ' ' + code;
   }
+  QString scanName() const override { return scan; }
+  QString recordingEnding() const override { return ending; }
   void recordingSaved(const QString& file) override { recordings << file; }
   QString mapState(const QString& /*folder*/) const override { return map_state; }
 
@@ -95,7 +97,7 @@ class TestHost : public Host {
   std::vector<std::uint64_t> finer_asked;  ///< Windows.
   std::map<QString, float> rasters;        ///< Names of files that can be read.
   bool rasters_fit = true, possible = true;
-  QString map_state;
+  QString map_state, scan = QStringLiteral("relief"), ending = QStringLiteral("csv");
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;
   std::shared_ptr<const RegionWindow> window;

@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QSet>
@@ -309,6 +310,10 @@ TEST_P(MnemonicTest, AreNotSeenWhereNothingHasThem) {
         }
       }
     }
+  }
+  ASSERT_TRUE(window().runCommand("package"));
+  for (const auto* button : child<QDialog>("package_dialog")->findChildren<QPushButton*>()) {
+    plain(button->accessibleName());
   }
 }
 INSTANTIATE_TEST_SUITE_P(Languages, MnemonicTest, ::testing::Values("de", "hi"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
@@ -220,6 +221,23 @@ TEST_F(PreferencesTest, PaletteUnitsAndStereoFollowTheirSettings) {
   window().runCommand("stereo");
   EXPECT_EQ(window().detailView().sceneState().stereo.mode, StereoMode::dubois);
   EXPECT_TRUE(window().detailView().sceneState().stereo.swap_eyes);
+}
+
+TEST_F(PreferencesTest, TheKindOfRecordingIsChosenHereOrInTheMenuAndKept) {
+  EXPECT_EQ(window().recordingEnding(), "csv");
+  EXPECT_TRUE(action("record_csv")->isChecked());
+  PreferencesDialog& dialog = openDialog();
+  auto* kind = dialog.findChild<QComboBox*>("pref_recording_kind");
+  ASSERT_NE(kind, nullptr);
+  kind->setCurrentIndex(1);
+  EXPECT_EQ(window().recordingEnding(), "h5");
+  EXPECT_TRUE(action("record_h5")->isChecked());
+  restart();
+  EXPECT_EQ(window().recordingEnding(), "h5");
+  EXPECT_TRUE(action("record_h5")->isChecked());
+  action("record_csv")->trigger();
+  EXPECT_EQ(window().recordingEnding(), "csv");
+  EXPECT_EQ(openDialog().findChild<QComboBox*>("pref_recording_kind")->currentIndex(), 0);
 }
 
 TEST_F(PreferencesTest, AUnitForFilesWithoutOneIsNotAskedFor) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Figures, projects, measurements and relief images in the window.
+#include <algorithm>
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -17,6 +18,7 @@
 #include <thread>
 
 #include "core/io/text_file.h"
+#include "core/measure/measure_text.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
@@ -31,6 +33,15 @@
 
 namespace relievo {
 namespace {
+
+/// A table without its comments.
+std::string rowsOf(const QString& csv) {
+  QStringList rows = csv.split('\n');
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [](const QString& row) { return row.startsWith('#'); }),
+             rows.end());
+  return rows.join('\n').toStdString();
+}
 
 class PublishTest : public GuiTest {
  protected:
@@ -309,8 +320,9 @@ TEST_F(PublishTest, AProfileIsMadeByKeysAloneAndSaved) {
   EXPECT_EQ(measure().measurements()[0].kind, MeasureKind::profile);
   EXPECT_NEAR(measure().measurements()[0].places[1].x - measure().measurements()[0].places[0].x,
               80 * document().window()->spacingMm(), 1e-6);
-  EXPECT_TRUE(measure().csv().contains("\"1\",profile,\"length\""))
-      << measure().csv().toStdString();
+  EXPECT_EQ(rowsOf(measure().csv(path("list.csv"))),
+            measurementsCsv(mapCells(*document().surface()), measure().measurements()))
+      << "as the command line writes them";
   child<QTableWidget>("measure_list")->setCurrentCell(0, 0);
   measure().writeSelected(path("p.svg"));
   measure().writeSelected(path("p.csv"));
@@ -321,6 +333,23 @@ TEST_F(PublishTest, AProfileIsMadeByKeysAloneAndSaved) {
 
 // The dome's ground is at 0: a contour by one click, an upright cut by two, both as
 // `relievo measure --section` reads them.
+TEST_F(PublishTest, AListOfMeasurementsSaysWhatItWasMeasuredOn) {
+  openRelief();
+  measure().setMeasurements({{"top", MeasureKind::depth, {{10, 10}, {100, 90}}}});
+  const QString file = path("list.csv");
+  QFile out(file);
+  ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write(measure().csv(file).toUtf8());
+  out.close();
+  const auto state = embeddedState(file.toStdString());
+  ASSERT_TRUE(state);
+  const Provenance made = provenanceFromJson(*state, "list");
+  EXPECT_EQ(made.input.file, "relief.ply") << "from where the list is";
+  EXPECT_EQ(made.input.sha256, document().fileSha256().toStdString());
+  EXPECT_TRUE(measure().csv(file).contains(",10 10; 100 90\n"))
+      << measure().csv(file).toStdString();
+}
+
 TEST_F(PublishTest, SectionsAreMadeByClicksReadAsTheCommandLineDrawnAndKept) {
   openRelief();
   EXPECT_TRUE(window().runCommand("measure_section"));
@@ -341,14 +370,8 @@ TEST_F(PublishTest, SectionsAreMadeByClicksReadAsTheCommandLineDrawnAndKept) {
   EXPECT_TRUE(reads(0).contains("Plane level at")) << reads(0).toStdString();
   EXPECT_TRUE(reads(1).contains("Plane upright")) << reads(1).toStdString();
   const MapCells cells = mapCells(*document().surface());
-  const QStringList rows = measure().csv().split('\n');
-  for (std::size_t i = 0; i < 2; ++i) {
-    const auto curves = section(cells, planeOf(made[i]));
-    EXPECT_TRUE(rows[static_cast<int>(i) + 2].contains(
-        QString::number(read(cells, made[i]).quantities[0].value, 'g', 10)))
-        << measure().csv().toStdString();
-    EXPECT_EQ(curves.size(), 1U);
-  }
+  EXPECT_EQ(rowsOf(measure().csv(path("list.csv"))), measurementsCsv(cells, made));
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(section(cells, planeOf(made[i])).size(), 1U);
   EXPECT_EQ(window().detailView().sceneState().curves.size(), 2U);
   EXPECT_TRUE(window().detailView().sceneState().lines.empty()) << "a section keeps no places";
   window().saveProject(path("p.relievo.json"));
@@ -414,10 +437,9 @@ TEST_F(PublishTest, ThePlaneOfAnAreaAndOfASectionIsShownAndCanBeSet) {
   QTest::keyClick(plane, Qt::Key_Return);
   m.plane_mm = -2;
   EXPECT_EQ(measure().measurements()[0], m);
-  EXPECT_TRUE(
-      measure().csv().contains(QString::number(read(cells, m).quantities[1].value, 'g', 10) + ','))
-      << measure().csv().toStdString();
-  EXPECT_TRUE(measure().csv().contains(",0 0 1 -2\n")) << measure().csv().toStdString();
+  EXPECT_EQ(rowsOf(measure().csv(path("list.csv"))), measurementsCsv(cells, {m}));
+  EXPECT_TRUE(measure().csv(path("list.csv")).contains(",0 0 1 -2,"))
+      << measure().csv(path("list.csv")).toStdString();
   measure().setMeasurements({{.kind = MeasureKind::section, .plane_mm = 5}});
   child<QTableWidget>("measure_list")->setCurrentCell(0, 0);
   EXPECT_EQ(plane->value(), 5);

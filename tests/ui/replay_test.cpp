@@ -58,6 +58,7 @@ class ReplayTest : public GuiTest {
   }
   const Probe& drawn() { return *window().detailView().sceneState().probe; }
   QString status(const char* field) { return child<QLabel>(field)->text(); }
+  QString said() { return status("status_message"); }
   QSlider& slider() { return *child<QSlider>("replay_slider"); }
 
   std::shared_ptr<TouchRecording> recording_;
@@ -105,6 +106,56 @@ TEST_F(ReplayTest, KeysAndSliderGoThroughTheRecordingAndPlotsKeepStep) {
   EXPECT_EQ(status("replay_time"), "2.50 of 10.00 s");
   EXPECT_FALSE(slider().accessibleName().isEmpty());
   EXPECT_EQ(slider().accessibleDescription(), "2.50 of 10.00 s");
+}
+
+TEST_F(ReplayTest, EventsAndSamplesAreReachedByKeysButtonsAndCommands) {
+  recording_->events = {{2, "window 11 of detail 1; stiffness 500 N/m; forces off", false},
+                        {5.25, "a crack", true},
+                        {7, "new window: window 12 of detail 2", false}};
+  replay();
+  auto& panel = *control().panel();
+  QApplication::processEvents();
+  const auto readout = [this] { return child<QLabel>("replay_readout")->text(); };
+  EXPECT_TRUE(readout().contains("force 0.00 N")) << readout().toStdString();
+  EXPECT_TRUE(readout().endsWith("since 0.00 s: window of detail 1; stiffness 500 N/m; forces off"))
+      << readout().toStdString();
+  QTest::keyClick(&panel, Qt::Key_Down);
+  EXPECT_DOUBLE_EQ(player().timeS(), 3.25);
+  EXPECT_EQ(said(), "3.25 s: note: a crack");
+  EXPECT_TRUE(readout().endsWith("since 3.25 s: note: a crack")) << readout().toStdString();
+  EXPECT_EQ(child<QLabel>("replay_readout")->accessibleDescription(), readout());
+  QTest::mouseClick(child<QToolButton>("replay_event_next"), Qt::LeftButton);
+  EXPECT_DOUBLE_EQ(player().timeS(), 5);
+  EXPECT_TRUE(readout().contains("hand z 14.20 mm")) << readout().toStdString();
+  EXPECT_TRUE(readout().contains("force 0.40 N"));
+  QTest::keyClick(&slider(), Qt::Key_Down);
+  EXPECT_DOUBLE_EQ(player().timeS(), 5) << "there is none";
+  EXPECT_EQ(said(), "No event after this place");
+  ASSERT_TRUE(window().runCommand("replay_previous_event"));
+  EXPECT_DOUBLE_EQ(player().timeS(), 3.25);
+  QTest::keyClick(&slider(), Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_NEAR(player().timeS(), 3.249, 1e-9) << "one sample";
+  EXPECT_TRUE(readout().contains("since 0.00 s"));
+  player().play();
+  QTest::mouseClick(child<QToolButton>("replay_sample_next"), Qt::LeftButton);
+  EXPECT_FALSE(player().playing()) << "step by step";
+  for (const char* name :
+       {"replay_event_before", "replay_event_next", "replay_sample_before", "replay_sample_next"}) {
+    EXPECT_FALSE(child<QToolButton>(name)->accessibleName().isEmpty()) << name;
+    EXPECT_EQ(child<QToolButton>(name)->focusPolicy(), Qt::StrongFocus) << name;
+  }
+  control().close();
+  EXPECT_FALSE(action("replay_next_event")->isEnabled());
+}
+
+TEST_F(ReplayTest, ALongNoteDoesNotWidenTheWindow) {
+  replay();
+  const int width = control().panel()->minimumSizeHint().width();
+  recording_->events = {{2, std::string(2000, 'x'), true}};
+  control().close();
+  replay();
+  QApplication::processEvents();
+  EXPECT_EQ(control().panel()->minimumSizeHint().width(), width);
 }
 
 TEST_F(ReplayTest, PlaysAtFullAndAtQuarterSpeedAndHaltsAtTheEnd) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Videos and camera paths by the window's commands.
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -14,6 +15,7 @@
 #include "ui/path_preview.h"
 #include "ui/video/video_file.h"
 #include "ui/video_control.h"
+#include "ui/video_dialog.h"
 
 namespace relievo {
 namespace {
@@ -165,6 +167,93 @@ TEST_F(VideoWindowTest, SizeAndRateAreChosenInTheDialog) {
   const QStringList frames = QDir(path("chosen")).entryList({"*.png"});
   EXPECT_EQ(frames.size(), 5) << "half a second, both ends, at 8 a second";
   EXPECT_EQ(QImage(path("chosen/" + frames.front())).size(), chosen);
+}
+
+TEST_F(VideoWindowTest, PartSpeedContentAndEyesAreChosenInTheDialog) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(2); });
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  window().replayControl().player().setSpeed(0.25);
+  window().runCommand("video");
+  auto* dialog = static_cast<VideoDialog*>(child<QDialog>("video_options_dialog"));
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->request().speed, 0.25) << "the replay's";
+  EXPECT_FALSE(dialog->request().from_s || dialog->request().to_s) << "the whole";
+  EXPECT_TRUE(dialog->request().plots && dialog->request().overview);
+  EXPECT_FALSE(dialog->request().path);
+  const auto number = [&](const char* name) { return dialog->findChild<QDoubleSpinBox*>(name); };
+  const auto box = [&](const char* name) { return dialog->findChild<QCheckBox*>(name); };
+  number("video_speed")->setValue(0.5);
+  number("video_from")->setValue(0.5);
+  number("video_to")->setValue(0.25);
+  EXPECT_EQ(number("video_to")->value(), 0.5) << "not before it begins";
+  number("video_to")->setValue(1.5);
+  box("video_plots")->click();
+  box("video_overview")->click();
+  EXPECT_TRUE(box("video_scale_bar")->isChecked());
+  EXPECT_FALSE(box("video_along_path")->isEnabled()) << "there is no camera path";
+  auto* stereo = dialog->findChild<QComboBox*>("video_stereo");
+  auto* profile = dialog->findChild<QComboBox*>("video_profile");
+  const auto take = [profile](VideoProfile one) {
+    profile->setCurrentIndex(profile->findData(static_cast<int>(one)));
+  };
+  take(VideoProfile::talk);
+  EXPECT_FALSE(stereo->isEnabled()) << "halved colours mix the eyes";
+  take(VideoProfile::anaglyph);
+  EXPECT_EQ(dialog->request().stereo, StereoPrint::grey);
+  stereo->setCurrentIndex(3);
+  number("video_eye_angle")->setValue(2.5);
+  box("video_swap_eyes")->setChecked(true);
+  const VideoRequest chosen = dialog->request();
+  EXPECT_EQ(chosen.speed, 0.5);
+  EXPECT_EQ(chosen.from_s, 0.5);
+  EXPECT_EQ(chosen.to_s, 1.5);
+  EXPECT_FALSE(chosen.plots || chosen.overview);
+  EXPECT_EQ(chosen.stereo, StereoPrint::dubois);
+  EXPECT_EQ(chosen.eye_angle_deg, 2.5);
+  EXPECT_TRUE(chosen.swap_eyes);
+  EXPECT_NO_THROW(check(chosen));
+  take(VideoProfile::talk);
+  EXPECT_EQ(dialog->request().stereo, StereoPrint::off);
+  EXPECT_NO_THROW(check(dialog->request()));
+  // One second of recording at half speed, eight pictures a second.
+  take(VideoProfile::images);
+  dialog->findChild<QComboBox*>("video_size")->setCurrentIndex(0);
+  number("video_fps")->setValue(8);
+  QFile(path("touch.csv")).open(QIODevice::WriteOnly);
+  QTest::mouseClick(dialog->findChild<QPushButton*>("video_next"), Qt::LeftButton);
+  Q_EMIT child<QFileDialog>("video_dialog")->fileSelected(path("part"));
+  ASSERT_TRUE(waitFor([this] { return !video().writing(); }));
+  EXPECT_EQ(QDir(path("part")).entryList({"*.png"}).size(), 17)
+      << said().toStdString() << window().message().toStdString();
+}
+
+TEST_F(VideoWindowTest, AReplayIsFilmedAlongTheCameraPathIfThatIsChosen) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(2); });
+  window().runCommand("key_view");
+  document().setRect({60, 50, 40, 40});
+  window().runCommand("key_view");
+  const auto open_dialog = [this] {
+    window().runCommand("video");
+    return static_cast<VideoDialog*>(child<QDialog>("video_options_dialog"));
+  };
+  VideoDialog* dialog = open_dialog();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->request().path) << "there is nothing else";
+  EXPECT_FALSE(dialog->findChild<QCheckBox*>("video_plots")->isEnabled());
+  dialog->reject();
+  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  dialog = open_dialog();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_FALSE(dialog->request().path);
+  dialog->findChild<QCheckBox*>("video_along_path")->click();
+  ASSERT_TRUE(dialog->request().path);
+  EXPECT_EQ(dialog->request().path->keys.size(), 2U);
+  EXPECT_TRUE(dialog->request().plots);
 }
 
 TEST_F(VideoWindowTest, KeyViewsMakeAPathThatIsShownAndKept) {

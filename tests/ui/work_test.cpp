@@ -230,6 +230,65 @@ TEST_F(WorkTest, AfterACrashTheStartOffersTheWorkAndRestoresIt) {
   ASSERT_TRUE(waitFor([&] { return copyCount() == 1; })) << "it is still in no file of the user's";
 }
 
+TEST_F(WorkTest, TheTitleNamesTheProjectAndSaysWhetherItIsSaved) {
+  openRelief();
+  EXPECT_EQ(window().windowTitle().section(' ', 0, 0), "relief.ply[*]");
+  EXPECT_FALSE(window().isWindowModified());
+  window().findChild<MeasurePanel*>()->setMeasurements(
+      {{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
+  Q_EMIT window().findChild<MeasurePanel*>()->changed();
+  EXPECT_TRUE(waitFor([this] { return window().isWindowModified(); }));
+  window().saveProject(path("p.relievo.json"));
+  EXPECT_EQ(window().windowTitle().section(' ', 0, 0), "p.relievo.json[*]");
+  EXPECT_FALSE(window().isWindowModified());
+}
+
+TEST_F(WorkTest, AfterACrashTheWorkGoesOnInItsProject) {
+  openRelief();
+  window().saveProject(path("p.relievo.json"));
+  window().findChild<MeasurePanel*>()->setMeasurements(
+      {{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
+  Q_EMIT window().findChild<MeasurePanel*>()->changed();
+  ASSERT_TRUE(waitFor([this] { return copyCount() == 1; }));
+  const Project copy =
+      readProject((copies() + '/' + QDir(copies()).entryList({"*.json"}).value(0)).toStdString());
+  leaveWork(copy);
+  restart();
+  EXPECT_TRUE(window().message().contains("p.relievo.json")) << window().message().toStdString();
+  QTest::mouseClick(stripButton("Restore"), Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  EXPECT_EQ(window().windowTitle().section(' ', 0, 0), "p.relievo.json[*]");
+  EXPECT_TRUE(window().isWindowModified()) << "the crash came before it was saved";
+  ASSERT_TRUE(window().runCommand("save_project"));
+  EXPECT_FALSE(window().isWindowModified());
+  const Project saved = readProject(path("p.relievo.json").toStdString());
+  EXPECT_EQ(saved.measurements.size(), 1U);
+  EXPECT_TRUE(saved.saved_as.empty()) << "only of copies";
+}
+
+TEST_F(WorkTest, ADamagedProjectOffersAnotherFileAndWorkThatWasKept) {
+  openRelief();
+  const Project work = window().project();
+  QFile bad(path("bad.relievo.json"));
+  ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+  bad.write("{ \"relievo_project\": 2,");
+  bad.close();
+  window().open(path("bad.relievo.json"));
+  EXPECT_TRUE(window().message().contains("is damaged")) << window().message().toStdString();
+  ASSERT_NE(stripButton(QString::fromUtf8("Choose another\u2026")), nullptr);
+  EXPECT_EQ(stripButton(QString::fromUtf8("Work that was kept\u2026")), nullptr) << "there is none";
+  QTest::mouseClick(stripButton(QString::fromUtf8("Choose another\u2026")), Qt::LeftButton);
+  auto* chooser = child<QFileDialog>("open_dialog");
+  ASSERT_NE(chooser, nullptr);
+  chooser->reject();
+  leaveWork(work);
+  window().open(path("bad.relievo.json"));
+  auto* kept = stripButton(QString::fromUtf8("Work that was kept\u2026"));
+  ASSERT_NE(kept, nullptr);
+  QTest::mouseClick(kept, Qt::LeftButton);
+  EXPECT_NE(stripButton("Restore"), nullptr) << window().message().toStdString();
+}
+
 TEST_F(WorkTest, WorkThatIsRefusedIsForgotten) {
   openRelief();
   leaveWork(window().project());

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/figure/profile_plot.h"
 
-#include <array>
-#include <charconv>
-#include <filesystem>
 #include <QBuffer>
 #include <QPainter>
 #include <QSvgGenerator>
@@ -17,12 +14,6 @@ namespace {
 constexpr double kDpi = 96;
 constexpr QSizeF kSheetMm(120, 60);
 constexpr QRectF kBoxMm(18, 4, 98, 42);
-
-std::string number(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), error == std::errc{} ? end : text.data()};
-}
 
 }  // namespace
 
@@ -46,20 +37,6 @@ std::string profileSvg(const std::vector<ProfileRow>& rows) {
             QStringLiteral("height (mm)"));
   painter.end();
   return bytes.toStdString();
-}
-
-std::string profileCsv(const std::vector<ProfileRow>& rows, const std::string& input,
-                       const std::string& sha256) {
-  std::string text = "# relievo " + std::string(RELIEVO_VERSION_STRING) + ", input " +
-                     std::filesystem::path(input).filename().string() + ", sha256 " + sha256 +
-                     "\nalong_mm,x_mm,y_mm,z_mm,uncertainty_mm,origin\n";
-  for (const ProfileRow& row : rows) {
-    const ViewMm p = row.point.at;
-    text += number(row.along_mm) + ',' + number(p.x) + ',' + number(p.y) + ',' + number(p.z) + ',' +
-            number(row.point.height_uncertainty_mm) + ',' +
-            std::to_string(static_cast<int>(row.point.origin)) + '\n';
-  }
-  return text;
 }
 
 }  // namespace relievo

@@ -34,11 +34,21 @@ TEST(MeasureText, AListIsOneRowPerQuantityWithQuotedNames) {
                         .places = {{2.5, 5}, {8.5, 5}}},
                        {.name = "p", .kind = MeasureKind::point, .places = {{4.5, 5}}}},
                       "first\nsecond");
-  EXPECT_THAT(csv, StartsWith("# first\n# second\nname,kind,quantity,value,uncertainty,unit,"
-                              "not_measured,plane\n\"the \"\"long\"\" one, left\",depth,depth "
-                              "difference,3,"));
+  EXPECT_THAT(csv,
+              StartsWith("# first\n# second\nname,kind,quantity,value,uncertainty,unit,"
+                         "not_measured,plane,places_mm\n\"the \"\"long\"\" one, left\",depth,depth "
+                         "difference,3,"));
   EXPECT_THAT(csv, HasSubstr("\"p\",point,height,2,0.500001"));
+  EXPECT_THAT(csv, HasSubstr(",,2.5 5; 8.5 5\n")) << "no plane, two places";
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 6);
+}
+
+TEST(MeasureText, WhatCouldNotBeReadIsACommentInItsPlace) {
+  const Measurement m{.name = "p", .kind = MeasureKind::point, .places = {{4.5, 5}}};
+  const std::string csv =
+      measurementsCsv({{.measurement = m, .reading = {}, .problem = "No surface\nhere."},
+                       {.measurement = m, .reading = read(ramp(), m), .problem = {}}});
+  EXPECT_THAT(csv, HasSubstr("places_mm\n# p: No surface\n# here.\n\"p\",point,height,2,"));
 }
 
 TEST(MeasureText, AProfileIsOneRowPerSampleWithItsOrigin) {

@@ -38,6 +38,26 @@ TEST(TouchRecording, ShowsAtATimeTheLastRowThatIsNotLater) {
   }
 }
 
+TEST(TouchRecording, FindsTheEventsBesideATime) {
+  TouchRecording recording = tenMilliseconds();
+  EXPECT_EQ(eventAfter(recording, 0), nullptr);
+  EXPECT_EQ(eventBefore(recording, 1), nullptr);
+  recording.events = {{0.002, "a"}, {0.004, "b"}, {0.004, "c"}};
+  EXPECT_EQ(eventAfter(recording, 0)->text, "a");
+  EXPECT_EQ(eventAfter(recording, 0.001 + 0.001)->text, "b") << "not the one that is here";
+  EXPECT_EQ(eventAfter(recording, 0.004), nullptr);
+  EXPECT_EQ(eventBefore(recording, 0.002), nullptr);
+  recording.events[2].t_s = 0.3;
+  ASSERT_LT(0.7 - 0.4, 0.3);
+  EXPECT_EQ(eventAfter(recording, 0.7 - 0.4), nullptr) << "it is here, but for a rounding";
+  recording.events[2].t_s = 0.004;
+  EXPECT_EQ(eventBefore(recording, 0.004)->text, "a");
+  EXPECT_EQ(eventBefore(recording, 0.003)->text, "a");
+  EXPECT_EQ(eventAt(recording, 0.001), nullptr);
+  EXPECT_EQ(eventAt(recording, 0.002)->text, "a");
+  EXPECT_EQ(eventAt(recording, 0.009)->text, "c");
+}
+
 TEST(TouchRecording, PlacesAnUnnamedWindowAroundWhatWasTouchedThere) {
   TouchRecording recording = tenMilliseconds();
   EXPECT_EQ(windowOf(recording, recording.rows[9]), nullptr);

@@ -2,11 +2,14 @@
 // An HDF5 log is read back here with the library's own calls, as any other program would.
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <vector>
 
 #include "core/base/error.h"
+#include "haptics/record/replay.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
 #include "tests/haptics/haptic_fixture.h"
@@ -105,6 +108,95 @@ TEST(Hdf5Log, CarriesTheStateOfItsHeader) {
   const std::filesystem::path csv = temporary("state.csv");
   openLog(csv, "")->close();
   EXPECT_THROW(hdf5State(csv), FileError);
+}
+
+HapticSample sampleAt(std::uint64_t tick) {
+  HapticSample sample;
+  sample.tick = tick;
+  // Values that do not become small by compression.
+  sample.hip_view = {std::sin(1.0 + static_cast<double>(tick)), 1.0 / static_cast<double>(tick + 1),
+                     std::cos(0.1 * static_cast<double>(tick))};
+  return sample;
+}
+
+void write(SampleLog& log, std::uint64_t from, std::uint64_t to) {
+  for (std::uint64_t tick = from; tick < to; ++tick) {
+    log.write(sampleAt(tick), 0.001 * static_cast<double>(tick),
+              tick % 1000 == 0 ? "happened at " + std::to_string(tick) : "");
+  }
+}
+
+void expectRows(const LogTable& log, std::uint64_t count) {
+  ASSERT_EQ(log.rows.size(), count);
+  for (std::uint64_t tick = 0; tick < count; ++tick) {
+    ASSERT_EQ(log.rows[tick], logValues(sampleAt(tick), 0.001 * static_cast<double>(tick)));
+  }
+}
+
+TEST(Hdf5Log, WhatALogHoldsOutlivesAProgramThatIsKilled) {
+  const std::filesystem::path file = temporary("killed.h5"), left = temporary("left.h5");
+  const auto log = openLog(file, "relievo log");
+  write(*log, 0, 10'000);
+  // What a kill leaves on the disk is the file as it is now.
+  std::filesystem::copy_file(file, left, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_LT(std::filesystem::file_size(left), 2'000'000U) << "no room is left in it";
+  const LogTable kept = readLog(left);
+  expectRows(kept, 8192);  // Two chunks; the third is not complete.
+  ASSERT_EQ(kept.events.size(), 9U);
+  EXPECT_EQ(kept.events[8].text, "happened at 8000");
+  EXPECT_EQ(kept.events[8].tick, 8000U);
+}
+
+TEST(Hdf5Log, IsCompleteWhenItCannotGrow) {
+  const std::filesystem::path file = temporary("full.h5");
+  std::string said;
+  std::uint64_t saved = 0;
+  {
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{5'000'000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const auto log = openLog(file, "relievo log\nunit mm");
+    try {
+      write(*log, 0, 1'000'000);
+    } catch (const WriteError& error) {
+      said = error.what();
+      EXPECT_EQ(error.code, "E401");
+    }
+    saved = log->rows();
+    log->write(sampleAt(0), 0);  // Does nothing any more.
+    log->close("loop ticks 1");
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+  }
+  EXPECT_EQ(said, "Recording stopped: disk full. " + std::to_string(saved) +
+                      " samples are saved and complete in \"" + file.string() + "\".");
+  EXPECT_GT(saved, 4096U);
+  const LogTable kept = readLog(file);
+  expectRows(kept, saved);
+  EXPECT_EQ(kept.events.size(), (saved + 999) / 1000);
+  EXPECT_NE(kept.header.find("unit mm"), std::string::npos);
+  EXPECT_LT(std::filesystem::file_size(file), 5'000'000U) << "the room is given back";
+}
+
+TEST(Hdf5Log, TakesNoMoreRoomThanItNeeds) {
+  const std::filesystem::path file = temporary("small.h5");
+  const auto log = openLog(file, "relievo log");
+  write(*log, 0, 5000);
+  log->close("loop ticks 5000");
+  EXPECT_LT(std::filesystem::file_size(file), 1'000'000U);
+  EXPECT_EQ(readLog(file).footer, "loop ticks 5000");
+}
+
+TEST(Hdf5Log, CutsALongEventBetweenCharacters) {
+  const std::filesystem::path file = temporary("long.h5");
+  const auto log = openLog(file, "relievo log");
+  std::string umlauts;
+  for (int i = 0; i < 200; ++i) umlauts += "\u00e4";
+  log->write(sampleAt(0), 0, umlauts);
+  log->close();
+  EXPECT_EQ(readLog(file).events.at(0).text, umlauts.substr(0, 254));
 }
 
 TEST(Hdf5Log, RefusesAPlaceThatCannotBeWritten) {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "haptics/record/events.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/replay.h"
@@ -227,6 +228,40 @@ TEST(Recorder, NamesDroppedSamplesFaultsAndNewWindows) {
   EXPECT_EQ(rows[2].at("event"), "\"3 samples dropped before this one\"");
   EXPECT_EQ(rows[3].at("event"),
             "\"new window: window 4 of detail 1; the device did not answer in time\"");
+}
+
+TEST(Recorder, WritesANoteIntoARowOfItsOwnOrAtTheEnd) {
+  for (const char* name : {"noted.csv", "noted.h5"}) {
+    const std::filesystem::path file = temporary(name);
+    Recorder recorder;
+    EXPECT_FALSE(recorder.note(noteEvent(5, "too early")));
+    recorder.start(file, "header");
+    EXPECT_TRUE(recorder.note(noteEvent(5, "a \"crack\", here\nand on")));
+    std::vector<HapticSample> batch{sampleAt(5), sampleAt(6), sampleAt(7)};
+    batch[1].window_id = batch[2].window_id = 4;
+    recorder.take(batch);  // The first two rows have happenings of their own.
+    EXPECT_TRUE(recorder.note(noteEvent(7, "last")));
+    recorder.stop("loop ticks 3\n");
+    recorder.take({});
+    ASSERT_TRUE(recorder.ended()) << name;
+    const LogTable log = readLog(file);
+    ASSERT_EQ(log.events.size(), 3U) << name;
+    EXPECT_EQ(log.events[1].text, "new window: window 4 of detail 1");
+    EXPECT_EQ(log.events[2].tick, 7U);
+    EXPECT_EQ(log.events[2].text, "note at tick 5: a \"crack\", here and on");
+    EXPECT_EQ((log.header + log.footer).find("too early"), std::string::npos);
+    EXPECT_NE((log.header + log.footer).find("note at tick 7: last"), std::string::npos) << name;
+  }
+}
+
+TEST(Events, ANoteIsReadBackWithItsTick) {
+  const auto note = noteIn(noteEvent(12, "a \"b\", c: d; e"));
+  ASSERT_TRUE(note);
+  EXPECT_EQ(note->tick, 12U);
+  EXPECT_EQ(note->text, "a \"b\", c: d; e");
+  EXPECT_EQ(noteEvent(1, "two\nlines"), "note at tick 1: two lines");
+  EXPECT_FALSE(noteIn("new window: window 4 of detail 1"));
+  EXPECT_FALSE(noteIn("note at tick x: y"));
 }
 
 TEST(Recorder, EndsWithAWordWhenTheDiskIsFull) {

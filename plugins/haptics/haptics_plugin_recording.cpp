@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plugin's part in recordings: start, end, and notes into them.
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QThread>
+#include <utility>
+
+#include "core/base/error.h"
+#include "haptics/record/events.h"
+#include "plugins/haptics/haptics_plugin.h"
+#include "plugins/haptics/recording_file.h"
+
+namespace relievo {
+
+namespace {
+/// What is under the hand as a recording starts, for files that keep the surface.
+std::unique_ptr<HapticSpace> spaceOf(const RegionWindow& window, SurfaceKind kind) {
+  auto space = std::make_unique<HapticSpace>();
+  fill(*space, window, {window.levels - window.region.level.value, window.levels}, kind, {}, {});
+  return space;
+}
+}  // namespace
+
+void HapticsPlugin::setRecording(bool on) {
+  if (!session_) return;
+  if (!on) {
+    if (note_) note_->accept();  // What is written already is not lost.
+    actions_.note->setEnabled(false);
+    session_->stopRecording(loopLines(session_->stats()) + recorded_windows_.toStdString());
+    return;
+  }
+  try {
+    const QDateTime now = QDateTime::currentDateTime();
+    const QString file = proposedRecording(host_->scanName(), host_->recordingEnding(), now.date());
+    const DeviceInfo& device = session_->loop().device();
+    const QString header = recordingHeaderLines(
+        host_->recordingHeader(file), QString::fromStdString(device.name),
+        withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface,
+        firmness_fits_ ? firmness_.get() : nullptr, now);
+    const auto window = host_->shownWindow();
+    const auto surface = window ? spaceOf(*window, settings_.feel.surface) : nullptr;
+    session_->startRecording(QFile::encodeName(file).toStdString(), header.toStdString(),
+                             surface.get());
+    recorded_windows_ = window ? windowLine(*window) : QString();
+    actions_.note->setEnabled(true);
+    host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
+  } catch (const Error& error) {
+    const QSignalBlocker blocker(actions_.record);
+    actions_.record->setChecked(false);
+    host_->announce(QString::fromStdString(error.what()));
+  }
+}
+
+void HapticsPlugin::endRecording() {
+  if (!session_ || !session_->recorder().running()) return;
+  setRecording(false);
+  constexpr unsigned long kLookMs = 5;
+  constexpr int kMostLooks = 200;  // The drain answers within hundredths of a second.
+  for (int i = 0; i < kMostLooks && session_->recorder().running(); ++i) {
+    QThread::msleep(kLookMs);
+    watchRecording();
+  }
+}
+
+void HapticsPlugin::watchRecording() {
+  if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
+    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
+                                                .arg(durationText(flight->samples))
+                                                .arg(QString::fromStdString(flight->file.string()))
+                                          : QString::fromStdString(flight->error));
+  }
+  const std::optional<RecordingEnd> end = session_->recorder().ended();
+  if (!end) return;
+  const QSignalBlocker blocker(actions_.record);
+  actions_.record->setChecked(false);
+  actions_.note->setEnabled(false);
+  if (note_) note_->accept();
+  if (!end->error.empty()) {
+    host_->announce(tr("The recording has ended early."));
+    host_->showError(QString::fromStdString(end->error), QStringLiteral("E401"));
+    host_->recordingSaved(QFile::decodeName(end->file.c_str()));  // What is there is complete.
+    return;
+  }
+  host_->recordingSaved(QFile::decodeName(end->file.c_str()));
+  host_->announce(tr("Recording saved: %1, %2 samples in %3")
+                      .arg(durationText(end->samples))
+                      .arg(end->samples)
+                      .arg(QString::fromStdString(end->file.string())));
+}
+
+void HapticsPlugin::askNote() {
+  if (!session_ || !session_->recorder().running()) return;
+  if (note_) {
+    note_->raise();
+    note_->activateWindow();
+    return;
+  }
+  constexpr double kSecondsPerSample = 1e-3;
+  const double time_s = kSecondsPerSample * static_cast<double>(session_->recorder().samples());
+  note_ = new NoteDialog(session_->update().tick, time_s, panel_ ? panel_->window() : nullptr);
+  note_->setAttribute(Qt::WA_DeleteOnClose);
+  connect(note_, &QDialog::accepted, this, &HapticsPlugin::addNote);
+  connect(note_, &QDialog::rejected, this, [this] { note_.clear(); });
+  note_->show();
+  note_->activateWindow();
+}
+
+void HapticsPlugin::addNote() {
+  const NoteDialog* const note = std::exchange(note_, nullptr);
+  if (note == nullptr || note->text().isEmpty() || !session_) return;
+  const QString text = note->text();
+  const QString time = QLocale().toString(note->timeS(), 'f', 2);
+  if (session_->recorder().note(noteEvent(note->tick(), text.toStdString()))) {
+    host_->announce(tr("Note at %1 s: %2").arg(time, text));
+  } else {
+    host_->showError(tr("The recording had ended before the note \"%1\" was added. The note is in "
+                        "no file.")
+                         .arg(text),
+                     {});
+  }
+}
+
+}  // namespace relievo
