@@ -4,12 +4,13 @@
 #include <array>
 #include <QAction>
 #include <QActionGroup>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QScreen>
 
 #include "core/base/error.h"
+#include "core/io/text_file.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
@@ -142,12 +143,8 @@ void MainWindow::saveMeasurements() {
       if (dialog->selectedNameFilter() != list) {
         measure_panel_->writeSelected(file);
       } else {
-        QSaveFile out(file);
-        const QByteArray text = measure_panel_->csv(file).toUtf8();
-        if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit()) {
-          throw WriteError(
-              tr("%1 could not be written. Choose another place.").arg(file).toStdString());
-        }
+        writeTextFile(QFile::encodeName(file).toStdString(),
+                      measure_panel_->csv(file).toStdString());
       }
       announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
     } catch (const Error& error) {

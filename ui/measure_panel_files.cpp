@@ -2,9 +2,9 @@
 // What the list of measurements writes into files.
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include "core/base/error.h"
+#include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
@@ -64,11 +64,7 @@ void MeasurePanel::writeSelected(const QString& file) const {
   } else {
     text = svg ? profileSvg(entry->rows) : profileCsv(entry->rows, sourceText(file).toStdString());
   }
-  QSaveFile out(file);
-  if (!out.open(QIODevice::WriteOnly) ||
-      out.write(text.data(), static_cast<qint64>(text.size())) < 0 || !out.commit()) {
-    throw WriteError(tr("%1 could not be written. Choose another place.").arg(file).toStdString());
-  }
+  writeTextFile(QFile::encodeName(file).toStdString(), text);
 }
 
 }  // namespace relievo

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <QAction>
+#include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -13,6 +14,9 @@
 #include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include "core/base/error.h"
+#include "core/base/replaceable.h"
 
 namespace relievo {
 
@@ -311,6 +315,11 @@ void ScopeDialog::add(std::span<const PlotSample> samples) {
 }
 
 QString ScopeDialog::exportTo(const QString& file) const {
+  try {
+    requireReplaceable(QFile::encodeName(file).toStdString());
+  } catch (const WriteError& error) {
+    return QString::fromUtf8(error.what());
+  }
   QSaveFile out(file);
   const bool table = file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
   const QString text = table ? scopeCsv(view_->shown()) : scopeSvg(view_->shown());

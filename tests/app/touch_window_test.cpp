@@ -25,6 +25,19 @@
 namespace relievo {
 namespace {
 
+/// What the program does at its start.
+class LoadedPlugins {
+ public:
+  explicit LoadedPlugins(MainWindow& window) : host_(window), loader_(host_, window.settings()) {
+    loader_.load();
+  }
+  PluginLoader* operator->() { return &loader_; }
+
+ private:
+  WindowHost host_;
+  PluginLoader loader_;
+};
+
 class TouchWindowTest : public GuiTest {
  protected:
   void TearDown() override { qunsetenv("RELIEVO_PLUGIN_PATH"); }
@@ -109,19 +122,15 @@ TEST_F(TouchWindowTest, AModuleThatIsNoPluginIsSkippedAndNamed) {
   module.write("this is text");
   module.close();
   qputenv("RELIEVO_PLUGIN_PATH", path("").toLocal8Bit());
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_EQ(plugins.problems().size(), 1);
-  EXPECT_TRUE(plugins.problems().front().contains("broken.so"));
-  EXPECT_FALSE(plugins.has("broken"));
+  LoadedPlugins plugins(window());
+  ASSERT_EQ(plugins->problems().size(), 1);
+  EXPECT_TRUE(plugins->problems().front().contains("broken.so"));
+  EXPECT_FALSE(plugins->has("broken"));
 }
 
 TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_TRUE(plugins.has("haptics")) << plugins.problems().join(' ').toStdString();
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics")) << plugins->problems().join(' ').toStdString();
   openRelief();
   auto& view = window().detailView();
   const QPointF middle = QRectF(view.rect()).center();
@@ -142,15 +151,13 @@ TEST_F(TouchWindowTest, PressingWithTheMouseIsAnsweredByAForceThatEscapeStops) {
   EXPECT_TRUE(waitFor([this] { return !action("forces")->isChecked(); }));
   EXPECT_TRUE(waitFor([this] { return forceShown() == 0; }));
   release(view, middle);
-  plugins.detachAll();
+  plugins->detachAll();
 }
 
 TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
   useOwnHome();
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_TRUE(plugins.has("haptics"));
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
   openRelief();
   const auto saved = [this](ImageSource source, const QString& name) {
     window().saveImage(source, {301, 200}, path(name));
@@ -167,7 +174,7 @@ TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
   const QString whole = saved(ImageSource::window, "whole.png");
   auto& view = window().detailView();
   release(view, QRectF(view.rect()).center());
-  plugins.detachAll();
+  plugins->detachAll();
   for (const QString& picture : {bare, full}) {
     said({"render", "--from-image", picture, "-o", path("again.png")});
     EXPECT_EQ(QImage(path("again.png")), QImage(picture)) << picture.toStdString();
@@ -181,10 +188,8 @@ TEST_F(TouchWindowTest, APictureOfTheDetailViewIsDrawnAgainFromTheCommandLine) {
 
 TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   useOwnHome();
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_TRUE(plugins.has("haptics"));
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
   openRelief();
   auto& view = window().detailView();
   const QPointF middle = QRectF(view.rect()).center();
@@ -201,7 +206,7 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   QTest::qWait(600);
   const QString recording = endRecording();  // Knows where its scan lies.
   release(view, middle);
-  plugins.detachAll();
+  plugins->detachAll();
   ASSERT_FALSE(recording.isEmpty());
   EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
   // Packed for citation it is found and repeated as well.
@@ -212,10 +217,8 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
 
 TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit) {
   useOwnHome();
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_TRUE(plugins.has("haptics"));
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
   window().setRecordingReader(batch::readRecording);
   openRelief();
   auto& view = window().detailView();
@@ -242,7 +245,7 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   QTest::keyClick(window().replayControl().panel(), Qt::Key_Down);
   EXPECT_TRUE(child<QLabel>("replay_readout")->text().endsWith("note: the dome"))
       << child<QLabel>("replay_readout")->text().toStdString();
-  plugins.detachAll();
+  plugins->detachAll();
   EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
   window().saveProject(path("p.relievo.json"));
   said({"project", "package", path("p.relievo.json"), "-o", path("p.zip")});
@@ -251,10 +254,8 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
 
 TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit) {
   useOwnHome();
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_TRUE(plugins.has("haptics"));
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
   openHoledRelief();
   touchMiddle();
   action("record")->trigger();
@@ -276,7 +277,7 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
   const QString recording = endRecording();
   auto& view = window().detailView();
   release(view, QRectF(view.rect()).center());
-  plugins.detachAll();
+  plugins->detachAll();
   ASSERT_FALSE(recording.isEmpty());
   QFile file(recording);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -291,10 +292,8 @@ TEST_F(TouchWindowTest, ARecordingAcrossOtherMapsOfTheScanIsReplayedToTheLastBit
 
 TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRasterHasChanged) {
   useOwnHome();
-  WindowHost host(window());
-  PluginLoader plugins(host, window().settings());
-  plugins.load();
-  ASSERT_TRUE(plugins.has("haptics"));
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
   openRelief();
   auto* name = child<QLabel>("firmnessName");
   const auto choose = [this](const QString& file) {
@@ -334,7 +333,7 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
   const QString recording = endRecording();
   auto& view = window().detailView();
   release(view, QRectF(view.rect()).center());
-  plugins.detachAll();
+  plugins->detachAll();
   ASSERT_FALSE(recording.isEmpty());
   EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
