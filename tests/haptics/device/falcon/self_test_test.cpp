@@ -191,7 +191,7 @@ TEST_F(FalconSelfTest, AKnownWeightFindsTheMotorsTrueGain) {
 /// The force rises from zero after each; what is asked for meanwhile says nothing of the weight.
 TEST_F(FalconSelfTest, ALineWithInterruptionsGivesTheWeightOrAReason) {
   constexpr double kTrue = 6, kWeightG = 100;
-  for (const int every_ms : {1500, 40}) {
+  for (const int every_ms : {2500, 40}) {
     falcon([](auto& f) {
       f.body.counts_per_n_mm = kTrue;
       f.body.hold({0, 0, 125});
