@@ -123,9 +123,9 @@ QFormLayout* HapticsPanel::rows() {
     form->addRow(label, field);
   };
   labelled(tr("S&trength"), strength_, strength_row);
-  labelled(tr("Surfa&ce"), preset_, preset_);
+  labelled(tr("S&urface"), preset_, preset_);
   labelled(tr("Sh&ape"), surface_, surface_);
-  labelled(tr("Pro&xy"), proxy_, proxy_);
+  labelled(tr("Prox&y"), proxy_, proxy_);
   labelled(tr("Sti&ffness"), stiffness_, stiffness_);
   form->addRow(QString(), by_detail_);
   labelled(tr("Fr&iction"), friction_, friction_);
@@ -137,7 +137,7 @@ QFormLayout* HapticsPanel::rows() {
   firmness_row->addWidget(firmness_none_);
   form->addRow(firmness_row);
   labelled(tr("Tic&k there"), tick_, tick_);
-  labelled(tr("Text&ure"), texture_, texture_);
+  labelled(tr("Te&xture"), texture_, texture_);
   labelled(tr("K&nock"), knock_, knock_);
   labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
