@@ -2070,7 +2070,7 @@
     </message>
     <message>
         <source>Caption&apos;s file</source>
-        <translation>Datei der Unterschrift</translation>
+        <translation>Textdatei</translation>
     </message>
     <message>
         <source>Where the caption is written</source>
