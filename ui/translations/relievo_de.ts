@@ -2232,7 +2232,7 @@
         <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
     </message>
     <message>
-        <source>S&amp;trength</source>
+        <source>St&amp;rength</source>
         <translation>&amp;Stärke</translation>
     </message>
     <message>
@@ -2240,7 +2240,7 @@
         <translation>Fo&amp;rm</translation>
     </message>
     <message>
-        <source>Sti&amp;ffness</source>
+        <source>Stiff&amp;ness</source>
         <translation>S&amp;teifigkeit</translation>
     </message>
     <message>
@@ -2448,7 +2448,7 @@
         <translation>%1 (gerade nicht da)</translation>
     </message>
     <message>
-        <source>Not &amp;measured</source>
+        <source>Not measure&amp;d</source>
         <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
@@ -2552,7 +2552,7 @@
         <translation>Ein Raster über die ganze Karte: 1, wo der Grund fest ist, 0, wo er so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
     </message>
     <message>
-        <source>Non&amp;e</source>
+        <source>No&amp;ne</source>
         <translation>Ke&amp;ines</translation>
     </message>
     <message>
@@ -5540,7 +5540,7 @@
         <translation>Rot-&amp;cyane Anaglyphe</translation>
     </message>
     <message>
-        <source>At &amp;mid height</source>
+        <source>At mi&amp;d height</source>
         <translation>A&amp;uf mittlerer Höhe</translation>
     </message>
     <message>
@@ -5628,7 +5628,7 @@
         <translation>Wie weit auseinander die Augen den fernsten Punkt sehen, 60 cm vor dem Bildschirm; über 1 Grad sehen viele doppelt</translation>
     </message>
     <message>
-        <source>&amp;Test glasses…</source>
+        <source>Test &amp;glasses…</source>
         <translation>Brille &amp;prüfen…</translation>
     </message>
     <message>

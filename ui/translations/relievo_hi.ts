@@ -2232,16 +2232,16 @@
         <translation>चालू: गणना और प्रदर्शन; माउस वापस नहीं धकेल सकता।</translation>
     </message>
     <message>
-        <source>S&amp;trength</source>
-        <translation>प्रबलता (&amp;T)</translation>
+        <source>St&amp;rength</source>
+        <translation>प्रबलता (&amp;R)</translation>
     </message>
     <message>
         <source>Sh&amp;ape</source>
         <translation>आकार (&amp;A)</translation>
     </message>
     <message>
-        <source>Sti&amp;ffness</source>
-        <translation>कठोरता (&amp;F)</translation>
+        <source>Stiff&amp;ness</source>
+        <translation>कठोरता (&amp;N)</translation>
     </message>
     <message>
         <source>Fr&amp;iction</source>
@@ -2448,8 +2448,8 @@
         <translation>%1 (अभी यहाँ नहीं)</translation>
     </message>
     <message>
-        <source>Not &amp;measured</source>
-        <translation>मापा नहीं गया (&amp;M)</translation>
+        <source>Not measure&amp;d</source>
+        <translation>मापा नहीं गया (&amp;D)</translation>
     </message>
     <message>
         <source>Tic&amp;k there</source>
@@ -2552,8 +2552,8 @@
         <translation>पूरे मानचित्र पर ग्रिड: जहाँ जगह ठोस है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
     </message>
     <message>
-        <source>Non&amp;e</source>
-        <translation>कोई नहीं (&amp;E)</translation>
+        <source>No&amp;ne</source>
+        <translation>कोई नहीं (&amp;N)</translation>
     </message>
     <message>
         <source>No raster: firm where it was measured</source>
@@ -5540,8 +5540,8 @@
         <translation>लाल/सियान एनाग्लिफ़ (&amp;A)</translation>
     </message>
     <message>
-        <source>At &amp;mid height</source>
-        <translation>बीच की ऊँचाई पर (&amp;M)</translation>
+        <source>At mi&amp;d height</source>
+        <translation>बीच की ऊँचाई पर (&amp;D)</translation>
     </message>
     <message>
         <source>S&amp;wap eyes</source>
@@ -5628,8 +5628,8 @@
         <translation>स्क्रीन से 60 cm पर सबसे दूर का बिंदु आँखों को कितना अलग दिखता है; 1 डिग्री से ऊपर कई लोग दोहरा देखते हैं</translation>
     </message>
     <message>
-        <source>&amp;Test glasses…</source>
-        <translation>चश्मा जाँचें (&amp;T)…</translation>
+        <source>Test &amp;glasses…</source>
+        <translation>चश्मा जाँचें (&amp;G)…</translation>
     </message>
     <message>
         <source>Test glasses</source>
