@@ -10,10 +10,10 @@
 namespace relievo {
 namespace {
 
-// Sentences of core (base, io, measure, project, session), haptics/record, ui/vtk and ui/video with
-// their parts as %1, %2, ...: core knows no languages, and its error carries the sentence alone. A
-// sentence that was reworded there is shown in English until it is here; language_test provokes the
-// errors.
+// Sentences of core (base, io, measure, project, provenance, relief, replay, session),
+// haptics/record, ui/figure, ui/vtk and ui/video with their parts as %1, %2, ...: core knows no
+// languages, and its error carries the sentence alone. A sentence that was reworded there is shown
+// in English until it is here; language_test provokes the errors.
 constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "Cannot read %1: there is no such file. Check the name and the folder."),
@@ -127,7 +127,72 @@ constexpr std::array kSentences{
                       "free some space."),
     QT_TRANSLATE_NOOP("Core",
                       "The package %1 could not be written (%2). Nothing was left behind. Choose "
-                      "another folder or free some space.")};
+                      "another folder or free some space."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "A figure's name ends in .png, .tif, .pdf or .svg; '%1' does not. Nothing was drawn."),
+    QT_TRANSLATE_NOOP(
+        "Core", "The name of a figure's heights ends in .tif; '%1' does not. Nothing was drawn."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Two of the figure's files would be '%1'. Nothing was drawn. Give one of "
+                      "them another name."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot write the figure '%1'. Choose another folder or free some space."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Cannot write the picture '%1' (%2). Choose another folder or free some space."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot write the picture '%1'. Choose another folder or free some space."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 "
+                      "mm. Nothing was drawn. Choose one among them."),
+    QT_TRANSLATE_NOOP("Core", "The colours' upper end must lie above their lower end."),
+    QT_TRANSLATE_NOOP("Core", "There is nothing of the object in this region. Choose another."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Level %1 has more than %2 samples across this region. Choose a coarser level."),
+    QT_TRANSLATE_NOOP("Core",
+                      "This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller "
+                      "scale or width."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "A picture of %1 x %2 pixels is more than this version can hold. Choose a smaller one."),
+    QT_TRANSLATE_NOOP("Core", "The graphics driver returned a black picture. Try a smaller one."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "Recording stopped: HDF5 could not write. %1 samples are saved and complete in \"%2\"."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Recording stopped: %1. %2 samples are saved and complete in \"%3\"."),
+    QT_TRANSLATE_NOOP("Core", "The recording \"%1\" cannot be written. Choose another place."),
+    QT_TRANSLATE_NOOP("Core", "The recording \"%1\" cannot be written: %2. Choose another place."),
+    QT_TRANSLATE_NOOP("Core", "The recording \"%1\" may be incomplete."),
+    QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read."),
+    QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read as a log of this version."),
+    QT_TRANSLATE_NOOP("Core", "The log \"%1\" has other columns than this version's."),
+    QT_TRANSLATE_NOOP("Core", "The log \"%1\" has no rows."),
+    QT_TRANSLATE_NOOP(
+        "Core", "'%1' is not there. Nothing was packed. Relink it, or take it out of the project."),
+    QT_TRANSLATE_NOOP("Core",
+                      "'%1' has changed since (checksum differs). Nothing was packed. Relink it, "
+                      "or take it out of the project."),
+    QT_TRANSLATE_NOOP("Core",
+                      "'%1' is not there. Nothing was packed. It is needed to repeat '%2': put it "
+                      "back, or take the recording out."),
+    QT_TRANSLATE_NOOP("Core",
+                      "'%1' has changed since (checksum differs). Nothing was packed. It is needed "
+                      "to repeat '%2': put it back, or take the recording out."),
+    QT_TRANSLATE_NOOP("Core", "Cannot read %1: the picture is damaged. Nothing was restored."),
+    QT_TRANSLATE_NOOP(
+        "Core", "Cannot read %1: what it carries of relievo is cut off. Nothing was restored."),
+    QT_TRANSLATE_NOOP(
+        "Core", "The folder \"%1\" cannot be made. Nothing was written. Choose another place."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "The folder \"%1\" holds frames of a video already. Nothing was written. Choose another."),
+    QT_TRANSLATE_NOOP("Core", "There is nothing between %1 s and %2 s. Nothing was made."),
+    QT_TRANSLATE_NOOP("Core",
+                      "This would be more than a million frames. Choose a part of the recording.")};
 
 QRegularExpression formOf(const QString& sentence) {
   QString form = QRegularExpression::escape(sentence);

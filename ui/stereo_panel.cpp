@@ -60,7 +60,7 @@ class GlassesPicture : public QWidget {
 StereoPanel::StereoPanel(QWidget* parent)
     : QWidget(parent),
       on_(new QCheckBox(tr("Red/cyan &anaglyph"))),
-      automatic_(new QCheckBox(tr("At &mid height"))),
+      automatic_(new QCheckBox(tr("At mi&d height"))),
       swap_(new QCheckBox(tr("S&wap eyes"))),
       comfort_(new QCheckBox(tr("&Keep comfortable"))),
       kind_(new QComboBox),
@@ -111,7 +111,7 @@ StereoPanel::StereoPanel(QWidget* parent)
       tr("How far apart the eyes see the farthest point, at 60 cm from the screen; above 1 degree "
          "many people see double"));
   meter_->setRange(0, static_cast<int>(kComfortDeg * kMeterSteps));
-  auto* glasses = new QPushButton(tr("&Test glasses\u2026"));
+  auto* glasses = new QPushButton(tr("Test &glasses\u2026"));
   glasses->setObjectName(QStringLiteral("test_glasses"));
   glasses->setAccessibleName(tr("Test glasses"));
   glasses->setToolTip(tr("A picture that says whether the filters are at the right eyes"));

@@ -9,7 +9,9 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -36,6 +38,9 @@ Widget* field(QFormLayout* form, const QString& title, const char* name, const Q
   widget->setAccessibleName(withoutMnemonic(title));
   widget->setToolTip(tip);
   form->addRow(title, widget);
+  // A letter that is underlined stands farther from its neighbours than a label reckons.
+  auto* label = form->labelForField(widget);
+  label->setMinimumWidth(label->sizeHint().width() + label->fontMetrics().averageCharWidth());
   return widget;
 }
 
@@ -63,6 +68,10 @@ VideoDialog::VideoDialog(const Start& start, QWidget* parent) : QDialog(parent),
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);
+  // As wide as the longest choice, where the screen is.
+  const int wide =
+      page->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
+  scroll->setMinimumWidth(std::min(wide, screen()->availableSize().width() * 4 / 5));
   auto* column = new QVBoxLayout(this);
   column->addWidget(scroll, 1);
   column->addWidget(buttons);

@@ -122,22 +122,22 @@ QFormLayout* HapticsPanel::rows() {
     label->setBuddy(buddy);
     form->addRow(label, field);
   };
-  labelled(tr("S&trength"), strength_, strength_row);
-  labelled(tr("Surfa&ce"), preset_, preset_);
+  labelled(tr("St&rength"), strength_, strength_row);
+  labelled(tr("S&urface"), preset_, preset_);
   labelled(tr("Sh&ape"), surface_, surface_);
-  labelled(tr("Pro&xy"), proxy_, proxy_);
-  labelled(tr("Sti&ffness"), stiffness_, stiffness_);
+  labelled(tr("Prox&y"), proxy_, proxy_);
+  labelled(tr("Stiff&ness"), stiffness_, stiffness_);
   form->addRow(QString(), by_detail_);
   labelled(tr("Fr&iction"), friction_, friction_);
   labelled(tr("Dam&ping"), damping_, damping_);
-  labelled(tr("Not &measured"), soft_, soft_);
+  labelled(tr("Not measure&d"), soft_, soft_);
   labelled(tr("Fi&rm ground"), firmness_choose_, firmness_name_);
   auto* firmness_row = new QHBoxLayout;  // Of its own: beside them a name has no room.
   firmness_row->addWidget(firmness_choose_);
   firmness_row->addWidget(firmness_none_);
   form->addRow(firmness_row);
   labelled(tr("Tic&k there"), tick_, tick_);
-  labelled(tr("Text&ure"), texture_, texture_);
+  labelled(tr("Te&xture"), texture_, texture_);
   labelled(tr("K&nock"), knock_, knock_);
   labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
@@ -221,7 +221,7 @@ void HapticsPanel::buildFields() {
   firmness_choose_->setToolTip(
       tr("A raster over the whole map: 1 where the ground is firm, 0 where it is as soft as set "
          "above. In place of where it was measured."));
-  firmness_none_ = named(new QPushButton(tr("Non&e")), "firmnessNone",
+  firmness_none_ = named(new QPushButton(tr("No&ne")), "firmnessNone",
                          tr("No raster: firm where it was measured"));
   firmness_none_->setToolTip(tr("The ground is firm where it was measured."));
   tick_ =

@@ -23,8 +23,11 @@
 #include <QXmlStreamReader>
 
 #include "core/base/error.h"
+#include "core/relief/relief_image.h"
+#include "core/relief/stereo.h"
 #include "core/session/memory_guard.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/figure/figure.h"
 #include "ui/language.h"
 #include "ui/palette.h"
 #include "ui/spoken_error.h"
@@ -189,6 +192,29 @@ TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {
   EXPECT_EQ(shownError(full, "E401"), spokenError(full) + " (E401)");
   EXPECT_EQ(shownError(FileError("It is gone (E501).", "E501")), "It is gone (E501).");
   EXPECT_EQ(shownError(FileError("It is odd.")), "It is odd.");
+}
+
+TEST_F(PseudoTest, WhatFiguresAreRefusedForIsTranslated) {
+  const auto refused = [](const auto& work) {
+    try {
+      work();
+    } catch (const Error& error) {
+      return spokenError(error);
+    }
+    return QString("not refused");
+  };
+  const std::filesystem::path folder = path("").toStdString();
+  const std::filesystem::path figure = folder / "figure.tif";
+  const auto named = [&](const FigureFiles& files) { return refused([&] { check(files); }); };
+  for (const QString& said :
+       {named({.figure = folder / "figure.doc"}),
+        named({.figure = figure, .heights = folder / "heights.png"}),
+        named({.figure = figure, .heights = figure}), named({.figure = figure, .caption = folder}),
+        refused([] { checkZeroPlane(999, 0, 10, 10); }), refused([] {
+          checkRange({.range = {{2, 1}}});
+        })}) {
+    EXPECT_TRUE(said.startsWith(QChar(0x27e6))) << said.toStdString();
+  }
 }
 
 TEST_F(PseudoTest, DialogsShowNothingUntranslated) {

@@ -403,6 +403,237 @@
         <source>Three places on one line give no plane. Choose another.</source>
         <translation>Drei Stellen auf einer Geraden ergeben keine Ebene. Wählen Sie eine andere.</translation>
     </message>
+    <message>
+        <source>Cannot write %1: what has this name is no regular file. It was left as it is. Choose another name.</source>
+        <translation>%1 kann nicht geschrieben werden: Was diesen Namen trägt, ist keine gewöhnliche Datei. Es blieb, wie es ist. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
+        <translation>Zum Zeichnen reicht der Speicher nicht: Der Grafiktreiber braucht 512 MB Adressraum, und eine gesetzte Grenze (ulimit -v) lässt weniger. Nichts wurde gezeichnet. Heben Sie die Grenze an.</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Video</translation>
+    </message>
+    <message>
+        <source>reading heights</source>
+        <translation>Höhen lesen</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s name ends in .png, .tif, .pdf or .svg; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>Der Name einer Abbildung endet mit .png, .tif, .pdf oder .svg; „%1“ nicht. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The name of a figure&apos;s heights ends in .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>Der Name der Höhen einer Abbildung endet mit .tif; „%1“ nicht. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
+        <translation>Zwei Dateien der Abbildung hießen „%1“. Nichts wurde gezeichnet. Geben Sie einer davon einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Cannot write the figure &apos;%1&apos;. Choose another folder or free some space.</source>
+        <translation>Die Abbildung „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
+        <translation>Das Bild „%1“ kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos;. Choose another folder or free some space.</source>
+        <translation>Das Bild „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 mm. Nothing was drawn. Choose one among them.</source>
+        <translation>Die Nullebene der Parallaxe, %1 mm, liegt weit von den Höhen hier, %2 bis %3 mm. Nichts wurde gezeichnet. Wählen Sie eine dazwischen.</translation>
+    </message>
+    <message>
+        <source>The colours&apos; upper end must lie above their lower end.</source>
+        <translation>Das obere Ende der Farben muss über dem unteren liegen.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the object in this region. Choose another.</source>
+        <translation>In diesem Ausschnitt liegt nichts vom Objekt. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Level %1 has more than %2 samples across this region. Choose a coarser level.</source>
+        <translation>Ebene %1 hat über diesen Ausschnitt mehr als %2 Stützstellen. Wählen Sie eine gröbere Ebene.</translation>
+    </message>
+    <message>
+        <source>This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller scale or width.</source>
+        <translation>Diese Abbildung würde %1 x %2 mm groß. Nichts wurde gezeichnet. Wählen Sie einen kleineren Maßstab oder weniger Breite.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is more than this version can hold. Choose a smaller one.</source>
+        <translation>Ein Bild von %1 x %2 Pixeln ist mehr, als diese Version fassen kann. Wählen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned a black picture. Try a smaller one.</source>
+        <translation>Der Grafiktreiber lieferte ein schwarzes Bild. Versuchen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size.</source>
+        <translation>Der Grafiktreiber kann keine Bilder von %1 x %2 Pixeln zeichnen. Wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>Aufnahme beendet: HDF5 konnte nicht schreiben. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
+        <translation>Aufnahme beendet: %1. %2 Abtastwerte sind gespeichert und vollständig in „%3“.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written. Choose another place.</source>
+        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete.</source>
+        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read.</source>
+        <translation>Die Aufzeichnung „%1“ ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read as a log of this version.</source>
+        <translation>Die Aufzeichnung „%1“ ist nicht als eine dieser Version lesbar.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s.</source>
+        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has no rows.</source>
+        <translation>Die Aufzeichnung „%1“ hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>„%1“ ist nicht da. Nichts wurde gepackt. Verknüpfen Sie die Datei neu, oder nehmen Sie sie aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>„%1“ wurde seither geändert (andere Prüfsumme). Nichts wurde gepackt. Verknüpfen Sie die Datei neu, oder nehmen Sie sie aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>„%1“ ist nicht da. Nichts wurde gepackt. Die Datei wird gebraucht, um „%2“ zu wiederholen: Legen Sie sie zurück, oder nehmen Sie die Aufzeichnung heraus.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>„%1“ wurde seither geändert (andere Prüfsumme). Nichts wurde gepackt. Die Datei wird gebraucht, um „%2“ zu wiederholen: Legen Sie sie zurück, oder nehmen Sie die Aufzeichnung heraus.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the picture is damaged. Nothing was restored.</source>
+        <translation>%1 kann nicht gelesen werden: Das Bild ist beschädigt. Nichts wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
+        <translation>%1 kann nicht gelesen werden: Was die Datei von relievo mitbringt, ist abgeschnitten. Nichts wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden. Nichts wurde geschrieben. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds frames of a video already. Nothing was written. Choose another.</source>
+        <translation>Der Ordner „%1“ enthält schon Bilder eines Videos. Nichts wurde geschrieben. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s. Nothing was made.</source>
+        <translation>Zwischen %1 s und %2 s ist nichts. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>This would be more than a million frames. Choose a part of the recording.</source>
+        <translation>Das wären mehr als eine Million Bilder. Wählen Sie einen Teil der Aufzeichnung.</translation>
+    </message>
+</context>
+<context>
+    <name>Event</name>
+    <message>
+        <source>%1 samples dropped before this one</source>
+        <translation>vor diesem %1 Werte ausgelassen</translation>
+    </message>
+    <message>
+        <source>resumed after %1 ms</source>
+        <translation>nach %1 ms fortgesetzt</translation>
+    </message>
+    <message>
+        <source>new window of detail %2</source>
+        <translation>neuer Ausschnitt in Detail %2</translation>
+    </message>
+    <message>
+        <source>window of detail %2</source>
+        <translation>Ausschnitt in Detail %2</translation>
+    </message>
+    <message>
+        <source>stiffness %1 N/m</source>
+        <translation>Steifigkeit %1 N/m</translation>
+    </message>
+    <message>
+        <source>softened against swinging</source>
+        <translation>gegen Schwingen weicher gemacht</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>forces wait for a clear hand</source>
+        <translation>Kräfte warten auf eine freie Hand</translation>
+    </message>
+    <message>
+        <source>forces rise</source>
+        <translation>Kräfte setzen ein</translation>
+    </message>
+    <message>
+        <source>forces on</source>
+        <translation>Kräfte an</translation>
+    </message>
+    <message>
+        <source>button %1 down</source>
+        <translation>Knopf %1 gedrückt</translation>
+    </message>
+    <message>
+        <source>button %1 up</source>
+        <translation>Knopf %1 losgelassen</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>the device did not answer in time</source>
+        <translation>das Gerät hat nicht rechtzeitig geantwortet</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>das Gerät wurde getrennt</translation>
+    </message>
+    <message>
+        <source>the device sent something unreadable</source>
+        <translation>das Gerät hat Unlesbares gesendet</translation>
+    </message>
+    <message>
+        <source>the device is too hot</source>
+        <translation>das Gerät ist zu heiß</translation>
+    </message>
+    <message>
+        <source>the device reported an impossible position</source>
+        <translation>das Gerät meldet eine unmögliche Position</translation>
+    </message>
+    <message>
+        <source>the device is not ready yet</source>
+        <translation>das Gerät ist noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -1542,24 +1773,12 @@
         <translation>Anhalten</translation>
     </message>
     <message>
-        <source>Stop the work; nothing is written</source>
-        <translation>Die Arbeit anhalten; nichts wird geschrieben</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>Date&amp;i</translation>
     </message>
     <message>
         <source>Ends in .png, .tif, .pdf or .svg</source>
         <translation>Endet mit .png, .tif, .pdf oder .svg</translation>
-    </message>
-    <message>
-        <source>Bro&amp;wse…</source>
-        <translation>Du&amp;rchsuchen…</translation>
-    </message>
-    <message>
-        <source>Browse</source>
-        <translation>Durchsuchen</translation>
     </message>
     <message>
         <source>Choose another place</source>
@@ -1599,7 +1818,7 @@
     </message>
     <message>
         <source>To &amp;scale</source>
-        <translation>Maßs&amp;täblich</translation>
+        <translation>Maßst&amp;äblich</translation>
     </message>
     <message>
         <source>Choose the scale of the detail; the width follows from it</source>
@@ -1670,16 +1889,8 @@
         <translation>Für rot-cyane Brillen, oder zwei Bilder</translation>
     </message>
     <message>
-        <source>E&amp;yes apart</source>
-        <translation>&amp;Augenabstand</translation>
-    </message>
-    <message>
         <source>Angle between the two eyes&apos; directions</source>
         <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
-    </message>
-    <message>
-        <source>Keep to 1° of paralla&amp;x</source>
-        <translation>&amp;Höchstens 1° Parallaxe</translation>
     </message>
     <message>
         <source>Less angle where many readers would see double</source>
@@ -1756,6 +1967,190 @@
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Durchsuchen: %1</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv)</source>
+        <translation>Aufzeichnungen (*.csv)</translation>
+    </message>
+    <message>
+        <source>O&amp;wn ends of the colours</source>
+        <translation>Fa&amp;rbgrenzen vorgeben</translation>
+    </message>
+    <message>
+        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
+        <translation>Gleiche Farben für gleiche Werte in mehreren Abbildungen; sonst ergeben sie sich aus dem Gezeigten</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>Farben von</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; lower end</source>
+        <translation>Wert am unteren Ende der Farben</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>Farben bis</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; upper end</source>
+        <translation>Wert am oberen Ende der Farben</translation>
+    </message>
+    <message>
+        <source>Eyes apart</source>
+        <translation>Augenabstand</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to 1° of parallax</source>
+        <translation>&amp;Höchstens 1° Parallaxe</translation>
+    </message>
+    <message>
+        <source>Own &amp;zero plane</source>
+        <translation>Nullebene &amp;vorgeben</translation>
+    </message>
+    <message>
+        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
+        <translation>Die Höhe wählen, die in der Ebene des Papiers liegt; sonst ist es die mittlere Höhe</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>Nullebene</translation>
+    </message>
+    <message>
+        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
+        <translation>Höhe ohne Parallaxe: was höher ist, steht aus dem Papier heraus, was tiefer ist, liegt dahinter</translation>
+    </message>
+    <message>
+        <source>Both eyes &amp;as files</source>
+        <translation>Beide &amp;Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
+        <translation>Auch das Detail schreiben, wie jedes Auge es sieht, als NAME.left.png und NAME.right.png neben der Abbildung</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve heights too</source>
+        <translation>H&amp;öhen auch speichern</translation>
+    </message>
+    <message>
+        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
+        <translation>Auch die Höhen des Details als Bild mit 16 Bit schreiben; seine Beschreibung nennt Millimeter je Stufe</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>Ends in .tif</source>
+        <translation>Endet mit .tif</translation>
+    </message>
+    <message>
+        <source>Save heights</source>
+        <translation>Höhen speichern</translation>
+    </message>
+    <message>
+        <source>Heights of 16 bits (*.tif *.tiff)</source>
+        <translation>Höhen mit 16 Bit (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Save caption as te&amp;xt</source>
+        <translation>Unterschrift als &amp;Text speichern</translation>
+    </message>
+    <message>
+        <source>Also write the caption as a text file</source>
+        <translation>Auch die Bildunterschrift als Textdatei schreiben</translation>
+    </message>
+    <message>
+        <source>Caption&apos;s file</source>
+        <translation>Textdatei</translation>
+    </message>
+    <message>
+        <source>Where the caption is written</source>
+        <translation>Wohin die Bildunterschrift geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Save caption</source>
+        <translation>Bildunterschrift speichern</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Text (*.txt)</translation>
+    </message>
+    <message>
+        <source>These files exist already. Replace them?</source>
+        <translation>Diese Dateien gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Stopped. Only this was written: %1.</source>
+        <translation>Abgebrochen. Nur dies wurde geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;To scale&quot; first</source>
+        <translation>Zuerst „Maßstäblich“ einschalten</translation>
+    </message>
+    <message>
+        <source>It follows from the scale</source>
+        <translation>Sie folgt aus dem Maßstab</translation>
+    </message>
+    <message>
+        <source>Only the layout with force plots shows one</source>
+        <translation>Nur die Anordnung mit Kraftkurven zeigt eine</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save heights too&quot; first</source>
+        <translation>Zuerst „Höhen auch speichern“ einschalten</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save caption as text&quot; first</source>
+        <translation>Zuerst „Unterschrift als Text speichern“ einschalten</translation>
+    </message>
+    <message>
+        <source>It is drawn on the whole object, which this layout lacks</source>
+        <translation>Er wird auf das ganze Objekt gezeichnet, das dieser Anordnung fehlt</translation>
+    </message>
+    <message>
+        <source>Stone and hillshades have no colours</source>
+        <translation>Stein und Schummerungen haben keine Farben</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own ends of the colours&quot; first</source>
+        <translation>Zuerst „Farbgrenzen vorgeben“ einschalten</translation>
+    </message>
+    <message>
+        <source>No lamp shines on this relief</source>
+        <translation>Auf dieses Relief scheint kein Licht</translation>
+    </message>
+    <message>
+        <source>The four lights come from all sides</source>
+        <translation>Die vier Lichter kommen von allen Seiten</translation>
+    </message>
+    <message>
+        <source>This relief does not depend on one</source>
+        <translation>Dieses Relief hängt von keinem ab</translation>
+    </message>
+    <message>
+        <source>Choose a kind of stereo, or both eyes as files</source>
+        <translation>Eine Art von Stereo wählen, oder beide Augen als Dateien</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own zero plane&quot; first</source>
+        <translation>Zuerst „Nullebene vorgeben“ einschalten</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background</source>
+        <translation>Eine Anaglyphe braucht ihren Hintergrund</translation>
+    </message>
+    <message>
+        <source>Stop the work; no further file is written</source>
+        <translation>Die Arbeit anhalten; keine weitere Datei wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -1837,23 +2232,15 @@
         <translation>An: berechnet und gezeigt; eine Maus kann nicht zurückdrücken.</translation>
     </message>
     <message>
-        <source>S&amp;trength</source>
+        <source>St&amp;rength</source>
         <translation>&amp;Stärke</translation>
-    </message>
-    <message>
-        <source>Surfa&amp;ce</source>
-        <translation>Oberflä&amp;che</translation>
     </message>
     <message>
         <source>Sh&amp;ape</source>
         <translation>Fo&amp;rm</translation>
     </message>
     <message>
-        <source>Pro&amp;xy</source>
-        <translation>Prox&amp;y</translation>
-    </message>
-    <message>
-        <source>Sti&amp;ffness</source>
+        <source>Stiff&amp;ness</source>
         <translation>S&amp;teifigkeit</translation>
     </message>
     <message>
@@ -2061,16 +2448,12 @@
         <translation>%1 (gerade nicht da)</translation>
     </message>
     <message>
-        <source>Not &amp;measured</source>
+        <source>Not measure&amp;d</source>
         <translation>Nicht &amp;gemessen</translation>
     </message>
     <message>
         <source>Tic&amp;k there</source>
         <translation>&amp;Tick dort</translation>
-    </message>
-    <message>
-        <source>Text&amp;ure</source>
-        <translation>Te&amp;xtur</translation>
     </message>
     <message>
         <source>K&amp;nock</source>
@@ -2169,7 +2552,7 @@
         <translation>Ein Raster über die ganze Karte: 1, wo der Grund fest ist, 0, wo er so weich ist wie oben eingestellt. Anstelle davon, wo gemessen wurde.</translation>
     </message>
     <message>
-        <source>Non&amp;e</source>
+        <source>No&amp;ne</source>
         <translation>Ke&amp;ines</translation>
     </message>
     <message>
@@ -2195,6 +2578,18 @@
     <message>
         <source>%1 (not of this map)</source>
         <translation>%1 (nicht von dieser Karte)</translation>
+    </message>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>Oberflä&amp;che</translation>
+    </message>
+    <message>
+        <source>Prox&amp;y</source>
+        <translation>Prox&amp;y</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>Te&amp;xtur</translation>
     </message>
 </context>
 <context>
@@ -2274,6 +2669,14 @@
     <message>
         <source>The recording has ended early.</source>
         <translation>Die Aufzeichnung endete vorzeitig.</translation>
+    </message>
+    <message>
+        <source>Note at %1 s: %2</source>
+        <translation>Notiz bei %1 s: %2</translation>
+    </message>
+    <message>
+        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
+        <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
     </message>
 </context>
 <context>
@@ -3242,10 +3645,6 @@
         <translation>Eindrücktiefe %1 mm der Hand</translation>
     </message>
     <message>
-        <source>%1 – relievo</source>
-        <translation>%1 – relievo</translation>
-    </message>
-    <message>
         <source>REFERENCE</source>
         <translation>ÜBERSICHT</translation>
     </message>
@@ -3732,6 +4131,62 @@
         <source>%1 is saved in %2</source>
         <translation>%1 ist in %2 gespeichert</translation>
     </message>
+    <message>
+        <source>%1[*] – relievo</source>
+        <translation>%1[*] – relievo</translation>
+    </message>
+    <message>
+        <source>&amp;Choose another…</source>
+        <translation>Andere &amp;wählen…</translation>
+    </message>
+    <message>
+        <source>&amp;Work that was kept…</source>
+        <translation>Auf&amp;gehobene Arbeit…</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt event</source>
+        <translation>Nächstes &amp;Ereignis</translation>
+    </message>
+    <message>
+        <source>Go to the next event or note of the recording</source>
+        <translation>Zum nächsten Ereignis oder zur nächsten Notiz der Aufzeichnung gehen</translation>
+    </message>
+    <message>
+        <source>Event &amp;before</source>
+        <translation>Vo&amp;riges Ereignis</translation>
+    </message>
+    <message>
+        <source>Go back to the event or note before</source>
+        <translation>Zum Ereignis oder zur Notiz davor zurückgehen</translation>
+    </message>
+    <message>
+        <source>Record &amp;as</source>
+        <translation>Aufzeichnen a&amp;ls</translation>
+    </message>
+    <message>
+        <source>Kind of file of the next recording</source>
+        <translation>Dateiart der nächsten Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>A table as text that every program opens</source>
+        <translation>Eine Tabelle als Text, die jedes Programm öffnet</translation>
+    </message>
+    <message>
+        <source>&amp;HDF5</source>
+        <translation>&amp;HDF5</translation>
+    </message>
+    <message>
+        <source>Smaller, with units and surface; for Python and MATLAB</source>
+        <translation>Kleiner, mit Einheiten und Oberfläche; für Python und MATLAB</translation>
+    </message>
+    <message>
+        <source>The next recording is %1</source>
+        <translation>Die nächste Aufzeichnung ist %1</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3928,6 +4383,49 @@
     <message>
         <source>Key of the first button</source>
         <translation>Taste des ersten Knopfes</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::NoteDialog</name>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>&amp;Note at %1 s of the recording</source>
+        <translation>&amp;Notiz bei %1 s der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>At %1 s of the recording</source>
+        <translation>Bei %1 s der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>What was seen or felt, in a few words</source>
+        <translation>Was zu sehen oder zu fühlen war, in wenigen Worten</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Write the note into the recording</source>
+        <translation>Die Notiz in die Aufzeichnung schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Close without a note</source>
+        <translation>Ohne Notiz schließen</translation>
     </message>
 </context>
 <context>
@@ -4305,6 +4803,26 @@
         <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds when a Falcon is started next</source>
         <translation>Datei mit der Firmware des Falcon, oder ihr Ordner; leer: die üblichen Orte. Gilt, sobald ein Falcon das nächste Mal gestartet wird</translation>
     </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Recordings are</source>
+        <translation>Aufzeichnungen sind</translation>
+    </message>
+    <message>
+        <source>Kind of file of the next recording: a table as text, or HDF5, smaller and with units and surface</source>
+        <translation>Dateiart der nächsten Aufzeichnung: eine Tabelle als Text, oder HDF5, kleiner und mit Einheiten und Oberfläche</translation>
+    </message>
+    <message>
+        <source>CSV: every program opens it</source>
+        <translation>CSV: jedes Programm öffnet es</translation>
+    </message>
+    <message>
+        <source>HDF5: for Python and MATLAB</source>
+        <translation>HDF5: für Python und MATLAB</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ReferenceView</name>
@@ -4449,6 +4967,18 @@
         <source>Replay closed</source>
         <translation>Wiedergabe geschlossen</translation>
     </message>
+    <message>
+        <source>No event after this place</source>
+        <translation>Kein Ereignis nach dieser Stelle</translation>
+    </message>
+    <message>
+        <source>No event before this place</source>
+        <translation>Kein Ereignis vor dieser Stelle</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 s: %2</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ReplayPanel</name>
@@ -4509,10 +5039,6 @@
         <translation>Stelle in der Aufzeichnung</translation>
     </message>
     <message>
-        <source>Drag through the recording; left and right by 0.1 s, Page keys by 1 s</source>
-        <translation>Durch die Aufzeichnung ziehen; links und rechts um 0,1 s, Bild-Tasten um 1 s</translation>
-    </message>
-    <message>
         <source>Time in the recording</source>
         <translation>Zeit in der Aufzeichnung</translation>
     </message>
@@ -4526,7 +5052,71 @@
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation>%1 of %2 s</translation>
+        <translation>%1 von %2 s</translation>
+    </message>
+    <message>
+        <source>Drag through the recording; left and right by 0.1 s, Page keys by 1 s, up and down by events</source>
+        <translation>Durch die Aufzeichnung ziehen; links und rechts um 0,1 s, Bild-Tasten um 1 s, auf und ab um Ereignisse</translation>
+    </message>
+    <message>
+        <source>◂ Event</source>
+        <translation>◂ Ereignis</translation>
+    </message>
+    <message>
+        <source>Event before</source>
+        <translation>Voriges Ereignis</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Pfeil auf</translation>
+    </message>
+    <message>
+        <source>Event ▸</source>
+        <translation>Ereignis ▸</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>Nächstes Ereignis</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Pfeil ab</translation>
+    </message>
+    <message>
+        <source>◂ Sample</source>
+        <translation>◂ Wert</translation>
+    </message>
+    <message>
+        <source>Sample before</source>
+        <translation>Voriger Wert</translation>
+    </message>
+    <message>
+        <source>Shift+Left</source>
+        <translation>Umschalt+Pfeil links</translation>
+    </message>
+    <message>
+        <source>Sample ▸</source>
+        <translation>Wert ▸</translation>
+    </message>
+    <message>
+        <source>Next sample</source>
+        <translation>Nächster Wert</translation>
+    </message>
+    <message>
+        <source>Shift+Right</source>
+        <translation>Umschalt+Pfeil rechts</translation>
+    </message>
+    <message>
+        <source>Here in the recording</source>
+        <translation>Hier in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>hand z %1 mm   proxy z %2 mm   force %3 N</source>
+        <translation>Hand z %1 mm   Proxy z %2 mm   Kraft %3 N</translation>
+    </message>
+    <message>
+        <source>   |   since %1 s: %2</source>
+        <translation>   |   seit %1 s: %2</translation>
     </message>
 </context>
 <context>
@@ -4950,7 +5540,7 @@
         <translation>Rot-&amp;cyane Anaglyphe</translation>
     </message>
     <message>
-        <source>At &amp;mid height</source>
+        <source>At mi&amp;d height</source>
         <translation>A&amp;uf mittlerer Höhe</translation>
     </message>
     <message>
@@ -5038,7 +5628,7 @@
         <translation>Wie weit auseinander die Augen den fernsten Punkt sehen, 60 cm vor dem Bildschirm; über 1 Grad sehen viele doppelt</translation>
     </message>
     <message>
-        <source>&amp;Test glasses…</source>
+        <source>Test &amp;glasses…</source>
         <translation>Brille &amp;prüfen…</translation>
     </message>
     <message>
@@ -5318,6 +5908,18 @@
         <source>It differs in Move mode and while scanning with one button.</source>
         <translation>Beim Verschieben und bei der Auswahl mit einem Knopf ist es etwas anderes.</translation>
     </message>
+    <message>
+        <source>Add &amp;note…</source>
+        <translation>&amp;Notiz hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Write a note into the running recording (Ctrl+Shift+N)</source>
+        <translation>Eine Notiz in die laufende Aufzeichnung schreiben (Strg+Umschalt+N)</translation>
+    </message>
+    <message>
+        <source>It belongs to the moment at which this is chosen; the recording goes on while you write.</source>
+        <translation>Sie gehört zu dem Augenblick, in dem dies gewählt wird; die Aufzeichnung läuft beim Schreiben weiter.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::VideoControl</name>
@@ -5392,6 +5994,106 @@
         <source>&amp;Choose file…</source>
         <translation>&amp;Datei wählen…</translation>
     </message>
+    <message>
+        <source>Sp&amp;eed</source>
+        <translation>&amp;Tempo</translation>
+    </message>
+    <message>
+        <source>1 as it was; 0.25 four times slower</source>
+        <translation>1 wie es war; 0,25 viermal langsamer</translation>
+    </message>
+    <message>
+        <source>F&amp;rom</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>Where it begins, since the start of recording or path</source>
+        <translation>Wo es beginnt, seit Anfang von Aufzeichnung oder Weg</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>B&amp;is</translation>
+    </message>
+    <message>
+        <source>Where it ends, since the start of recording or path</source>
+        <translation>Wo es endet, seit Anfang von Aufzeichnung oder Weg</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>P&amp;lots</source>
+        <translation>&amp;Kurven</translation>
+    </message>
+    <message>
+        <source>Height of hand and proxy, and the force, below</source>
+        <translation>Höhe von Hand und Proxy, und die Kraft, darunter</translation>
+    </message>
+    <message>
+        <source>&amp;Whole object</source>
+        <translation>Ganzes &amp;Objekt</translation>
+    </message>
+    <message>
+        <source>The whole object with the pink window, beside the detail</source>
+        <translation>Das ganze Objekt mit dem rosa Ausschnitt, neben dem Detail</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>How long a millimetre is in the detail</source>
+        <translation>Wie lang ein Millimeter im Detail ist</translation>
+    </message>
+    <message>
+        <source>Along the camera pat&amp;h</source>
+        <translation>Entlang des Kamera&amp;wegs</translation>
+    </message>
+    <message>
+        <source>The camera passes the key views; else it looks at the recorded window</source>
+        <translation>Die Kamera durchläuft die Kamerapunkte; sonst blickt sie auf den aufgezeichneten Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Stere&amp;o</source>
+        <translation>&amp;Stereo</translation>
+    </message>
+    <message>
+        <source>Red and cyan pictures; not for talks, whose colours are halved</source>
+        <translation>Rot-cyane Bilder; nicht für Vorträge, deren Farben halbiert werden</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Half colour</source>
+        <translation>Halbfarbig</translation>
+    </message>
+    <message>
+        <source>Dubois</source>
+        <translation>Dubois</translation>
+    </message>
+    <message>
+        <source>Eye sep&amp;aration</source>
+        <translation>&amp;Augenabstand</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions</source>
+        <translation>Winkel zwischen den Blickrichtungen beider Augen</translation>
+    </message>
+    <message>
+        <source>Swap e&amp;yes</source>
+        <translation>Augen ta&amp;uschen</translation>
+    </message>
+    <message>
+        <source>For glasses whose red filter is at the right eye</source>
+        <translation>Für Brillen mit dem roten Filter am rechten Auge</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ViewPanel</name>
@@ -5429,7 +6131,7 @@
     </message>
     <message>
         <source>Light</source>
-        <translation>Hell</translation>
+        <translation>Licht</translation>
     </message>
     <message>
         <source>Direction of the light</source>

@@ -403,6 +403,237 @@
         <source>Three places on one line give no plane. Choose another.</source>
         <translation>एक रेखा पर तीन जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
     </message>
+    <message>
+        <source>Cannot write %1: what has this name is no regular file. It was left as it is. Choose another name.</source>
+        <translation>%1 लिखी नहीं जा सकती: इस नाम पर जो है वह साधारण फ़ाइल नहीं है। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
+        <translation>चित्र बनाने के लिए मेमोरी पर्याप्त नहीं है: ग्राफ़िक्स ड्राइवर को 512 MB पता-स्थान चाहिए, और लगाई गई सीमा (ulimit -v) कम छोड़ती है। कुछ नहीं बनाया गया। सीमा बढ़ाएँ।</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>वीडियो</translation>
+    </message>
+    <message>
+        <source>reading heights</source>
+        <translation>ऊँचाइयाँ पढ़ना</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s name ends in .png, .tif, .pdf or .svg; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>चित्र का नाम .png, .tif, .pdf या .svg पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>The name of a figure&apos;s heights ends in .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>चित्र की ऊँचाइयों का नाम .tif पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
+        <translation>चित्र की दो फ़ाइलों का नाम &apos;%1&apos; होगा। कुछ नहीं बनाया गया। उनमें से एक को दूसरा नाम दें।</translation>
+    </message>
+    <message>
+        <source>Cannot write the figure &apos;%1&apos;. Choose another folder or free some space.</source>
+        <translation>चित्र &apos;%1&apos; लिखा नहीं जा सकता। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
+        <translation>तस्वीर &apos;%1&apos; लिखी नहीं जा सकती (%2)। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos;. Choose another folder or free some space.</source>
+        <translation>तस्वीर &apos;%1&apos; लिखी नहीं जा सकती। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 mm. Nothing was drawn. Choose one among them.</source>
+        <translation>शून्य लंबन का तल, %1 mm, यहाँ की ऊँचाइयों %2 से %3 mm से बहुत दूर है। कुछ नहीं बनाया गया। उनके बीच का कोई चुनें।</translation>
+    </message>
+    <message>
+        <source>The colours&apos; upper end must lie above their lower end.</source>
+        <translation>रंगों का ऊपरी छोर निचले छोर से ऊपर होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>There is nothing of the object in this region. Choose another.</source>
+        <translation>इस विंडो में वस्तु का कुछ नहीं है। दूसरी चुनें।</translation>
+    </message>
+    <message>
+        <source>Level %1 has more than %2 samples across this region. Choose a coarser level.</source>
+        <translation>स्तर %1 में इस विंडो के आर-पार %2 से अधिक नमूने हैं। मोटा स्तर चुनें।</translation>
+    </message>
+    <message>
+        <source>This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller scale or width.</source>
+        <translation>यह चित्र %1 x %2 mm बड़ा होगा। कुछ नहीं बनाया गया। छोटा पैमाना या कम चौड़ाई चुनें।</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is more than this version can hold. Choose a smaller one.</source>
+        <translation>%1 x %2 पिक्सेल की तस्वीर इस संस्करण की क्षमता से बड़ी है। छोटी चुनें।</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned a black picture. Try a smaller one.</source>
+        <translation>ग्राफ़िक्स ड्राइवर ने काली तस्वीर दी। छोटी आज़माएँ।</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size.</source>
+        <translation>ग्राफ़िक्स ड्राइवर %1 x %2 पिक्सेल की तस्वीरें नहीं बना सकता। छोटा आकार चुनें।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: HDF5 लिख नहीं सका। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: %1। %2 नमूने &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written. Choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: %2। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read as a log of this version.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; इस संस्करण की रिकॉर्डिंग के रूप में पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has no rows.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; में कोई पंक्ति नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>&apos;%1&apos; वहाँ नहीं है। कुछ पैक नहीं हुआ। इसे फिर से जोड़ें, या परियोजना से निकालें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>&apos;%1&apos; तब से बदल गई है (जाँच-योग अलग है)। कुछ पैक नहीं हुआ। इसे फिर से जोड़ें, या परियोजना से निकालें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>&apos;%1&apos; वहाँ नहीं है। कुछ पैक नहीं हुआ। &apos;%2&apos; को दोहराने के लिए यह चाहिए: इसे वापस रखें, या रिकॉर्डिंग निकालें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>&apos;%1&apos; तब से बदल गई है (जाँच-योग अलग है)। कुछ पैक नहीं हुआ। &apos;%2&apos; को दोहराने के लिए यह चाहिए: इसे वापस रखें, या रिकॉर्डिंग निकालें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the picture is damaged. Nothing was restored.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: तस्वीर क्षतिग्रस्त है। कुछ वापस नहीं लाया गया।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें relievo का जो भाग है वह कटा हुआ है। कुछ वापस नहीं लाया गया।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
+        <translation>फ़ोल्डर &quot;%1&quot; बनाया नहीं जा सकता। कुछ नहीं लिखा गया। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds frames of a video already. Nothing was written. Choose another.</source>
+        <translation>फ़ोल्डर &quot;%1&quot; में पहले से किसी वीडियो के फ़्रेम हैं। कुछ नहीं लिखा गया। दूसरा चुनें।</translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s. Nothing was made.</source>
+        <translation>%1 s और %2 s के बीच कुछ नहीं है। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>This would be more than a million frames. Choose a part of the recording.</source>
+        <translation>ये दस लाख से अधिक फ़्रेम होंगे। रिकॉर्डिंग का एक भाग चुनें।</translation>
+    </message>
+</context>
+<context>
+    <name>Event</name>
+    <message>
+        <source>%1 samples dropped before this one</source>
+        <translation>इससे पहले %1 नमूने छूटे</translation>
+    </message>
+    <message>
+        <source>resumed after %1 ms</source>
+        <translation>%1 ms बाद फिर शुरू</translation>
+    </message>
+    <message>
+        <source>new window of detail %2</source>
+        <translation>विवरण %2 की नई विंडो</translation>
+    </message>
+    <message>
+        <source>window of detail %2</source>
+        <translation>विवरण %2 की विंडो</translation>
+    </message>
+    <message>
+        <source>stiffness %1 N/m</source>
+        <translation>कठोरता %1 N/m</translation>
+    </message>
+    <message>
+        <source>softened against swinging</source>
+        <translation>कंपन के विरुद्ध नरम किया</translation>
+    </message>
+    <message>
+        <source>forces off</source>
+        <translation>बल बंद</translation>
+    </message>
+    <message>
+        <source>forces wait for a clear hand</source>
+        <translation>बल हाथ के सतह से हटने की प्रतीक्षा में</translation>
+    </message>
+    <message>
+        <source>forces rise</source>
+        <translation>बल बढ़ रहे हैं</translation>
+    </message>
+    <message>
+        <source>forces on</source>
+        <translation>बल चालू</translation>
+    </message>
+    <message>
+        <source>button %1 down</source>
+        <translation>बटन %1 दबा</translation>
+    </message>
+    <message>
+        <source>button %1 up</source>
+        <translation>बटन %1 छूटा</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>कोई गड़बड़ी नहीं</translation>
+    </message>
+    <message>
+        <source>the device did not answer in time</source>
+        <translation>उपकरण ने समय पर उत्तर नहीं दिया</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>उपकरण निकाल दिया गया</translation>
+    </message>
+    <message>
+        <source>the device sent something unreadable</source>
+        <translation>उपकरण ने अपठनीय कुछ भेजा</translation>
+    </message>
+    <message>
+        <source>the device is too hot</source>
+        <translation>उपकरण बहुत गर्म है</translation>
+    </message>
+    <message>
+        <source>the device reported an impossible position</source>
+        <translation>उपकरण ने असंभव स्थिति बताई</translation>
+    </message>
+    <message>
+        <source>the device is not ready yet</source>
+        <translation>उपकरण अभी तैयार नहीं है</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>टिप्पणी: %1</translation>
+    </message>
 </context>
 <context>
     <name>PluginLoader</name>
@@ -1542,24 +1773,12 @@
         <translation>रोकें</translation>
     </message>
     <message>
-        <source>Stop the work; nothing is written</source>
-        <translation>काम रोकें; कुछ नहीं लिखा जाता</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>फ़ाइल (&amp;F)</translation>
     </message>
     <message>
         <source>Ends in .png, .tif, .pdf or .svg</source>
         <translation>.png, .tif, .pdf या .svg पर समाप्त होता है</translation>
-    </message>
-    <message>
-        <source>Bro&amp;wse…</source>
-        <translation>ढूँढें (&amp;W)…</translation>
-    </message>
-    <message>
-        <source>Browse</source>
-        <translation>ढूँढें</translation>
     </message>
     <message>
         <source>Choose another place</source>
@@ -1670,16 +1889,8 @@
         <translation>लाल-सियान चश्मे के लिए, या दो चित्र</translation>
     </message>
     <message>
-        <source>E&amp;yes apart</source>
-        <translation>आँखों की दूरी (&amp;Y)</translation>
-    </message>
-    <message>
         <source>Angle between the two eyes&apos; directions</source>
         <translation>दोनों आँखों की दिशाओं के बीच का कोण</translation>
-    </message>
-    <message>
-        <source>Keep to 1° of paralla&amp;x</source>
-        <translation>लंबन 1° तक रखें (&amp;X)</translation>
     </message>
     <message>
         <source>Less angle where many readers would see double</source>
@@ -1756,6 +1967,190 @@
     <message>
         <source>Replace</source>
         <translation>बदलें</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>ब्राउज़ करें: %1</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>Recordings (*.csv)</source>
+        <translation>रिकॉर्डिंग (*.csv)</translation>
+    </message>
+    <message>
+        <source>O&amp;wn ends of the colours</source>
+        <translation>रंगों के अपने छोर (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The same colours for the same values in several figures; otherwise they follow from what is shown</source>
+        <translation>कई चित्रों में समान मानों के लिए समान रंग; नहीं तो वे दिखाए गए से निकलते हैं</translation>
+    </message>
+    <message>
+        <source>Colours from</source>
+        <translation>रंग यहाँ से</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; lower end</source>
+        <translation>रंगों के निचले छोर का मान</translation>
+    </message>
+    <message>
+        <source>Colours to</source>
+        <translation>रंग यहाँ तक</translation>
+    </message>
+    <message>
+        <source>Value at the colours&apos; upper end</source>
+        <translation>रंगों के ऊपरी छोर का मान</translation>
+    </message>
+    <message>
+        <source>Eyes apart</source>
+        <translation>आँखों की दूरी</translation>
+    </message>
+    <message>
+        <source>&amp;Keep to 1° of parallax</source>
+        <translation>लंबन 1° तक रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Own &amp;zero plane</source>
+        <translation>अपना शून्य तल (&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Choose the height that lies in the plane of the paper; otherwise it is mid height</source>
+        <translation>वह ऊँचाई चुनें जो काग़ज़ के तल में हो; नहीं तो वह बीच की ऊँचाई है</translation>
+    </message>
+    <message>
+        <source>Zero plane</source>
+        <translation>शून्य तल</translation>
+    </message>
+    <message>
+        <source>Height of zero parallax: what is higher stands out of the paper, what is lower lies behind it</source>
+        <translation>शून्य लंबन की ऊँचाई: जो ऊँचा है वह काग़ज़ से बाहर उभरता है, जो नीचा है वह पीछे रहता है</translation>
+    </message>
+    <message>
+        <source>Both eyes &amp;as files</source>
+        <translation>दोनों आँखें फ़ाइलों में (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Also write the detail as each eye sees it, as NAME.left.png and NAME.right.png beside the figure</source>
+        <translation>विवरण जैसा हर आँख को दिखता है वैसा भी लिखें, चित्र के पास NAME.left.png और NAME.right.png में</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve heights too</source>
+        <translation>ऊँचाइयाँ भी सहेजें (&amp;V)</translation>
+    </message>
+    <message>
+        <source>Also write the detail&apos;s heights as a picture of 16 bits; its description says millimetres per step</source>
+        <translation>विवरण की ऊँचाइयाँ 16 बिट की तस्वीर में भी लिखें; उसका वर्णन प्रति चरण मिलीमीटर बताता है</translation>
+    </message>
+    <message>
+        <source>Heights</source>
+        <translation>ऊँचाइयाँ</translation>
+    </message>
+    <message>
+        <source>Ends in .tif</source>
+        <translation>.tif पर समाप्त होता है</translation>
+    </message>
+    <message>
+        <source>Save heights</source>
+        <translation>ऊँचाइयाँ सहेजें</translation>
+    </message>
+    <message>
+        <source>Heights of 16 bits (*.tif *.tiff)</source>
+        <translation>16 बिट की ऊँचाइयाँ (*.tif *.tiff)</translation>
+    </message>
+    <message>
+        <source>Save caption as te&amp;xt</source>
+        <translation>शीर्षक को पाठ में सहेजें (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Also write the caption as a text file</source>
+        <translation>चित्र-शीर्षक को पाठ फ़ाइल में भी लिखें</translation>
+    </message>
+    <message>
+        <source>Caption&apos;s file</source>
+        <translation>शीर्षक की फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Where the caption is written</source>
+        <translation>चित्र-शीर्षक कहाँ लिखा जाए</translation>
+    </message>
+    <message>
+        <source>Save caption</source>
+        <translation>चित्र-शीर्षक सहेजें</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>पाठ (*.txt)</translation>
+    </message>
+    <message>
+        <source>These files exist already. Replace them?</source>
+        <translation>ये फ़ाइलें पहले से हैं। बदलें?</translation>
+    </message>
+    <message>
+        <source>Stopped. Only this was written: %1.</source>
+        <translation>रोका गया। केवल यह लिखा गया: %1।</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;To scale&quot; first</source>
+        <translation>पहले “पैमाने पर” चालू करें</translation>
+    </message>
+    <message>
+        <source>It follows from the scale</source>
+        <translation>वह पैमाने से निकलती है</translation>
+    </message>
+    <message>
+        <source>Only the layout with force plots shows one</source>
+        <translation>केवल बल आलेखों वाला विन्यास इसे दिखाता है</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save heights too&quot; first</source>
+        <translation>पहले “ऊँचाइयाँ भी सहेजें” चालू करें</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Save caption as text&quot; first</source>
+        <translation>पहले “शीर्षक को पाठ में सहेजें” चालू करें</translation>
+    </message>
+    <message>
+        <source>It is drawn on the whole object, which this layout lacks</source>
+        <translation>यह पूरी वस्तु पर बनती है, जो इस विन्यास में नहीं है</translation>
+    </message>
+    <message>
+        <source>Stone and hillshades have no colours</source>
+        <translation>पत्थर और पहाड़ी छायाओं में रंग नहीं होते</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own ends of the colours&quot; first</source>
+        <translation>पहले “रंगों के अपने छोर” चालू करें</translation>
+    </message>
+    <message>
+        <source>No lamp shines on this relief</source>
+        <translation>इस उभार पर कोई प्रकाश नहीं पड़ता</translation>
+    </message>
+    <message>
+        <source>The four lights come from all sides</source>
+        <translation>चारों प्रकाश सब ओर से आते हैं</translation>
+    </message>
+    <message>
+        <source>This relief does not depend on one</source>
+        <translation>यह उभार त्रिज्या पर निर्भर नहीं है</translation>
+    </message>
+    <message>
+        <source>Choose a kind of stereo, or both eyes as files</source>
+        <translation>स्टीरियो का कोई प्रकार चुनें, या दोनों आँखें फ़ाइलों में</translation>
+    </message>
+    <message>
+        <source>Turn on &quot;Own zero plane&quot; first</source>
+        <translation>पहले “अपना शून्य तल” चालू करें</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background</source>
+        <translation>एनाग्लिफ़ को अपनी पृष्ठभूमि चाहिए</translation>
+    </message>
+    <message>
+        <source>Stop the work; no further file is written</source>
+        <translation>काम रोकें; कोई और फ़ाइल नहीं लिखी जाएगी</translation>
     </message>
 </context>
 <context>
@@ -1837,24 +2232,16 @@
         <translation>चालू: गणना और प्रदर्शन; माउस वापस नहीं धकेल सकता।</translation>
     </message>
     <message>
-        <source>S&amp;trength</source>
-        <translation>प्रबलता (&amp;T)</translation>
-    </message>
-    <message>
-        <source>Surfa&amp;ce</source>
-        <translation>सतह (&amp;C)</translation>
+        <source>St&amp;rength</source>
+        <translation>प्रबलता (&amp;R)</translation>
     </message>
     <message>
         <source>Sh&amp;ape</source>
         <translation>आकार (&amp;A)</translation>
     </message>
     <message>
-        <source>Pro&amp;xy</source>
-        <translation>प्रॉक्सी (&amp;X)</translation>
-    </message>
-    <message>
-        <source>Sti&amp;ffness</source>
-        <translation>कठोरता (&amp;F)</translation>
+        <source>Stiff&amp;ness</source>
+        <translation>कठोरता (&amp;N)</translation>
     </message>
     <message>
         <source>Fr&amp;iction</source>
@@ -2061,16 +2448,12 @@
         <translation>%1 (अभी यहाँ नहीं)</translation>
     </message>
     <message>
-        <source>Not &amp;measured</source>
-        <translation>मापा नहीं गया (&amp;M)</translation>
+        <source>Not measure&amp;d</source>
+        <translation>मापा नहीं गया (&amp;D)</translation>
     </message>
     <message>
         <source>Tic&amp;k there</source>
         <translation>वहाँ टिक (&amp;K)</translation>
-    </message>
-    <message>
-        <source>Text&amp;ure</source>
-        <translation>बनावट (&amp;U)</translation>
     </message>
     <message>
         <source>K&amp;nock</source>
@@ -2169,8 +2552,8 @@
         <translation>पूरे मानचित्र पर ग्रिड: जहाँ जगह ठोस है वहाँ 1, जहाँ ऊपर तय की गई जितनी नरम है वहाँ 0। मापी जगह के बदले।</translation>
     </message>
     <message>
-        <source>Non&amp;e</source>
-        <translation>कोई नहीं (&amp;E)</translation>
+        <source>No&amp;ne</source>
+        <translation>कोई नहीं (&amp;N)</translation>
     </message>
     <message>
         <source>No raster: firm where it was measured</source>
@@ -2195,6 +2578,18 @@
     <message>
         <source>%1 (not of this map)</source>
         <translation>%1 (इस मानचित्र का नहीं)</translation>
+    </message>
+    <message>
+        <source>S&amp;urface</source>
+        <translation>सतह (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Prox&amp;y</source>
+        <translation>प्रॉक्सी (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Te&amp;xture</source>
+        <translation>बनावट (&amp;X)</translation>
     </message>
 </context>
 <context>
@@ -2274,6 +2669,14 @@
     <message>
         <source>The recording has ended early.</source>
         <translation>रिकॉर्डिंग समय से पहले समाप्त हुई।</translation>
+    </message>
+    <message>
+        <source>Note at %1 s: %2</source>
+        <translation>%1 s पर टिप्पणी: %2</translation>
+    </message>
+    <message>
+        <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
+        <translation>टिप्पणी “%1” जुड़ने से पहले ही रिकॉर्डिंग समाप्त हो गई थी। टिप्पणी किसी फ़ाइल में नहीं है।</translation>
     </message>
 </context>
 <context>
@@ -3242,10 +3645,6 @@
         <translation>दबाने की गहराई हाथ के %1 mm</translation>
     </message>
     <message>
-        <source>%1 – relievo</source>
-        <translation>%1 – relievo</translation>
-    </message>
-    <message>
         <source>REFERENCE</source>
         <translation>संदर्भ</translation>
     </message>
@@ -3732,6 +4131,62 @@
         <source>%1 is saved in %2</source>
         <translation>%1 %2 में सहेजा गया</translation>
     </message>
+    <message>
+        <source>%1[*] – relievo</source>
+        <translation>%1[*] – relievo</translation>
+    </message>
+    <message>
+        <source>&amp;Choose another…</source>
+        <translation>दूसरी चुनें (&amp;C)…</translation>
+    </message>
+    <message>
+        <source>&amp;Work that was kept…</source>
+        <translation>रखा गया काम (&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt event</source>
+        <translation>अगली घटना (&amp;X)</translation>
+    </message>
+    <message>
+        <source>Go to the next event or note of the recording</source>
+        <translation>रिकॉर्डिंग की अगली घटना या टिप्पणी पर जाएँ</translation>
+    </message>
+    <message>
+        <source>Event &amp;before</source>
+        <translation>पिछली घटना (&amp;B)</translation>
+    </message>
+    <message>
+        <source>Go back to the event or note before</source>
+        <translation>पिछली घटना या टिप्पणी पर लौटें</translation>
+    </message>
+    <message>
+        <source>Record &amp;as</source>
+        <translation>रिकॉर्डिंग का रूप (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Kind of file of the next recording</source>
+        <translation>अगली रिकॉर्डिंग की फ़ाइल का प्रकार</translation>
+    </message>
+    <message>
+        <source>&amp;CSV</source>
+        <translation>&amp;CSV</translation>
+    </message>
+    <message>
+        <source>A table as text that every program opens</source>
+        <translation>पाठ की तालिका जिसे हर प्रोग्राम खोलता है</translation>
+    </message>
+    <message>
+        <source>&amp;HDF5</source>
+        <translation>&amp;HDF5</translation>
+    </message>
+    <message>
+        <source>Smaller, with units and surface; for Python and MATLAB</source>
+        <translation>छोटी, इकाइयों और सतह के साथ; Python और MATLAB के लिए</translation>
+    </message>
+    <message>
+        <source>The next recording is %1</source>
+        <translation>अगली रिकॉर्डिंग %1 होगी</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -3928,6 +4383,49 @@
     <message>
         <source>Key of the first button</source>
         <translation>पहले बटन की कुंजी</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::NoteDialog</name>
+    <message>
+        <source>Note</source>
+        <translation>टिप्पणी</translation>
+    </message>
+    <message>
+        <source>&amp;Note at %1 s of the recording</source>
+        <translation>रिकॉर्डिंग के %1 s पर टिप्पणी (&amp;N)</translation>
+    </message>
+    <message>
+        <source>At %1 s of the recording</source>
+        <translation>रिकॉर्डिंग के %1 s पर</translation>
+    </message>
+    <message>
+        <source>What was seen or felt, in a few words</source>
+        <translation>क्या दिखा या महसूस हुआ, थोड़े शब्दों में</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>जोड़ें (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>जोड़ें</translation>
+    </message>
+    <message>
+        <source>Write the note into the recording</source>
+        <translation>टिप्पणी को रिकॉर्डिंग में लिखें</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>रद्द करें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>रद्द करें</translation>
+    </message>
+    <message>
+        <source>Close without a note</source>
+        <translation>बिना टिप्पणी बंद करें</translation>
     </message>
 </context>
 <context>
@@ -4305,6 +4803,26 @@
         <source>File with the Falcon&apos;s firmware, or its folder; empty: the usual places. Holds when a Falcon is started next</source>
         <translation>Falcon के फ़र्मवेयर की फ़ाइल या उसका फ़ोल्डर; खाली: सामान्य जगहें। Falcon की अगली शुरुआत से लागू</translation>
     </message>
+    <message>
+        <source>Recording</source>
+        <translation>रिकॉर्डिंग</translation>
+    </message>
+    <message>
+        <source>Recordings are</source>
+        <translation>रिकॉर्डिंग का रूप</translation>
+    </message>
+    <message>
+        <source>Kind of file of the next recording: a table as text, or HDF5, smaller and with units and surface</source>
+        <translation>अगली रिकॉर्डिंग की फ़ाइल का प्रकार: पाठ की तालिका, या HDF5, जो छोटी है और जिसमें इकाइयाँ और सतह हैं</translation>
+    </message>
+    <message>
+        <source>CSV: every program opens it</source>
+        <translation>CSV: हर प्रोग्राम खोलता है</translation>
+    </message>
+    <message>
+        <source>HDF5: for Python and MATLAB</source>
+        <translation>HDF5: Python और MATLAB के लिए</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ReferenceView</name>
@@ -4449,6 +4967,18 @@
         <source>Replay closed</source>
         <translation>पुनर्प्रदर्शन बंद हुआ</translation>
     </message>
+    <message>
+        <source>No event after this place</source>
+        <translation>इस जगह के बाद कोई घटना नहीं</translation>
+    </message>
+    <message>
+        <source>No event before this place</source>
+        <translation>इस जगह से पहले कोई घटना नहीं</translation>
+    </message>
+    <message>
+        <source>%1 s: %2</source>
+        <translation>%1 s: %2</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ReplayPanel</name>
@@ -4509,10 +5039,6 @@
         <translation>रिकॉर्डिंग में जगह</translation>
     </message>
     <message>
-        <source>Drag through the recording; left and right by 0.1 s, Page keys by 1 s</source>
-        <translation>रिकॉर्डिंग में खींचें; बाएँ-दाएँ 0.1 s, Page कुंजियाँ 1 s</translation>
-    </message>
-    <message>
         <source>Time in the recording</source>
         <translation>रिकॉर्डिंग में समय</translation>
     </message>
@@ -4526,7 +5052,71 @@
     </message>
     <message>
         <source>%1 of %2 s</source>
-        <translation>%1 of %2 s</translation>
+        <translation>%2 s में से %1</translation>
+    </message>
+    <message>
+        <source>Drag through the recording; left and right by 0.1 s, Page keys by 1 s, up and down by events</source>
+        <translation>रिकॉर्डिंग में खींचें; बाएँ-दाएँ 0.1 s, Page कुंजियाँ 1 s, ऊपर-नीचे घटनाएँ</translation>
+    </message>
+    <message>
+        <source>◂ Event</source>
+        <translation>◂ घटना</translation>
+    </message>
+    <message>
+        <source>Event before</source>
+        <translation>पिछली घटना</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>ऊपर तीर</translation>
+    </message>
+    <message>
+        <source>Event ▸</source>
+        <translation>घटना ▸</translation>
+    </message>
+    <message>
+        <source>Next event</source>
+        <translation>अगली घटना</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>नीचे तीर</translation>
+    </message>
+    <message>
+        <source>◂ Sample</source>
+        <translation>◂ नमूना</translation>
+    </message>
+    <message>
+        <source>Sample before</source>
+        <translation>पिछला नमूना</translation>
+    </message>
+    <message>
+        <source>Shift+Left</source>
+        <translation>Shift+बायाँ तीर</translation>
+    </message>
+    <message>
+        <source>Sample ▸</source>
+        <translation>नमूना ▸</translation>
+    </message>
+    <message>
+        <source>Next sample</source>
+        <translation>अगला नमूना</translation>
+    </message>
+    <message>
+        <source>Shift+Right</source>
+        <translation>Shift+दायाँ तीर</translation>
+    </message>
+    <message>
+        <source>Here in the recording</source>
+        <translation>रिकॉर्डिंग में यहाँ</translation>
+    </message>
+    <message>
+        <source>hand z %1 mm   proxy z %2 mm   force %3 N</source>
+        <translation>हाथ z %1 mm   प्रॉक्सी z %2 mm   बल %3 N</translation>
+    </message>
+    <message>
+        <source>   |   since %1 s: %2</source>
+        <translation>   |   %1 s से: %2</translation>
     </message>
 </context>
 <context>
@@ -4950,8 +5540,8 @@
         <translation>लाल/सियान एनाग्लिफ़ (&amp;A)</translation>
     </message>
     <message>
-        <source>At &amp;mid height</source>
-        <translation>बीच की ऊँचाई पर (&amp;M)</translation>
+        <source>At mi&amp;d height</source>
+        <translation>बीच की ऊँचाई पर (&amp;D)</translation>
     </message>
     <message>
         <source>S&amp;wap eyes</source>
@@ -5038,8 +5628,8 @@
         <translation>स्क्रीन से 60 cm पर सबसे दूर का बिंदु आँखों को कितना अलग दिखता है; 1 डिग्री से ऊपर कई लोग दोहरा देखते हैं</translation>
     </message>
     <message>
-        <source>&amp;Test glasses…</source>
-        <translation>चश्मा जाँचें (&amp;T)…</translation>
+        <source>Test &amp;glasses…</source>
+        <translation>चश्मा जाँचें (&amp;G)…</translation>
     </message>
     <message>
         <source>Test glasses</source>
@@ -5318,6 +5908,18 @@
         <source>It differs in Move mode and while scanning with one button.</source>
         <translation>खिसकाने की विधा में और एक बटन से चुनाव में यह अलग होता है।</translation>
     </message>
+    <message>
+        <source>Add &amp;note…</source>
+        <translation>टिप्पणी जोड़ें (&amp;N)…</translation>
+    </message>
+    <message>
+        <source>Write a note into the running recording (Ctrl+Shift+N)</source>
+        <translation>चल रही रिकॉर्डिंग में टिप्पणी लिखें (Ctrl+Shift+N)</translation>
+    </message>
+    <message>
+        <source>It belongs to the moment at which this is chosen; the recording goes on while you write.</source>
+        <translation>वह उस क्षण की होती है जब इसे चुना जाए; लिखते समय रिकॉर्डिंग चलती रहती है।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::VideoControl</name>
@@ -5392,6 +5994,106 @@
         <source>&amp;Choose file…</source>
         <translation>फ़ाइल चुनें… (&amp;C)</translation>
     </message>
+    <message>
+        <source>Sp&amp;eed</source>
+        <translation>गति (&amp;E)</translation>
+    </message>
+    <message>
+        <source>1 as it was; 0.25 four times slower</source>
+        <translation>1 जैसा था; 0.25 चार गुना धीमा</translation>
+    </message>
+    <message>
+        <source>F&amp;rom</source>
+        <translation>यहाँ से (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Where it begins, since the start of recording or path</source>
+        <translation>कहाँ से शुरू हो, रिकॉर्डिंग या पथ के आरंभ से</translation>
+    </message>
+    <message>
+        <source>&amp;To</source>
+        <translation>यहाँ तक (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Where it ends, since the start of recording or path</source>
+        <translation>कहाँ समाप्त हो, रिकॉर्डिंग या पथ के आरंभ से</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>P&amp;lots</source>
+        <translation>आलेख (&amp;L)</translation>
+    </message>
+    <message>
+        <source>Height of hand and proxy, and the force, below</source>
+        <translation>नीचे हाथ और प्रॉक्सी की ऊँचाई, और बल</translation>
+    </message>
+    <message>
+        <source>&amp;Whole object</source>
+        <translation>पूरी वस्तु (&amp;W)</translation>
+    </message>
+    <message>
+        <source>The whole object with the pink window, beside the detail</source>
+        <translation>विवरण के पास पूरी वस्तु, गुलाबी विंडो के साथ</translation>
+    </message>
+    <message>
+        <source>Scale &amp;bar</source>
+        <translation>पैमाना पट्टी (&amp;B)</translation>
+    </message>
+    <message>
+        <source>How long a millimetre is in the detail</source>
+        <translation>विवरण में एक मिलीमीटर कितना लंबा है</translation>
+    </message>
+    <message>
+        <source>Along the camera pat&amp;h</source>
+        <translation>कैमरा पथ के साथ (&amp;H)</translation>
+    </message>
+    <message>
+        <source>The camera passes the key views; else it looks at the recorded window</source>
+        <translation>कैमरा मुख्य दृश्यों से गुज़रता है; नहीं तो वह रिकॉर्ड की गई विंडो को देखता है</translation>
+    </message>
+    <message>
+        <source>Stere&amp;o</source>
+        <translation>स्टीरियो (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Red and cyan pictures; not for talks, whose colours are halved</source>
+        <translation>लाल-सियान चित्र; व्याख्यानों के लिए नहीं, जिनके रंग आधे किए जाते हैं</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>बंद</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>धूसर</translation>
+    </message>
+    <message>
+        <source>Half colour</source>
+        <translation>अर्ध-रंग</translation>
+    </message>
+    <message>
+        <source>Dubois</source>
+        <translation>Dubois</translation>
+    </message>
+    <message>
+        <source>Eye sep&amp;aration</source>
+        <translation>आँखों की दूरी (&amp;A)</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions</source>
+        <translation>दोनों आँखों की दिशाओं के बीच का कोण</translation>
+    </message>
+    <message>
+        <source>Swap e&amp;yes</source>
+        <translation>आँखें बदलें (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>For glasses whose red filter is at the right eye</source>
+        <translation>उन चश्मों के लिए जिनमें लाल फ़िल्टर दाईं आँख पर है</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ViewPanel</name>
@@ -5429,7 +6131,7 @@
     </message>
     <message>
         <source>Light</source>
-        <translation>हल्का</translation>
+        <translation>प्रकाश</translation>
     </message>
     <message>
         <source>Direction of the light</source>
