@@ -3022,10 +3022,6 @@
         <translation>Liste der Messungen (*.csv)</translation>
     </message>
     <message>
-        <source>%1 could not be written. Choose another place.</source>
-        <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
         <source>%1 is saved</source>
         <translation>%1 ist gespeichert</translation>
     </message>
@@ -4277,10 +4273,6 @@
     <message>
         <source>A double click or F ends.</source>
         <translation>Ein Doppelklick oder F beendet.</translation>
-    </message>
-    <message>
-        <source>%1 could not be written. Choose another place.</source>
-        <translation>%1 konnte nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
         <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>

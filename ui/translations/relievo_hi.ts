@@ -3022,10 +3022,6 @@
         <translation>मापों की सूची (*.csv)</translation>
     </message>
     <message>
-        <source>%1 could not be written. Choose another place.</source>
-        <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
         <source>%1 is saved</source>
         <translation>%1 सहेजी गई</translation>
     </message>
@@ -4277,10 +4273,6 @@
     <message>
         <source>A double click or F ends.</source>
         <translation>दोहरा क्लिक या F समाप्त करता है।</translation>
-    </message>
-    <message>
-        <source>%1 could not be written. Choose another place.</source>
-        <translation>%1 लिखी नहीं जा सकी। दूसरी जगह चुनें।</translation>
     </message>
     <message>
         <source>By touch: with forces on (F5), tap two places for their depth difference, or draw a stroke for a profile. Escape ends.</source>
