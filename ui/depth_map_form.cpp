@@ -8,6 +8,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "core/depth/point_rule.h"
 #include "ui/core_words.h"
@@ -55,10 +56,10 @@ Widget* DepthMapForm::field(QFormLayout* layout, const QString& title, const cha
   return widget;
 }
 
-DepthMapForm::DepthMapForm(const SurfaceSource& source, const Surface& present,
+DepthMapForm::DepthMapForm(SurfaceSource source, const Surface& present,
                            const SurfaceOptions& options, QWidget* parent)
     : QWidget(parent),
-      source_(source),
+      source_(std::move(source)),
       first_(options),
       spacing_mm_(present.map.frame.spacing_mm),
       cells_across_(std::max(present.map.frame.size.cols, present.map.frame.size.rows)) {

@@ -20,7 +20,7 @@ namespace relievo {
 class DepthMapForm : public QWidget {
   Q_OBJECT
  public:
-  DepthMapForm(const SurfaceSource& source, const Surface& present, const SurfaceOptions& options,
+  DepthMapForm(SurfaceSource source, const Surface& present, const SurfaceOptions& options,
                QWidget* parent = nullptr);
 
   SurfaceOptions options() const;

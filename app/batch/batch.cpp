@@ -134,7 +134,7 @@ std::string withCode(const std::exception& error) {
       system != nullptr && system->code() == std::errc::resource_unavailable_try_again;
   if (no_thread || dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return kOutOfMemory;
   const auto* known = dynamic_cast<const Error*>(&error);
-  const std::string sentence = error.what();
+  std::string sentence = error.what();
   if (known == nullptr || sentence.find(known->code) != std::string::npos) return sentence;
   return known->code + ": " + sentence;
 }

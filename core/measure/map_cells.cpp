@@ -28,7 +28,7 @@ double MapPart::heightErrorMm(Cell c) const noexcept {
   double off = std::max(0.5 * errors_.step_mm, std::ldexp(size_mm, -24));
   if (errors_.quality != nullptr) {
     const std::size_t i = index(c);
-    const double spread = static_cast<double>(errors_.quality->spreads_mm[i]);
+    const auto spread = static_cast<double>(errors_.quality->spreads_mm[i]);
     const double points = std::max<double>(errors_.quality->counts[i], 1);
     off += 2 * (errors_.of_one_point ? spread : spread / std::sqrt(points));
   }

@@ -196,12 +196,12 @@ std::string planeNumbers(const Measurement& m) {
 
 std::string planeText(const Measurement& m, double unit_mm, std::string_view unit) {
   if (!hasPlane(m.kind)) return {};
-  const auto lengthText = [&](double mm) {
+  const auto length_text = [&](double mm) {
     return shortText(mm / unit_mm) + " " + std::string(unit);
   };
   if (m.kind == MeasureKind::area || isLevel(m.normal)) {
     const double sign = m.kind == MeasureKind::section && m.normal.z < 0 ? -1 : 1;
-    return "level at " + lengthText(sign * m.plane_mm);
+    return "level at " + length_text(sign * m.plane_mm);
   }
   std::string text = isUpright(m.normal) ? "upright: " : "oblique: ";
   const double length = norm(m.normal);
@@ -214,7 +214,7 @@ std::string planeText(const Measurement& m, double unit_mm, std::string_view uni
     text += shortText(std::abs(part)) + axis;
     between = "+";
   }
-  return text + " = " + lengthText(m.plane_mm);
+  return text + " = " + length_text(m.plane_mm);
 }
 
 int decimalsFor(double uncertainty) {
@@ -291,6 +291,7 @@ std::string measurementsCsv(const std::vector<Measured>& list, std::string_view 
 std::string measurementsCsv(const MapCells& map, const std::vector<Measurement>& list,
                             std::string_view header) {
   std::vector<Measured> read_all;
+  read_all.reserve(list.size());
   for (const Measurement& m : list) {
     read_all.push_back({.measurement = m, .reading = read(map, m), .problem = {}});
   }

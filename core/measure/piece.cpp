@@ -165,7 +165,7 @@ class OutlineLengths {
     const auto [from, to] = withinMap(a, b);
     if (!(from < to)) return;
     cuts_ = {from, to};
-    const auto cutAtBorders = [&, from = from, to = to](double at, double end) {
+    const auto cut_at_borders = [&, from = from, to = to](double at, double end) {
       if (at == end) return;
       const double first = at + from * (end - at);
       const double last = at + to * (end - at);
@@ -173,8 +173,8 @@ class OutlineLengths {
         cuts_.push_back((line - at) / (end - at));
       }
     };
-    cutAtBorders(a.x, b.x);
-    cutAtBorders(a.y, b.y);
+    cut_at_borders(a.x, b.x);
+    cut_at_borders(a.y, b.y);
     std::sort(cuts_.begin(), cuts_.end());
     const double length = std::hypot(b.x - a.x, b.y - a.y) * frame_.spacing_mm;
     for (std::size_t i = 1; i < cuts_.size(); ++i) {
@@ -250,7 +250,7 @@ class Sums {
     cells_ += part;
     if (map.origin(cell) != Origin::measured) unmeasured_ += part;
     const double mm2 = part * cell_mm2_;
-    const double height = static_cast<double>(map.heightMm(cell));
+    const auto height = static_cast<double>(map.heightMm(cell));
     const double error = map.heightErrorMm(cell);
     piece_.area_mm2 += mm2;
     piece_.surface_mm2 += mm2 * stretch(slope);

@@ -45,19 +45,19 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier,
 std::filesystem::path foundInput(const std::filesystem::path& carrier,
                                  const std::filesystem::path& stored, const std::string& sha256,
                                  const Task& task) {
-  const std::filesystem::path first = foundInput(carrier, stored);
+  std::filesystem::path first = foundInput(carrier, stored);
   const auto is_it = [&](const std::filesystem::path& file) {
     return sha256.empty() || sha256OfFile(file, task) == sha256;
   };
   if (is_it(first)) return first;
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::absolute(carrier, error).parent_path();
-  if (const std::filesystem::path beside = folder / stored.filename();
+  if (std::filesystem::path beside = folder / stored.filename();
       std::filesystem::is_regular_file(beside, error) && is_it(beside)) {
     return beside;
   }
   for (int i = 2;; ++i) {
-    const std::filesystem::path numbered =
+    std::filesystem::path numbered =
         folder / (std::to_string(i) + "-" + stored.filename().string());
     if (!std::filesystem::is_regular_file(numbered, error)) return first;
     if (is_it(numbered)) return numbered;

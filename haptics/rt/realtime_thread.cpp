@@ -88,6 +88,7 @@ int lockObject(dl_phdr_info* object, std::size_t, void* data) {
   for (const ElfW(Phdr) & segment : segments) {
     if (segment.p_type != PT_LOAD || (segment.p_flags & PF_R) == 0) continue;
     const std::uintptr_t first = object->dlpi_addr + segment.p_vaddr;
+    // The loader names addresses by numbers. NOLINTNEXTLINE(performance-no-int-to-ptr)
     wanted.locking->lock(reinterpret_cast<const void*>(first), segment.p_memsz);
   }
   return 0;

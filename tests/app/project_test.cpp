@@ -119,6 +119,10 @@ TEST_F(Work, WrongMeasurementsAreRefusedWithASentence) {
     EXPECT_EQ(result.exit_code, 1) << testing::PrintToString(wrong) << result.err;
     EXPECT_NE(result.err, "");
   }
+  for (const char* const tie : {"10,10,50,50,50,10,10,50", "10,10,50,50,50,10,10,80"}) {
+    EXPECT_THAT(runRelievo({"measure", kReliefF, "--unit", "mm", "--area", tie}).err,
+                HasSubstr("crosses itself"));
+  }
 }
 
 TEST_F(Work, AProjectIsMadeMovedRelinkedPackedAndVerified) {

@@ -329,6 +329,11 @@ TEST_F(PublishTest, AProfileIsMadeByKeysAloneAndSaved) {
   QFile csv(path("p.csv"));
   ASSERT_TRUE(csv.open(QIODevice::ReadOnly));
   EXPECT_TRUE(csv.readAll().contains("along_mm,x_mm,y_mm,z_mm"));
+  const auto state = embeddedState(path("p.csv").toStdString());
+  ASSERT_TRUE(state) << "what it was read on";
+  EXPECT_EQ(provenanceFromJson(*state, "p").input.sha256, document().fileSha256().toStdString());
+  const std::string svg = readTextFile(path("p.svg").toStdString(), 1 << 20);
+  EXPECT_NE(svg.find("<polyline"), std::string::npos) << svg;
 }
 
 // The dome's ground is at 0: a contour by one click, an upright cut by two, both as

@@ -236,12 +236,13 @@ TEST_F(ReplayTest, OffersTheMapOfARecordingThatDoesNotFit) {
   Project made;
   made.file = "gone.ply";
   made.sha256 = recording_->input_sha256;
-  made.options.unit = LengthUnit::mm;
+  made.options.unit = LengthUnit::cm;  // As nobody would guess.
   made.options.view = ViewChoice{"top", {}};
   made.region = recording_->windows.front().region;
   recording_->state = projectJson(made);
   window().settings().addRecentFile(other);
   const QString before = document().file();
+  window().settings().addRecentFile(before);  // Looked at first.
   replay();
   EXPECT_FALSE(control().showing());
   EXPECT_TRUE(window().message().contains("gone.ply, not on relief.ply. Nothing was changed."))
@@ -255,7 +256,22 @@ TEST_F(ReplayTest, OffersTheMapOfARecordingThatDoesNotFit) {
   open->click();
   ASSERT_TRUE(waitFor([this] { return control().showing(); })) << window().message().toStdString();
   EXPECT_EQ(document().file(), other) << "found by its checksum";
+  EXPECT_EQ(document().surface()->unit, LengthUnit::cm) << "as it was recorded on";
   EXPECT_DOUBLE_EQ(document().state().region.side_mm, 100);
+}
+
+TEST_F(ReplayTest, ARecordingOfAnotherViewIsNotShownOnThisOne) {
+  recording_->view_from_file = document().surface()->view_from_file.m;
+  replay();
+  EXPECT_TRUE(control().showing()) << window().message().toStdString();
+  control().close();
+  (*recording_->view_from_file)[0] *= -1;
+  const Region before = document().state().region;
+  replay();
+  EXPECT_FALSE(control().showing());
+  EXPECT_TRUE(window().message().contains("another view of relief.ply"))
+      << window().message().toStdString();
+  EXPECT_EQ(document().state().region, before);
 }
 
 TEST_F(ReplayTest, SaysWhatCannotBeReplayedAndChangesNothing) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -45,7 +46,8 @@ TEST_F(ViewTest, AChangeOfViewCanBeUndone) {
   const DocumentState top = document().state();
   QTest::mouseClick(child<QPushButton>("view_bottom"), Qt::LeftButton);
   ASSERT_TRUE(seenFrom("bottom"));
-  EXPECT_TRUE(action("undo")->text().contains("top"));
+  EXPECT_TRUE(action("undo")->text().contains(QString::fromUtf8("top \u2192 bottom")))
+      << action("undo")->text().toStdString();
   document().history().undo();
   EXPECT_EQ(document().state(), top);
 }
@@ -56,6 +58,19 @@ TEST_F(ViewTest, AMiddleDragTurnsAndUseThisViewMakesTheReliefAnewFromThere) {
   drag(detail, {100, 100}, {140, 60}, Qt::MiddleButton);
   ASSERT_TRUE(detail.isTurned());
   const Rotation camera = detail.cameraRotation();
+  // Its rows are right, up and toward the viewer: a turn, no mirror.
+  const ReliefCamera& turned = detail.sceneState().camera;
+  const double a = turned.azimuth_deg * M_PI / 180;
+  const double e = turned.elevation_deg * M_PI / 180;
+  const ViewMm right{camera[0], camera[1], camera[2]};
+  const ViewMm up{camera[3], camera[4], camera[5]};
+  const ViewMm toward{camera[6], camera[7], camera[8]};
+  EXPECT_NEAR(norm(right - ViewMm{std::cos(a), 0, -std::sin(a)}), 0, 1e-12);
+  const ViewMm across{right.y * up.z - right.z * up.y, right.z * up.x - right.x * up.z,
+                      right.x * up.y - right.y * up.x};
+  EXPECT_NEAR(norm(across - toward), 0, 1e-12);
+  EXPECT_NEAR(toward.y, std::sin(e), 1e-12);
+  EXPECT_NEAR(norm(up), 1, 1e-12);
   EXPECT_TRUE(action("use_view")->isEnabled());
   QTest::mouseClick(child<QPushButton>("use_this_view"), Qt::LeftButton);
   ASSERT_TRUE(seenFrom("free"));

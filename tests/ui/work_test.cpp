@@ -10,6 +10,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QtTest/QTest>
 
 #include "core/project/autosave.h"
@@ -58,6 +59,7 @@ class WorkTest : public GuiTest {
 TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   openRelief();
   document().setRect({40, 40, 60, 60});
+  document().setGain(2);
   const Region there = document().state().region;
   QTest::keyClick(&window().detailView(), Qt::Key_N, Qt::ControlModifier);
   ASSERT_EQ(places().places().size(), 1U);
@@ -65,11 +67,13 @@ TEST_F(WorkTest, APlaceIsNamedGoneToRenamedAndDeletedByKeys) {
   EXPECT_EQ(places().places()[0].name, "nose");
   document().whole();
   document().setRect({100, 20, 40, 40});
+  document().setGain(1);
   window().runCommand("name_place");
   ASSERT_EQ(places().places().size(), 2U);
   QTest::keyClick(list().findChild<QLineEdit*>(), Qt::Key_Escape);
   QTest::keyClick(&window().detailView(), Qt::Key_PageDown, Qt::ControlModifier);
   EXPECT_EQ(document().state().region, there) << "next, round and round";
+  EXPECT_EQ(document().state().gain, 2);
   EXPECT_EQ(document().history().undoText(), "Go to nose");
   QTest::keyClick(&window().detailView(), Qt::Key_PageUp, Qt::ControlModifier);
   EXPECT_NE(document().state().region, there);
@@ -96,7 +100,7 @@ TEST_F(WorkTest, ABeaconIsSetAndRemovedUnderTheHandAndGoneTo) {
   EXPECT_EQ(child<QLabel>("status_message")->text(), "Beacon 1 set.");
   document().move(1, 0);
   window().runCommand("beacon");
-  EXPECT_EQ(places().places().size(), 2U);
+  ASSERT_EQ(places().places().size(), 2U);
   document().move(-0.95, 0);  // 0.05 of the window: 4 mm of hand.
   window().runCommand("beacon");
   ASSERT_EQ(places().places().size(), 1U);
@@ -112,15 +116,22 @@ TEST_F(WorkTest, AViewIsKeptWithItsLightAndReliefByTheMouse) {
   openRelief();
   window().runCommand("relief_slope");
   window().detailView().turnBy(20, 10);
+  child<QSlider>("light_azimuth")->setValue(90);
+  window().runCommand("stereo");
   child<QCheckBox>("places_with_view")->setChecked(true);
   QTest::mouseClick(child<QPushButton>("place_add"), Qt::LeftButton);
   ASSERT_EQ(places().places().size(), 1U);
   window().runCommand("relief_lit");
   window().detailView().straighten();
+  child<QSlider>("light_azimuth")->setValue(300);
+  window().runCommand("stereo");
   QTest::mouseClick(child<QPushButton>("place_go"), Qt::LeftButton);
   const SceneState& seen = window().detailView().sceneState();
   EXPECT_EQ(seen.look.kind, ReliefKind::slope);
   EXPECT_EQ(seen.camera.azimuth_deg, 20);
+  EXPECT_EQ(seen.camera.elevation_deg, 10);
+  EXPECT_EQ(seen.light.azimuth_deg, 90);
+  EXPECT_EQ(seen.stereo.mode, StereoMode::anaglyph);
   QTest::mouseClick(child<QPushButton>("place_delete"), Qt::LeftButton);
   EXPECT_TRUE(places().places().empty());
   EXPECT_FALSE(child<QPushButton>("place_go")->isEnabled());
@@ -401,6 +412,41 @@ TEST_F(UnsavedTest, SettingsOfAProjectChangedByHandAreWork) {
   EXPECT_TRUE(window().hasUnsavedWork());
   window().runCommand("relief_lit");
   EXPECT_FALSE(window().hasUnsavedWork()) << "it is as it is in the file again";
+  window().runCommand("stereo");
+  EXPECT_TRUE(window().hasUnsavedWork());
+  window().runCommand("stereo");
+  EXPECT_FALSE(window().hasUnsavedWork());
+  document().setView({"bottom", {}});
+  ASSERT_TRUE(waitFor([&] { return document().surface()->view_name == "bottom"; }));
+  EXPECT_TRUE(window().hasUnsavedWork());
+}
+
+TEST_F(UnsavedTest, MeasurementsAndCameraPathsAreWork) {
+  openRelief();
+  auto* measure = window().findChild<MeasurePanel*>();
+  measure->setMeasurements({{"top", MeasureKind::depth, {{10, 10}, {100, 90}}, 0}});
+  EXPECT_TRUE(window().hasUnsavedWork());
+  measure->setMeasurements({});
+  EXPECT_FALSE(window().hasUnsavedWork());
+  window().runCommand("key_view");
+  EXPECT_TRUE(window().hasUnsavedWork());
+  EXPECT_FALSE(window().close());
+  answer(QMessageBox::Cancel);
+  EXPECT_TRUE(window().isVisible());
+}
+
+TEST_F(UnsavedTest, ASaveThatFailsClosesNothing) {
+  openRelief();
+  window().saveProject(path("p.relievo.json"));
+  nameOne();
+  QFile::remove(path("p.relievo.json"));
+  QDir().mkpath(path("p.relievo.json"));  // A folder has its name now.
+  EXPECT_FALSE(window().close());
+  answer(QMessageBox::Save);
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_FALSE(window().message().isEmpty()) << "and it is said";
+  EXPECT_TRUE(window().hasUnsavedWork());
+  EXPECT_EQ(places().places().size(), 1U);
 }
 
 TEST_F(WorkTest, APictureOfTheWindowBringsItsStateBack) {

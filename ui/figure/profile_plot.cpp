@@ -32,6 +32,7 @@ std::string profileSvg(const std::vector<ProfileRow>& rows) {
   QPainter painter(&generator);
   FigureInk ink(painter, kDpi, 8, FigureInk::Target::vectors);
   std::vector<QPointF> curve;
+  curve.reserve(rows.size());
   for (const ProfileRow& row : rows) curve.emplace_back(row.along_mm, row.point.at.z);
   drawCurve(ink, curve, kBoxMm, QStringLiteral("along the line (mm)"),
             QStringLiteral("height (mm)"));

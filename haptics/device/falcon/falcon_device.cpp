@@ -22,7 +22,10 @@ std::uint32_t withPlusAndMinusSwapped(std::uint32_t buttons) RELIEVO_REALTIME {
 
 FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
                            FalconSettings settings, LinkLimits limits)
-    : settings_(settings), bus_(std::move(bus)), firmware_(std::move(firmware)), limits_(limits) {
+    : settings_(std::move(settings)),
+      bus_(std::move(bus)),
+      firmware_(std::move(firmware)),
+      limits_(limits) {
   giveSignalStack();  // The owner's thread, too, sends last words when its stack overflows.
   info_.id = kFalconId;
   info_.name = "Falcon";
@@ -32,7 +35,7 @@ FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
   info_.max_stiffness_n_per_mm = 1.5;
   info_.position_step_mm = 0.048;  // Sideways in the middle; 0.028 in and out.
   info_.force_delay_ticks = 2;     // Up to one until it is sent, one until the motors show it.
-  setGain(settings.counts_per_n_mm);
+  setGain(settings_.counts_per_n_mm);
 }
 
 FalconDevice::~FalconDevice() {

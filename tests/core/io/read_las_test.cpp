@@ -143,6 +143,14 @@ TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
               HasSubstr("degrees"));
   EXPECT_THAT(warning_of(variableRecord(2112, "GEOGCRS[\"b\",ANGLEUNIT[\"degree\",0.01745]]")),
               HasSubstr("degrees"));
+  for (const char* const word : {"GEOGRAPHICCRS", "GEODCRS"}) {
+    EXPECT_THAT(warning_of(variableRecord(
+                    2112, std::string(word) + "[\"b\",ANGLEUNIT[\"degree\",0.01745]]")),
+                HasSubstr("degrees"));
+  }
+  // A unit beside them is no length of x and y.
+  EXPECT_EQ(load(withRecord(geoKeys({{1024, 0, 1, 2}, {3076, 0, 1, 9001}}))).info.unit,
+            std::nullopt);
   EXPECT_THAT(warning_of(geoKeys({{3076, 0, 1, 9003}, {4099, 0, 1, 9001}})),
               HasSubstr("heights are in m"));
   EXPECT_EQ(warning_of(geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9001}})), "");

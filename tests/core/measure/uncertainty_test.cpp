@@ -179,6 +179,13 @@ TEST(Uncertainty, AnOutlineThatIsNoPieceIsRefused) {
   const DepthMap map = mapOf(block);
   EXPECT_THROW(area(map, {{10, 10}, {50, 50}, {90, 90}}), ArgumentError) << "on one line";
   EXPECT_THROW(area(map, {{10, 10}, {50, 50}, {50, 10}, {10, 50}}), ArgumentError) << "a bow tie";
+  // Without a like area on either side, and crossed by the side back to the first corner.
+  for (const auto& tie :
+       std::vector<std::vector<PlaceMm>>{{{10, 10}, {50, 50}, {50, 10}, {10, 50}},
+                                         {{10, 10}, {50, 50}, {50, 10}, {10, 80}},
+                                         {{10, 10}, {10, 80}, {50, 10}, {50, 50}}}) {
+    EXPECT_TRUE(outlineProblem(tie).starts_with("The outline crosses itself")) << tie[3].y;
+  }
   EXPECT_TRUE(lastSideCrosses({{10, 10}, {50, 50}, {50, 10}, {10, 50}}));
   EXPECT_FALSE(lastSideCrosses({{10, 10}, {50, 10}, {50, 50}, {10, 50}}));
   // A notch, an edge walked twice and a corner that touches a side are pieces.

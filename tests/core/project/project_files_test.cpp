@@ -151,7 +151,8 @@ TEST_F(OnDisk, WorkOfACrashedProgramIsFoundAndThatOfALivingOneIsNot) {
   const pid_t child = ::fork();
   if (child == 0) {
     auto* autosave = new Autosave(copies);  // Never destroyed: the program dies.
-    project_.others = R"({"saved_as":"p.json"})";
+    project_.saved_as = "p.json";
+    project_.others = R"({"another":"key"})";
     autosave->save(project_);
     ::_exit(0);
   }
@@ -163,7 +164,8 @@ TEST_F(OnDisk, WorkOfACrashedProgramIsFoundAndThatOfALivingOneIsNot) {
     const auto left = leftAutosaves(copies);
     ASSERT_EQ(left.size(), 1U);
     const Project recovered = readProject(left[0]);
-    EXPECT_EQ(recovered.others, R"({"saved_as":"p.json"})");
+    EXPECT_EQ(recovered.saved_as, "p.json");
+    EXPECT_EQ(recovered.others, R"({"another":"key"})");
     EXPECT_EQ(recovered.file, project_.file);
     removeAutosave(left[0]);
     EXPECT_TRUE(leftAutosaves(copies).empty());

@@ -197,6 +197,22 @@ TEST_F(FigureTest, APreviewSaysWhatTheFileWillSay) {
   }
 }
 
+TEST_F(FigureTest, TheStateInMarkupIsText) {
+  project_.figure.dpi = 60;
+  project_.file = (folder_ / "a <b> & 'c'.ply").string();
+  const std::string key(kStateKey);
+  for (const char* const name : {"a.svg", "a.pdf"}) {
+    writeFigure(*surface_, project_, folder_ / name);
+    const std::string bytes = bytesOf(folder_ / name);
+    const std::size_t start = bytes.find('>', bytes.find("<" + key));
+    const std::size_t end = bytes.find("</" + key);
+    ASSERT_LT(start, end) << name;
+    const std::string text = bytes.substr(start + 1, end - start - 1);
+    EXPECT_EQ(text.find('<'), std::string::npos) << name << " is no markup any more";
+    EXPECT_NE(text.find("a &lt;b&gt; &amp; "), std::string::npos) << name;
+  }
+}
+
 TEST_F(FigureTest, AStateReadFromTheFileDrawsTheSamePixelsAgain) {
   project_.figure.dpi = 150;
   project_.measurements = {{"step", MeasureKind::depth, {{45, 45}, {70, 45}}, 0}};
@@ -244,15 +260,19 @@ TEST_F(FigureTest, VectorsKeepTextAsTextAroundThePictures) {
 TEST_F(FigureTest, TheLegendStatesTheSharesThatTheCaptionStates) {
   project_.figure.dpi = 60;
   project_.region = {.x_mm = 5, .y_mm = 50, .side_mm = 40, .level = {0}};
-  project_.figure.layout = FigureLayout::detail;
-  const std::string caption = writeFigure(*surface_, project_, folder_ / "a.svg").caption;
-  const std::size_t end = caption.find(" % holes on the base plane");
-  ASSERT_NE(end, std::string::npos) << caption;
-  const std::size_t start = caption.rfind(' ', end - 1) + 1;
-  EXPECT_NE(bytesOf(folder_ / "a.svg")
-                .find("hole, on the base plane, " + caption.substr(start, end - start) +
-                      " % of the region<"),
-            std::string::npos);
+  for (const FigureLayout layout :
+       {FigureLayout::before_after, FigureLayout::levels, FigureLayout::detail}) {
+    project_.figure.layout = layout;
+    const std::string caption = writeFigure(*surface_, project_, folder_ / "a.svg").caption;
+    const std::size_t end = caption.find(" % holes on the base plane");
+    ASSERT_NE(end, std::string::npos) << caption;
+    const std::size_t start = caption.rfind(' ', end - 1) + 1;
+    EXPECT_NE(bytesOf(folder_ / "a.svg")
+                  .find("hole, on the base plane, " + caption.substr(start, end - start) +
+                        " % of the region<"),
+              std::string::npos)
+        << name(layout) << ": " << caption;
+  }
   // Beside the hole there is nothing to explain.
   project_.region = {.x_mm = 50, .y_mm = 10, .side_mm = 40, .level = {0}};
   writeFigure(*surface_, project_, folder_ / "b.svg");
