@@ -337,18 +337,23 @@ TEST_F(DevicesVerbTest, TheForceIsCalibratedByAWeightAndKept) {
 TEST_F(DevicesVerbTest, ACalibrationThatNobodyCanConfirmEndsWithTheOldSetting) {
   const auto falcon = std::make_shared<SharedFalcon>(
       emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
-  falcon->with([](auto& f) {
-    f.body.hold({0, 0, 125});
-    f.body.letGo(0.3);
-  });
   usb_.plugIn(falcon);
-  Child child({"devices", "calibrate", "--weight", "100"}, home_);
-  child.endInput();
-  EXPECT_TRUE(
-      child.says("The input ended before Enter said that the weight hangs. The old setting "
-                 "is kept."))
-      << child.said;
-  EXPECT_EQ(child.exitCode(), kUsage);
+  const char* const unconfirmed =
+      "The input ended before Enter said that the weight hangs. The old setting is kept.";
+  std::string said;
+  // As above: on a busy computer the Falcon's own reasons may come first.
+  for (int attempt = 0; attempt < 8 && said.find(unconfirmed) == std::string::npos; ++attempt) {
+    falcon->with([](auto& f) {
+      f.body.hold({0, 0, 125});
+      f.body.letGo(0.3);
+    });
+    Child child({"devices", "calibrate", "--weight", "100"}, home_);
+    child.endInput();
+    const bool ended_so = child.says(unconfirmed);
+    said = child.said;
+    ASSERT_EQ(child.exitCode(), ended_so ? kUsage : kDevice) << said;
+  }
+  EXPECT_THAT(said, HasSubstr(unconfirmed));
   EXPECT_FALSE(fs::exists(home_ / ".config/relievo/falcon.conf"));
 }
 
