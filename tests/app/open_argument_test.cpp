@@ -34,19 +34,19 @@ class OpenArgument : public test::CommandTest {
                   .exit_code,
               0);
   }
-  /// The window's title names what was opened.
-  bool opensThePlaneOf(const std::string& file) const {
+  /// The window names what is open as soon as its scan is.
+  bool opens(const std::string& file, const std::string& title) const {
     test::ProgramWindow window({path(file)});
-    return eventually([&] { return window.title().starts_with("plane.xyz"); });
+    return eventually([&] { return window.title().starts_with(title); });
   }
 };
 
 TEST_F(OpenArgument, OpensWhatAProjectShows) {
-  EXPECT_TRUE(opensThePlaneOf("work.relievo.json"));
+  EXPECT_TRUE(opens("work.relievo.json", "work.relievo.json \u2013 relievo"));
 }
 
 TEST_F(OpenArgument, OpensWhatAPictureShows) {
-  EXPECT_TRUE(opensThePlaneOf("fig.png"));
+  EXPECT_TRUE(opens("fig.png", "plane.xyz"));
 }
 
 }  // namespace
