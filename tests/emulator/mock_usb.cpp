@@ -6,8 +6,6 @@
 
 #include <glib-unix.h>
 #include <linux/usbdevice_fs.h>
-#include <pthread.h>
-#include <sched.h>
 #include <sys/timerfd.h>
 #include <umockdev.h>
 #include <unistd.h>
@@ -73,12 +71,6 @@ void complete(UMockdevIoctlClient* client, glong result, int error) {
   }
 }
 
-/// A device answers in time whatever this computer does. Where the system refuses, as it can.
-void answerPromptly() {
-  const sched_param lowest{.sched_priority = 1};
-  ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &lowest);
-}
-
 /// One transfer under way. Owns its two pieces of client memory.
 struct Urb {
   UMockdevIoctlData* data = nullptr;
@@ -109,7 +101,6 @@ struct MockUsb::Impl {
   std::list<Urb> urbs;
   UMockdevIoctlClient* held = nullptr;
   bool said_again = false;  // The last reap found nothing.
-  bool is_prompt = false;
   int timer = timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK);
   GSource* timer_source = nullptr;
 
@@ -143,7 +134,6 @@ void MockUsb::Impl::forget(std::list<Urb>::iterator urb) {
 }
 
 gboolean MockUsb::Impl::handle(UMockdevIoctlClient* client) {
-  if (!std::exchange(is_prompt, true)) answerPromptly();
   const std::lock_guard lock(mutex);
   const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
   switch (request) {
