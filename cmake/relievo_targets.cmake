@@ -31,7 +31,8 @@ endfunction()
 
 # relievo_add_test(core/depth/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
 # One test file tests/<path>.cpp, one executable, one CTest entry of the same name.
-# DISPLAY: needs an X display; ./test provides Xvfb. MAIN: the file has its own main().
+# DISPLAY: needs an X display; ./test provides Xvfb. MAIN: it has a main() of its own, in the
+# file or among SOURCES.
 function(relievo_add_test path)
   cmake_parse_arguments(ARG "DISPLAY;QT;MAIN" "TIMEOUT" "LINK;SOURCES;LABELS;ENVIRONMENT" ${ARGN})
   string(REPLACE "/" "_" target ${path})

@@ -12,35 +12,30 @@ namespace {
 /// As haptics/record writes it and as people read it; %1 and %2 are numbers. The number of a window
 /// tells people nothing.
 struct Happening {
-  const char *written, *shown;
+  const char* written;
+  const char* shown = nullptr;  ///< Null: as it is written.
 };
 constexpr std::array kHappenings{
-    Happening{"%1 samples dropped before this one",
-              QT_TRANSLATE_NOOP("Event", "%1 samples dropped before this one")},
-    Happening{"resumed after %1 ms", QT_TRANSLATE_NOOP("Event", "resumed after %1 ms")},
+    Happening{QT_TRANSLATE_NOOP("Event", "%1 samples dropped before this one")},
+    Happening{QT_TRANSLATE_NOOP("Event", "resumed after %1 ms")},
     Happening{"new window: window %1 of detail %2",
               QT_TRANSLATE_NOOP("Event", "new window of detail %2")},
     Happening{"window %1 of detail %2", QT_TRANSLATE_NOOP("Event", "window of detail %2")},
-    Happening{"stiffness %1 N/m", QT_TRANSLATE_NOOP("Event", "stiffness %1 N/m")},
-    Happening{"softened against swinging", QT_TRANSLATE_NOOP("Event", "softened against swinging")},
-    Happening{"forces off", QT_TRANSLATE_NOOP("Event", "forces off")},
-    Happening{"forces wait for a clear hand",
-              QT_TRANSLATE_NOOP("Event", "forces wait for a clear hand")},
-    Happening{"forces rise", QT_TRANSLATE_NOOP("Event", "forces rise")},
-    Happening{"forces on", QT_TRANSLATE_NOOP("Event", "forces on")},
-    Happening{"button %1 down", QT_TRANSLATE_NOOP("Event", "button %1 down")},
-    Happening{"button %1 up", QT_TRANSLATE_NOOP("Event", "button %1 up")},
-    Happening{"no fault", QT_TRANSLATE_NOOP("Event", "no fault")},
-    Happening{"the device did not answer in time",
-              QT_TRANSLATE_NOOP("Event", "the device did not answer in time")},
-    Happening{"the device was unplugged", QT_TRANSLATE_NOOP("Event", "the device was unplugged")},
-    Happening{"the device sent something unreadable",
-              QT_TRANSLATE_NOOP("Event", "the device sent something unreadable")},
-    Happening{"the device is too hot", QT_TRANSLATE_NOOP("Event", "the device is too hot")},
-    Happening{"the device reported an impossible position",
-              QT_TRANSLATE_NOOP("Event", "the device reported an impossible position")},
-    Happening{"the device is not ready yet",
-              QT_TRANSLATE_NOOP("Event", "the device is not ready yet")}};
+    Happening{QT_TRANSLATE_NOOP("Event", "stiffness %1 N/m")},
+    Happening{QT_TRANSLATE_NOOP("Event", "softened against swinging")},
+    Happening{QT_TRANSLATE_NOOP("Event", "forces off")},
+    Happening{QT_TRANSLATE_NOOP("Event", "forces wait for a clear hand")},
+    Happening{QT_TRANSLATE_NOOP("Event", "forces rise")},
+    Happening{QT_TRANSLATE_NOOP("Event", "forces on")},
+    Happening{QT_TRANSLATE_NOOP("Event", "button %1 down")},
+    Happening{QT_TRANSLATE_NOOP("Event", "button %1 up")},
+    Happening{QT_TRANSLATE_NOOP("Event", "no fault")},
+    Happening{QT_TRANSLATE_NOOP("Event", "the device did not answer in time")},
+    Happening{QT_TRANSLATE_NOOP("Event", "the device was unplugged")},
+    Happening{QT_TRANSLATE_NOOP("Event", "the device sent something unreadable")},
+    Happening{QT_TRANSLATE_NOOP("Event", "the device is too hot")},
+    Happening{QT_TRANSLATE_NOOP("Event", "the device reported an impossible position")},
+    Happening{QT_TRANSLATE_NOOP("Event", "the device is not ready yet")}};
 
 QString inWords(const QString& english) {
   for (const auto& [written, shown] : kHappenings) {
@@ -50,7 +45,7 @@ QString inWords(const QString& english) {
     }
     const auto match = QRegularExpression(QRegularExpression::anchoredPattern(form)).match(english);
     if (!match.hasMatch()) continue;
-    QString text = QCoreApplication::translate("Event", shown);
+    QString text = QCoreApplication::translate("Event", shown != nullptr ? shown : written);
     for (int i = 1; i <= match.lastCapturedIndex(); ++i) {
       text.replace(QStringLiteral("%%1").arg(i), match.captured(i));
     }

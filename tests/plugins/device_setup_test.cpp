@@ -415,9 +415,3 @@ TEST_F(DeviceButtonsTest, ThePanelsSettingsAreKept) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

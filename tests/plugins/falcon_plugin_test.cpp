@@ -283,9 +283,3 @@ TEST_F(SpaceMousePluginTest, OneThatMayNotBeOpenedIsSaidOnceWithWhatHelps) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -547,9 +547,3 @@ TEST_F(HapticsPluginTest, DetachesAndAttachesAgain) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -61,9 +61,3 @@ TEST(PluginLoading, APluginOfAnotherInterfaceShowsItsIidAndIsNoPluginOfOurs) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

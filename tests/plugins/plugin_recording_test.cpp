@@ -191,9 +191,3 @@ TEST_F(PluginRecordingTest, ANoteIsWrittenWhileTheRecordingGoesOn) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

@@ -175,9 +175,3 @@ TEST(Scope, EveryControlHasANameForSpeech) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  QApplication app(argc, argv);
-  ::testing::InitGoogleTest(&argc, argv);
-  return RUN_ALL_TESTS();
-}

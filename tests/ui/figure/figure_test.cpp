@@ -470,10 +470,3 @@ TEST_F(FigureTest, OfAMapByTilesIsThatOfTheMapInMemory) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  const relievo::DisplayGuard display;
-  const relievo::FigureSession session;
-  return RUN_ALL_TESTS();
-}

@@ -165,10 +165,3 @@ TEST(ScaleBar, IsAsLongAsThingsOfKnownSizeInTheSamePictureSay) {
 
 }  // namespace
 }  // namespace relievo
-
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  const relievo::DisplayGuard display;
-  const relievo::FigureSession session;
-  return RUN_ALL_TESTS();
-}
