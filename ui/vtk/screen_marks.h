@@ -10,8 +10,8 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
 
+#include "ui/vtk/label_actor.h"
 #include "ui/vtk/scale_length.h"
 #include "ui/vtk/scene_view.h"
 
@@ -48,7 +48,7 @@ class ScreenMarks {
 
   vtkNew<vtkPolyData> poly_;
   vtkNew<vtkActor2D> shapes_;
-  vtkNew<vtkTextActor> label_;
+  vtkNew<LabelActor> label_;
   double scale_ = 1, text_scale_ = 1;
   PixelPlace origin_;
 };

@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -14,6 +16,8 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include <vtkRenderer.h>
 
@@ -334,6 +338,33 @@ TEST(Offscreen, TheSamePictureComesOutTwice) {
   scene.setCamera({.rect = {0, 0, 100, 100}});
   scene.setScaleBar(true);
   EXPECT_EQ(renderOffscreen(scene, 320, 200).rgb, renderOffscreen(scene, 320, 200).rgb);
+}
+
+/// Pictures whose scale bars differ in number and size.
+std::vector<std::vector<std::uint8_t>> picturesWithLabels() {
+  constexpr int kPictures = 120;
+  FrameRenderer frames(160, 120);
+  frames.scene().setScaleBar(true);
+  std::vector<std::vector<std::uint8_t>> pictures;
+  for (int i = 0; i < kPictures; ++i) {
+    const double side_mm = std::pow(1.2, i);
+    frames.scene().setMarkScale(1 + 0.05 * (i % 30));
+    frames.scene().setCamera({.rect = {0, 0, side_mm, side_mm}});
+    pictures.push_back(frames.draw().rgba);
+  }
+  return pictures;
+}
+
+TEST(Offscreen, LabelsOfSeveralThreadsAreThoseOfOne) {
+  const auto expected = picturesWithLabels();
+  std::array<std::vector<std::vector<std::uint8_t>>, 4> drawn;
+  {
+    std::vector<std::jthread> threads;
+    for (auto& pictures : drawn) {
+      threads.emplace_back([&pictures] { pictures = picturesWithLabels(); });
+    }
+  }
+  for (const auto& pictures : drawn) EXPECT_TRUE(pictures == expected);
 }
 
 TEST(Offscreen, WithoutADisplayItSaysSo) {
