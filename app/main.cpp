@@ -11,6 +11,7 @@
 #include "app/batch/companions.h"
 #include "app/batch/falcon_setting.h"
 #include "app/batch/recording.h"
+#include "app/batch/state.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
@@ -70,6 +71,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   shareFalconFirmware(window);
   window.setRecordingReader(batch::readRecording);
   window.setCompanions(batch::companionsOf);
+  window.setStateReader(batch::stateIn);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });

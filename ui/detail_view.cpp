@@ -34,7 +34,7 @@ std::shared_ptr<const HeldGrid> gridOf(const RegionWindow& window) {
 
 }  // namespace
 
-DetailView::DetailView(Document& document, PictureTurns& turns, QWidget* parent)
+DetailView::DetailView(Document& document, QuietTurns& turns, QWidget* parent)
     : SurfaceView(turns, parent), document_(document) {
   setObjectName(QStringLiteral("detail_view"));
   setAccessibleName(tr("Detail view"));

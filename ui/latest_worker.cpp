@@ -70,7 +70,10 @@ void LatestWorker::launch(Request request) {
     };
     request.job(task);
     QMetaObject::invokeMethod(
-        this, [this, id = request.id, done = request.done] { finish(id, done); },
+        this,
+        [this, id = request.id, done = request.done] {
+          turns_.ask(this, [this, id, done] { finish(id, done); });
+        },
         Qt::QueuedConnection);
   });
 }

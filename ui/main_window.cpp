@@ -134,8 +134,8 @@ void MainWindow::layOut() {
   auto* row = new QHBoxLayout(work);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
-  reference_ = new ReferenceView(document_, picture_turns_);
-  detail_ = new DetailView(document_, picture_turns_);
+  reference_ = new ReferenceView(document_, quiet_turns_);
+  detail_ = new DetailView(document_, quiet_turns_);
   inset_ = new OverviewInset(document_, detail_);
   reference_title_ = headerLabel(QStringLiteral("reference_title"));
   reference_note_ = headerLabel(QStringLiteral("reference_note"));

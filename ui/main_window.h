@@ -13,7 +13,7 @@
 #include "ui/icons.h"
 #include "ui/palette.h"
 #include "ui/picture_file.h"
-#include "ui/picture_turns.h"
+#include "ui/quiet_turns.h"
 #include "ui/replay_control.h"
 #include "ui/settings.h"
 #include "ui/touch_readout.h"
@@ -64,6 +64,10 @@ struct ShownWork {
 using CompanionsOf = std::function<std::vector<InputFile>(const std::filesystem::path& recording,
                                                           bool scans, const Task& task)>;
 
+/// The work that a file shows, as core's carriedProject tells it, or of more formats. [worker]
+/// @throw FileError
+using StateReader = std::function<std::optional<Project>(const std::filesystem::path& carrier)>;
+
 /// The window: one object, two views, one hand. It shows and asks; what it shows is `document()`.
 /// [GUI thread]
 class MainWindow : public QMainWindow {
@@ -94,6 +98,8 @@ class MainWindow : public QMainWindow {
   bool savingImage() const { return image_work_.busy(); }
   /// Who knows what recordings need; without one packages hold the recordings alone.
   void setCompanions(CompanionsOf companions);
+  /// Who reads the state that recordings carry; without one only CSV tells what it was made on.
+  void setStateReader(StateReader reader);
   /// A recording of the open map is on the disk: from now on it belongs to the work.
   void noteRecording(const QString& file);
   /// Writes and checks a package for citation in the background.
@@ -287,7 +293,7 @@ class MainWindow : public QMainWindow {
 
   Settings settings_;
   Document document_;
-  PictureTurns picture_turns_;  ///< Before the views, which are children and go first.
+  QuietTurns quiet_turns_;  ///< Before the views, which are children and go first.
   MessageStrip* strip_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   FirstViewCard* first_view_ = nullptr;
@@ -335,6 +341,7 @@ class MainWindow : public QMainWindow {
   bool stepping_ = false;     ///< Through the history: no new steps.
   QStringList figures_made_;  ///< Since the scan was opened; offered for a package.
   CompanionsOf companions_;
+  StateReader state_in_;
   WorkQueue image_work_, package_work_, record_work_;
 };
 

@@ -16,6 +16,22 @@ bool readsTheSame(const Measurement& a, const Measurement& b) {
          a.normal == b.normal;
 }
 
+/// Of a larger map an area may take longer than the window may be held up.
+constexpr std::size_t kMostCellsAtOnce = 1'000'000;
+
+bool atOnce(const Surface& surface, MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::section:
+      return false;
+    case MeasureKind::profile:
+      return surface.tiles == nullptr;
+    case MeasureKind::area:
+      return surface.tiles == nullptr && surface.map.frame.size.count() <= kMostCellsAtOnce;
+    default:
+      return true;
+  }
+}
+
 MeasureReadings::Entry entryOf(const MapCells& cells, const Measurement& m) {
   MeasureReadings::Entry entry;
   try {
@@ -44,8 +60,7 @@ std::shared_ptr<const MeasureReadings::Entry> MeasureReadings::of(const Measurem
                                   [&](const Known& known) { return readsTheSame(known.first, m); });
   if (found != known_.end()) return found->second;
   const Surface& surface = *document_.surface();
-  const bool at_once = m.kind != MeasureKind::section && (!surface.tiles || !takesMore(m.kind));
-  if (at_once) {
+  if (atOnce(surface, m.kind)) {
     known_.emplace_back(m, std::make_shared<const Entry>(entryOf(mapCells(surface), m)));
   } else {
     known_.emplace_back(m, nullptr);

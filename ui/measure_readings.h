@@ -14,10 +14,10 @@
 
 namespace relievo {
 
-/// What measurements read on the document's map, each read once. At once on a map in memory, but
-/// for sections, which always cross it all; of a map by tiles, also profiles and areas, which may
-/// cross all of its files, are read by a worker.
-/// [GUI thread]
+/// What measurements read on the document's map, each read once. What may take long is read by a
+/// worker: sections, which always cross it all, areas of a map of more than a million cells, and of
+/// a map by tiles all profiles and areas, which may cross all of its files. The rest is read at
+/// once. [GUI thread]
 class MeasureReadings : public QObject {
   Q_OBJECT
  public:

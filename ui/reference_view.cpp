@@ -85,7 +85,7 @@ QString nameOf(PinkPart part) {
 
 }  // namespace
 
-ReferenceView::ReferenceView(Document& document, PictureTurns& turns, QWidget* parent)
+ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* parent)
     : SurfaceView(turns, parent), document_(document) {
   setObjectName(QStringLiteral("reference_view"));
   setAccessibleName(tr("Reference view"));

@@ -255,6 +255,10 @@ void ReplayPanel::showTime() {
 
 void ReplayPanel::showPart() {
   const TouchRecording& recording = *player_.recording();
+  QVector<double> events;
+  for (const TouchEvent& event : recording.events) events.append(event.t_s - recording.startS());
+  heights_.setEvents(events);
+  forces_.setEvents(events);
   heights_.setTimes(low_s_, high_s_);
   forces_.setTimes(low_s_, high_s_);
   const auto curve = [&](const std::function<double(const TouchRow&)>& value) {

@@ -6,12 +6,16 @@
 #include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
 #include <qwt_plot_grid.h>
+#include <qwt_plot_item.h>
 #include <qwt_plot_marker.h>
 #include <qwt_scale_draw.h>
+#include <qwt_scale_map.h>
 #include <qwt_text.h>
 #include <QFont>
 #include <QFontMetrics>
+#include <QPainter>
 #include <QPalette>
+#include <QPolygonF>
 
 namespace relievo {
 namespace {
@@ -20,6 +24,26 @@ constexpr double kLabelSize = 0.85;      // Of the window's text.
 constexpr double kLargeTextPoints = 14;  // From here on fewer numbers fit beside the plot.
 constexpr int kLeastLines = 5;
 constexpr double kTickEveryS = 2, kLargeTickEveryS = 5;
+
+/// Small triangles at the upper edge, as the axes in colour and size.
+class EventMarks : public QwtPlotItem {
+ public:
+  QVector<double> times_s;
+
+ private:
+  void draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap& /*y_map*/,
+            const QRectF& canvas) const override {
+    const double height = 0.5 * QFontMetrics(plot()->axisFont(QwtPlot::xBottom)).height();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(plot()->palette().color(QPalette::Text));
+    for (const double t : times_s) {
+      const QPointF top(x_map.transform(t), canvas.top());
+      painter->drawPolygon(QPolygonF({top - QPointF(0.5 * height, 0),
+                                      top + QPointF(0.5 * height, 0), top + QPointF(0, height)}));
+    }
+  }
+};
 
 QwtText labelIn(const QFont& font, QwtText label) {
   label.setFont(font);
@@ -118,6 +142,14 @@ void StripPlot::setCursorColour(const QColor& colour) {
     cursor_->attach(plot_);
   }
   cursor_->setLinePen(QPen(colour, 1.5));
+}
+
+void StripPlot::setEvents(const QVector<double>& times_s) {
+  if (events_ == nullptr) {
+    events_ = new EventMarks;
+    events_->attach(plot_);
+  }
+  static_cast<EventMarks*>(events_)->times_s = times_s;
 }
 
 void StripPlot::setRange(double low, double high) {

@@ -10,6 +10,7 @@
 class QWidget;
 class QwtPlot;
 class QwtPlotCurve;
+class QwtPlotItem;
 class QwtPlotMarker;
 
 namespace relievo {
@@ -32,6 +33,8 @@ class StripPlot {
   /// A line across the plot at a time.
   void setCursor(double x_s);
   void setCursorColour(const QColor& colour);
+  /// Something happened at these times: a small triangle at the upper edge for each.
+  void setEvents(const QVector<double>& times_s);
   /// x in seconds before now, [-seconds, 0], unless setTimes() says otherwise.
   void setCurve(int index, const QVector<QPointF>& points);
   void setRange(double low, double high);
@@ -43,6 +46,7 @@ class StripPlot {
   double seconds_;                   ///< On show before now; 0: what setTimes() said.
   QVector<QwtPlotCurve*> curves_;    ///< Owned by the plot.
   QwtPlotMarker* cursor_ = nullptr;  ///< Likewise; null: never set.
+  QwtPlotItem* events_ = nullptr;    ///< Likewise.
 };
 
 }  // namespace relievo

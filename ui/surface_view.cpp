@@ -21,7 +21,7 @@
 #include "ui/colour_bar.h"
 #include "ui/grid_painter.h"
 #include "ui/palette.h"
-#include "ui/picture_turns.h"
+#include "ui/quiet_turns.h"
 #include "ui/vtk/first_draws.h"
 
 namespace relievo {
@@ -102,7 +102,7 @@ vtkStandardNewMacro(MixingWindow);
 /// its place.
 class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
  public:
-  Canvas(SurfaceView* view, ReliefScene& scene, PictureTurns& turns)
+  Canvas(SurfaceView* view, ReliefScene& scene, QuietTurns& turns)
       : QVTKOpenGLNativeWidget(view), scene_(scene), turns_(turns) {
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
@@ -144,7 +144,11 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     stale_ = false;
     drawn_ = true;
     prepare();
+    // VTK would have the window composed before the next round, in which keys and mouse are heard.
+    setAttribute(Qt::WA_UpdatesDisabled);
     renderWindow()->Render();
+    setAttribute(Qt::WA_UpdatesDisabled, false);
+    turns_.ask(this, [this] { update(); });
   }
 
  protected:
@@ -210,14 +214,14 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   }
 
   ReliefScene& scene_;
-  PictureTurns& turns_;
+  QuietTurns& turns_;
   Stage stage_ = Stage::cold;
   bool wanted_ = false, copied_ = false, drawn_ = false, stale_ = false;
   vtkNew<MixingWindow> window_;
   std::unique_ptr<FirstDraws> first_draws_;
 };
 
-SurfaceView::SurfaceView(PictureTurns& turns, QWidget* parent)
+SurfaceView::SurfaceView(QuietTurns& turns, QWidget* parent)
     : QWidget(parent), scene_(std::make_unique<ReliefScene>()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);

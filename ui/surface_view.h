@@ -11,7 +11,7 @@ namespace relievo {
 
 class ColourBar;
 class GridPainter;
-class PictureTurns;
+class QuietTurns;
 struct PaintedGrid;
 
 /// A relief on screen: one scene in one OpenGL widget. Mouse and keys come to this widget as
@@ -54,7 +54,7 @@ class SurfaceView : public QWidget {
 
  protected:
   /// @param turns  of all views of the window; outlives this
-  SurfaceView(PictureTurns& turns, QWidget* parent);
+  SurfaceView(QuietTurns& turns, QWidget* parent);
   void showEvent(QShowEvent* event) override;
   void setGrid(std::shared_ptr<const HeldGrid> grid);
   void setCamera(const ReliefCamera& camera);

@@ -16,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As carriedProject, and of HDF5 logs.
-std::optional<Project> projectIn(const fs::path& carrier) {
-  if (readHead(carrier, 4) != "\x89HDF") return carriedProject(carrier);
-  const auto state = hdf5State(carrier);
-  return state ? carriedProject(carrier, *state) : std::nullopt;
-}
-
 Provenance withInput(Provenance provenance, const MapArguments& arguments, const fs::path& out,
                      const Task& task) {
   const fs::path folder = out.parent_path();
@@ -32,6 +25,12 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
 }
 
 }  // namespace
+
+std::optional<Project> stateIn(const fs::path& carrier) {
+  if (readHead(carrier, 4) != "\x89HDF") return carriedProject(carrier);
+  const auto state = hdf5State(carrier);
+  return state ? carriedProject(carrier, *state) : std::nullopt;
+}
 
 void findInput(Project& project, const fs::path& carrier, const std::string& given,
                bool accept_changed, const Task& task) {
@@ -115,7 +114,7 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
 
 Project storedProject(const CarrierArguments& a, const std::string& given, const Task& task) {
   const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
-  auto project = projectIn(carrier);
+  auto project = stateIn(carrier);
   if (!project) {
     throw FileError(carrier.filename().string() +
                     " shows no region that relievo could draw again. Nothing was made. Choose a "

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
 #include "app/batch/arguments.h"
@@ -18,6 +19,9 @@ namespace relievo::batch {
 struct ChangedInputError : FileError {
   using FileError::FileError;
 };
+
+/// As carriedProject, and of HDF5 logs. [any thread] @throw FileError
+std::optional<Project> stateIn(const std::filesystem::path& carrier);
 
 /// Where what a verb writes to `out` comes from.
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,

@@ -5,9 +5,9 @@
 
 #include "app/batch/companions.h"
 #include "app/batch/json.h"
+#include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
-#include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
 #include "core/project/project_files.h"
@@ -50,7 +50,7 @@ std::vector<std::string> namesOf(const auto& list) {
 /// A project from a picture, figure or log of ours: what it shows, and logs as recordings.
 Outcome makeNew(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw ArgumentError("project new needs -o PROJECT.json.");
-  auto carried = carriedProject(a.file);
+  auto carried = stateIn(a.file);
   const std::string shown = fs::path(a.file).filename().string();
   if (!carried) {
     throw FileError(shown +
@@ -63,7 +63,7 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
     project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   }
   for (const std::string& recording : a.recordings) {
-    const auto touched = carriedProject(recording);
+    const auto touched = stateIn(recording);
     if (touched && touched->sha256 != project.sha256) {
       throw ArgumentError(fs::path(recording).filename().string() + " is a recording of " +
                           fs::path(touched->file).filename().string() + ", and " + shown +

@@ -67,15 +67,28 @@ TEST_F(PackageVerify, EndsWithFiveWhereARecordingIsAnotherSurfaces) {
 }
 
 TEST_F(PackageVerify, ARecordingOfAnotherFileIsNotTakenAlong) {
-  const CommandResult other = runRelievo(
-      {"touch", plane(), "--unit", "mm", "--stroke", test::kFlatStroke, "-o", path("other.csv")});
-  ASSERT_EQ(other.exit_code, 0) << other.err;
-  const CommandResult refused = runRelievo(
-      {"project", "new", path("log.csv"), "-o", path("p.json"), "--recording", path("other.csv")});
-  EXPECT_EQ(refused.exit_code, 1) << refused.out;
-  EXPECT_NE(refused.err.find("other.csv is a recording of plane.xyz"), std::string::npos)
-      << refused.err;
-  EXPECT_FALSE(fs::exists(path("p.json")));
+  for (const std::string name : {"other.csv", "other.h5"}) {
+    const CommandResult other = runRelievo(
+        {"touch", plane(), "--unit", "mm", "--stroke", test::kFlatStroke, "-o", path(name)});
+    ASSERT_EQ(other.exit_code, 0) << other.err;
+    const CommandResult refused = runRelievo(
+        {"project", "new", path("log.csv"), "-o", path("p.json"), "--recording", path(name)});
+    EXPECT_EQ(refused.exit_code, 1) << refused.out;
+    EXPECT_NE(refused.err.find(name + " is a recording of plane.xyz"), std::string::npos)
+        << refused.err;
+    EXPECT_FALSE(fs::exists(path("p.json")));
+  }
+}
+
+TEST_F(PackageVerify, AnHdf5LogIsEnoughForAProject) {
+  const CommandResult made = runRelievo(
+      {"touch", plane(), "--unit", "mm", "--stroke", test::kFlatStroke, "-o", path("plane.h5")});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const CommandResult project =
+      runRelievo({"project", "new", path("plane.h5"), "-o", path("p.json")});
+  ASSERT_EQ(project.exit_code, 0) << project.err;
+  const CommandResult info = runRelievo({"project", "info", path("p.json"), "--report", "json"});
+  EXPECT_EQ(json::parse(info.out)["input"], plane()) << info.err;
 }
 
 TEST_F(PackageVerify, HoldsTheRastersOfFirmGroundThatItsRecordingsNeed) {

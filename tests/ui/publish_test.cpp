@@ -454,6 +454,31 @@ TEST_F(PublishTest, ThePlaneOfAnAreaAndOfASectionIsShownAndCanBeSet) {
   EXPECT_FALSE(plane->isVisible());
 }
 
+TEST_F(PublishTest, AnAreaOfALargeMapIsReadByAWorker) {
+  QFile raster(path("slope.asc"));
+  ASSERT_TRUE(raster.open(QIODevice::WriteOnly));
+  constexpr int kCols = 1250, kRows = 900;
+  raster.write("ncols 1250\nnrows 900\nxllcorner 0\nyllcorner 0\ncellsize 0.5\n");
+  for (int row = 0; row < kRows; ++row) {
+    QByteArray line;
+    for (int col = 0; col < kCols; ++col) line += QByteArray::number((row + col) % 10) + ' ';
+    raster.write(line + '\n');
+  }
+  raster.close();
+  OpenRequest request;
+  request.file = raster.fileName();
+  request.unit = LengthUnit::mm;
+  window().open(request);
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  const Measurement all{
+      "all", MeasureKind::area, {{10, 10}, {600, 10}, {600, 400}, {10, 400}}, 2.5};
+  measure().setMeasurements({all});
+  EXPECT_THROW(measure().csv(path("list.csv")), ArgumentError) << "it is still being read";
+  ASSERT_TRUE(waitFor([this] { return reads(0).contains("mm\u00b2"); }));
+  const MapCells cells = mapCells(*document().surface());
+  EXPECT_EQ(rowsOf(measure().csv(path("list.csv"))), measurementsCsv(cells, {all}));
+}
+
 TEST_F(PublishTest, AnOutlineThatWouldCrossItselfIsToldAtThePlace) {
   openRelief();
   window().runCommand("measure_area");

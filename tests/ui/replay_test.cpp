@@ -15,6 +15,7 @@
 #include "core/project/project.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/replay_panel.h"
+#include "ui/strip_plot.h"
 
 namespace relievo {
 namespace {
@@ -285,6 +286,58 @@ TEST_F(ReplayTest, SaysWhatCannotBeReplayedAndChangesNothing) {
   window().replay(path("touch.csv"));
   EXPECT_TRUE(window().message().contains("Stop it first"));
   EXPECT_FALSE(control().reading());
+}
+
+/// What of the second picture is not as in the first.
+QRect differing(const QImage& a, const QImage& b) {
+  QRect all;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      if (a.pixel(x, y) != b.pixel(x, y)) all |= QRect(x, y, 1, 1);
+    }
+  }
+  return all;
+}
+
+TEST(StripPlot, EventsAreMarkedAtTheirTimes) {
+  QWidget parent;
+  StripPlot plot("Height", "z (mm)", {"z"}, 10, &parent);
+  plot.widget()->resize(600, 200);
+  plot.setTimes(0, 8);
+  const auto drawn = [&](const QVector<double>& events) {
+    plot.setEvents(events);
+    plot.replot();
+    return plot.widget()->grab().toImage();
+  };
+  const QImage empty = drawn({});
+  const QRect early = differing(empty, drawn({2})), late = differing(empty, drawn({6}));
+  const QRect ends = differing(empty, drawn({0, 8}));
+  EXPECT_TRUE(differing(empty, drawn({-1, 9})).isEmpty()) << "before and after what is shown";
+  EXPECT_GT(early.width(), 3);
+  EXPECT_LT(early.width(), 20);
+  EXPECT_EQ(early.top(), late.top());
+  EXPECT_LT(early.height(), 20);
+  EXPECT_NEAR(late.center().x() - early.center().x(), ends.width() / 2, 3);
+}
+
+TEST_F(ReplayTest, ThePlotsMarkWhatHappened) {
+  const auto forces = [this] {
+    replay();
+    EXPECT_TRUE(waitFor([this] { return !control().reading(); }));
+    player().setTime(9);
+    QImage image;
+    for (QWidget* const plot : control().panel()->findChildren<QWidget*>()) {
+      if (plot->accessibleName().startsWith("Force")) image = plot->grab().toImage();
+    }
+    return image;
+  };
+  forces();  // The panel takes its size.
+  const QImage plain = forces();
+  ASSERT_FALSE(plain.isNull());
+  recording_->events = {{.t_s = 5, .text = "here", .is_note = true}};
+  const QRect mark = differing(plain, forces());
+  EXPECT_GT(mark.width(), 3);
+  EXPECT_LT(mark.width(), 20);
 }
 
 TEST_F(ReplayTest, ALongRecordingIsPlottedPartByPart) {

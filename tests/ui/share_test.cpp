@@ -204,5 +204,20 @@ TEST_F(ShareTest, APackageThatCannotBeMadeIsSaidAndLeavesNothing) {
   EXPECT_FALSE(QFileInfo::exists(path("p.zip")));
 }
 
+TEST_F(ShareTest, RecordingsOfOtherFormatsTellTheirScanToo) {
+  openRelief();
+  window().setStateReader([](const fs::path& carrier) -> std::optional<Project> {
+    Project touched;
+    touched.file = "vase.stl";
+    touched.sha256 = "another";
+    return carrier.extension() == ".h5" ? std::optional(touched) : std::nullopt;
+  });
+  window().writePackage({path("p.zip"), true, {writeFile("other.h5", "felt elsewhere")}, {}});
+  finishPacking();
+  EXPECT_TRUE(window().message().contains("other.h5 is a recording of vase.stl"))
+      << window().message().toStdString();
+  EXPECT_FALSE(QFileInfo::exists(path("p.zip")));
+}
+
 }  // namespace
 }  // namespace relievo

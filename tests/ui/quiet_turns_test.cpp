@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/picture_turns.h"
+#include "ui/quiet_turns.h"
 
 #include <gtest/gtest.h>
 #include <memory>
@@ -12,8 +12,8 @@
 namespace relievo {
 namespace {
 
-TEST(PictureTurns, BetweenTwoPicturesEventsAreHandled) {
-  PictureTurns turns;
+TEST(QuietTurns, BetweenTwoPicturesEventsAreHandled) {
+  QuietTurns turns;
   QObject first, second;
   QStringList done;
   turns.ask(&first, [&] {
@@ -27,8 +27,8 @@ TEST(PictureTurns, BetweenTwoPicturesEventsAreHandled) {
   EXPECT_EQ(done, (QStringList{"first picture", "a key", "second picture"}));
 }
 
-TEST(PictureTurns, WhatCameDuringALongRoundIsHandledFirst) {
-  PictureTurns turns;
+TEST(QuietTurns, WhatCameDuringALongRoundIsHandledFirst) {
+  QuietTurns turns;
   QObject view;
   QStringList done;
   const auto later = [&](const std::function<void()>& work) {
@@ -45,8 +45,8 @@ TEST(PictureTurns, WhatCameDuringALongRoundIsHandledFirst) {
   EXPECT_EQ(done, (QStringList{"a key", "picture"}));
 }
 
-TEST(PictureTurns, WhoIsGoneDoesNotDrawAndHoldsNobodyUp) {
-  PictureTurns turns;
+TEST(QuietTurns, WhoIsGoneDoesNotDrawAndHoldsNobodyUp) {
+  QuietTurns turns;
   auto gone = std::make_unique<QObject>();
   QObject stays;
   bool drawn = false, wrong = false;
@@ -57,8 +57,8 @@ TEST(PictureTurns, WhoIsGoneDoesNotDrawAndHoldsNobodyUp) {
   EXPECT_FALSE(wrong);
 }
 
-TEST(PictureTurns, WhoAsksWhileDrawingIsServedAgain) {
-  PictureTurns turns;
+TEST(QuietTurns, WhoAsksWhileDrawingIsServedAgain) {
+  QuietTurns turns;
   QObject view;
   int pictures = 0;
   std::function<void()> draw = [&] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "ui/picture_turns.h"
+#include "ui/quiet_turns.h"
 
 #include <utility>
 
@@ -9,25 +9,25 @@ constexpr qint64 kLongRoundMs = 20;
 constexpr int kMostRests = 4;  // On a busy computer every round is long.
 }  // namespace
 
-void PictureTurns::ask(QObject* who, std::function<void()> draw) {
-  turns_.push_back({who, std::move(draw)});
+void QuietTurns::ask(QObject* who, std::function<void()> work) {
+  turns_.push_back({who, std::move(work)});
   if (!next_.isActive()) next_.start(0, this);
 }
 
 // The timer comes once a round: perhaps in the one of what asked, of the painting of the picture
 // before, or of a worker's result.
-void PictureTurns::timerEvent(QTimerEvent* /*event*/) {
+void QuietTurns::timerEvent(QTimerEvent* /*event*/) {
   const bool was_long = !since_round_.isValid() || since_round_.restart() > kLongRoundMs;
   if (!since_round_.isValid()) since_round_.start();
-  if (std::exchange(drew_, false)) return;
+  if (std::exchange(worked_, false)) return;
   if (was_long && ++rests_ < kMostRests) return;
   rests_ = 0;
-  drew_ = true;
+  worked_ = true;
   while (!turns_.empty()) {
     const Turn turn = std::move(turns_.front());
     turns_.pop_front();
     if (!turn.who) continue;
-    turn.draw();
+    turn.work();
     break;
   }
   since_round_.start();
