@@ -2,26 +2,13 @@
 // The program itself, started with a file: a project or a picture brings back its state.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
-#include <functional>
-#include <thread>
 
 #include "tests/app/command_test.h"
 #include "tests/app/program_window.h"
 
 namespace relievo {
 namespace {
-
-/// Generous: what happens is tested here, not how fast.
-bool eventually(const std::function<bool()>& holds) {
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(90);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > give_up) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return true;
-}
 
 class OpenArgument : public test::CommandTest {
  protected:
@@ -37,7 +24,7 @@ class OpenArgument : public test::CommandTest {
   /// The window names what is open as soon as its scan is.
   bool opens(const std::string& file, const std::string& title) const {
     test::ProgramWindow window({path(file)});
-    return eventually([&] { return window.title().starts_with(title); });
+    return test::eventually([&] { return window.title().starts_with(title); });
   }
 };
 

@@ -6,10 +6,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <QDir>
 #include <QFileInfo>
 #include <QImage>
 #include <stdexcept>
+#include <thread>
 
 // After Qt: its macros are common words.
 #include <X11/Xlib.h>
@@ -72,11 +74,10 @@ struct ProgramWindow::Impl {
   }
 };
 
-ProgramWindow::ProgramWindow(const std::vector<std::string>& arguments)
+ProgramWindow::ProgramWindow(const std::vector<std::string>& arguments, const std::string& program)
     : impl_(std::make_unique<Impl>()) {
   if (!impl_->display) throw std::runtime_error("there is no screen");
   XSetErrorHandler(&ignoreErrors);
-  const std::string program = RELIEVO_BINARY_DIR "/bin/relievo";
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -148,6 +149,15 @@ void ProgramWindow::picture(const std::string& file) {
   const bool saved = image.save(name);
   XDestroyImage(seen);
   if (!saved) throw std::runtime_error(file + " cannot be written");
+}
+
+bool eventually(const std::function<bool()>& holds) {
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(90);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > give_up) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return true;
 }
 
 }  // namespace relievo::test

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,7 +13,8 @@ namespace relievo::test {
 class ProgramWindow {
  public:
   /// Environment and folder are the test's own. @throw std::runtime_error  no screen, no process
-  explicit ProgramWindow(const std::vector<std::string>& arguments);
+  explicit ProgramWindow(const std::vector<std::string>& arguments,
+                         const std::string& program = RELIEVO_BINARY_DIR "/bin/relievo");
   ~ProgramWindow();  ///< Ends it by force if it still runs.
   ProgramWindow(const ProgramWindow&) = delete;
   ProgramWindow& operator=(const ProgramWindow&) = delete;
@@ -30,5 +32,8 @@ class ProgramWindow {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Waits until it holds, generously: what happens is tested, not how fast.
+bool eventually(const std::function<bool()>& holds);
 
 }  // namespace relievo::test
