@@ -168,6 +168,10 @@ QString WindowHost::recordingEnding() const {
   return window_.recordingEnding();
 }
 
+QString WindowHost::recordingFolder() const {
+  return window_.recordingFolder();
+}
+
 void WindowHost::recordingSaved(const QString& file) {
   window_.noteRecording(file);
 }

@@ -32,6 +32,7 @@ class WindowHost : public Host {
   QString recordingHeader(const QString& file) const override;
   QString scanName() const override;
   QString recordingEnding() const override;
+  QString recordingFolder() const override;
   void recordingSaved(const QString& file) override;
   QString mapState(const QString& folder) const override;
 

@@ -133,6 +133,8 @@ class MainWindow : public QMainWindow {
   VideoControl& videoControl() { return *video_; }
   VideoControl::LiveSource liveSource();  ///< What a video of the view shows.
   QString recordingEnding() const;        ///< Of names of recordings: "csv" or "h5", as chosen.
+  /// Where they go: as chosen, else relievo in the documents folder; empty: there is none.
+  QString recordingFolder() const;
   /// Comment lines about input, unit, view and region for the header of a recording in `file`.
   QString recordingHeader(const QString& file) const;
 
@@ -265,6 +267,8 @@ class MainWindow : public QMainWindow {
   void makeRecordingKinds();
   void connectReplay();
   void chooseRecording();
+  void chooseRecordingFolder();
+  void askForRecordingFolder();
   void showReplaying(bool on);
   void offerRecordedMap(const QString& sentence);
   void openRecordedMap(const QString& file);

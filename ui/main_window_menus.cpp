@@ -88,8 +88,8 @@ void MainWindow::makeMenus() {
   // Present from the start so that the order is fixed; shown once somebody adds an entry.
   menu(QStringLiteral("touch"), tr("&Touch"))->menuAction()->setVisible(false);
   add(menu(QStringLiteral("record"), tr("Re&cord")),
-      {"replay", "replay_play", "replay_next_event", "replay_previous_event", "replay_close", "-",
-       "video", "video_live", "-", "key_view", "path_play", "path_clear"});
+      {"recording_folder", "replay", "replay_play", "replay_next_event", "replay_previous_event",
+       "replay_close", "-", "video", "video_live", "-", "key_view", "path_play", "path_clear"});
   makeRecordingKinds();
   add(menu(QStringLiteral("help"), tr("&Help")),
       {"search_commands", "keys", "introduction", "about"});

@@ -74,6 +74,7 @@ void MainWindow::connectPackages() {
 }
 
 void MainWindow::noteRecording(const QString& file) {
+  askForRecordingFolder();
   if (!document_.isOpen()) return;
   const auto known = std::make_shared<InputFile>();
   const QString scan = document_.fileSha256();

@@ -3,6 +3,7 @@
 #include <array>
 #include <QAction>
 #include <QActionGroup>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -23,10 +24,17 @@ namespace relievo {
 namespace {
 
 constexpr QLatin1String kRecordingKind("recording_kind");
+constexpr QLatin1String kRecordingFolder("recording_folder");
 
 }  // namespace
 
 void MainWindow::makeReplayCommands() {
+  make({"recording_folder",
+        tr("F&older of recordings\u2026"),
+        {},
+        tr("Where recordings go that are made from now on"),
+        [this] { chooseRecordingFolder(); },
+        {}});
   make({"replay",
         tr("Re&play\u2026"),
         {QKeySequence("Ctrl+Shift+R")},
@@ -68,7 +76,7 @@ void MainWindow::makeRecordingKinds() {
   QMenu* record = menu(QStringLiteral("record"), {});
   auto* kinds = new QMenu(tr("Record &as"), record);
   kinds->setObjectName(QStringLiteral("record_as"));
-  record->insertMenu(command("replay"), kinds);
+  record->insertMenu(command("recording_folder"), kinds);
   kinds->menuAction()->setToolTip(tr("Kind of file of the next recording"));
   kinds->setToolTipsVisible(true);
   auto* group = new QActionGroup(this);
@@ -102,6 +110,36 @@ QString MainWindow::recordingEnding() const {
   return settings_.choice(kRecordingKind, csv).toString() == h5 ? h5 : csv;
 }
 
+QString MainWindow::recordingFolder() const {
+  const QString chosen = settings_.choice(kRecordingFolder, QString()).toString();
+  if (!chosen.isEmpty()) return QFileInfo(chosen).absoluteFilePath();
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return documents.isEmpty() ? QString() : documents + QLatin1String("/relievo");
+}
+
+void MainWindow::chooseRecordingFolder() {
+  auto* dialog = new QFileDialog(this, tr("Folder of recordings"));
+  dialog->setObjectName(QStringLiteral("recording_folder_dialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  if (QFileInfo(recordingFolder()).isDir()) dialog->setDirectory(recordingFolder());
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    settings_.setChoice(kRecordingFolder, folder);
+    announce(tr("Recordings go to %1").arg(QDir::toNativeSeparators(folder)));
+  });
+  dialog->open();
+}
+
+// After the first recording, so that nothing stands between a hand and its record.
+void MainWindow::askForRecordingFolder() {
+  if (!settings_.choice(kRecordingFolder, QString()).toString().isEmpty()) return;
+  if (strip_->isVisible()) return;  // Something else is asked or told: at the next one, then.
+  settings_.setChoice(kRecordingFolder, recordingFolder());
+  strip_->show(tr("Recordings are kept in %1.").arg(QDir::toNativeSeparators(recordingFolder())),
+               {{tr("Another &folder\u2026"), [this] { chooseRecordingFolder(); }}});
+}
+
 void MainWindow::connectReplay() {
   connect(replay_, &ReplayControl::said, this, &MainWindow::announce);
   connect(replay_, &ReplayControl::failed, this, &MainWindow::showMessage);
@@ -127,9 +165,7 @@ void MainWindow::chooseRecording() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters({tr("Recordings (*.csv *.h5 *.hdf5)"), tr("All files (*)")});
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) +
-                         QLatin1String("/relievo");
-  if (QFileInfo(folder).isDir()) dialog->setDirectory(folder);
+  if (QFileInfo(recordingFolder()).isDir()) dialog->setDirectory(recordingFolder());
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::replay);
   dialog->open();
 }

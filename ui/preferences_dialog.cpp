@@ -160,7 +160,7 @@ void PreferencesDialog::addSwitch(const Field& about, bool fallback) {
   resets_.emplace_back(stack_->count() - 1, [box, fallback] { box->setChecked(fallback); });
 }
 
-void PreferencesDialog::addFile(const Field& about) {
+void PreferencesDialog::addPath(const Field& about, PathKind kind, const QString& shown) {
   auto* field = new QWidget;
   auto* row = new QHBoxLayout(field);
   row->setContentsMargins(0, 0, 0, 0);
@@ -177,15 +177,17 @@ void PreferencesDialog::addFile(const Field& about) {
                       QLatin1String("_path"));
   path->setAccessibleName(about.title);
   path->setToolTip(about.tip);
+  path->setPlaceholderText(shown);
   connect(path, &QLineEdit::editingFinished, this, [this, path, key = about.key] {
     if (path->text() != settings_.choice(QString::fromLatin1(key), QString()).toString()) {
       set(key, path->text());
     }
   });
-  connect(browse, &QPushButton::clicked, this, [this, path, about] {
+  connect(browse, &QPushButton::clicked, this, [this, path, about, kind] {
     auto* dialog = new QFileDialog(this, about.title);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setFileMode(kind == PathKind::file ? QFileDialog::ExistingFile
+                                               : QFileDialog::Directory);
     connect(dialog, &QFileDialog::fileSelected, this,
             [this, path, key = about.key](const QString& file) {
               path->setText(file);
@@ -265,9 +267,10 @@ void PreferencesDialog::makeStereo() {
 
 void PreferencesDialog::makeDevice() {
   addPage(tr("Device"));
-  addFile({"falcon_firmware", tr("Falcon firmware"),
+  addPath({"falcon_firmware", tr("Falcon firmware"),
            tr("File with the Falcon's firmware, or its folder; empty: the usual places. Holds when "
-              "a Falcon is started next")});
+              "a Falcon is started next")},
+          PathKind::file);
   addSwitch({"keep_work", tr("Keep work for a crash"),
              tr("A copy of unsaved work every two seconds, offered after a crash")},
             true);
@@ -281,6 +284,10 @@ void PreferencesDialog::makeRecording() {
             QStringLiteral("csv"),
             {{tr("CSV: every program opens it"), QStringLiteral("csv")},
              {tr("HDF5: for Python and MATLAB"), QStringLiteral("h5")}});
+  addPath({"recording_folder", tr("Folder of recordings"),
+           tr("Where recordings go that are made from now on; empty: relievo in the documents "
+              "folder")},
+          PathKind::folder);
 }
 
 void PreferencesDialog::search(const QString& words) {

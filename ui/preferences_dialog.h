@@ -44,7 +44,9 @@ class PreferencesDialog : public QDialog {
   void addNumber(const Field& about, double fallback, double low, double high, double step,
                  const QString& suffix);
   void addSwitch(const Field& about, bool fallback);
-  void addFile(const Field& about);
+  enum class PathKind { file, folder };
+  /// @param shown  what holds where nothing was chosen
+  void addPath(const Field& about, PathKind kind, const QString& shown = {});
   void set(const char* key, const QVariant& value);
   void search(const QString& words);
   void resetPage();

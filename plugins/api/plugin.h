@@ -91,6 +91,9 @@ class Host : public QObject {
   /// is open), and the ending that was chosen, "csv" or "h5".
   virtual QString scanName() const = 0;
   virtual QString recordingEnding() const = 0;
+  /// Where it goes. Not made yet, perhaps; empty: nothing was chosen, and there is no documents
+  /// folder.
+  virtual QString recordingFolder() const = 0;
   /// A recording of the open map is on the disk and belongs to the work.
   virtual void recordingSaved(const QString& file) = 0;
   /// How the open map is made, in one line: its input (the path from `folder`), hash, every choice;

@@ -63,6 +63,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchRecording();
+  QString folderOfRecording() const;     ///< Of the running one, or of the next.
   void endRecording();                   // Before its loop goes.
   void askNote();                        // Of the present tick.
   void addNote();                        // As it was written.
@@ -92,6 +93,7 @@ class HapticsPlugin : public QObject, public Plugin {
   QPointer<ButtonsPanel> buttons_panel_;
   QPointer<HapticsPanel> panel_;
   QTimer timer_;
+  QString recorded_in_;       // The running recording's folder.
   QString recorded_windows_;  // Lines for the running recording's end.
   QPointer<NoteDialog> note_;
   Probe shown_;  // Last given to the host; window_id 0: none yet.

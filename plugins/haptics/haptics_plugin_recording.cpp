@@ -35,7 +35,8 @@ void HapticsPlugin::setRecording(bool on) {
   }
   try {
     const QDateTime now = QDateTime::currentDateTime();
-    const QString file = proposedRecording(host_->scanName(), host_->recordingEnding(), now.date());
+    const QString file = proposedRecording(host_->recordingFolder(), host_->scanName(),
+                                           host_->recordingEnding(), now.date());
     const DeviceInfo& device = session_->loop().device();
     const QString header = recordingHeaderLines(
         host_->recordingHeader(file), QString::fromStdString(device.name),
@@ -45,6 +46,7 @@ void HapticsPlugin::setRecording(bool on) {
     const auto surface = window ? spaceOf(*window, settings_.feel.surface) : nullptr;
     session_->startRecording(QFile::encodeName(file).toStdString(), header.toStdString(),
                              surface.get());
+    recorded_in_ = QFileInfo(file).path();
     recorded_windows_ = window ? windowLine(*window) : QString();
     actions_.note->setEnabled(true);
     host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
@@ -53,6 +55,10 @@ void HapticsPlugin::setRecording(bool on) {
     actions_.record->setChecked(false);
     host_->announce(QString::fromStdString(error.what()));
   }
+}
+
+QString HapticsPlugin::folderOfRecording() const {
+  return session_ && session_->recorder().running() ? recorded_in_ : host_->recordingFolder();
 }
 
 void HapticsPlugin::endRecording() {

@@ -29,7 +29,7 @@ void HapticsPlugin::applySurface() {
 
 SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
   SceneMaps maps;
-  maps.map_state = host_->mapState(recordingFolder()).toStdString();
+  maps.map_state = host_->mapState(folderOfRecording()).toStdString();
   textured_ = settings_.feel.fields.texture_mm > 0;
   if (textured_) {
     maps.finer_mm = finer_window_ == window.id ? finer_mm_ : host_->finerHeights(window);

@@ -4,23 +4,18 @@
 #include <array>
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 
 #include "core/base/error.h"
 #include "haptics/loop/surface_preset.h"
 
 namespace relievo {
 
-QString recordingFolder() {
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  return documents.isEmpty() ? QString() : documents + QStringLiteral("/relievo");
-}
-
-QString proposedRecording(const QString& scan, const QString& ending, const QDate& today) {
-  const QDir folder(recordingFolder());
-  if (recordingFolder().isEmpty() || !folder.mkpath(QStringLiteral("."))) {
-    throw WriteError("The folder \"" + folder.path().toStdString() +
-                     "\" for recordings cannot be made. Nothing is recorded.");
+QString proposedRecording(const QString& folder_path, const QString& scan, const QString& ending,
+                          const QDate& today) {
+  const QDir folder(folder_path);
+  if (folder_path.isEmpty() || !folder.mkpath(QStringLiteral("."))) {
+    throw WriteError("The folder \"" + folder_path.toStdString() +
+                     "\" for recordings cannot be made. Nothing is recorded. Choose another one.");
   }
   QString stem = scan.isEmpty() ? QStringLiteral("touch") : scan;
   constexpr int kMostBytes = 200;  // Of 255 that a name may have.

@@ -11,14 +11,11 @@
 
 namespace relievo {
 
-/// The folder of recordings that nobody named a place for: relievo in the documents folder; empty:
-/// there is none. Not made here.
-QString recordingFolder();
-
-/// Where a recording goes that nobody named: recordingFolder(), SCAN_DATE_001.ENDING with the first
+/// Where a recording goes that nobody named: in `folder`, SCAN_DATE_001.ENDING with the first
 /// number that no recording of that name has. Makes the folder. @throw WriteError
 /// @param scan  name of what is touched; empty: "touch"
-QString proposedRecording(const QString& scan, const QString& ending, const QDate& today);
+QString proposedRecording(const QString& folder, const QString& scan, const QString& ending,
+                          const QDate& today);
 
 /// Where flight records go: the user's state folder. Not made here.
 QString flightFolder();

@@ -54,6 +54,28 @@ TEST_F(PluginRecordingTest, RecordsEverySampleToTheDocumentsFolder) {
   EXPECT_TRUE(text.contains("of detail"));
 }
 
+TEST_F(PluginRecordingTest, RecordsToTheFolderThatWasChosenAndSaysIfItCannotBe) {
+  host_.window = flatWindow(5, 43);
+  host_.folder = home_.file("survey/day 1");
+  attach();
+  QAction* record = host_.actions.at("record");
+  record->trigger();
+  ASSERT_TRUE(eventually([this] { return host_.status.recorded_samples > 10; }));
+  host_.folder = home_.file("elsewhere");  // For the next one.
+  record->trigger();
+  ASSERT_TRUE(
+      eventually([this] { return host_.announcements.last().startsWith("Recording saved"); }));
+  EXPECT_EQ(QDir(home_.file("survey/day 1")).entryList({"relief_*.csv"}).size(), 1);
+  EXPECT_FALSE(QDir(home_.file("Documents/relievo")).exists());
+  EXPECT_FALSE(QDir(home_.file("elsewhere")).exists());
+  QFile(home_.file("a file")).open(QIODevice::WriteOnly);
+  host_.folder = home_.file("a file");
+  record->trigger();
+  EXPECT_FALSE(record->isChecked());
+  EXPECT_TRUE(host_.announcements.last().contains("a file\" for recordings cannot be made"))
+      << host_.announcements.last().toStdString();
+}
+
 TEST_F(PluginRecordingTest, ARecordingThatCannotGoOnIsSaidAboveTheViewsAndKept) {
   host_.window = flatWindow(5, 44);
   attach();

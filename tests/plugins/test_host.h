@@ -5,6 +5,7 @@
 #include <memory>
 #include <QAction>
 #include <QPointer>
+#include <QStandardPaths>
 #include <QStringList>
 #include <QWidget>
 #include <vector>
@@ -78,6 +79,11 @@ class TestHost : public Host {
   }
   QString scanName() const override { return scan; }
   QString recordingEnding() const override { return ending; }
+  QString recordingFolder() const override {
+    if (!folder.isEmpty()) return folder;
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) +
+           QStringLiteral("/relievo");
+  }
   void recordingSaved(const QString& file) override { recordings << file; }
   QString mapState(const QString& /*folder*/) const override { return map_state; }
 
@@ -98,6 +104,7 @@ class TestHost : public Host {
   std::map<QString, float> rasters;        ///< Names of files that can be read.
   bool rasters_fit = true, possible = true;
   QString map_state, scan = QStringLiteral("relief"), ending = QStringLiteral("csv");
+  QString folder;  ///< Of recordings; empty: relievo in the documents folder.
   std::uint8_t at_edges = 0;
   double turned_az_deg = 0, turned_el_deg = 0;
   std::shared_ptr<const RegionWindow> window;

@@ -5,7 +5,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QDoubleSpinBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -19,6 +21,7 @@
 
 #include "core/relief/stereo.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/message_strip.h"
 #include "ui/palette.h"
 #include "ui/preferences_dialog.h"
 #include "ui/stereo_panel.h"
@@ -238,6 +241,41 @@ TEST_F(PreferencesTest, TheKindOfRecordingIsChosenHereOrInTheMenuAndKept) {
   action("record_csv")->trigger();
   EXPECT_EQ(window().recordingEnding(), "csv");
   EXPECT_EQ(openDialog().findChild<QComboBox*>("pref_recording_kind")->currentIndex(), 0);
+}
+
+TEST_F(PreferencesTest, TheFolderOfRecordingsIsAskedForAfterTheFirstAndKept) {
+  qputenv("HOME", path("home").toLocal8Bit());
+  const QString usual = path("home/Documents/relievo");
+  EXPECT_EQ(window().recordingFolder(), usual);
+  openRelief();
+  window().noteRecording(writeRelief("first.csv"));
+  EXPECT_TRUE(window().message().contains("Recordings are kept in " + usual))
+      << window().message().toStdString();
+  auto* strip = child<MessageStrip>("message_strip");
+  ASSERT_TRUE(strip->takeOffer());
+  auto* dialog = child<QFileDialog>("recording_folder_dialog");
+  ASSERT_NE(dialog, nullptr);
+  QDir().mkpath(path("survey"));
+  Q_EMIT dialog->fileSelected(path("survey"));
+  EXPECT_EQ(window().recordingFolder(), path("survey"));
+  restart();
+  EXPECT_EQ(window().recordingFolder(), path("survey"));
+  openRelief();
+  window().noteRecording(writeRelief("second.csv"));
+  EXPECT_EQ(window().message(), "") << "once";
+  auto* field = openDialog().findChild<QLineEdit*>("pref_recording_folder_path");
+  ASSERT_NE(field, nullptr);
+  EXPECT_EQ(field->text(), path("survey"));
+  field->clear();
+  Q_EMIT field->editingFinished();
+  EXPECT_EQ(window().recordingFolder(), usual);
+}
+
+TEST_F(PreferencesTest, AFaultThatIsToldIsNotHiddenByTheQuestionForAFolder) {
+  openRelief();
+  window().showError("The recording may be incomplete.", "E401");
+  window().noteRecording(writeRelief("first.csv"));
+  EXPECT_TRUE(window().message().contains("E401")) << window().message().toStdString();
 }
 
 TEST_F(PreferencesTest, AUnitForFilesWithoutOneIsNotAskedFor) {
