@@ -23,6 +23,7 @@ constexpr double kMostShownS = 60;   // A longer recording is shown in parts ...
 constexpr double kPartS = 20;        // ... of this length.
 constexpr std::size_t kBins = 1500;  // Points per curve; a strip is a thousand pixels wide.
 constexpr double kLeastForceN = 1;
+constexpr double kLeastHeightMm = 0.05;
 constexpr int kLeastPlotPx = 80;  // Below the controls there is still something to see.
 constexpr double kStepS = 0.1, kLargeStepS = 1;
 
@@ -266,7 +267,7 @@ void ReplayPanel::showPart() {
   };
   heights_.setCurve(0, curve([](const TouchRow& row) { return row.hip.z; }));
   heights_.setCurve(1, curve([](const TouchRow& row) { return row.proxy.z; }));
-  heights_.setRangeFromCurves();
+  heights_.setRangeFromCurves(kLeastHeightMm);
   const QVector<QPointF> force = curve([](const TouchRow& row) { return norm(row.force); });
   forces_.setCurve(0, force);
   forces_.setRange(0, 1.05 * std::max(kLeastForceN, largest(force)));

@@ -156,8 +156,17 @@ void StripPlot::setRange(double low, double high) {
   plot_->setAxisScale(QwtPlot::yLeft, low, high);
 }
 
-void StripPlot::setRangeFromCurves() {
-  plot_->setAxisAutoScale(QwtPlot::yLeft, true);
+void StripPlot::setRangeFromCurves(double least) {
+  QRectF all;
+  for (const QwtPlotCurve* curve : curves_) {
+    const QRectF box = curve->boundingRect();
+    if (curve->dataSize() > 0) all = all.isNull() ? box : all.united(box);
+  }
+  if (all.height() >= least) {
+    plot_->setAxisAutoScale(QwtPlot::yLeft, true);
+  } else {
+    setRange(all.center().y() - 0.5 * least, all.center().y() + 0.5 * least);
+  }
 }
 
 void StripPlot::replot() {

@@ -38,7 +38,8 @@ class StripPlot {
   /// x in seconds before now, [-seconds, 0], unless setTimes() says otherwise.
   void setCurve(int index, const QVector<QPointF>& points);
   void setRange(double low, double high);
-  void setRangeFromCurves();
+  /// As high as the curves, and at least so much: a rounding must not look like a jump.
+  void setRangeFromCurves(double least);
   void replot();
 
  private:

@@ -15,6 +15,7 @@ namespace {
 constexpr double kShownS = 10;
 constexpr int kRedrawMs = 40;
 constexpr double kLeastForceN = 1;
+constexpr double kLeastHeightMm = 0.05;
 constexpr int kMostDrawn = 1500;  // Points per curve; the strip is a thousand pixels wide.
 
 }  // namespace
@@ -93,7 +94,7 @@ void TimePlot::redraw() {
   if (points_.empty()) {
     heights_.setRange(0, 10);
   } else {
-    heights_.setRangeFromCurves();
+    heights_.setRangeFromCurves(kLeastHeightMm);
   }
   heights_.replot();
   forces_.replot();

@@ -32,7 +32,8 @@ struct TouchArguments {
   std::string firmness;  ///< A raster that says where the ground is firm; empty: the origins do.
   std::string frame = "view";
   std::string safety;              ///< Empty: on with a device, off without.
-  double seconds = 10;             ///< `record` only.
+  double seconds = 10;             ///< `record` only, as what follows.
+  double ready_s = 60;             ///< Until a Falcon must be homed.
   std::vector<std::string> words;  ///< The command line, for the log.
 };
 /// All options that decide what is felt; not where the stroke comes from or the log goes.

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/batch/json.h"
+#include "app/batch/live_device.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_devices_falcon.h"
 #include "haptics/device/falcon/falcon_device.h"

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "app/batch/json.h"
+#include "app/batch/live_device.h"
 #include "core/base/error.h"
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
@@ -22,9 +22,8 @@
 namespace relievo::batch {
 namespace {
 
-using falcon::LinkState;
-
 constexpr std::int64_t kMs = 1'000'000;
+constexpr const char* kNothingTried = "nothing was tried";
 
 /// Waits a tick; forwards Ctrl+C.
 void tickUntil(std::int64_t deadline_ns, const Task& task) {
@@ -32,60 +31,20 @@ void tickUntil(std::int64_t deadline_ns, const Task& task) {
   sleepUntil(deadline_ns);
 }
 
-/// Marks of the homing, arm by arm: "Top arm found, right arm missing, left arm missing."
-std::string armsText(std::uint8_t homed) {
-  constexpr std::array<const char*, falcon::kArms> kArmNames{"Top arm", "right arm", "left arm"};
-  std::string text;
-  for (std::size_t i = 0; i < kArmNames.size(); ++i) {
-    text += (i == 0 ? "" : ", ") + std::string(kArmNames[i]) +
-            ((homed >> i & 1U) != 0 ? " found" : " missing");
-  }
-  return text + ".";
-}
-
-std::string tooLate(const falcon::LinkStatus& status, double seconds) {
-  const bool homing = status.state == LinkState::homing || status.state == LinkState::pull_out;
-  std::array<char, 32> number{};
-  std::snprintf(number.data(), number.size(), "%g", seconds);
-  return std::string("The Falcon was not ") + (homing ? "homed" : "ready") + " within " +
-         number.data() + " s, and nothing was tried. " +
-         (homing ? armsText(status.homed) + " Home it" : "Look at it in 'relievo devices'") +
-         ", or allow more time with --ready.";
-}
-
-/// Tells every new state and mark on stderr until the Falcon is ready.
-/// @throw DeviceError  it is not, and why
-void waitUntilReady(falcon::FalconDevice& device, double seconds, const Task& task) {
-  std::string told;
-  int homed_told = -1;
-  const std::int64_t give_up = monotonicNs() + static_cast<std::int64_t>(1e9 * seconds);
-  while (true) {
-    const falcon::LinkStatus& status = device.status();
-    const falcon::LinkMessage message = falcon::describe(status);
-    if (status.state == LinkState::ready) return;
-    const bool hopeless = status.state == LinkState::no_firmware ||
-                          status.state == LinkState::not_started ||
-                          status.state == LinkState::absent;
-    if (hopeless) throw DeviceError(message.screen, message.code);
-    if (monotonicNs() > give_up) throw DeviceError(tooLate(status, seconds), message.code);
-    if (status.state != LinkState::closed && message.screen != told) {
-      told = message.screen;
-      tell(message.code.empty() ? told : message.code + ": " + told);
-    }
-    const bool homing = status.state == LinkState::homing || status.state == LinkState::pull_out;
-    if (homing && status.homed != homed_told) {
-      homed_told = status.homed;
-      tell(armsText(status.homed));
-    }
-    tickUntil(monotonicNs() + 20 * kMs, task);
-  }
-}
-
 std::unique_ptr<falcon::FalconDevice> openFalcon(const falcon::FalconSettings& settings) {
   auto device = std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
                                                        falcon::storedFirmwareSource(), settings);
   device->open();
   return device;
+}
+
+/// @throw DeviceError  the computer is about to sleep; the motors are at zero
+void endIfAsleep(EndBeforeSleep& sleep, falcon::FalconDevice& device, const std::string& kept) {
+  if (!sleep.wanted()) return;
+  device.close();
+  sleep.atZero();
+  throw DeviceError("The computer goes to sleep; the forces are off and this has ended." + kept +
+                    " Begin again when it is awake.");
 }
 
 /// Looks without waiting whether a line has come.
@@ -132,12 +91,14 @@ std::string promptOf(const falcon::Calibration& calibration) {
 
 Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   const auto device = openFalcon(falcon::readSettings(falcon::settingsFile()));
-  waitUntilReady(*device, a.ready_s, task);
+  waitUntilReady(*device, a.ready_s, kNothingTried, task);
   falcon::SelfTest test(
       *device, {.rate_s = a.rate_s, .nudges = !a.no_nudges, .wait_for_person_s = a.wait_s});
+  EndBeforeSleep sleep;
   std::string told;
   std::int64_t deadline = monotonicNs();
   while (test.step(monotonicNs())) {
+    endIfAsleep(sleep, *device, "");
     if (test.prompt() != told) tell(told = test.prompt());
     deadline = std::max(deadline + kMs, monotonicNs());
     tickUntil(deadline, task);
@@ -162,12 +123,14 @@ Outcome calibrateFalcon(double weight_g, double ready_s, const Task& task) {
   falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   const double before = settings.counts_per_n_mm;
   const auto device = openFalcon(settings);
-  waitUntilReady(*device, ready_s, task);
+  waitUntilReady(*device, ready_s, kNothingTried, task);
   falcon::Calibration calibration(*device, before, weight_g);
   std::unique_ptr<EnterKey> enter;
   std::string told;
   std::int64_t deadline = monotonicNs();
+  EndBeforeSleep sleep;
   while (calibration.step(monotonicNs())) {
+    endIfAsleep(sleep, *device, " The old setting is kept.");
     const std::string prompt = promptOf(calibration);
     if (prompt != told) tell(told = prompt);
     if (calibration.phase() == falcon::Calibration::Phase::hang_weight) {

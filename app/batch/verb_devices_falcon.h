@@ -5,8 +5,6 @@
 
 namespace relievo::batch {
 
-constexpr int kDeviceExit = 6;
-
 struct SelfTestArguments {
   bool no_nudges = false;
   double rate_s = 2;    ///< For how long the rate is measured.

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "app/batch/json.h"
+#include "app/batch/live_device.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/events.h"
@@ -41,6 +43,8 @@ class Sink {
   bool done() const { return done_.load(std::memory_order_acquire); }
   // [drain joined]
   const std::string& error() const { return error_; }
+  /// Of the device at the end: from there on there was no force.
+  DeviceFault fault() const { return before_ ? before_->fault : DeviceFault::none; }
   int gaps() const { return gaps_; }
 
  private:
@@ -67,17 +71,60 @@ DeviceMm placeAt(const Stroke& stroke, double t_s, const HapticSpace& space, Str
 }
 
 /// Leads the hand along the stroke until the sink has all it wants.
-void drive(SteeredDevice* hand, const Stroke& stroke, const TouchSetup& setup, const Sink& sink,
-           const Task& task) {
+/// @return false: the computer is about to sleep
+bool drive(SteeredDevice* hand, const Stroke& stroke, const TouchSetup& setup, const Sink& sink,
+           EndBeforeSleep& sleep, const Task& task) {
   const std::int64_t start_ns = monotonicNs();
   for (std::int64_t next_ns = start_ns; !sink.done(); next_ns += 1'000'000) {
     task.check();
+    if (sleep.wanted()) return false;
     if (hand != nullptr && !stroke.points.empty()) {
       const double t_s = 1e-9 * static_cast<double>(monotonicNs() - start_ns);
       hand->moveTo(placeAt(stroke, t_s, *setup.space, setup.options.frame));
     }
     sleepUntil(next_ns);
   }
+  return true;
+}
+
+/// A Falcon must be homed before its first tick: a core that begins with a fault keeps zero.
+void makeReady(Device& device, double seconds, const Task& task) {
+  auto* const falcon = dynamic_cast<falcon::FalconDevice*>(&device);
+  if (falcon == nullptr) return;
+  falcon->open();
+  waitUntilReady(*falcon, seconds, "nothing was recorded", task);
+}
+
+Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop, const Sink& sink,
+                 bool slept) {
+  const LoopStats& stats = loop.stats().front();
+  const bool failed = sink.fault() != DeviceFault::none;
+  const std::string fault(describe(sink.fault()));
+  Json json;
+  json["file"] = file;
+  json["device"] = loop.device().id;
+  json["ticks"] = rows;
+  json["gaps"] = sink.gaps();
+  json["rate_hz"] = stats.rate_hz;
+  json["late_ticks"] = stats.late_ticks;
+  json["worst_period_ms"] = stats.worst_period_ms;
+  json["watchdog_cuts"] = stats.watchdog_cuts;
+  json["zero_demanded"] = stats.audit.zero_demanded;
+  json["violations"] = stats.audit.violations();
+  json["largest_force_n"] = stats.audit.largest_n;
+  json["realtime"] = loop.realtime().realtime;
+  json["fault"] = failed ? Json(fault) : Json();
+  if (slept) {
+    tell("The computer went to sleep: the recording ended there and is saved.");
+  } else if (failed) {
+    tell("From \"" + fault +
+         "\" on there was no force; the recording is saved. Look at the device in 'relievo "
+         "devices', then begin again.");
+  }
+  return {.json = json.dump(2),
+          .lines = {file + ": " + std::to_string(rows) + " ticks with " + loop.device().name +
+                    ", " + std::to_string(stats.late_ticks) + " late"},
+          .exit_code = slept || failed ? kDeviceExit : 0};
 }
 
 Outcome runRecord(const TouchArguments& a, const Task& task) {
@@ -87,6 +134,7 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
   const Stroke stroke = a.stroke.empty() ? Stroke{} : readStroke(a.stroke);
   const TouchSetup setup = prepareTouch(a, task);
   std::unique_ptr<Device> device = makeDevice(a.device);
+  makeReady(*device, a.ready_s, task);
   auto* hand = dynamic_cast<SteeredDevice*>(device.get());
   if (hand != nullptr && !stroke.points.empty()) {
     hand->placeAt(placeAt(stroke, 0, *setup.space, setup.options.frame));
@@ -94,43 +142,31 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
   const std::unique_ptr<SampleLog> log =
       openLog(a.out, touchHeader(a, setup, task), setup.space.get(), LogKind::recording);
   Sink sink(*log, static_cast<std::uint64_t>(std::ceil(1000 * a.seconds)));
-  auto loop = std::make_unique<HapticLoop>(std::move(device));
+  constexpr int kSettlingExchanges = 1000;
+  auto loop = std::make_unique<HapticLoop>(std::move(device),
+                                           LoopOptions{.settling_exchanges = kSettlingExchanges});
   // Before the start: the first tick already sees both, and a replay can begin with it.
   loop->spaces().write(*setup.space);
   loop->options().write(setup.core);
+  EndBeforeSleep sleep;
+  bool slept = false;
   loop->start();
   if (!loop->realtime().note.empty()) tell(loop->realtime().note);
   {
     SampleDrain drain(loop->samples(),
                       {[&sink](std::span<const HapticSample> batch) { sink.take(batch); }});
     try {
-      drive(hand, stroke, setup, sink, task);
+      slept = !drive(hand, stroke, setup, sink, sleep, task);
     } catch (const Cancelled&) {
       tell("Stopped early; what was recorded is saved.");
     }
     loop->stop();
   }
-  loop->stats().update();
-  const LoopStats& stats = loop->stats().front();
+  sleep.atZero();
   if (!sink.error().empty()) throw WriteError(sink.error(), "E401");
-  log->close(loopLines(stats));
-
-  Json json;
-  json["file"] = a.out;
-  json["device"] = loop->device().id;
-  json["ticks"] = log->rows();
-  json["gaps"] = sink.gaps();
-  json["rate_hz"] = stats.rate_hz;
-  json["late_ticks"] = stats.late_ticks;
-  json["worst_period_ms"] = stats.worst_period_ms;
-  json["watchdog_cuts"] = stats.watchdog_cuts;
-  json["zero_demanded"] = stats.audit.zero_demanded;
-  json["violations"] = stats.audit.violations();
-  json["largest_force_n"] = stats.audit.largest_n;
-  json["realtime"] = loop->realtime().realtime;
-  return {.json = json.dump(2),
-          .lines = {a.out + ": " + std::to_string(log->rows()) + " ticks with " +
-                    loop->device().name + ", " + std::to_string(stats.late_ticks) + " late"}};
+  loop->stats().update();
+  log->close(loopLines(loop->stats().front()));
+  return reported(a.out, log->rows(), *loop, sink, slept);
 }
 
 }  // namespace
@@ -140,6 +176,8 @@ void declareRecord(CLI::App& verb, TouchArguments& arguments) {
   addTouchOptions(verb, arguments);
   verb.add_option("--device", arguments.device, "virtual[:GRIP], falcon or mouse");
   verb.add_option("--seconds", arguments.seconds, "How long; 10");
+  verb.add_option("--ready", arguments.ready_s, "Seconds until a Falcon must be homed; 60")
+      ->check(CLI::Range(1.0, 600.0));
   verb.add_option("--stroke", arguments.stroke, "CSV that leads a simulated hand");
   verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();
   verb.add_option("--frame", arguments.frame, "Frame of the stroke: view or device")

@@ -318,6 +318,7 @@ PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task) 
     const char* name = zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), ZIP_FL_ENC_UTF_8);
     if (name == nullptr || std::string_view(name) == kManifest || manifest->contains(name))
       continue;
+    if (std::string_view(name).ends_with('/')) continue;  // A folder, as other programs store them.
     check.problems.push_back("'" + std::string(name) + "' was added after packing.");
   }
   const auto project = entryText(archive.get(), kProject, task);

@@ -47,6 +47,7 @@ struct HapticLoop::Impl {
   std::uint32_t last_buttons = 0;
 
   void run(std::promise<RealtimeGrant> started);
+  void settle();
   void tick(std::int64_t deadline_ns, std::int64_t now_ns, bool forces_allowed) RELIEVO_REALTIME;
   void reportButtons(const HapticSample& sample) RELIEVO_REALTIME;
 };
@@ -102,10 +103,21 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
   reportButtons(sample);
 }
 
+void HapticLoop::Impl::settle() {
+  for (int i = 0; i < loop_options.settling_exchanges; ++i) {
+    const std::int64_t now = monotonicNs();
+    if (device->exchange({}, now).fault == DeviceFault::none) return;
+    if (stopping.load(std::memory_order_acquire)) return;
+    sleepUntil(now + loop_options.period_ns);
+  }
+}
+
 void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
   const std::array<MemoryRegion, 1> memory{
       {{this, sizeof(*this)}}};  // Buffers and rings lie inside.
   started.set_value(requestRealtime(loop_options.fifo_priority, memory));
+
+  settle();
 
   const std::int64_t period = loop_options.period_ns;
   std::int64_t deadline = monotonicNs() + period;

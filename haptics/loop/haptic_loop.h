@@ -18,6 +18,9 @@ namespace relievo {
 struct LoopOptions {
   std::int64_t period_ns = 1'000'000;
   int fifo_priority = 80;  ///< 0: normal scheduling.
+  /// Exchanges at zero force before the first tick, until one tells where the hand is. A core whose
+  /// first reading is a fault keeps zero until the forces are switched off and on.
+  int settling_exchanges = 0;
 };
 
 /// A button edge. Its own queue: a press shorter than a GUI frame must not be lost.

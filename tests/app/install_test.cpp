@@ -42,6 +42,7 @@ TEST_F(Install, ProgramPluginAndRuleNeedNothingOfTheBuild) {
     EXPECT_EQ(needs.find(RELIEVO_BINARY_DIR), std::string::npos) << name << '\n' << needs;
   }
   EXPECT_TRUE(fs::exists(installed("lib/udev/rules.d/60-relievo-falcon.rules")));
+  EXPECT_TRUE(fs::exists(installed("share/relievo/data/panel.ply"))) << "for the start page";
   EXPECT_NE(saidBy(installed("bin/relievo") + " info " + plane()).find("plane.xyz"),
             std::string::npos);
 }

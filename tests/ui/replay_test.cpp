@@ -320,6 +320,22 @@ TEST(StripPlot, EventsAreMarkedAtTheirTimes) {
   EXPECT_NEAR(late.center().x() - early.center().x(), ends.width() / 2, 3);
 }
 
+TEST(StripPlot, ARoundingDoesNotLookLikeAJump) {
+  QWidget parent;
+  StripPlot plot("Height", "z (mm)", {"z"}, 10, &parent);
+  plot.widget()->resize(600, 200);
+  plot.setTimes(0, 8);
+  const auto drawn = [&](double step) {
+    plot.setCurve(0, {{0, 5}, {4, 5}, {4, 5 + step}, {8, 5 + step}});
+    plot.setRangeFromCurves(0.05);
+    plot.replot();
+    return plot.widget()->grab().toImage();
+  };
+  EXPECT_LT(differing(drawn(0), drawn(1e-6)).height(), 4);
+  EXPECT_GT(differing(drawn(0), drawn(0.03)).height(), 20);
+  EXPECT_GT(differing(drawn(0), drawn(10)).height(), 50);
+}
+
 TEST_F(ReplayTest, ThePlotsMarkWhatHappened) {
   const auto forces = [this] {
     replay();

@@ -27,6 +27,8 @@ constexpr int kStartTimeoutMs = 20'000;
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
+  // Out of the terminal's reach: Ctrl+C is for us, who still draw until we have cleaned up.
+  setsid();
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(127);
   fcntl(display_fd, F_SETFD, 0);

@@ -199,6 +199,43 @@ TEST_F(OnDisk, APackageIsWholeAndTheSameEachTime) {
   EXPECT_EQ(verifyPackage(folder("bare.zip")).files, 3U);
 }
 
+/// A zip with one entry more: a folder, or an empty file.
+std::string withEntry(const std::string& zip, const std::string& name) {
+  const auto number = [](std::size_t value, int bytes) {
+    std::string text;
+    for (; bytes > 0; --bytes, value >>= 8) text += static_cast<char>(value & 0xff);
+    return text;
+  };
+  const auto at = [&](std::size_t place, int bytes) {
+    std::size_t value = 0;
+    for (int i = bytes; i-- > 0;) {
+      value = value << 8 | static_cast<unsigned char>(zip[place + static_cast<std::size_t>(i)]);
+    }
+    return value;
+  };
+  // As APPNOTE.TXT 4.3 has them; the end of the list is its last 22 bytes.
+  const std::size_t end = zip.size() - 22, list = at(end + 16, 4), entries = at(end + 10, 2);
+  const std::string about =
+      number(20, 2) + std::string(20, '\0') + number(name.size(), 2) + number(0, 2);
+  const std::string local = "PK\3\4" + about + name;
+  const std::string listed =
+      "PK\1\2" + number(20, 2) + about + std::string(10, '\0') + number(list, 4) + name;
+  return zip.substr(0, list) + local + zip.substr(list, end - list) + listed + zip.substr(end, 8) +
+         number(entries + 1, 2) + number(entries + 1, 2) + number(end - list + listed.size(), 4) +
+         number(list + local.size(), 4) + number(0, 2);
+}
+
+TEST_F(OnDisk, APackageThatWasZippedAnewWithItsFoldersIsAsBefore) {
+  writePackage(folder("one.zip"), project_, {});
+  const std::string bytes = readTextFile(folder("one.zip"), 1 << 20);
+  const PackageCheck check = verifyPackage(folder_.write("folder.zip", withEntry(bytes, "input/")));
+  EXPECT_EQ(check.problems, std::vector<std::string>{});
+  fs::create_directories(folder("unpacked"));
+  unpackPackage(folder("folder.zip"), folder("unpacked"));
+  EXPECT_EQ(verifyPackage(folder_.write("file.zip", withEntry(bytes, "input"))).problems,
+            std::vector<std::string>{"'input' was added after packing."});
+}
+
 TEST_F(OnDisk, WhatARecordingNeedsIsPackedBesideItOnce) {
   const fs::path raster = folder_.write("firm.tif", "where it is firm");
   const std::string sha256 = sha256OfFile(raster);

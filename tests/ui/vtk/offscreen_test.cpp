@@ -410,6 +410,21 @@ TEST(DisplayGuard, SaysSoWhereXvfbIsMissing) {
   setenv("PATH", path.c_str(), 1);
 }
 
+TEST(DisplayGuard, ItsServerHearsNoCtrlC) {
+  const OtherDisplay none(nullptr);
+  const DisplayGuard guard;
+  // A terminal sends Ctrl+C to every process of its group.
+  const std::string self = std::to_string(getpid());
+  std::ifstream children("/proc/self/task/" + self + "/children");
+  if (!children) GTEST_SKIP() << "the system lists no child processes";
+  int servers = 0;
+  for (pid_t child = 0; children >> child;) {
+    EXPECT_NE(getpgid(child), getpgrp());
+    ++servers;
+  }
+  EXPECT_EQ(servers, 1);
+}
+
 TEST(DisplayGuard, ItsServerEndsWithTheProcess) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
