@@ -10,6 +10,7 @@
 #include "core/region/probe.h"
 #include "core/replay/video_request.h"
 #include "ui/document.h"
+#include "ui/field_manners.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
 #include "ui/picture_file.h"
@@ -297,6 +298,7 @@ class MainWindow : public QMainWindow {
 
   Settings settings_;
   Document document_;
+  FieldManners field_manners_{this};
   QuietTurns quiet_turns_;  ///< Before the views, which are children and go first.
   MessageStrip* strip_ = nullptr;
   QStackedWidget* pages_ = nullptr;

@@ -2,6 +2,7 @@
 // Figures, projects, measurements and relief images in the window.
 #include <algorithm>
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
@@ -495,6 +496,42 @@ TEST_F(PublishTest, AnOutlineThatWouldCrossItselfIsToldAtThePlace) {
   measure().finish();
   EXPECT_TRUE(measure().measuring()) << "on one line: a corner is taken back";
   EXPECT_EQ(measure().measurements().size(), 1U);
+}
+
+TEST_F(PublishTest, TheWheelTurnsNoValueThatTheKeyboardIsNotAt) {
+  openRelief();
+  int fields = 0;
+  for (QWidget* const field : window().findChildren<QWidget*>()) {
+    if (!qobject_cast<QAbstractSpinBox*>(field) && !qobject_cast<QComboBox*>(field)) continue;
+    EXPECT_NE(field->focusPolicy(), Qt::WheelFocus) << field->objectName().toStdString();
+    ++fields;
+  }
+  EXPECT_GT(fields, 5);
+  window().runCommand("figure");
+  auto* dialog = child<FigureDialog>("figure_dialog");
+  ASSERT_NE(dialog, nullptr);
+  auto* dpi = dialog->findChild<QDoubleSpinBox*>("figure_dpi");
+  ASSERT_NE(dpi, nullptr);
+  QApplication::setActiveWindow(dialog);
+  dialog->findChild<QLineEdit*>("figure_file")->setFocus();
+  const double before = dpi->value();
+  wheel(*dpi, dpi->rect().center(), 2);
+  EXPECT_EQ(dpi->value(), before);
+  dpi->setFocus();
+  wheel(*dpi, dpi->rect().center(), 2);
+  EXPECT_EQ(dpi->value(), before + 2);
+}
+
+TEST_F(PublishTest, AFigureIsAskedForFromANumberField) {
+  openRelief();
+  const auto fields = window().findChildren<QDoubleSpinBox*>();
+  const auto field = std::find_if(fields.begin(), fields.end(), [](QDoubleSpinBox* one) {
+    return one->isVisible() && one->isEnabled();
+  });
+  ASSERT_NE(field, fields.end());
+  (*field)->setFocus();
+  QTest::keyClick(*field, Qt::Key_E, Qt::ControlModifier);
+  EXPECT_NE(child<FigureDialog>("figure_dialog"), nullptr);
 }
 
 TEST_F(PublishTest, EscapeEndsMeasuringAndKeepsWhatWasMeasured) {
