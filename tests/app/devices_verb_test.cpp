@@ -14,11 +14,13 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <thread>
 
-#include "tests/app/command.h"
+#include "tests/app/command_test.h"
 #include "tests/emulator/made_image.h"
 #include "tests/emulator/mock_hid.h"
 #include "tests/emulator/mock_usb.h"
+#include "tests/realtime/fake_logind.h"
 
 namespace relievo {
 namespace {
@@ -363,6 +365,82 @@ TEST_F(DevicesVerbTest, ACalibrationThatNobodyCanConfirmEndsWithTheOldSetting) {
   }
   EXPECT_THAT(said, HasSubstr(unconfirmed));
   EXPECT_FALSE(fs::exists(home_ / ".config/relievo/falcon.conf"));
+}
+
+TEST_F(DevicesVerbTest, ACalibrationEndsBeforeTheComputerSleeps) {
+  const test::MessageBus bus;
+  ASSERT_FALSE(bus.address().empty()) << "no dbus-daemon";
+  const auto falcon = std::make_shared<SharedFalcon>(
+      emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+  usb_.plugIn(falcon);
+  std::string said;
+  for (int attempt = 0; attempt < 8 && said.find("goes to sleep") == std::string::npos; ++attempt) {
+    test::FakeLogind logind(bus.address());
+    falcon->with([](auto& f) {
+      f.body.hold({0, 0, 125});
+      f.body.letGo(0.3);
+    });
+    Child child({"devices", "calibrate", "--weight", "100"}, home_);
+    if (child.says("Hang the weight on the grip")) {
+      logind.tell(true);
+      child.says("goes to sleep");
+    }
+    said = child.said;
+    EXPECT_EQ(child.exitCode(), kDevice);
+    EXPECT_FALSE(logind.isDelayed());
+  }
+  EXPECT_THAT(said, HasSubstr("The computer goes to sleep; the forces are off and this has ended. "
+                              "The old setting is kept. Begin again when it is awake."));
+  falcon->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });
+}
+
+TEST_F(DevicesVerbTest, ARecordingWithAFalconPushes) {
+  const auto falcon = std::make_shared<SharedFalcon>(
+      emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+  usb_.plugIn(falcon);
+  const std::string log = (home_ / "touch.csv").string();
+  const auto rows = [&log] {
+    std::ifstream in(log);
+    return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
+  };
+  json report;
+  for (int attempt = 0; attempt < 8; ++attempt) {  // A stall of the mocked port takes the force.
+    fs::remove(log);
+    falcon->with([](auto& f) { f.body.pullToward({0, 0, 160}); });
+    Child child({"record", test::kReliefF, "--unit", "mm", "--device", "falcon", "--seconds", "4",
+                 "--report", "json", "-o", log},
+                home_);
+    for (int looks = 0; rows() < 600 && looks < 3000; ++looks) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    falcon->with([](auto& f) { f.body.pullToward({0, 0, 90}); });  // Into whatever is there.
+    child.says("\n}");
+    report = json::parse(child.said.substr(child.said.find('{')), nullptr, false);
+    const int exit_code = child.exitCode();
+    ASSERT_FALSE(report.is_discarded()) << child.said;
+    EXPECT_EQ(exit_code, report["fault"].is_null() ? 0 : kDevice) << child.said;
+    if (report["fault"].is_null()) break;
+  }
+  EXPECT_EQ(report["ticks"], 4000);
+  EXPECT_GT(report["largest_force_n"], 0.2);
+  falcon->with([](auto& f) {
+    EXPECT_TRUE(std::any_of(f.commands().begin(), f.commands().end(),
+                            [](const auto& c) { return !c.neutral(); }));
+    EXPECT_TRUE(f.commands().back().neutral());
+  });
+}
+
+TEST_F(DevicesVerbTest, NothingIsRecordedWithAFalconThatIsNotHomed) {
+  usb_.plugIn(std::make_shared<SharedFalcon>(emulator::EmulatorOptions{.firmware_loaded = true}));
+  const fs::path log = home_ / "touch.csv";
+  const CommandResult result =
+      test::runRelievo({"record", test::kReliefF, "--unit", "mm", "--device", "falcon", "--ready",
+                        "1", "-o", log.string()},
+                       {"HOME=" + home_.string()});
+  EXPECT_EQ(result.exit_code, kDevice);
+  EXPECT_THAT(result.err,
+              HasSubstr("E308: The Falcon was not homed within 1 s, and nothing was recorded."));
+  EXPECT_FALSE(fs::exists(log));
 }
 
 TEST_F(DevicesVerbTest, TheHandIsChosenAndKept) {
