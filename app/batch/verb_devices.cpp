@@ -76,7 +76,15 @@ void listFirmware(Json& json, Outcome& outcome) {
     outcome.lines.emplace_back(named ? "Falcon firmware: the file that was named cannot be used"
                                      : "Falcon firmware: none found");
     if (named && outcome.exit_code == 0) outcome.exit_code = kUnreadableExit;
-    if (named || !json["falcons"].empty()) tell(error.what());
+    if (named) {
+      tell(error.what());
+    } else if (!json["falcons"].empty()) {
+      // Whether it needs one is not asked here: that would take it from whoever uses it.
+      tell(
+          "No firmware file for the Falcon was found. One whose firmware is running already needs "
+          "none; for any other, run 'relievo devices firmware FILE' with the file "
+          "nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon.");
+    }
   }
 }
 
