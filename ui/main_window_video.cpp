@@ -11,6 +11,7 @@
 #include <QStandardPaths>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
@@ -151,6 +152,16 @@ void MainWindow::chooseVideoFile(const VideoRequest& chosen) {
 }
 
 void MainWindow::writeVideo(const VideoRequest& chosen, const QString& file) {
+  try {
+    requireNotAnInput(
+        QFile::encodeName(file).toStdString(),
+        {{.file = QFile::encodeName(document_.file()).toStdString()},
+         {.file = QFile::encodeName(replay_->showing() ? replay_->file() : QString()).toStdString(),
+          .what = "the recording that is shown"}});
+  } catch (const Error& error) {
+    strip_->show(shownError(error));
+    return;
+  }
   VideoControl::Order order;
   order.surface = document_.surface();
   order.request = chosen;

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
 #include "core/provenance/embedded.h"
@@ -24,7 +25,10 @@ std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Meas
 }
 
 /// What a file was measured on: in words, and as the line that brings the map back.
+/// @throw ArgumentError  it would take the scan's place
 QString MeasurePanel::sourceText(const QString& file) const {
+  requireNotAnInput(QFile::encodeName(file).toStdString(),
+                    {{.file = QFile::encodeName(document_.file()).toStdString()}});
   const DocumentState& state = document_.state();
   Provenance made = provenanceOf(*state.surface, state.options);
   const QFileInfo input(document_.file());
@@ -57,12 +61,13 @@ void MeasurePanel::writeSelected(const QString& file) const {
   if (!entry->reading) throw ArgumentError(entry->problem.toStdString());
   const bool svg = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
   std::string text;
+  const std::string source = sourceText(file).toStdString();  // Refuses the scan as target.
   if (m->kind == section) {
     const std::string title = QFileInfo(document_.file()).fileName().toStdString() + ": " + m->name;
     text = svg ? sectionSvg(entry->reading->curves, planeOf(*m), title)
-               : sectionCsv(entry->reading->curves, sourceText(file).toStdString());
+               : sectionCsv(entry->reading->curves, source);
   } else {
-    text = svg ? profileSvg(entry->rows) : profileCsv(entry->rows, sourceText(file).toStdString());
+    text = svg ? profileSvg(entry->rows) : profileCsv(entry->rows, source);
   }
   writeTextFile(QFile::encodeName(file).toStdString(), text);
 }

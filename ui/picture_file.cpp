@@ -3,6 +3,7 @@
 
 #include <QFile>
 
+#include "core/base/replaceable.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/program.h"
 #include "ui/figure/view_picture.h"
@@ -39,6 +40,7 @@ RgbImage scaled(const QImage& grabbed, const PictureChoice& picture) {
 void writePicture(const PictureOrder& order, const Task& task) {
   const std::filesystem::path file = QFile::encodeName(order.file).toStdString();
   const Project& project = order.project;
+  requireNotAnInput(file, {{.file = project.file}});
   if (project.picture->source == PictureChoice{}.source) {
     writeViewPicture(*order.surface, *order.window, project, file, task);
     return;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/file_check.h"
 #include "core/project/project_files.h"
 #include "core/provenance/program.h"
@@ -240,6 +241,12 @@ void checkEntry(zip_t* archive, const std::string& name, const std::string& sha2
 
 void writePackage(const std::filesystem::path& target, const Project& project,
                   const PackageContents& contents, const Task& task) {
+  std::vector<FileRead> packs{{.file = project.file}};
+  for (const InputFile& recording : project.recordings) {
+    packs.push_back({.file = recording.file, .what = "a recording that is packed"});
+  }
+  for (const auto& figure : contents.figures) packs.push_back({figure, "a figure that is packed"});
+  requireNotAnInput(target, packs);
   Project packed = project;
   std::vector<FileCheck> checks = checkFiles(project, task);
   if (!contents.with_input) checks.erase(checks.begin());

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/io/file_check.h"
 #include "core/io/text_file.h"
 #include "core/provenance/parameters_json.h"
@@ -314,6 +315,8 @@ Project relativeTo(Project project, const std::filesystem::path& written) {
 }
 
 void writeProject(const std::filesystem::path& target, Project project) {
+  // A relative name is beside the project.
+  requireNotAnInput(target, {{.file = target.parent_path() / project.file}});
   writeTextFile(target, projectJson(relativeTo(std::move(project), target)) + "\n");
 }
 

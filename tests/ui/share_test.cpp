@@ -13,8 +13,11 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 
+#include "core/base/error.h"
 #include "core/project/package.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/measure_panel.h"
+#include "ui/message_strip.h"
 #include "ui/package_dialog.h"
 
 namespace relievo {
@@ -42,6 +45,7 @@ class ShareTest : public GuiTest {
     const std::size_t before = window().project().recordings.size();
     window().noteRecording(recording);
     ASSERT_TRUE(waitFor([&] { return window().project().recordings.size() > before; }));
+    child<MessageStrip>("message_strip")->close();  // After the first: where they are kept.
   }
   void finishPacking() {
     ASSERT_TRUE(waitFor([&] { return !window().packing(); }));
@@ -202,6 +206,34 @@ TEST_F(ShareTest, APackageThatCannotBeMadeIsSaidAndLeavesNothing) {
   EXPECT_TRUE(window().message().contains("other.png is a recording of relief.ply"))
       << window().message().toStdString();
   EXPECT_FALSE(QFileInfo::exists(path("p.zip")));
+}
+
+TEST_F(ShareTest, NothingThatIsWrittenTakesThePlaceOfTheScan) {
+  openRelief();
+  const QString scan = document().file();
+  const std::string before = sha256OfFile(scan.toStdString());
+  const auto refused = [&](const QString& told) {
+    EXPECT_TRUE(told.contains("is the scan itself. Nothing was written")) << told.toStdString();
+    EXPECT_EQ(sha256OfFile(scan.toStdString()), before);
+  };
+  for (const ImageSource source : {ImageSource::detail, ImageSource::reference}) {
+    window().showMessage("");
+    window().saveImage(source, {64, 64}, scan);
+    ASSERT_TRUE(waitFor([this] { return !window().savingImage(); }));
+    refused(window().message());
+  }
+  window().saveProject(scan);
+  refused(window().message());
+  window().showMessage("");
+  window().writePackage({scan, true, {}, {}});
+  finishPacking();
+  refused(window().message());
+  try {
+    window().findChild<MeasurePanel*>()->csv(scan);
+    ADD_FAILURE() << "the list is made for the scan's name";
+  } catch (const ArgumentError& error) {
+    refused(error.what());
+  }
 }
 
 TEST_F(ShareTest, RecordingsOfOtherFormatsTellTheirScanToo) {
