@@ -28,6 +28,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -286,15 +287,16 @@ void DeviceSetupDialog::showStatus() {
 void DeviceSetupDialog::showTest() {
   QString text = notice_;
   if (test_) {
-    say(QString::fromStdString(test_->prompt()));
+    const QString prompt = spokenText(test_->prompt());
+    say(prompt);
     for (const falcon::SelfTestLine& line : test_->lines()) {
       text += tr(kResults[static_cast<std::size_t>(line.result)]) + QStringLiteral(": ") +
-              QString::fromStdString(line.text) + QLatin1Char('\n');
+              spokenText(line.text) + QLatin1Char('\n');
     }
-    text += QString::fromStdString(test_->prompt());
+    text += prompt;
   }
   if (calibration_) {
-    text = QString::fromStdString(calibration_->prompt());
+    text = spokenText(calibration_->prompt());
     say(text);
   }
   if (results_->toPlainText() == text) return;
@@ -332,9 +334,8 @@ void DeviceSetupDialog::showFirmware() {
   try {
     const falcon::Firmware found = falcon::findFirmware(falcon::firmwarePlaces(settings_.firmware));
     const QString name = QString::fromStdString(found.file.string());
-    text = found.known_as.empty()
-               ? tr("Firmware: %1, accepted by you").arg(name)
-               : tr("Firmware: %1, %2").arg(name, QString::fromStdString(found.known_as));
+    text = found.known_as.empty() ? tr("Firmware: %1, accepted by you").arg(name)
+                                  : tr("Firmware: %1, %2").arg(name, spokenText(found.known_as));
   } catch (const Error&) {
     // Why, the state says once it is needed: one that runs already needs no file.
     text = settings_.firmware.empty()
@@ -362,7 +363,7 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
     falcon::writeSettings(stored, falcon::settingsFile());
     showFirmware();
   } catch (const Error& error) {
-    notice_ = QString::fromStdString(error.what());
+    notice_ = spokenText(error.what());
     say(notice_);
     return false;
   }
@@ -378,7 +379,7 @@ void DeviceSetupDialog::save() {
   try {
     falcon::writeSettings(settings_, falcon::settingsFile());
   } catch (const Error& error) {
-    say(QString::fromStdString(error.what()));
+    say(spokenText(error.what()));
   }
   // Whoever uses it next must find it free.
   timer_.stop();
