@@ -20,6 +20,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -71,9 +72,13 @@ DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> devic
   setObjectName(QStringLiteral("deviceSetup"));
   setWindowTitle(tr("Device set-up"));
   build();
-  // Whole where there is room; Qt would take two thirds of the screen at most.
+  // Whole where there is room; Qt would take two thirds of the screen at most, and 24 lines of what
+  // scrolls.
   constexpr double kOfScreen = 0.9;
-  resize(sizeHint().boundedTo(kOfScreen * QGuiApplication::primaryScreen()->availableSize()));
+  const QSize left_out = parts_->widget()->sizeHint() - parts_->sizeHint();
+  const QSize bar(parts_->verticalScrollBar()->sizeHint().width(), 0);
+  resize((sizeHint() + left_out.expandedTo({0, 0}) + bar)
+             .boundedTo(kOfScreen * QGuiApplication::primaryScreen()->availableSize()));
   device_->openWhenPlugged();
   connect(&timer_, &QTimer::timeout, this, &DeviceSetupDialog::frame);
   // Tests play the loop's part from here. A frame that comes late costs force, never adds it: the
@@ -189,6 +194,8 @@ QWidget* DeviceSetupDialog::buildTests() {
   weight_->setDecimals(1);
   weight_->setValue(100);
   weight_->setSuffix(tr(" g"));
+  // Large text needs more than Qt leaves beside the arrows.
+  weight_->setMinimumWidth(weight_->sizeHint().width() + weight_->fontMetrics().averageCharWidth());
   auto* label = new QLabel(tr("&Weight"));
   label->setBuddy(weight_);
   calibrate_ = named(new QPushButton(tr("C&alibrate")), "setupCalibrate", tr("Calibrate"));
@@ -263,7 +270,6 @@ void DeviceSetupDialog::showStatus() {
                                   .arg(status.rate_hz, 0, 'f', 0)
                             : tr("not known before homing"));
   setTextIfNew(gain_, tr("%1 counts per N mm").arg(settings_.counts_per_n_mm, 0, 'f', 2));
-  showTest();
   const bool testing = test_ && test_->phase() != falcon::SelfTest::Phase::done;
   const bool calibrating = calibration_ && calibration_->phase() < falcon::Calibration::Phase::done;
   self_test_->setEnabled(ready && !testing && !calibrating);
@@ -273,6 +279,7 @@ void DeviceSetupDialog::showStatus() {
   calibrate_->setText(waits ? tr("Contin&ue") : tr("C&alibrate"));
   weight_->setEnabled(!calibrating);
   save_->setEnabled(ready && !testing && !calibrating);
+  showTest();  // After the focus has left a button, which scrolls.
   const bool under_way = status.state == LinkState::starting || status.state == LinkState::homing ||
                          status.state == LinkState::pull_out;
   const QString leave = under_way ? tr("Cancel") : tr("Close");
@@ -302,13 +309,14 @@ void DeviceSetupDialog::showTest() {
   if (results_->toPlainText() == text) return;
   results_->setPlainText(text);
   results_->moveCursor(QTextCursor::End);  // What is asked for now stands last.
+  const QPoint end = results_->mapTo(parts_->widget(), QPoint(0, results_->height()));
+  parts_->ensureVisible(end.x(), end.y(), 0, 0);
 }
 
 void DeviceSetupDialog::startSelfTest() {
   constexpr double kWaitForPersonSeconds = 20;
   notice_.clear();
   calibration_.reset();
-  parts_->ensureWidgetVisible(results_);
   test_.emplace(*device_, falcon::SelfTestOptions{.nudges = true,
                                                   .wait_for_person_s = kWaitForPersonSeconds});
 }
@@ -319,7 +327,6 @@ void DeviceSetupDialog::calibrate() {
     return;
   }
   test_.reset();
-  parts_->ensureWidgetVisible(results_);
   calibration_.emplace(*device_, settings_.counts_per_n_mm, weight_->value());
 }
 

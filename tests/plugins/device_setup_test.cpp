@@ -14,6 +14,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
@@ -210,6 +211,35 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
       << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
   const double gain = child<QLabel>("setupGain")->text().section(' ', 0, 0).toDouble();
   EXPECT_NEAR(gain, 6, 0.3);
+}
+
+TEST_F(DeviceSetupTest, ItIsWholeWhereThereIsRoom) {
+  const QFont usual = QApplication::font();
+  QFont small = usual;
+  small.setPointSizeF(0.4 * usual.pointSizeF());  // The screen of the tests is small.
+  QApplication::setFont(small);
+  open({});
+  QCoreApplication::processEvents();
+  const int room = 9 * QGuiApplication::primaryScreen()->availableSize().height() / 10;
+  const int hidden = child<QScrollArea>("setupParts")->verticalScrollBar()->maximum();
+  EXPECT_TRUE(hidden == 0 || dialog_->height() >= room) << hidden << ", " << dialog_->height();
+  QApplication::setFont(usual);
+}
+
+TEST_F(DeviceSetupTest, OnASmallScreenWhatIsAskedForIsInSight) {
+  open({.firmware_loaded = true, .homed = true});
+  constexpr QSize kSmall(640, 420);
+  dialog_->resize(kSmall);
+  hold(125);
+  ASSERT_TRUE(becomes(LinkState::ready));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
+  QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
+  auto* results = child<QPlainTextEdit>("setupResults");
+  for (const char* prompt : {"Measuring how evenly", "Watch the lights", "Hold the grip"}) {
+    ASSERT_TRUE(eventually([&] { return results->toPlainText().contains(prompt); })) << prompt;
+    QCoreApplication::processEvents();
+    EXPECT_EQ(results->visibleRegion().boundingRect().bottom(), results->rect().bottom()) << prompt;
+  }
 }
 
 TEST_F(DeviceSetupTest, WhatSelfTestAndFirmwareSayIsInTheWindowsLanguage) {
