@@ -180,6 +180,8 @@ QWidget* DeviceSetupDialog::buildHoming() {
   }
   hand_ = named(new QLabel, "setupHand", tr("Place of the hand"));
   hand_->setWordWrap(true);
+  // Nothing jumps when it is known.
+  hand_->setMinimumHeight(2 * hand_->fontMetrics().lineSpacing());
   form->addRow(tr("Hand"), hand_);
   return group;
 }
