@@ -228,8 +228,7 @@ TEST_F(DeviceSetupTest, ItIsWholeWhereThereIsRoom) {
 
 TEST_F(DeviceSetupTest, OnASmallScreenWhatIsAskedForIsInSight) {
   open({.firmware_loaded = true, .homed = true});
-  constexpr QSize kSmall(640, 420);
-  dialog_->resize(kSmall);
+  dialog_->resize(640, 420);
   hold(125);
   ASSERT_TRUE(becomes(LinkState::ready));
   ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
