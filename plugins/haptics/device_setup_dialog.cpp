@@ -20,6 +20,7 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -28,6 +29,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -70,9 +72,13 @@ DeviceSetupDialog::DeviceSetupDialog(std::unique_ptr<falcon::FalconDevice> devic
   setObjectName(QStringLiteral("deviceSetup"));
   setWindowTitle(tr("Device set-up"));
   build();
-  // Whole where there is room; Qt would take two thirds of the screen at most.
+  // Whole where there is room; Qt would take two thirds of the screen at most, and 24 lines of what
+  // scrolls.
   constexpr double kOfScreen = 0.9;
-  resize(sizeHint().boundedTo(kOfScreen * QGuiApplication::primaryScreen()->availableSize()));
+  const QSize left_out = parts_->widget()->sizeHint() - parts_->sizeHint();
+  const QSize bar(parts_->verticalScrollBar()->sizeHint().width(), 0);
+  resize((sizeHint() + left_out.expandedTo({0, 0}) + bar)
+             .boundedTo(kOfScreen * QGuiApplication::primaryScreen()->availableSize()));
   device_->openWhenPlugged();
   connect(&timer_, &QTimer::timeout, this, &DeviceSetupDialog::frame);
   // Tests play the loop's part from here. A frame that comes late costs force, never adds it: the
@@ -174,6 +180,8 @@ QWidget* DeviceSetupDialog::buildHoming() {
   }
   hand_ = named(new QLabel, "setupHand", tr("Place of the hand"));
   hand_->setWordWrap(true);
+  // Nothing jumps when it is known.
+  hand_->setMinimumHeight(2 * hand_->fontMetrics().lineSpacing());
   form->addRow(tr("Hand"), hand_);
   return group;
 }
@@ -188,6 +196,8 @@ QWidget* DeviceSetupDialog::buildTests() {
   weight_->setDecimals(1);
   weight_->setValue(100);
   weight_->setSuffix(tr(" g"));
+  // Large text needs more than Qt leaves beside the arrows.
+  weight_->setMinimumWidth(weight_->sizeHint().width() + weight_->fontMetrics().averageCharWidth());
   auto* label = new QLabel(tr("&Weight"));
   label->setBuddy(weight_);
   calibrate_ = named(new QPushButton(tr("C&alibrate")), "setupCalibrate", tr("Calibrate"));
@@ -262,7 +272,6 @@ void DeviceSetupDialog::showStatus() {
                                   .arg(status.rate_hz, 0, 'f', 0)
                             : tr("not known before homing"));
   setTextIfNew(gain_, tr("%1 counts per N mm").arg(settings_.counts_per_n_mm, 0, 'f', 2));
-  showTest();
   const bool testing = test_ && test_->phase() != falcon::SelfTest::Phase::done;
   const bool calibrating = calibration_ && calibration_->phase() < falcon::Calibration::Phase::done;
   self_test_->setEnabled(ready && !testing && !calibrating);
@@ -272,6 +281,7 @@ void DeviceSetupDialog::showStatus() {
   calibrate_->setText(waits ? tr("Contin&ue") : tr("C&alibrate"));
   weight_->setEnabled(!calibrating);
   save_->setEnabled(ready && !testing && !calibrating);
+  showTest();  // After the focus has left a button, which scrolls.
   const bool under_way = status.state == LinkState::starting || status.state == LinkState::homing ||
                          status.state == LinkState::pull_out;
   const QString leave = under_way ? tr("Cancel") : tr("Close");
@@ -286,27 +296,29 @@ void DeviceSetupDialog::showStatus() {
 void DeviceSetupDialog::showTest() {
   QString text = notice_;
   if (test_) {
-    say(QString::fromStdString(test_->prompt()));
+    const QString prompt = spokenText(test_->prompt());
+    say(prompt);
     for (const falcon::SelfTestLine& line : test_->lines()) {
       text += tr(kResults[static_cast<std::size_t>(line.result)]) + QStringLiteral(": ") +
-              QString::fromStdString(line.text) + QLatin1Char('\n');
+              spokenText(line.text) + QLatin1Char('\n');
     }
-    text += QString::fromStdString(test_->prompt());
+    text += prompt;
   }
   if (calibration_) {
-    text = QString::fromStdString(calibration_->prompt());
+    text = spokenText(calibration_->prompt());
     say(text);
   }
   if (results_->toPlainText() == text) return;
   results_->setPlainText(text);
   results_->moveCursor(QTextCursor::End);  // What is asked for now stands last.
+  const QPoint end = results_->mapTo(parts_->widget(), QPoint(0, results_->height()));
+  parts_->ensureVisible(end.x(), end.y(), 0, 0);
 }
 
 void DeviceSetupDialog::startSelfTest() {
   constexpr double kWaitForPersonSeconds = 20;
   notice_.clear();
   calibration_.reset();
-  parts_->ensureWidgetVisible(results_);
   test_.emplace(*device_, falcon::SelfTestOptions{.nudges = true,
                                                   .wait_for_person_s = kWaitForPersonSeconds});
 }
@@ -317,7 +329,6 @@ void DeviceSetupDialog::calibrate() {
     return;
   }
   test_.reset();
-  parts_->ensureWidgetVisible(results_);
   calibration_.emplace(*device_, settings_.counts_per_n_mm, weight_->value());
 }
 
@@ -332,9 +343,8 @@ void DeviceSetupDialog::showFirmware() {
   try {
     const falcon::Firmware found = falcon::findFirmware(falcon::firmwarePlaces(settings_.firmware));
     const QString name = QString::fromStdString(found.file.string());
-    text = found.known_as.empty()
-               ? tr("Firmware: %1, accepted by you").arg(name)
-               : tr("Firmware: %1, %2").arg(name, QString::fromStdString(found.known_as));
+    text = found.known_as.empty() ? tr("Firmware: %1, accepted by you").arg(name)
+                                  : tr("Firmware: %1, %2").arg(name, spokenText(found.known_as));
   } catch (const Error&) {
     // Why, the state says once it is needed: one that runs already needs no file.
     text = settings_.firmware.empty()
@@ -362,7 +372,7 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
     falcon::writeSettings(stored, falcon::settingsFile());
     showFirmware();
   } catch (const Error& error) {
-    notice_ = QString::fromStdString(error.what());
+    notice_ = spokenText(error.what());
     say(notice_);
     return false;
   }
@@ -378,7 +388,7 @@ void DeviceSetupDialog::save() {
   try {
     falcon::writeSettings(settings_, falcon::settingsFile());
   } catch (const Error& error) {
-    say(QString::fromStdString(error.what()));
+    say(spokenText(error.what()));
   }
   // Whoever uses it next must find it free.
   timer_.stop();

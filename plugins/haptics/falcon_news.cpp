@@ -19,7 +19,7 @@ constexpr std::array<const char*, falcon::kArms> kFound{
 }  // namespace
 
 QString screenText(const falcon::LinkMessage& message) {
-  QString sentence = QString::fromStdString(message.screen);
+  const QString sentence = spokenText(message.screen);
   if (message.code.empty()) return sentence;
   return QString::fromStdString(message.code) + QStringLiteral(": ") + sentence;
 }

@@ -14,6 +14,7 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSet>
@@ -26,6 +27,7 @@
 #include "tests/emulator/in_process.h"
 #include "tests/emulator/made_image.h"
 #include "tests/plugins/plugin_fixture.h"
+#include "tests/plugins/shouting.h"
 
 namespace relievo {
 namespace {
@@ -209,6 +211,87 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
       << child<QPlainTextEdit>("setupResults")->toPlainText().toStdString();
   const double gain = child<QLabel>("setupGain")->text().section(' ', 0, 0).toDouble();
   EXPECT_NEAR(gain, 6, 0.3);
+}
+
+TEST_F(DeviceSetupTest, ItIsWholeWhereThereIsRoom) {
+  const QFont usual = QApplication::font();
+  QFont small = usual;
+  small.setPointSizeF(0.4 * usual.pointSizeF());  // The screen of the tests is small.
+  QApplication::setFont(small);
+  open({});
+  QCoreApplication::processEvents();
+  const int room = 9 * QGuiApplication::primaryScreen()->availableSize().height() / 10;
+  const int hidden = child<QScrollArea>("setupParts")->verticalScrollBar()->maximum();
+  EXPECT_TRUE(hidden == 0 || dialog_->height() >= room) << hidden << ", " << dialog_->height();
+  QApplication::setFont(usual);
+}
+
+TEST_F(DeviceSetupTest, OnASmallScreenWhatIsAskedForIsInSight) {
+  open({.firmware_loaded = true, .homed = true});
+  dialog_->resize(640, 420);
+  hold(125);
+  ASSERT_TRUE(becomes(LinkState::ready));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
+  QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
+  auto* results = child<QPlainTextEdit>("setupResults");
+  for (const char* prompt : {"Measuring how evenly", "Watch the lights", "Hold the grip"}) {
+    ASSERT_TRUE(eventually([&] { return results->toPlainText().contains(prompt); })) << prompt;
+    QCoreApplication::processEvents();
+    EXPECT_EQ(results->visibleRegion().boundingRect().bottom(), results->rect().bottom()) << prompt;
+  }
+}
+
+TEST_F(DeviceSetupTest, WhatSelfTestAndFirmwareSayIsInTheWindowsLanguage) {
+  const test::Shouting shouting;
+  open({.firmware_loaded = true, .homed = true});
+  hold(125);
+  auto* results = child<QPlainTextEdit>("setupResults");
+  const auto shows = [&](const char* text) {
+    return eventually([=] { return results->toPlainText().contains(text); });
+  };
+  ASSERT_TRUE(
+      eventually([this] { return child<QLabel>("setupState")->text() == "FALCON READY."; }));
+  ASSERT_TRUE(eventually([this] { return child<QPushButton>("setupSelfTest")->isEnabled(); }));
+  EXPECT_FALSE(dialog_->installFirmware(written({1, 2, 3}), true));
+  EXPECT_TRUE(shows("IS NO FALCON FIRMWARE: IT HAS 3 BYTES;")) << said_.last().toStdString();
+  EXPECT_TRUE(said_.last().contains("IT HAS 3 BYTES;")) << said_.last().toStdString();
+  QTest::keyClick(child<QPushButton>("setupSelfTest"), Qt::Key_Space);
+  EXPECT_TRUE(
+      shows("MOVE THE GRIP ALL ROUND AND PRESS EACH OF THE FOUR BUTTONS. STILL MISSING: "
+            "PLUS, FORWARD, CENTRE, MINUS."))
+      << results->toPlainText().toStdString();
+  EXPECT_TRUE(said_.contains("MEASURING HOW EVENLY THE FALCON ANSWERS."));
+  emulated_->with([](auto& f) { f.unplug(); });
+  EXPECT_TRUE(shows("failed: THE TEST ENDED EARLY: THE DEVICE WAS UNPLUGGED. FALCON UNPLUGGED."))
+      << results->toPlainText().toStdString();
+  EXPECT_FALSE(results->toPlainText().contains(" answer")) << "every line of it";
+  EXPECT_TRUE(child<QLabel>("setupState")->text().startsWith("E305: FALCON UNPLUGGED."));
+}
+
+TEST_F(DeviceSetupTest, WhatCalibrationAndSettingsSayIsInTheWindowsLanguage) {
+  const test::Shouting shouting;
+  open({.firmware_loaded = true, .homed = true});
+  hold(125);
+  ASSERT_TRUE(becomes(LinkState::ready));
+  auto* calibrate = child<QPushButton>("setupCalibrate");
+  ASSERT_TRUE(eventually([&] { return calibrate->isEnabled(); }));
+  QTest::keyClick(calibrate, Qt::Key_Space);
+  auto* results = child<QPlainTextEdit>("setupResults");
+  const QString first = "TAKE YOUR HAND OFF THE GRIP. THE FALCON HOLDS IT IN PLACE.";
+  EXPECT_TRUE(eventually([&] { return results->toPlainText() == first; }))
+      << results->toPlainText().toStdString();
+  EXPECT_TRUE(said_.contains(first));
+
+  open({.firmware_loaded = true, .homed = true});
+  ASSERT_TRUE(becomes(LinkState::ready));
+  auto* save = child<QPushButton>("setupSave");
+  ASSERT_TRUE(eventually([&] { return save->isEnabled(); }));
+  const QString settings = QString::fromStdString(falcon::settingsFile().string());
+  ASSERT_TRUE(QDir().mkpath(settings));  // A folder where the file should go.
+  QTest::keyClick(save, Qt::Key_Space);
+  EXPECT_TRUE(said_.last().startsWith("THE FALCON'S SETTINGS COULD NOT BE WRITTEN TO \"" +
+                                      settings + "\"."))
+      << said_.last().toStdString();
 }
 
 TEST_F(DeviceSetupTest, WithTextTwiceAsLargeEverythingIsReachedByKeyOnASmallScreen) {

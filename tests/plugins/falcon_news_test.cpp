@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/plugins/shouting.h"
+
 namespace relievo {
 namespace {
 
@@ -53,6 +55,17 @@ TEST(FalconNews, TheScreenHasCodesAndTheCommandThatHelps) {
   EXPECT_TRUE(failed.startsWith("E303: ")) << failed.toStdString();
   EXPECT_EQ(failed.count("Touch > Device set-up > Retry"), 1) << failed.toStdString();
   EXPECT_FALSE(windowText(in(LinkState::starting)).contains("Touch >")) << "it is at it";
+}
+
+TEST(FalconNews, TheScreenSpeaksTheWindowsLanguage) {
+  int argc = 0;
+  const QCoreApplication application(argc, nullptr);
+  const test::Shouting shouting;
+  LinkStatus homing = in(LinkState::homing);
+  homing.homed = 0b010;
+  EXPECT_EQ(windowText(homing),
+            "E308: PLEASE PULL THE GRIP FULLY OUT, THEN PUSH IT FULLY IN. STILL MISSING: TOP, "
+            "LEFT.");
 }
 
 }  // namespace

@@ -1607,7 +1607,7 @@
     </message>
     <message>
         <source>Touch &gt; Device set-up &gt; Firmware file takes one.</source>
-        <translation>Tasten &gt; Gerät einrichten &gt; Firmware-Datei nimmt eine.</translation>
+        <translation>Unter Fühlen &gt; Gerät einrichten &gt; Firmware-Datei lässt sich eine angeben.</translation>
     </message>
 </context>
 <context>
@@ -5417,6 +5417,310 @@
     <message>
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>Minus</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose the mouse as the device.</source>
+        <translation>Falcon getrennt. Kräfte aus. Ansicht und Aufzeichnung gehen weiter. Stecken Sie ihn wieder an oder wählen Sie die Maus als Gerät.</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>Es ist kein Falcon angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
+    </message>
+    <message>
+        <source>A Falcon is plugged in but this account may not use it. Install the rule that the device set-up shows and &apos;relievo devices rule&apos; prints, once (needs an administrator), then replug.</source>
+        <translation>Ein Falcon ist angeschlossen, aber dieses Konto darf ihn nicht benutzen. Installieren Sie einmal die Regel, die „Gerät einrichten“ zeigt und „relievo devices rule“ ausgibt (dazu braucht es einen Verwalter), und stecken Sie ihn neu an.</translation>
+    </message>
+    <message>
+        <source>Another program is using the Falcon. Close it, then try again.</source>
+        <translation>Ein anderes Programm benutzt den Falcon. Schließen Sie es und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>USB cannot be used</source>
+        <translation>USB ist nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>Asking the Falcon whether it is ready.</source>
+        <translation>Der Falcon wird gefragt, ob er bereit ist.</translation>
+    </message>
+    <message>
+        <source>its boot loader did not answer</source>
+        <translation>sein Startprogramm hat nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>it did not lock on to the baud rate</source>
+        <translation>er hat sich nicht auf die Baudrate eingestellt</translation>
+    </message>
+    <message>
+        <source>it did not run after loading</source>
+        <translation>er lief nach dem Laden nicht</translation>
+    </message>
+    <message>
+        <source>All three arms have found their place. Pull the grip fully out once more.</source>
+        <translation>Alle drei Arme haben ihren Ort gefunden. Ziehen Sie den Griff noch einmal ganz heraus.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off; trying to wake it.</source>
+        <translation>Der Falcon antwortet nicht. Die Kräfte sind aus; es wird versucht, ihn zu wecken.</translation>
+    </message>
+    <message>
+        <source>Measuring how evenly the Falcon answers.</source>
+        <translation>Gemessen wird, wie gleichmäßig der Falcon antwortet.</translation>
+    </message>
+    <message>
+        <source>Watch the lights: red, green, blue.</source>
+        <translation>Achten Sie auf die Lichter: rot, grün, blau.</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely: six small nudges of half a newton.</source>
+        <translation>Halten Sie den Griff locker: sechs kleine Stöße von einem halben Newton.</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons.</source>
+        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe.</translation>
+    </message>
+    <message>
+        <source>The self test passed.</source>
+        <translation>Der Selbsttest ist bestanden.</translation>
+    </message>
+    <message>
+        <source>The self test found something wrong.</source>
+        <translation>Der Selbsttest hat einen Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>Lights: red, green and blue were shown one after the other.</source>
+        <translation>Lichter: Rot, Grün und Blau wurden nacheinander gezeigt.</translation>
+    </message>
+    <message>
+        <source>Buttons: all four work.</source>
+        <translation>Knöpfe: Alle vier funktionieren.</translation>
+    </message>
+    <message>
+        <source>The weight must be 20 to 300 grams.</source>
+        <translation>Das Gewicht muss 20 bis 300 Gramm betragen.</translation>
+    </message>
+    <message>
+        <source>Take your hand off the grip. The Falcon holds it in place.</source>
+        <translation>Nehmen Sie die Hand vom Griff. Der Falcon hält ihn an seinem Ort.</translation>
+    </message>
+    <message>
+        <source>Hang the weight on the grip, let it come to rest, then press Continue.</source>
+        <translation>Hängen Sie das Gewicht an den Griff, lassen Sie es zur Ruhe kommen und drücken Sie dann „Weiter“.</translation>
+    </message>
+    <message>
+        <source>Holding the weight. Do not touch it.</source>
+        <translation>Das Gewicht wird gehalten. Berühren Sie es nicht.</translation>
+    </message>
+    <message>
+        <source>The force is calibrated.</source>
+        <translation>Die Kraft ist kalibriert.</translation>
+    </message>
+    <message>
+        <source>the grip did not come to rest</source>
+        <translation>der Griff ist nicht zur Ruhe gekommen</translation>
+    </message>
+    <message>
+        <source>the Falcon or this computer was interrupted too often to measure a force</source>
+        <translation>der Falcon oder dieser Rechner wurde zu oft unterbrochen, um eine Kraft zu messen</translation>
+    </message>
+    <message>
+        <source>the setting Falcon firmware (Preferences &gt; Device)</source>
+        <translation>die Einstellung Falcon-Firmware (Einstellungen &gt; Gerät)</translation>
+    </message>
+    <message>
+        <source>The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL&apos;s library is whole and allows SHA-256.</source>
+        <translation>Die Prüfsumme der Firmware konnte nicht berechnet werden. Nichts wurde geladen. Prüfen Sie, ob die Bibliothek von OpenSSL heil ist und SHA-256 erlaubt.</translation>
+    </message>
+    <message>
+        <source>its length is odd</source>
+        <translation>ihre Länge ist ungerade</translation>
+    </message>
+    <message>
+        <source>it does not begin with AA 08</source>
+        <translation>sie beginnt nicht mit AA 08</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened: %1. Replug it, or try another port.</source>
+        <translation>Der Falcon konnte nicht geöffnet werden: %1. Stecken Sie ihn neu an oder versuchen Sie einen anderen Anschluss.</translation>
+    </message>
+    <message>
+        <source>USB cannot be used: %1.</source>
+        <translation>USB ist nicht benutzbar: %1.</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s thread could not be started: %1</source>
+        <translation>Der Thread des Falcon konnte nicht gestartet werden: %1</translation>
+    </message>
+    <message>
+        <source>There is no Falcon named &quot;%1&quot;; one is used at a time, falcon:0.</source>
+        <translation>Es gibt keinen Falcon namens „%1“; benutzt wird immer nur einer, falcon:0.</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
+        <translation>Der Falcon wird gestartet – Versuch %1 von %2. Das ist normal.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Der Falcon ist nach %1 Versuchen nicht gestartet; er wird jetzt in Ruhe gelassen. Prüfen Sie sein Netzteil und stecken Sie ihn direkt am Rechner an, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry. (%2)</source>
+        <translation>Der Falcon ist nach %1 Versuchen nicht gestartet; er wird jetzt in Ruhe gelassen. Prüfen Sie sein Netzteil und stecken Sie ihn direkt am Rechner an, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal. (%2)</translation>
+    </message>
+    <message>
+        <source>it echoed wrongly after byte %1 of %2</source>
+        <translation>nach Byte %1 von %2 kam ein falsches Echo</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1.</source>
+        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein. Es fehlen noch die Arme: %1.</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1. It takes long: pull straight out, push straight in, as far as it goes; do not twist.</source>
+        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein. Es fehlen noch die Arme: %1. Es dauert lange: gerade herausziehen, gerade hineindrücken, so weit es geht; nicht drehen.</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
+        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe. Es fehlen noch: %1.</translation>
+    </message>
+    <message>
+        <source>The test ended early: %1. %2</source>
+        <translation>Der Selbsttest endete vorzeitig: %1. %2</translation>
+    </message>
+    <message>
+        <source>Rate: %1 answers per second (%2 are needed).</source>
+        <translation>Rate: %1 Antworten je Sekunde (%2 sind nötig).</translation>
+    </message>
+    <message>
+        <source>Line: %1 damaged answers, %2 stalls, %3 overruns.</source>
+        <translation>Leitung: %1 beschädigte Antworten, %2 Stockungen, %3 Überläufe.</translation>
+    </message>
+    <message>
+        <source>Times from answer to answer: up to 0.8 ms %1, up to 1.0 ms %2, up to 1.2 ms %3, up to 2.0 ms %4, up to 5.0 ms %5, up to 20.0 ms %6, up to 100.0 ms %7, above 100.0 ms %8; the longest %9 ms.</source>
+        <translation>Zeiten von Antwort zu Antwort: bis 0.8 ms %1, bis 1.0 ms %2, bis 1.2 ms %3, bis 2.0 ms %4, bis 5.0 ms %5, bis 20.0 ms %6, bis 100.0 ms %7, über 100.0 ms %8; die längste %9 ms.</translation>
+    </message>
+    <message>
+        <source>From question to answer: %1 ms on average, %2 ms at worst.</source>
+        <translation>Von der Frage zur Antwort: %1 ms im Mittel, %2 ms höchstens.</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm.</source>
+        <translation>Stöße von 0.5 N bewegten die Hand: nach rechts %1 mm, nach links %2 mm, nach oben %3 mm, nach unten %4 mm, nach vorn %5 mm, nach hinten %6 mm.</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.</source>
+        <translation>Stöße von 0.5 N bewegten die Hand: nach rechts %1 mm, nach links %2 mm, nach oben %3 mm, nach unten %4 mm, nach vorn %5 mm, nach hinten %6 mm; eine Hand, die festhält, bewegt sich weniger.</translation>
+    </message>
+    <message>
+        <source>Buttons that were not pressed: %1.</source>
+        <translation>Knöpfe, die nicht gedrückt wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Encoder of the %1 arm: moved by %2 counts.</source>
+        <translation>Encoder des Arms %1: um %2 Zählschritte bewegt.</translation>
+    </message>
+    <message>
+        <source>The calibration ended: %1. The old setting is kept.</source>
+        <translation>Die Kalibrierung endete: %1. Die alte Einstellung bleibt.</translation>
+    </message>
+    <message>
+        <source>the weight seemed to be %1 g, which no Falcon&apos;s motors explain (is it the right one, and hanging free?)</source>
+        <translation>das Gewicht schien %1 g zu haben, was die Motoren keines Falcon erklären (ist es das richtige, und hängt es frei?)</translation>
+    </message>
+    <message>
+        <source>%1 (recommended)</source>
+        <translation>%1 (empfohlen)</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was loaded. Check its name.</source>
+        <translation>Es gibt keine Datei „%1“. Nichts wurde geladen. Prüfen Sie ihren Namen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2. Nothing was loaded. Check its permissions and its folder&apos;s.</source>
+        <translation>„%1“ kann nicht gelesen werden: %2. Nichts wurde geladen. Prüfen Sie die Rechte der Datei und ihres Ordners.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a regular file; it was not read as Falcon firmware. Name the file itself, such as nvent_firmware.bin.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei und wurde nicht als Falcon-Firmware gelesen. Nennen Sie die Datei selbst, etwa nvent_firmware.bin.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: it has more than %2 bytes. Nothing was loaded. Choose another file.</source>
+        <translation>„%1“ ist keine Falcon-Firmware: Die Datei hat mehr als %2 Bytes. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read to its end. Nothing was loaded. Copy it to another disk, or choose another file.</source>
+        <translation>„%1“ konnte nicht bis zum Ende gelesen werden. Nichts wurde geladen. Kopieren Sie die Datei auf einen anderen Datenträger oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: %2. Nothing was loaded. Choose another file.</source>
+        <translation>„%1“ ist keine Falcon-Firmware: %2. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes; 2048 to 65536 are possible</source>
+        <translation>sie hat %1 Bytes; möglich sind 2048 bis 65536</translation>
+    </message>
+    <message>
+        <source>it ends in block %1</source>
+        <translation>sie endet in Block %1</translation>
+    </message>
+    <message>
+        <source>%1 bytes follow its last block</source>
+        <translation>auf ihren letzten Block folgen %1 Bytes</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; that %2 names does not exist. Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>Die Falcon-Firmware „%1“ gibt es nicht; genannt wird sie durch: %2. Nichts wurde geladen. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; that %2 names has no Falcon firmware (such as nvent_firmware.bin). Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>Der Ordner „%1“ enthält keine Falcon-Firmware (etwa nvent_firmware.bin); genannt wird er durch: %2. Nichts wurde geladen. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
+    </message>
+    <message>
+        <source>%1 It is what %2 names. Correct %2, or clear it to search the usual places.</source>
+        <translation>%1 Genannt wird sie durch: %2. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
+    </message>
+    <message>
+        <source>The Falcon is connected but has no firmware loaded. relievo cannot include Novint&apos;s firmware. Run &apos;relievo devices firmware FILE&apos; with the file nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched: %1.</source>
+        <translation>Der Falcon ist angeschlossen, aber keine Firmware ist geladen. relievo darf Novints Firmware nicht mitbringen. Rufen Sie „relievo devices firmware FILE“ mit der Datei nvent_firmware.bin (8492 Bytes) aus Ihrer Novint-Software oder libnifalcon auf, oder setzen Sie RELIEVO_FALCON_FIRMWARE. Durchsucht wurden: %1.</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2); it was not loaded. If you trust it, run &apos;relievo devices firmware FILE --accept&apos; once.</source>
+        <translation>Die Falcon-Firmware „%1“ hat die Form eines Startabbilds, aber niemand kennt es (sha256 %2); sie wurde nicht geladen. Wenn Sie ihr vertrauen, rufen Sie einmal „relievo devices firmware FILE --accept“ auf.</translation>
+    </message>
+    <message>
+        <source>The firmware could not be copied to &quot;%1&quot;: %2. Nothing was changed. Check the folder and the disk&apos;s room.</source>
+        <translation>Die Firmware konnte nicht nach „%1“ kopiert werden: %2. Nichts wurde geändert. Prüfen Sie den Ordner und den freien Platz.</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
+        <translation>Die Einstellungen des Falcon konnten nicht nach „%1“ geschrieben werden. Sie gelten, bis das Programm endet. Prüfen Sie die Rechte des Ordners.</translation>
     </message>
 </context>
 <context>

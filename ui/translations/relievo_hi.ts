@@ -5418,6 +5418,310 @@
         <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
         <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
     </message>
+    <message>
+        <source>top</source>
+        <translation>ऊपरी</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>दाईं</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>बाईं</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>प्लस</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>आगे</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>बीच</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>माइनस</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose the mouse as the device.</source>
+        <translation>Falcon निकाल दिया गया। बल बंद। दृश्य और रिकॉर्डिंग चलते रहते हैं। उसे फिर जोड़ें, या उपकरण के रूप में माउस चुनें।</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>कोई Falcon नहीं लगा है। पहले उसकी बिजली की आपूर्ति जोड़ें, फिर उसका USB केबल।</translation>
+    </message>
+    <message>
+        <source>A Falcon is plugged in but this account may not use it. Install the rule that the device set-up shows and &apos;relievo devices rule&apos; prints, once (needs an administrator), then replug.</source>
+        <translation>एक Falcon लगा है, पर इस खाते को उसके उपयोग की अनुमति नहीं है। उपकरण की तैयारी जो नियम दिखाती है और &apos;relievo devices rule&apos; जो छापता है, उसे एक बार स्थापित करें (प्रशासक चाहिए), फिर दोबारा जोड़ें।</translation>
+    </message>
+    <message>
+        <source>Another program is using the Falcon. Close it, then try again.</source>
+        <translation>कोई दूसरा प्रोग्राम Falcon का उपयोग कर रहा है। उसे बंद करें, फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>USB cannot be used</source>
+        <translation>USB का उपयोग नहीं हो सकता</translation>
+    </message>
+    <message>
+        <source>Asking the Falcon whether it is ready.</source>
+        <translation>Falcon से पूछा जा रहा है कि वह तैयार है या नहीं।</translation>
+    </message>
+    <message>
+        <source>its boot loader did not answer</source>
+        <translation>उसके बूट लोडर ने उत्तर नहीं दिया</translation>
+    </message>
+    <message>
+        <source>it did not lock on to the baud rate</source>
+        <translation>वह बॉड दर नहीं पकड़ सका</translation>
+    </message>
+    <message>
+        <source>it did not run after loading</source>
+        <translation>लोड होने के बाद वह नहीं चला</translation>
+    </message>
+    <message>
+        <source>All three arms have found their place. Pull the grip fully out once more.</source>
+        <translation>तीनों भुजाओं को उनकी जगह मिल गई। ग्रिप को एक बार और पूरा बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off; trying to wake it.</source>
+        <translation>Falcon उत्तर नहीं देता। बल बंद हैं; उसे जगाने की कोशिश हो रही है।</translation>
+    </message>
+    <message>
+        <source>Measuring how evenly the Falcon answers.</source>
+        <translation>मापा जा रहा है कि Falcon कितनी नियमितता से उत्तर देता है।</translation>
+    </message>
+    <message>
+        <source>Watch the lights: red, green, blue.</source>
+        <translation>बत्तियाँ देखें: लाल, हरी, नीली।</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely: six small nudges of half a newton.</source>
+        <translation>ग्रिप को ढीला पकड़ें: आधे न्यूटन के छह छोटे धक्के।</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons.</source>
+        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ।</translation>
+    </message>
+    <message>
+        <source>The self test passed.</source>
+        <translation>स्व-जाँच सफल रही।</translation>
+    </message>
+    <message>
+        <source>The self test found something wrong.</source>
+        <translation>स्व-जाँच में कुछ गड़बड़ मिली।</translation>
+    </message>
+    <message>
+        <source>Lights: red, green and blue were shown one after the other.</source>
+        <translation>बत्तियाँ: लाल, हरी और नीली एक के बाद एक दिखाई गईं।</translation>
+    </message>
+    <message>
+        <source>Buttons: all four work.</source>
+        <translation>बटन: चारों काम करते हैं।</translation>
+    </message>
+    <message>
+        <source>The weight must be 20 to 300 grams.</source>
+        <translation>भार 20 से 300 ग्राम होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>Take your hand off the grip. The Falcon holds it in place.</source>
+        <translation>ग्रिप से हाथ हटाएँ। Falcon उसे उसकी जगह पर रोके रखता है।</translation>
+    </message>
+    <message>
+        <source>Hang the weight on the grip, let it come to rest, then press Continue.</source>
+        <translation>भार को ग्रिप पर लटकाएँ, उसे स्थिर होने दें, फिर “जारी रखें” दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Holding the weight. Do not touch it.</source>
+        <translation>भार को थामा जा रहा है। उसे न छुएँ।</translation>
+    </message>
+    <message>
+        <source>The force is calibrated.</source>
+        <translation>बल का अंशांकन हो गया।</translation>
+    </message>
+    <message>
+        <source>the grip did not come to rest</source>
+        <translation>ग्रिप स्थिर नहीं हुई</translation>
+    </message>
+    <message>
+        <source>the Falcon or this computer was interrupted too often to measure a force</source>
+        <translation>Falcon या यह कंप्यूटर इतनी बार रुका कि बल मापा नहीं जा सका</translation>
+    </message>
+    <message>
+        <source>the setting Falcon firmware (Preferences &gt; Device)</source>
+        <translation>सेटिंग Falcon फ़र्मवेयर (वरीयताएँ &gt; उपकरण)</translation>
+    </message>
+    <message>
+        <source>The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL&apos;s library is whole and allows SHA-256.</source>
+        <translation>फ़र्मवेयर का हैश नहीं निकाला जा सका। कुछ नहीं लोड हुआ। जाँचें कि OpenSSL की लाइब्रेरी पूरी है और SHA-256 की अनुमति देती है।</translation>
+    </message>
+    <message>
+        <source>its length is odd</source>
+        <translation>इसकी लंबाई विषम है</translation>
+    </message>
+    <message>
+        <source>it does not begin with AA 08</source>
+        <translation>यह AA 08 से शुरू नहीं होती</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened: %1. Replug it, or try another port.</source>
+        <translation>Falcon खोला नहीं जा सका: %1। उसे दोबारा जोड़ें, या दूसरा पोर्ट आज़माएँ।</translation>
+    </message>
+    <message>
+        <source>USB cannot be used: %1.</source>
+        <translation>USB का उपयोग नहीं हो सकता: %1।</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s thread could not be started: %1</source>
+        <translation>Falcon का थ्रेड शुरू नहीं हो सका: %1</translation>
+    </message>
+    <message>
+        <source>There is no Falcon named &quot;%1&quot;; one is used at a time, falcon:0.</source>
+        <translation>&quot;%1&quot; नाम का कोई Falcon नहीं है; एक समय में एक ही उपयोग होता है, falcon:0।</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
+        <translation>Falcon शुरू हो रहा है – प्रयास %2 में से %1। यह सामान्य है।</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Falcon %1 प्रयासों के बाद भी शुरू नहीं हुआ; अब उसे छोड़ दिया गया है। उसकी बिजली की आपूर्ति जाँचें और उसे सीधे कंप्यूटर से जोड़ें, या स्पर्श &gt; उपकरण की तैयारी &gt; फिर कोशिश चुनें।</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry. (%2)</source>
+        <translation>Falcon %1 प्रयासों के बाद भी शुरू नहीं हुआ; अब उसे छोड़ दिया गया है। उसकी बिजली की आपूर्ति जाँचें और उसे सीधे कंप्यूटर से जोड़ें, या स्पर्श &gt; उपकरण की तैयारी &gt; फिर कोशिश चुनें। (%2)</translation>
+    </message>
+    <message>
+        <source>it echoed wrongly after byte %1 of %2</source>
+        <translation>%2 में से बाइट %1 के बाद उसकी प्रतिध्वनि गलत थी</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1.</source>
+        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें। ये भुजाएँ अभी नहीं मिलीं: %1।</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1. It takes long: pull straight out, push straight in, as far as it goes; do not twist.</source>
+        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें। ये भुजाएँ अभी नहीं मिलीं: %1। इसमें देर लग रही है: सीधा बाहर खींचें, सीधा अंदर धकेलें, जहाँ तक जाए; घुमाएँ नहीं।</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
+        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ। अभी बाकी: %1।</translation>
+    </message>
+    <message>
+        <source>The test ended early: %1. %2</source>
+        <translation>जाँच समय से पहले रुक गई: %1। %2</translation>
+    </message>
+    <message>
+        <source>Rate: %1 answers per second (%2 are needed).</source>
+        <translation>दर: प्रति सेकंड %1 उत्तर (%2 चाहिए)।</translation>
+    </message>
+    <message>
+        <source>Line: %1 damaged answers, %2 stalls, %3 overruns.</source>
+        <translation>लाइन: %1 क्षतिग्रस्त उत्तर, %2 रुकावटें, %3 अतिप्रवाह।</translation>
+    </message>
+    <message>
+        <source>Times from answer to answer: up to 0.8 ms %1, up to 1.0 ms %2, up to 1.2 ms %3, up to 2.0 ms %4, up to 5.0 ms %5, up to 20.0 ms %6, up to 100.0 ms %7, above 100.0 ms %8; the longest %9 ms.</source>
+        <translation>उत्तर से उत्तर तक का समय: 0.8 ms तक %1, 1.0 ms तक %2, 1.2 ms तक %3, 2.0 ms तक %4, 5.0 ms तक %5, 20.0 ms तक %6, 100.0 ms तक %7, 100.0 ms से ऊपर %8; सबसे लंबा %9 ms।</translation>
+    </message>
+    <message>
+        <source>From question to answer: %1 ms on average, %2 ms at worst.</source>
+        <translation>प्रश्न से उत्तर तक: औसतन %1 ms, अधिकतम %2 ms।</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm.</source>
+        <translation>0.5 N के धक्कों से हाथ इतना हिला: दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, अंदर %6 mm।</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.</source>
+        <translation>0.5 N के धक्कों से हाथ इतना हिला: दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, अंदर %6 mm; कसकर पकड़ा हाथ कम हिलता है।</translation>
+    </message>
+    <message>
+        <source>Buttons that were not pressed: %1.</source>
+        <translation>बटन जो नहीं दबाए गए: %1।</translation>
+    </message>
+    <message>
+        <source>Encoder of the %1 arm: moved by %2 counts.</source>
+        <translation>%1 भुजा का एनकोडर: %2 गणना चला।</translation>
+    </message>
+    <message>
+        <source>The calibration ended: %1. The old setting is kept.</source>
+        <translation>अंशांकन रुक गया: %1। पुरानी सेटिंग बनी रहती है।</translation>
+    </message>
+    <message>
+        <source>the weight seemed to be %1 g, which no Falcon&apos;s motors explain (is it the right one, and hanging free?)</source>
+        <translation>भार %1 g जान पड़ा, जो किसी Falcon की मोटरों से संभव नहीं (क्या वही भार है, और खुला लटका है?)</translation>
+    </message>
+    <message>
+        <source>%1 (recommended)</source>
+        <translation>%1 (अनुशंसित)</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was loaded. Check its name.</source>
+        <translation>फ़ाइल &quot;%1&quot; नहीं है। कुछ नहीं लोड हुआ। उसका नाम जाँचें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2. Nothing was loaded. Check its permissions and its folder&apos;s.</source>
+        <translation>&quot;%1&quot; पढ़ी नहीं जा सकती: %2। कुछ नहीं लोड हुआ। उसकी और उसके फ़ोल्डर की अनुमति जाँचें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a regular file; it was not read as Falcon firmware. Name the file itself, such as nvent_firmware.bin.</source>
+        <translation>&quot;%1&quot; साधारण फ़ाइल नहीं है; उसे Falcon फ़र्मवेयर के रूप में नहीं पढ़ा गया। फ़ाइल का ही नाम दें, जैसे nvent_firmware.bin।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: it has more than %2 bytes. Nothing was loaded. Choose another file.</source>
+        <translation>&quot;%1&quot; Falcon फ़र्मवेयर नहीं है: इसमें %2 से अधिक बाइट हैं। कुछ नहीं लोड हुआ। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read to its end. Nothing was loaded. Copy it to another disk, or choose another file.</source>
+        <translation>&quot;%1&quot; अंत तक पढ़ी नहीं जा सकी। कुछ नहीं लोड हुआ। उसे दूसरी डिस्क पर कॉपी करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: %2. Nothing was loaded. Choose another file.</source>
+        <translation>&quot;%1&quot; Falcon फ़र्मवेयर नहीं है: %2। कुछ नहीं लोड हुआ। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes; 2048 to 65536 are possible</source>
+        <translation>इसमें %1 बाइट हैं; 2048 से 65536 संभव हैं</translation>
+    </message>
+    <message>
+        <source>it ends in block %1</source>
+        <translation>यह खंड %1 में समाप्त होती है</translation>
+    </message>
+    <message>
+        <source>%1 bytes follow its last block</source>
+        <translation>इसके अंतिम खंड के बाद %1 बाइट हैं</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; that %2 names does not exist. Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>Falcon फ़र्मवेयर &quot;%1&quot; नहीं है; उसका नाम यहाँ है: %2। कुछ नहीं लोड हुआ। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; that %2 names has no Falcon firmware (such as nvent_firmware.bin). Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>फ़ोल्डर &quot;%1&quot; में Falcon फ़र्मवेयर (जैसे nvent_firmware.bin) नहीं है; उसका नाम यहाँ है: %2। कुछ नहीं लोड हुआ। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
+    </message>
+    <message>
+        <source>%1 It is what %2 names. Correct %2, or clear it to search the usual places.</source>
+        <translation>%1 उसका नाम यहाँ है: %2। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
+    </message>
+    <message>
+        <source>The Falcon is connected but has no firmware loaded. relievo cannot include Novint&apos;s firmware. Run &apos;relievo devices firmware FILE&apos; with the file nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched: %1.</source>
+        <translation>Falcon जुड़ा है पर उसमें फ़र्मवेयर लोड नहीं है। relievo में Novint का फ़र्मवेयर शामिल नहीं किया जा सकता। अपने Novint सॉफ़्टवेयर या libnifalcon की फ़ाइल nvent_firmware.bin (8492 बाइट) के साथ &apos;relievo devices firmware FILE&apos; चलाएँ, या RELIEVO_FALCON_FIRMWARE रखें। खोजी गई जगहें: %1।</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2); it was not loaded. If you trust it, run &apos;relievo devices firmware FILE --accept&apos; once.</source>
+        <translation>Falcon फ़र्मवेयर &quot;%1&quot; बूट इमेज के रूप का है, पर इसे कोई नहीं जानता (sha256 %2); उसे लोड नहीं किया गया। यदि आपको उस पर भरोसा है, तो एक बार &apos;relievo devices firmware FILE --accept&apos; चलाएँ।</translation>
+    </message>
+    <message>
+        <source>The firmware could not be copied to &quot;%1&quot;: %2. Nothing was changed. Check the folder and the disk&apos;s room.</source>
+        <translation>फ़र्मवेयर की प्रति &quot;%1&quot; में नहीं बन सकी: %2। कुछ नहीं बदला। फ़ोल्डर और डिस्क की खाली जगह जाँचें।</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
+        <translation>Falcon की सेटिंग &quot;%1&quot; में लिखी नहीं जा सकीं। वे प्रोग्राम के बंद होने तक लागू हैं। फ़ोल्डर की अनुमति जाँचें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::StartPage</name>

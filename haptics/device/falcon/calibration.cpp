@@ -115,7 +115,7 @@ bool Calibration::step(std::int64_t now_ns) {
       if (!(gain > 0.9 * kLeastCountsPerNmm && gain < 1.1 * kMostCountsPerNmm)) {
         fail("the weight seemed to be " +
              std::to_string(std::lround((mean_up_n_ - empty_n_) / kNPerGram)) +
-             " g, which no Falcon's motors explain; is it the right one, and hanging free?");
+             " g, which no Falcon's motors explain (is it the right one, and hanging free?)");
         break;
       }
       result_ = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);

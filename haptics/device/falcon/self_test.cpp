@@ -195,9 +195,11 @@ std::string SelfTest::prompt() const {
       return "Watch the lights: red, green, blue.";
     case Phase::nudges:
       return "Hold the grip loosely: six small nudges of half a newton.";
-    case Phase::person:
-      return "Move the grip all round and press each of the four buttons. Still missing: " +
-             missingButtons(pressed_) + ".";
+    case Phase::person: {
+      const std::string missing = missingButtons(pressed_);
+      return "Move the grip all round and press each of the four buttons." +
+             (missing.empty() ? "" : " Still missing: " + missing + ".");
+    }
     case Phase::done:
       return passed() ? "The self test passed." : "The self test found something wrong.";
   }
