@@ -51,6 +51,9 @@ constexpr std::array kSentences{
                       "%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 "
                       "where the ground is firm, 0 where it is softest."),
     QT_TRANSLATE_NOOP("Core",
+                      "The output '%1' is the scan itself. Nothing was written. Choose another "
+                      "name."),
+    QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1: %2. Check the folder, its permissions and the free space."),
     QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1: what has this name is no regular file. It was left as it "

@@ -315,6 +315,18 @@ void DeviceSetupDialog::showTest() {
   parts_->ensureVisible(end.x(), end.y(), 0, 0);
 }
 
+void DeviceSetupDialog::endBeforeSleep() {
+  if (!test_ && !calibration_) return;
+  test_.reset();
+  calibration_.reset();
+  device_->exchange({}, monotonicNs());
+  notice_ =
+      tr("The computer goes to sleep; the forces are off and this has ended. Begin again "
+         "when it is awake.");
+  say(notice_);
+  showTest();
+}
+
 void DeviceSetupDialog::startSelfTest() {
   constexpr double kWaitForPersonSeconds = 20;
   notice_.clear();
@@ -376,7 +388,8 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
     say(notice_);
     return false;
   }
-  notice_.clear();
+  notice_ = firmware_->text();
+  say(notice_);
   device_->retry();
   return true;
 }

@@ -38,6 +38,8 @@ class DeviceSetupDialog : public QDialog {
   /// @return false: refused, and said why
   bool installFirmware(const QString& file, bool accept_unknown);
   const falcon::LinkStatus& status() { return device_->status(); }
+  /// The computer is about to sleep: test and calibration end at zero force, the old setting stays.
+  void endBeforeSleep();
 
  Q_SIGNALS:
   void said(const QString& text);  ///< For speech and status bar.

@@ -289,6 +289,7 @@ void HapticsPlugin::watchSleep(const HapticSample& sample) {
   switch (sleep_->poll()) {
     case SleepWatch::News::about_to_sleep:
       setForces(false);
+      if (setup_) setup_->endBeforeSleep();
       frames_at_zero_ = 0;
       break;
     case SleepWatch::News::woken:

@@ -3,6 +3,7 @@
 #include "plugins/haptics/device_setup_dialog.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <QApplication>
 #include <QCheckBox>
@@ -213,6 +214,30 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
   EXPECT_NEAR(gain, 6, 0.3);
 }
 
+TEST_F(DeviceSetupTest, ACalibrationEndsBeforeTheComputerSleeps) {
+  open({.firmware_loaded = true, .homed = true});
+  ASSERT_TRUE(becomes(LinkState::ready));
+  hold(125);
+  emulated_->with([](auto& f) { f.body.letGo(0.3); });
+  auto* button = child<QPushButton>("setupCalibrate");
+  ASSERT_TRUE(eventually([&] { return button->isEnabled(); }));
+  QTest::keyClick(button, Qt::Key_Space);
+  ASSERT_TRUE(eventually(
+      [this] { return emulated_->with([](auto& f) { return !f.commands().back().neutral(); }); }));
+  dialog_->endBeforeSleep();
+  EXPECT_TRUE(said_.last().contains("goes to sleep")) << said_.last().toStdString();
+  ASSERT_TRUE(eventually(
+      [this] { return emulated_->with([](auto& f) { return f.commands().back().neutral(); }); }));
+  EXPECT_TRUE(child<QPlainTextEdit>("setupResults")->toPlainText().contains("goes to sleep"));
+  const auto sent = emulated_->with([](auto& f) { return f.commands().size(); });
+  ASSERT_TRUE(eventually(
+      [&] { return emulated_->with([&](auto& f) { return f.commands().size() > sent + 50; }); }));
+  EXPECT_TRUE(emulated_->with([&](auto& f) {
+    return std::all_of(f.commands().begin() + static_cast<std::ptrdiff_t>(sent), f.commands().end(),
+                       [](const auto& c) { return c.neutral(); });
+  }));
+}
+
 TEST_F(DeviceSetupTest, ItIsWholeWhereThereIsRoom) {
   const QFont usual = QApplication::font();
   QFont small = usual;
@@ -236,8 +261,11 @@ TEST_F(DeviceSetupTest, OnASmallScreenWhatIsAskedForIsInSight) {
   auto* results = child<QPlainTextEdit>("setupResults");
   for (const char* prompt : {"Measuring how evenly", "Watch the lights", "Hold the grip"}) {
     ASSERT_TRUE(eventually([&] { return results->toPlainText().contains(prompt); })) << prompt;
+    // Its end, but for the frame: lines above may grow by a pixel or two after it was scrolled to.
+    constexpr int kFramePx = 3;
     QCoreApplication::processEvents();
-    EXPECT_EQ(results->visibleRegion().boundingRect().bottom(), results->rect().bottom()) << prompt;
+    EXPECT_GE(results->visibleRegion().boundingRect().bottom(), results->rect().bottom() - kFramePx)
+        << prompt;
   }
 }
 

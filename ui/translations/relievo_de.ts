@@ -551,6 +551,10 @@
         <source>This would be more than a million frames. Choose a part of the recording.</source>
         <translation>Das wären mehr als eine Million Bilder. Wählen Sie einen Teil der Aufzeichnung.</translation>
     </message>
+    <message>
+        <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
+        <translation>Das Ziel „%1“ ist der Scan selbst. Nichts wurde geschrieben. Wählen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -1546,6 +1550,10 @@
     <message>
         <source>Contin&amp;ue</source>
         <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>The computer goes to sleep; the forces are off and this has ended. Begin again when it is awake.</source>
+        <translation>Der Computer geht in den Ruhezustand; die Kräfte sind aus und dies ist beendet. Beginnen Sie noch einmal, wenn er wach ist.</translation>
     </message>
 </context>
 <context>
@@ -4183,6 +4191,30 @@
         <source>The next recording is %1</source>
         <translation>Die nächste Aufzeichnung ist %1</translation>
     </message>
+    <message>
+        <source>F&amp;older of recordings…</source>
+        <translation>Or&amp;dner der Aufnahmen …</translation>
+    </message>
+    <message>
+        <source>Where recordings go that are made from now on</source>
+        <translation>Wohin Aufnahmen von jetzt an kommen</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>Aufnahmen kommen nach %1</translation>
+    </message>
+    <message>
+        <source>Recordings are kept in %1.</source>
+        <translation>Aufnahmen liegen in %1.</translation>
+    </message>
+    <message>
+        <source>Another &amp;folder…</source>
+        <translation>Anderer &amp;Ordner …</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -4814,6 +4846,14 @@
     <message>
         <source>HDF5: for Python and MATLAB</source>
         <translation>HDF5: für Python und MATLAB</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Where recordings go that are made from now on; empty: relievo in the documents folder</source>
+        <translation>Wohin Aufnahmen von jetzt an kommen; leer: relievo im Ordner der Dokumente</translation>
     </message>
 </context>
 <context>

@@ -551,6 +551,10 @@
         <source>This would be more than a million frames. Choose a part of the recording.</source>
         <translation>ये दस लाख से अधिक फ़्रेम होंगे। रिकॉर्डिंग का एक भाग चुनें।</translation>
     </message>
+    <message>
+        <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
+        <translation>आउटपुट '%1' स्वयं स्कैन है। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -1546,6 +1550,10 @@
     <message>
         <source>Contin&amp;ue</source>
         <translation>जारी रखें (&amp;U)</translation>
+    </message>
+    <message>
+        <source>The computer goes to sleep; the forces are off and this has ended. Begin again when it is awake.</source>
+        <translation>कंप्यूटर सोने जा रहा है; बल बंद हैं और यह समाप्त हो गया। उसके जागने पर फिर से शुरू करें।</translation>
     </message>
 </context>
 <context>
@@ -4183,6 +4191,30 @@
         <source>The next recording is %1</source>
         <translation>अगली रिकॉर्डिंग %1 होगी</translation>
     </message>
+    <message>
+        <source>F&amp;older of recordings…</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर… (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Where recordings go that are made from now on</source>
+        <translation>अब से बनने वाली रिकॉर्डिंग कहाँ जाएँगी</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>रिकॉर्डिंग %1 में जाएँगी</translation>
+    </message>
+    <message>
+        <source>Recordings are kept in %1.</source>
+        <translation>रिकॉर्डिंग %1 में रखी जाती हैं।</translation>
+    </message>
+    <message>
+        <source>Another &amp;folder…</source>
+        <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -4814,6 +4846,14 @@
     <message>
         <source>HDF5: for Python and MATLAB</source>
         <translation>HDF5: Python और MATLAB के लिए</translation>
+    </message>
+    <message>
+        <source>Folder of recordings</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर</translation>
+    </message>
+    <message>
+        <source>Where recordings go that are made from now on; empty: relievo in the documents folder</source>
+        <translation>अब से बनने वाली रिकॉर्डिंग कहाँ जाएँगी; खाली: दस्तावेज़ों के फ़ोल्डर में relievo</translation>
     </message>
 </context>
 <context>
