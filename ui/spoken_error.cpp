@@ -167,12 +167,21 @@ constexpr std::array kSentences{
         "Recording stopped: HDF5 could not write. %1 samples are saved and complete in \"%2\"."),
     QT_TRANSLATE_NOOP("Core",
                       "Recording stopped: %1. %2 samples are saved and complete in \"%3\"."),
-    QT_TRANSLATE_NOOP("Core", "The recording \"%1\" cannot be written. Choose another place."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The recording \"%1\" cannot be written: disk full. Nothing was kept. Free "
+                      "some space or choose another place."),
     QT_TRANSLATE_NOOP("Core", "The recording \"%1\" cannot be written: %2. Choose another place."),
     QT_TRANSLATE_NOOP("Core", "The recording \"%1\" may be incomplete."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "The folder \"%1\" for recordings cannot be made. Nothing is recorded. Choose "
+        "another one."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read as a log of this version."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" has other columns than this version's."),
+    QT_TRANSLATE_NOOP("Core",
+                      "\"%1\" is no recording of relievo. Choose a .csv or .h5 file that it "
+                      "recorded."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" has no rows."),
     QT_TRANSLATE_NOOP(
         "Core", "'%1' is not there. Nothing was packed. Relink it, or take it out of the project."),
@@ -193,7 +202,13 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP(
         "Core",
         "The folder \"%1\" holds frames of a video already. Nothing was written. Choose another."),
-    QT_TRANSLATE_NOOP("Core", "There is nothing between %1 s and %2 s. Nothing was made."),
+    QT_TRANSLATE_NOOP("Core",
+                      "There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing "
+                      "was made."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing "
+        "was made."),
     QT_TRANSLATE_NOOP("Core",
                       "This would be more than a million frames. Choose a part of the recording.")};
 

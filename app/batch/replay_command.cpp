@@ -35,6 +35,15 @@ std::optional<std::vector<std::string>> commandIn(const LogTable& log) {
 
 std::vector<std::string> commandOf(const LogTable& log, const std::string& file) {
   if (auto command = commandIn(log)) return std::move(*command);
+  // Whatever ends the window's recordings also says how they are run again.
+  const bool of_window = log.header.starts_with("relievo recording");
+  const bool ended = (log.header + log.footer).find("loop ticks ") != std::string::npos;
+  if (of_window && !ended) {
+    throw FileError(
+        "The recording \"" + file +
+        "\" lacks its last lines: the program or the computer ended while it recorded, or the "
+        "disk was full. It cannot be verified. Show it with Record > Replay, or make a video.");
+  }
   throw FileError(
       "The log \"" + file +
       "\" does not say what made it; only logs of touch, record and the window can be replayed.");

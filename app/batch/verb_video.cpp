@@ -126,6 +126,8 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
   TouchRecording recording;
   if (!a.recording.empty()) recording = readRecording(a.recording, task);
   const TouchRecording* const shown = a.recording.empty() ? nullptr : &recording;
+  [[maybe_unused]] const VideoTimes times = timesOf(request, shown);  // Before maps are made.
+  if (const std::string cut = whatIsCut(request, shown); !cut.empty()) tell(cut);
   const Recorded recorded =
       shown != nullptr ? loadRecorded(recording, a, task) : loadOfProject(a, task);
   const Surface& surface = recorded.surface;

@@ -2,6 +2,8 @@
 #include "core/replay/video_request.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -12,11 +14,29 @@ namespace {
 
 constexpr double kMostFrames = 1e6;  // Nine hours at 30 a second.
 
+/// As people write it: 4, 0.25.
+std::string plain(double value) {
+  std::array<char, 32> text{};
+  constexpr int kDigits = 6;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, kDigits);
+  return {text.data(), end.ptr};
+}
+
 void within(const char* what, double value, double low, double high) {
   if (value >= low && value <= high) return;
-  throw ArgumentError("A video's " + std::string(what) + " must be " +
-                      std::to_string(static_cast<int>(low)) + " to " +
-                      std::to_string(static_cast<int>(high)) + ". Nothing was made.");
+  throw ArgumentError("A video's " + std::string(what) + " must be " + plain(low) + " to " +
+                      plain(high) + ". Nothing was made.");
+}
+
+double lengthS(const VideoRequest& v, const TouchRecording* recording) {
+  return recording != nullptr ? recording->endS() - recording->startS() : v.path->endS();
+}
+
+/// "the recording is 4 s long"
+std::string lengthWords(const VideoRequest& v, const TouchRecording* recording) {
+  return std::string("the ") + (recording != nullptr ? "recording" : "camera path") + " is " +
+         plain(lengthS(v, recording)) + " s long";
 }
 
 }  // namespace
@@ -31,8 +51,8 @@ void check(const VideoRequest& v) {
   within("width in pixels", v.width_px, 64, 4096);
   within("height in pixels", v.height_px, 64, 4096);
   within("frames per second", v.fps, 1, 120);
-  within("speed in hundredths", 100 * v.speed, 1, 10'000);
-  within("angle between the eyes in hundredths of a degree", 100 * v.eye_angle_deg, 1, 2000);
+  within("speed", v.speed, 0.01, 100);
+  within("angle between the eyes in degrees", v.eye_angle_deg, 0.01, 20);
   if (v.width_px % 2 != 0 || v.height_px % 2 != 0) {
     throw ArgumentError("A video's width and height must be even. Nothing was made.");
   }
@@ -51,13 +71,13 @@ VideoTimes timesOf(const VideoRequest& v, const TouchRecording* recording) {
   if (recording == nullptr && !v.path) {
     throw ArgumentError("A video needs a recording or a camera path. Nothing was made.");
   }
-  const double end =
-      recording != nullptr ? recording->endS() - recording->startS() : v.path->endS();
+  const double end = lengthS(v, recording);
   const double from = std::max(0.0, v.from_s.value_or(0));
   const double to = std::min(end, v.to_s.value_or(end));
   if (!(to >= from)) {
-    throw ArgumentError("There is nothing between " + std::to_string(from) + " s and " +
-                        std::to_string(to) + " s. Nothing was made.");
+    throw ArgumentError("There is nothing between " + plain(v.from_s.value_or(0)) + " s and " +
+                        plain(v.to_s.value_or(end)) + " s: " + lengthWords(v, recording) +
+                        ". Nothing was made.");
   }
   const double step = v.speed / v.fps;
   // A thousandth of a frame's grace: lengths are sums of floating-point steps.
@@ -67,6 +87,17 @@ VideoTimes timesOf(const VideoRequest& v, const TouchRecording* recording) {
         "This would be more than a million frames. Choose a part of the recording.");
   }
   return {from, step, static_cast<std::uint64_t>(frames)};
+}
+
+std::string whatIsCut(const VideoRequest& v, const TouchRecording* recording) {
+  const double end = lengthS(v, recording);
+  // A thousandth of a second: no one means the last sample's exact time.
+  constexpr double kGraceS = 1e-3;
+  const bool starts_early = v.from_s.value_or(0)<0, ends_late = v.to_s.value_or(0)> end + kGraceS;
+  if (!starts_early && !ends_late) return {};
+  return "The part from " + plain(v.from_s.value_or(0)) + " s to " + plain(v.to_s.value_or(end)) +
+         " s is cut to " + plain(std::max(0.0, v.from_s.value_or(0))) + " s to " +
+         plain(std::min(end, v.to_s.value_or(end))) + " s: " + lengthWords(v, recording) + ".";
 }
 
 }  // namespace relievo

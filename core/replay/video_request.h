@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/relief/look.h"
@@ -59,5 +60,8 @@ struct VideoTimes {
 /// Of the recording if there is one, else of the path. Times are since its start.
 /// @throw ArgumentError  neither of both, or an empty part of it
 VideoTimes timesOf(const VideoRequest& request, const TouchRecording* recording);
+/// A sentence, if the request asks for more than there is; else empty. For a request that timesOf()
+/// takes.
+std::string whatIsCut(const VideoRequest& request, const TouchRecording* recording);
 
 }  // namespace relievo

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/hdf5_log.h"
 
-#include <fcntl.h>
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <mutex>
+#include <new>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "haptics/record/event_row.h"
+#include "haptics/record/pending_file.h"
+#include "haptics/record/recording_error.h"
 #include "haptics/record/replay.h"
 
 namespace relievo {
@@ -22,8 +24,6 @@ namespace {
 constexpr hsize_t kChunkRows = 4096;
 constexpr hsize_t kChunkEvents = 64;
 constexpr unsigned kDeflate = 4;
-/// More than a flush can write: every column's chunk as it is, the events, indices.
-constexpr off_t kRoomBytes = 4 << 20;
 
 /// The library serves one thread at a time.
 std::mutex& library() {
@@ -55,6 +55,86 @@ class Id {
 
 void require(herr_t status) {
   if (status < 0) throw WriteError("HDF5 could not write.", "E401");
+}
+
+/// What the library sees of a PendingFile, which it can neither fill nor break: a library that
+/// could write only a part leaves a file that nothing can read, and crashes at the program's end.
+struct PendingDriver {
+  H5FD_t shared{};  // The library's; the first, so that a pointer to one is one to the other.
+  PendingFile* file = nullptr;
+  haddr_t end = 0;  // Of the addresses in use.
+
+  static PendingDriver& of(H5FD_t* shared) { return *reinterpret_cast<PendingDriver*>(shared); }
+  static const PendingDriver& of(const H5FD_t* shared) {
+    return *reinterpret_cast<const PendingDriver*>(shared);
+  }
+};
+
+H5FD_t* openDriver(const char* /*name*/, unsigned flags, hid_t access, haddr_t /*most*/) {
+  auto* driver = new (std::nothrow) PendingDriver;
+  if (driver == nullptr) return nullptr;
+  driver->file = *static_cast<PendingFile* const*>(H5Pget_driver_info(access));
+  if ((flags & H5F_ACC_TRUNC) != 0) driver->file->resize(0);
+  return &driver->shared;
+}
+
+herr_t readDriver(H5FD_t* shared, H5FD_mem_t /*type*/, hid_t /*how*/, haddr_t from,
+                  std::size_t bytes, void* to) {
+  return PendingDriver::of(shared).file->read(from, {static_cast<char*>(to), bytes}) ? 0 : -1;
+}
+
+herr_t writeDriver(H5FD_t* shared, H5FD_mem_t /*type*/, hid_t /*how*/, haddr_t at,
+                   std::size_t bytes, const void* from) try {
+  return PendingDriver::of(shared).file->write(at, {static_cast<const char*>(from), bytes}) ? 0
+                                                                                            : -1;
+} catch (const std::bad_alloc&) {
+  return -1;  // The library is C.
+}
+
+H5FD_class_t pendingDriver() {
+  H5FD_class_t driver{};
+  driver.name = "relievo_pending";
+  driver.maxaddr = (static_cast<haddr_t>(1) << 62U);
+  driver.fc_degree = H5F_CLOSE_WEAK;
+  driver.fapl_size = sizeof(PendingFile*);
+  driver.open = openDriver;
+  driver.close = [](H5FD_t* shared) {
+    delete &PendingDriver::of(shared);
+    return 0;
+  };
+  driver.query = [](const H5FD_t*, unsigned long* features) {
+    *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA |
+                H5FD_FEAT_DATA_SIEVE | H5FD_FEAT_AGGREGATE_SMALLDATA |
+                H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+    return 0;
+  };
+  driver.get_eoa = [](const H5FD_t* shared, H5FD_mem_t) { return PendingDriver::of(shared).end; };
+  driver.set_eoa = [](H5FD_t* shared, H5FD_mem_t, haddr_t end) {
+    PendingDriver::of(shared).end = end;
+    return 0;
+  };
+  driver.get_eof = [](const H5FD_t* shared, H5FD_mem_t) {
+    return static_cast<haddr_t>(PendingDriver::of(shared).file->size());
+  };
+  driver.read = readDriver;
+  driver.write = writeDriver;
+  driver.truncate = [](H5FD_t* shared, hid_t, hbool_t) {
+    PendingDriver& own = PendingDriver::of(shared);
+    own.file->resize(own.end);
+    return 0;
+  };
+  const std::array<H5FD_mem_t, H5FD_MEM_NTYPES> map = H5FD_FLMAP_DICHOTOMY;
+  std::copy(map.begin(), map.end(), std::begin(driver.fl_map));
+  return driver;
+}
+
+Id accessTo(PendingFile& file) {
+  static const H5FD_class_t kDriver = pendingDriver();
+  const Id driver(H5FDregister(&kDriver), H5FDunregister);
+  Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  PendingFile* const held = &file;
+  require(H5Pset_driver(access, driver, &held));
+  return access;
 }
 
 Id textType(std::size_t bytes) {
@@ -122,36 +202,8 @@ void writeSurface(hid_t file, const HapticSpace& surface) {
                  "0 measured, 1 interpolated, 2 base plane, 3 steep, 4 outside");
 }
 
-/// What follows a word at the beginning of a header's line; empty: no such line.
-std::string_view lineOf(std::string_view header, std::string_view word) {
-  while (!header.empty()) {
-    const std::size_t end = std::min(header.find('\n'), header.size());
-    const std::string_view line = header.substr(0, end);
-    if (line.starts_with(word)) return line.substr(word.size());
-    header.remove_prefix(std::min(end + 1, header.size()));
-  }
-  return {};
-}
-
 constexpr const char* kStateSet = "relievo:state";  // As in the CSV's comment.
-
 constexpr const char* kEventsSet = "events";
-
-/// One happening; the text is cut to what fits.
-struct EventRow {
-  double time_s = 0;
-  double tick = 0;
-  std::array<char, 256> text{};
-
-  void take(std::string_view words) {
-    std::size_t bytes = std::min(words.size(), text.size() - 1);
-    const auto goes_on = [&] {
-      return (static_cast<unsigned char>(words[bytes]) & 0xC0U) == 0x80U;
-    };
-    while (bytes > 0 && bytes < words.size() && goes_on()) --bytes;  // Whole characters.
-    words.copy(text.data(), bytes);
-  }
-};
 
 Id eventType() {
   Id type(H5Tcreate(H5T_COMPOUND, sizeof(EventRow)), H5Tclose);
@@ -161,9 +213,7 @@ Id eventType() {
   require(H5Tinsert(type, "text", HOFFSET(EventRow, text), text));
   return type;
 }
-}  // namespace
 
-namespace {
 std::string readText(hid_t file, const char* name) {
   const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
   const Id type(H5Dget_type(set), H5Tclose);
@@ -204,6 +254,7 @@ LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
   LogTable table;
   try {
+    if (H5Fis_hdf5(file.c_str()) == 0) throw noRecording(file);
     const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     table.header = readText(held, "provenance");
     if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
@@ -239,63 +290,37 @@ std::optional<std::string> hdf5State(const std::filesystem::path& file) {
 /// Every call into the library is made while its turn is held.
 struct Hdf5Log::Impl {
   std::filesystem::path path;
+  std::optional<PendingFile> disk;
   hid_t file = -1;
-  int descriptor = -1;   // Of the same file, to take room and give it back.
   std::vector<Id> sets;  // One per column.
   std::vector<std::vector<double>> columns{kLogColumns.size()};
   std::vector<EventRow> events;
+  std::vector<std::uint64_t> rows_of_events;
   std::uint64_t rows = 0, saved = 0, events_saved = 0;
 
   void create(std::string_view header, const HapticSpace* surface);
-  void takeRoom(std::size_t more_bytes = 0);
-  void giveBackRoom();
+  void openSets();
+  void prepare(std::size_t count);
+  void prepareEvents(std::uint64_t before_row);
+  bool fits(std::size_t count);
   void flush();
-  void saveEvents();
-  void shut() {
+  void saveWhatFits(int why);
+  void closeFile() {
     sets.clear();
     if (file >= 0) H5Fclose(std::exchange(file, -1));
-    if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
   }
-  [[noreturn]] void giveUp(const char* why) {
-    rows = saved;
-    shut();
-    throw WriteError(std::string("Recording stopped: ") + why + ". " + std::to_string(rows) +
-                         " samples are saved and complete in \"" + path.string() + "\".",
-                     "E401");
-  }
+  void shut();
+  [[noreturn]] void giveUp(int why);
 };
-
-/// A file that the library could write only a part of is lost with all that was recorded before.
-/// So the room is taken first, and without it nothing is begun.
-void Hdf5Log::Impl::takeRoom(std::size_t more_bytes) {
-  haddr_t end = 0;
-  require(H5Fget_eoa(file, &end));
-  const off_t bytes = kRoomBytes + static_cast<off_t>(more_bytes);
-  const int error = ::posix_fallocate(descriptor, static_cast<off_t>(end), bytes);
-  if (error == 0) return;
-  giveBackRoom();
-  const bool full = error == ENOSPC || error == EFBIG || error == EDQUOT;
-  giveUp(full ? "disk full" : std::strerror(error));
-}
-
-void Hdf5Log::Impl::giveBackRoom() {
-  haddr_t end = 0;
-  require(H5Fget_eoa(file, &end));
-  if (::ftruncate(descriptor, static_cast<off_t>(end)) != 0) giveUp(std::strerror(errno));
-}
 
 void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
-  file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-  if (file >= 0) descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0 || descriptor < 0) {
-    throw WriteError("The recording \"" + path.string() +
-                     "\" cannot be written. Choose another place.");
-  }
+  file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, accessTo(*disk));
+  require(file < 0 ? -1 : 0);
   writeText(file, "provenance", header);
-  const std::string_view parameters = lineOf(header, "parameters ");
+  const std::string_view parameters = headerLine(header, "parameters ");
   writeText(file, "parameters", parameters.empty() ? "{}" : parameters);
-  const std::string_view state = lineOf(header, std::string(kStateSet) + " ");
+  const std::string_view state = headerLine(header, std::string(kStateSet) + " ");
   if (!state.empty()) writeText(file, kStateSet, state);
   if (surface != nullptr) writeSurface(file, *surface);
   const Id group(H5Gcreate2(file, "log", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
@@ -309,39 +334,113 @@ void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) 
   require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
-void Hdf5Log::Impl::flush() {
-  const auto count = static_cast<hsize_t>(columns[0].size());
-  if (count == 0) return;
-  takeRoom();
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    append(sets[i], H5T_NATIVE_DOUBLE, saved, count, columns[i].data());
-    columns[i].clear();
+/// The file as the disk has it.
+void Hdf5Log::Impl::openSets() {
+  closeFile();
+  disk->drop();
+  file = H5Fopen(path.c_str(), H5F_ACC_RDWR, accessTo(*disk));
+  require(file < 0 ? -1 : 0);
+  for (const LogColumn& column : kLogColumns) {
+    sets.emplace_back(H5Dopen2(file, ("log/" + std::string(column.name)).c_str(), H5P_DEFAULT),
+                      H5Dclose);
   }
-  saveEvents();
-  require(H5Fflush(file, H5F_SCOPE_LOCAL));
-  saved += count;
-  giveBackRoom();  // Until the next flush the file is complete, whatever becomes of the program.
 }
 
-void Hdf5Log::Impl::saveEvents() {
-  if (events.empty()) return;
+/// The first rows that are held, and what happened in them; not yet on the disk.
+void Hdf5Log::Impl::prepare(std::size_t count) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    append(sets[i], H5T_NATIVE_DOUBLE, saved, count, columns[i].data());
+  }
+  prepareEvents(saved + count);
+  require(H5Fflush(file, H5F_SCOPE_LOCAL));
+}
+
+void Hdf5Log::Impl::prepareEvents(std::uint64_t before_row) {
+  const auto end = std::lower_bound(rows_of_events.begin(), rows_of_events.end(), before_row);
+  const auto count = static_cast<hsize_t>(end - rows_of_events.begin());
+  if (count == 0) return;
   const Id set(H5Dopen2(file, kEventsSet, H5P_DEFAULT), H5Dclose);
   const Id type = eventType();
-  append(set, type, events_saved, events.size(), events.data());
+  append(set, type, events_saved, count, events.data());
+}
+
+void Hdf5Log::Impl::flush() {
+  const std::size_t held = columns[0].size();
+  if (held == 0) return;
+  prepare(held);
+  if (const int error = disk->commit(); error != 0) saveWhatFits(error);
+  saved += held;
   events_saved += events.size();
+  for (std::vector<double>& column : columns) column.clear();
   events.clear();
+  rows_of_events.clear();
+}
+
+bool Hdf5Log::Impl::fits(std::size_t count) {
+  openSets();
+  prepare(count);
+  return disk->takeRoom() == 0;
+}
+
+/// How long rows are, compressed, shows only when they are written. So the most for which there is
+/// room are found by trying, in memory.
+void Hdf5Log::Impl::saveWhatFits(int why) {
+  if (disk->whole()) {
+    std::size_t most = 0;
+    for (std::size_t too_many = columns[0].size(); too_many - most > 1;) {
+      const std::size_t middle = (most + too_many) / 2;
+      (fits(middle) ? most : too_many) = middle;
+    }
+    openSets();
+    if (most > 0) {
+      prepare(most);
+      if (disk->commit() == 0) saved += most;
+    }
+  }
+  giveUp(why);
+}
+
+/// What the library writes as it closes is kept if it can be: the file is complete without it.
+void Hdf5Log::Impl::shut() {
+  closeFile();
+  if (!disk) return;
+  [[maybe_unused]] const int error = disk->commit();
+  const bool whole = disk->whole() && disk->close() == 0;
+  disk.reset();
+  if (whole) return;
+  throw WriteError("The recording \"" + path.string() + "\" may be incomplete.", "E401");
+}
+
+/// @param why  an errno; 0: the library
+void Hdf5Log::Impl::giveUp(int why) {
+  rows = saved;
+  closeFile();
+  disk->drop();
+  shut();
+  throw recordingStopped(path, why, rows);
 }
 
 Hdf5Log::Hdf5Log(std::filesystem::path file, std::string_view header, const HapticSpace* surface)
     : impl_(std::make_unique<Impl>()) {
-  impl_->path = std::move(file);
+  Impl& log = *impl_;
+  log.path = std::move(file);
   const std::lock_guard<std::mutex> turn(library());
+  log.disk.emplace(log.path);
+  int error = 0;
   try {
-    impl_->create(header, surface);
+    log.create(header, surface);
+    error = log.disk->commit();
+    if (error == 0) return;
   } catch (const WriteError&) {
-    impl_->shut();
-    throw;
+    // Told below, with the file's name.
   }
+  log.closeFile();
+  log.disk.reset();
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(std::filesystem::symlink_status(log.path, ignored))) {
+    std::filesystem::remove(log.path, ignored);
+  }
+  throw recordingRefused(log.path, error);
 }
 
 Hdf5Log::~Hdf5Log() {
@@ -360,6 +459,7 @@ void Hdf5Log::write(const HapticSample& sample, double t_s, std::string_view eve
     EventRow row{t_s, static_cast<double>(sample.tick), {}};
     row.take(event);
     impl_->events.push_back(row);
+    impl_->rows_of_events.push_back(impl_->rows);
   }
   ++impl_->rows;
   if (impl_->columns[0].size() < kChunkRows) return;
@@ -367,8 +467,8 @@ void Hdf5Log::write(const HapticSample& sample, double t_s, std::string_view eve
   try {
     impl_->flush();
   } catch (const WriteError&) {
-    if (impl_->file < 0) throw;  // Given up already, with the reason.
-    impl_->giveUp("HDF5 could not write");
+    if (!impl_->disk) throw;  // Given up already, with the reason.
+    impl_->giveUp(0);
   }
 }
 
@@ -378,21 +478,15 @@ void Hdf5Log::close(std::string_view footer) {
   try {
     impl_->flush();
     if (!footer.empty()) {
-      impl_->takeRoom(footer.size());
       writeText(impl_->file, "loop", footer);
       require(H5Fflush(impl_->file, H5F_SCOPE_LOCAL));
-      impl_->giveBackRoom();
+      if (const int error = impl_->disk->commit(); error != 0) impl_->giveUp(error);
     }
   } catch (const WriteError&) {
-    if (impl_->file < 0) throw;
-    impl_->giveUp("HDF5 could not write");
+    if (!impl_->disk) throw;
+    impl_->giveUp(0);
   }
-  impl_->sets.clear();
-  const bool closed = H5Fclose(std::exchange(impl_->file, -1)) >= 0;
   impl_->shut();
-  if (!closed) {
-    throw WriteError("The recording \"" + impl_->path.string() + "\" may be incomplete.", "E401");
-  }
 }
 
 std::uint64_t Hdf5Log::rows() const noexcept {

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/error.h"
+#include "haptics/record/recording_error.h"
 
 namespace relievo {
 
@@ -104,10 +104,7 @@ void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::
 LogWriter::LogWriter(std::filesystem::path file, std::string_view header, LogKind kind)
     : file_(std::move(file)),
       descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
-  if (descriptor_ < 0) {
-    throw WriteError("The recording \"" + file_.string() +
-                     "\" cannot be written: " + std::strerror(errno) + ". Choose another place.");
-  }
+  if (descriptor_ < 0) throw recordingRefused(file_, errno);
   buffer_ = commented(header);
   if (kind == LogKind::recording) {
     room_at_ = static_cast<std::int64_t>(buffer_.size());
@@ -171,10 +168,7 @@ void LogWriter::giveUp(int error_number) {
   ::close(descriptor_);
   descriptor_ = -1;
   buffer_.clear();
-  const std::string why = error_number == ENOSPC ? "disk full" : std::strerror(error_number);
-  throw WriteError("Recording stopped: " + why + ". " + std::to_string(rows_) +
-                       " samples are saved and complete in \"" + file_.string() + "\".",
-                   "E401");
+  throw recordingStopped(file_, error_number, rows_);
 }
 
 /// Exactly as long as the room, by blanks before the last line end.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/replay.h"
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -56,6 +57,8 @@ bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& val
   return true;
 }
 
+constexpr std::string_view kFirstColumns = "t_s,";  // Of every version.
+
 LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
   std::ifstream in(file, std::ios::binary);
@@ -69,6 +72,7 @@ LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
       continue;
     }
     if (!have_columns) {
+      if (!line.starts_with(kFirstColumns)) throw noRecording(file);
       if (line != logColumns()) throw FileError(name + "has other columns than this version's.");
       have_columns = true;
       continue;
@@ -83,6 +87,7 @@ LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
     }
     if (!event.empty()) table.events.push_back({row[kTime], tickOf(row), std::move(event)});
   }
+  if (!have_columns) throw noRecording(file);
   if (table.rows.empty()) throw FileError(name + "has no rows.");
   return table;
 }
@@ -95,6 +100,11 @@ bool sameBits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 }  // namespace
+
+FileError noRecording(const std::filesystem::path& file) {
+  return FileError("\"" + file.string() +
+                   "\" is no recording of relievo. Choose a .csv or .h5 file that it recorded.");
+}
 
 LogTable readLog(const std::filesystem::path& file, const Task& task) {
   const std::string ending = file.extension().string();

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/task.h"
 #include "haptics/record/sample_log.h"
 
@@ -36,6 +37,9 @@ struct LogTable {
 /// @throw FileError  unreadable, no log, other columns; a value that is no number names its row
 /// @throw Cancelled
 LogTable readLog(const std::filesystem::path& file, const Task& task = {});
+
+/// What to say of a file that is something else.
+FileError noRecording(const std::filesystem::path& file);
 
 /// Where a replay first gave something else than the log says.
 struct ReplayDifference {

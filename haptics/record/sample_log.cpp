@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/sample_log.h"
 
+#include <algorithm>
+
 #include "haptics/record/hdf5_log.h"
 #include "haptics/record/log_writer.h"
 
@@ -37,6 +39,16 @@ std::array<double, kLogColumns.size()> logValues(const HapticSample& s, double t
           s.proxy.y,
           s.proxy.z,
           s.age_s};
+}
+
+std::string_view headerLine(std::string_view header, std::string_view word) {
+  while (!header.empty()) {
+    const std::size_t end = std::min(header.find('\n'), header.size());
+    const std::string_view line = header.substr(0, end);
+    if (line.starts_with(word)) return line.substr(word.size());
+    header.remove_prefix(std::min(end + 1, header.size()));
+  }
+  return {};
 }
 
 std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,

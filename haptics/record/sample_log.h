@@ -56,6 +56,9 @@ inline constexpr std::array<LogColumn, 30> kLogColumns{{
 /// The numbers of a row, in the columns' order. Each is exact in a double.
 std::array<double, kLogColumns.size()> logValues(const HapticSample& sample, double t_s);
 
+/// What follows a word at the beginning of a header's line; empty: no such line.
+std::string_view headerLine(std::string_view header, std::string_view word);
+
 /// A log file that is being written. [one thread at a time]
 class SampleLog {
  public:

@@ -53,7 +53,9 @@ void HapticsPlugin::setRecording(bool on) {
   } catch (const Error& error) {
     const QSignalBlocker blocker(actions_.record);
     actions_.record->setChecked(false);
-    host_->announce(QString::fromStdString(error.what()));
+    const bool of_file = dynamic_cast<const WriteError*>(&error) != nullptr;
+    host_->showError(QString::fromStdString(error.what()),
+                     of_file ? QStringLiteral("E401") : QString());
   }
 }
 

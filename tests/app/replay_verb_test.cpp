@@ -89,5 +89,24 @@ TEST_F(ReplayVerb, SaysWhatCannotBeReplayed) {
   EXPECT_EQ(made("touch", path("x.csv"), {"--device", "loom"}).exit_code, 6);
 }
 
+TEST_F(ReplayVerb, SaysThatTheLastLinesOfAWindowsRecordingAreMissing) {
+  const std::string log = path("cut.csv");
+  ASSERT_EQ(made("touch", log, {}).exit_code, 0);
+  const std::string text = test::bytesOf(log);
+  const std::string rows = text.substr(text.find("t_s,tick"));
+  const auto said = [&](const std::string& header) {
+    std::ofstream(log, std::ios::trunc) << "# relievo recording, schema 1\n# input f.ply\n"
+                                        << header << rows;
+    const CommandResult replay = runRelievo({"replay", log, "--verify"});
+    EXPECT_EQ(replay.exit_code, 2);
+    return replay.err;
+  };
+  const std::string cut = said("# not ended\n");
+  EXPECT_NE(cut.find("lacks its last lines"), std::string::npos) << cut;
+  EXPECT_NE(cut.find("cannot be verified"), std::string::npos) << cut;
+  const std::string older = said("# loop ticks 5\n");
+  EXPECT_NE(older.find("does not say what made it"), std::string::npos) << older;
+}
+
 }  // namespace
 }  // namespace relievo

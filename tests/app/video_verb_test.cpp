@@ -113,5 +113,22 @@ TEST_F(VideoVerb, SaysWhatItCannotMake) {
   EXPECT_FALSE(fs::exists(path("x.mp4")));
 }
 
+TEST_F(VideoVerb, SaysWhichPartThereIs) {
+  const std::string out = path("part.png");
+  const auto asked = [&](const std::string& from, const std::string& to) {
+    return runRelievo({"video", path("log.csv"), "-o", out, "--size", "320x180", "--frame", "0",
+                       "--from", from, "--to", to});
+  };
+  const CommandResult cut = asked("0.1", "99");
+  EXPECT_EQ(cut.exit_code, 0) << cut.err;
+  EXPECT_NE(cut.err.find("The part from 0.1 s to 99 s is cut to"), std::string::npos) << cut.err;
+  const CommandResult whole = asked("0.1", "0.2");
+  EXPECT_EQ(whole.err.find("is cut to"), std::string::npos) << whole.err;
+  const CommandResult none = asked("98", "99");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_NE(none.err.find("nothing between 98 s and 99 s: the recording is "), std::string::npos)
+      << none.err;
+}
+
 }  // namespace
 }  // namespace relievo

@@ -72,8 +72,10 @@ TEST_F(PluginRecordingTest, RecordsToTheFolderThatWasChosenAndSaysIfItCannotBe) 
   host_.folder = home_.file("a file");
   record->trigger();
   EXPECT_FALSE(record->isChecked());
-  EXPECT_TRUE(host_.announcements.last().contains("a file\" for recordings cannot be made"))
-      << host_.announcements.last().toStdString();
+  ASSERT_EQ(host_.errors.size(), 1) << "above the views, where it stays";
+  EXPECT_TRUE(host_.errors[0].contains("a file\" for recordings cannot be made"))
+      << host_.errors[0].toStdString();
+  EXPECT_TRUE(host_.errors[0].endsWith(" E401"));
 }
 
 TEST_F(PluginRecordingTest, ARecordingThatCannotGoOnIsSaidAboveTheViewsAndKept) {
@@ -108,7 +110,7 @@ TEST_F(PluginRecordingTest, AnHdf5RecordingThatCannotGoOnIsCompleteToo) {
     rlimit before{};
     ::getrlimit(RLIMIT_FSIZE, &before);
     const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{4'560'000, before.rlim_max};  // Room is taken ahead, and given back.
+    const rlimit limit{420'000, before.rlim_max};  // 200'000 are the surface.
     ::setrlimit(RLIMIT_FSIZE, &limit);
     host_.actions.at("record")->trigger();
     EXPECT_TRUE(eventually([this] { return !host_.errors.isEmpty(); }));
@@ -119,6 +121,34 @@ TEST_F(PluginRecordingTest, AnHdf5RecordingThatCannotGoOnIsCompleteToo) {
       << host_.errors.value(0).toStdString();
   ASSERT_EQ(host_.recordings.size(), 1);
   EXPECT_GE(readLog(host_.recordings[0].toStdString()).rows.size(), 4096U);
+}
+
+TEST_F(PluginRecordingTest, AnHdf5RecordingWithoutRoomIsNotBegunAndSaysSo) {
+  host_.window = flatWindow(5, 44);
+  host_.ending = "h5";
+  attach();
+  QAction* record = host_.actions.at("record");
+  {
+    rlimit before{};
+    ::getrlimit(RLIMIT_FSIZE, &before);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{160'000, before.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    record->trigger();
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+  }
+  EXPECT_FALSE(record->isChecked());
+  ASSERT_EQ(host_.errors.size(), 1);
+  const QDir folder(home_.file("Documents/relievo"));
+  EXPECT_TRUE(host_.errors[0].contains(folder.path())) << host_.errors[0].toStdString();
+  EXPECT_TRUE(host_.errors[0].contains("disk full")) << host_.errors[0].toStdString();
+  EXPECT_TRUE(host_.errors[0].endsWith(" E401"));
+  EXPECT_TRUE(folder.entryList({"*.h5"}).isEmpty());
+  record->trigger();  // As soon as there is room.
+  EXPECT_TRUE(eventually([this] { return host_.status.recorded_samples > 20; }));
+  record->trigger();
+  EXPECT_TRUE(eventually([this] { return host_.recordings.size() == 1; }));
 }
 
 TEST_F(PluginRecordingTest, ARecordingIsNamedAfterItsScanItsDayAndANumber) {

@@ -147,16 +147,33 @@ TEST(Hdf5Log, WhatALogHoldsOutlivesAProgramThatIsKilled) {
   EXPECT_EQ(kept.events[8].tick, 8000U);
 }
 
+/// A file that may not grow beyond a size is as good as a disk with so much room.
+class SizeLimit {
+ public:
+  explicit SizeLimit(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+  SizeLimit(const SizeLimit&) = delete;
+  SizeLimit& operator=(const SizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*old_handler_)(int) = nullptr;
+};
+
 TEST(Hdf5Log, IsCompleteWhenItCannotGrow) {
   const std::filesystem::path file = temporary("full.h5");
   std::string said;
   std::uint64_t saved = 0;
   {
-    rlimit before{};
-    ::getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{5'000'000, before.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const SizeLimit limit(5'000'000);
     const auto log = openLog(file, "relievo log\nunit mm");
     try {
       write(*log, 0, 1'000'000);
@@ -167,8 +184,6 @@ TEST(Hdf5Log, IsCompleteWhenItCannotGrow) {
     saved = log->rows();
     log->write(sampleAt(0), 0);  // Does nothing any more.
     log->close("loop ticks 1");
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
   }
   EXPECT_EQ(said, "Recording stopped: disk full. " + std::to_string(saved) +
                       " samples are saved and complete in \"" + file.string() + "\".");
@@ -177,7 +192,71 @@ TEST(Hdf5Log, IsCompleteWhenItCannotGrow) {
   expectRows(kept, saved);
   EXPECT_EQ(kept.events.size(), (saved + 999) / 1000);
   EXPECT_NE(kept.header.find("unit mm"), std::string::npos);
-  EXPECT_LT(std::filesystem::file_size(file), 5'000'000U) << "the room is given back";
+  EXPECT_LE(std::filesystem::file_size(file), 5'000'000U);
+}
+
+/// What a recording of so many rows keeps where there is so much room.
+struct Kept {
+  bool begun = false;
+  std::uint64_t rows = 0;
+  std::string said;
+};
+Kept keptIn(rlim_t room_bytes, const std::filesystem::path& file, const HapticSpace& surface,
+            std::uint64_t rows) {
+  const SizeLimit limit(room_bytes);
+  Kept kept;
+  std::unique_ptr<SampleLog> log;
+  try {
+    log = openLog(file, "relievo log\nunit mm", &surface);
+    kept.begun = true;
+    write(*log, 0, rows);
+    log->close("loop ticks 1");
+  } catch (const WriteError& error) {
+    EXPECT_EQ(error.code, "E401");
+    kept.said = error.what();
+  }
+  if (log) kept.rows = log->rows();
+  return kept;
+}
+
+TEST(Hdf5Log, KeepsWhatFitsWhateverRoomThereIs) {
+  const std::filesystem::path file = temporary("sweep.h5");
+  const auto surface = test::spaceOf(
+      37, [](double, double) { return 1.0; }, 1);
+  constexpr std::uint64_t kRows = 170'000;
+  ASSERT_EQ(keptIn(RLIM_INFINITY, file, *surface, kRows).rows, kRows);
+  const std::uintmax_t whole_bytes = std::filesystem::file_size(file);
+  std::uint64_t before = 0;
+  for (const rlim_t room :
+       {100'000, 160'000, 200'000, 280'000, 290'000, 300'000, 350'000, 400'000, 420'000, 500'000,
+        700'000, 1'000'000, 1'020'000, 1'200'000, 2'000'000, 3'000'000, 4'500'000, 6'000'000}) {
+    SCOPED_TRACE(room);
+    const Kept kept = keptIn(room, file, *surface, kRows);
+    EXPECT_GE(kept.rows, before) << "more room, fewer rows";
+    before = kept.rows;
+    EXPECT_EQ(kept.said.empty(), room >= whole_bytes) << kept.said;
+    EXPECT_TRUE(kept.said.empty() || kept.said.find(file.string()) != std::string::npos)
+        << kept.said;
+    if (!kept.begun) {
+      EXPECT_LT(room, 290'000U);
+      EXPECT_NE(kept.said.find("disk full. Nothing was kept."), std::string::npos) << kept.said;
+      EXPECT_FALSE(std::filesystem::exists(file)) << "a complete file or none";
+      continue;
+    }
+    EXPECT_TRUE(kept.said.empty() || kept.said.find("disk full") != std::string::npos) << kept.said;
+    EXPECT_NO_THROW(hdf5State(file)) << "a complete file, also without a row";
+    const std::uintmax_t bytes = std::filesystem::file_size(file);
+    EXPECT_LE(bytes, room);
+    if (kept.rows == 0) continue;
+    const LogTable log = readLog(file);
+    expectRows(log, kept.rows);
+    EXPECT_EQ(log.events.size(), (kept.rows + 999) / 1000);
+    EXPECT_EQ(log.footer.empty(), kept.rows < kRows) << "nothing but rows";
+    if (room < whole_bytes && kept.rows > 1000) {
+      EXPECT_GT(bytes + 20'000, room) << "room was left";
+    }
+  }
+  EXPECT_EQ(before, kRows) << "the whole sweep was short of room";
 }
 
 TEST(Hdf5Log, TakesNoMoreRoomThanItNeeds) {
@@ -200,7 +279,13 @@ TEST(Hdf5Log, CutsALongEventBetweenCharacters) {
 }
 
 TEST(Hdf5Log, RefusesAPlaceThatCannotBeWritten) {
-  EXPECT_THROW(openLog("/nowhere/at/all.h5", ""), WriteError);
+  try {
+    openLog("/nowhere/at/all.h5", "");
+    FAIL();
+  } catch (const WriteError& error) {
+    EXPECT_EQ(error.code, "E401");
+    EXPECT_NE(std::string(error.what()).find("/nowhere/at/all.h5"), std::string::npos);
+  }
 }
 
 TEST(Hdf5Log, TheEndingChoosesTheFormat) {

@@ -96,5 +96,32 @@ TEST_F(Replay, NamesTheRowThatCannotBeRead) {
   EXPECT_THROW(readLog(temporary("not_there.h5")), FileError);
 }
 
+TEST_F(Replay, SaysThatAFileIsNoRecording) {
+  const auto said = [](const std::filesystem::path& file) -> std::string {
+    try {
+      readLog(file);
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "read it";
+  };
+  for (const char* name : {"no_recording.csv", "no_recording.h5"}) {
+    const std::filesystem::path file = temporary(name);
+    for (const char* text :
+         {"a,b,c\n1,2,3\n", "dear diary", "{\"relievo_project\": 1}\n", "ply\nformat ascii 1.0\n",
+          "PK\x03\x04 cut off", "# only\n# comments\n", ""}) {
+      std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+      EXPECT_EQ(said(file), "\"" + file.string() +
+                                "\" is no recording of relievo. Choose a .csv or .h5 file that it "
+                                "recorded.")
+          << text;
+    }
+  }
+  const std::filesystem::path later = temporary("later.csv");
+  std::ofstream(later) << "# relievo recording, schema 9\nt_s,tick,mood\n1,2,3\n";
+  EXPECT_NE(said(later).find("other columns than this version's"), std::string::npos)
+      << said(later);
+}
+
 }  // namespace
 }  // namespace relievo
