@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace relievo {
 
@@ -10,5 +12,20 @@ namespace relievo {
 /// [any thread]
 /// @throw WriteError  there is something that is no regular file
 void requireReplaceable(const std::filesystem::path& file);
+
+/// A file that is read for what is written, and what people call it, after "is".
+struct FileRead {
+  std::filesystem::path file;
+  std::string what = "the scan itself";
+};
+
+/// Before any work: what is written must not take the place of what it is made from. One file
+/// however it is called: relative paths and links count. [any thread]
+/// @throw ArgumentError  `out` is one of `inputs`; empty names are no file
+void requireNotAnInput(const std::filesystem::path& out, const std::vector<FileRead>& inputs);
+
+/// Likewise, no two of what one command writes may be one file, there already or not. [any thread]
+/// @throw ArgumentError  naming it; empty names are no file
+void requireDifferentFiles(const std::vector<std::filesystem::path>& outputs);
 
 }  // namespace relievo

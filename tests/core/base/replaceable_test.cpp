@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include <fstream>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/io/replaced_file.h"
@@ -39,6 +40,44 @@ TEST(Replaceable, PipesFoldersAndLinksToThemStay) {
   }
   EXPECT_TRUE(fs::is_fifo(pipe));
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+}
+
+TEST(NotAnInput, IsAskedOfTheFileNotOfItsName) {
+  const test::TemporaryFolder folder;
+  const fs::path scan = folder.write("scan.ply", "points");
+  fs::create_directory(folder.path() / "sub");
+  fs::create_symlink(scan, folder.path() / "link.ply");
+  fs::create_hard_link(scan, folder.path() / "hard.ply");
+  fs::create_directory_symlink(folder.path(), folder.path() / "sub" / "up");
+  const std::vector<FileRead> inputs{{.file = "", .what = "nothing"}, {.file = scan}};
+  for (const char* name :
+       {"scan.ply", "link.ply", "hard.ply", "sub/../scan.ply", "sub/up/scan.ply"}) {
+    EXPECT_THROW(requireNotAnInput(folder.path() / name, inputs), ArgumentError) << name;
+  }
+  for (const char* name : {"other.ply", "sub/scan.ply", "no/scan.ply"}) {
+    EXPECT_NO_THROW(requireNotAnInput(folder.path() / name, inputs)) << name;
+  }
+  EXPECT_NO_THROW(requireNotAnInput({}, inputs));
+  try {
+    requireNotAnInput(scan, {{.file = scan, .what = "the recording that is read"}});
+    ADD_FAILURE() << "not refused";
+  } catch (const ArgumentError& error) {
+    EXPECT_EQ(error.what(), "The output '" + scan.string() +
+                                "' is the recording that is read. Nothing was written. Choose "
+                                "another name.");
+  }
+}
+
+TEST(DifferentFiles, AreAlsoToldApartBeforeTheyAreThere) {
+  const test::TemporaryFolder folder;
+  const fs::path a = folder.path() / "a.csv";
+  fs::create_directory(folder.path() / "sub");
+  EXPECT_NO_THROW(requireDifferentFiles({a, folder.path() / "b.csv", {}, {}}));
+  EXPECT_THROW(requireDifferentFiles({a, folder.path() / "sub" / ".." / "a.csv"}), ArgumentError);
+  folder.write("old.csv", "1");
+  fs::create_symlink("old.csv", folder.path() / "link.csv");
+  EXPECT_THROW(requireDifferentFiles({folder.path() / "old.csv", a, folder.path() / "link.csv"}),
+               ArgumentError);
 }
 
 }  // namespace
