@@ -183,7 +183,9 @@ int runBatch(int argc, char** argv) {
     const batch::InterruptWatch interrupt;
     const Task task{.stop = interrupt.token(), .progress = {}};
     for (const batch::Verb& verb : verbs) {
-      if (app.got_subcommand(verb.name)) return batch::report(verb.run(task), format);
+      if (!app.got_subcommand(verb.name)) continue;
+      if (verb.files) check(verb.files());
+      return batch::report(verb.run(task), format);
     }
   } catch (const std::exception& error) {
     batch::tell(withCode(error));

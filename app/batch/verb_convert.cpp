@@ -125,6 +125,13 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
           .exit_code = exitCodeAfter(surface)};
 }
 
+VerbFiles filesOf(const ConvertArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.writes(a.out);
+  return files;
+}
+
 }  // namespace
 
 Verb convertVerb() {
@@ -145,6 +152,7 @@ Verb convertVerb() {
                                 "STL: thickness below the lowest height in mm; 3");
                 addValueOptions(verb, arguments->look);
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runConvert(*arguments, task); }};
 }
 

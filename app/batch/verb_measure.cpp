@@ -227,6 +227,16 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const MeasureArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  for (const std::string& out :
+       {a.out, a.profile_csv, a.profile_svg, a.section_csv, a.section_svg}) {
+    files.writes(out);
+  }
+  return files;
+}
+
 void declareMeasure(CLI::App& verb, MeasureArguments& a) {
   addMapOptions(verb, a.map);
   constexpr std::array<const char*, kMeasureKindNames.size()> kHelp{
@@ -259,6 +269,7 @@ Verb measureVerb() {
       .name = "measure",
       .help = "Points, distances, depths, angles, profiles, areas and sections of the depth map",
       .declare = [arguments](CLI::App& verb) { declareMeasure(verb, *arguments); },
+      .files = [arguments] { return filesOf(*arguments); },
       .run = [arguments](const Task& task) { return runMeasure(*arguments, task); }};
 }
 

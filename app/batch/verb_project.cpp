@@ -177,6 +177,28 @@ Outcome runProject(const ProjectArguments& a, const Task& task) {
   return verify(a, task);
 }
 
+VerbFiles filesOf(const ProjectArguments& a) {
+  VerbFiles files;
+  if (a.out.empty()) return files;  // Relink: the project itself.
+  const auto is_there = [](const fs::path& file) {
+    std::error_code unknown;  // Whoever reads it says so.
+    return fs::exists(file, unknown);
+  };
+  files.writes(a.out);
+  files.reads(a.to, "the file that was moved");
+  for (const std::string& log : a.recordings) files.reads(log, "a recording of the project");
+  for (const std::string& figure : a.figures) files.reads(figure, "a figure that is packed");
+  if (a.action != "relink") files.reads(a.file, "the file that is read");
+  if (!is_there(a.file) || a.action == "verify") return files;
+  const auto project = stateIn(a.file);
+  if (!project) return files;
+  files.reads(project->file);
+  for (const InputFile& log : project->recordings) {
+    files.reads(log.file, "a recording of the project");
+  }
+  return files;
+}
+
 }  // namespace
 
 Verb projectVerb() {
@@ -202,6 +224,7 @@ Verb projectVerb() {
             verb.add_flag("--without-input", arguments->without_input,
                           "package: only the input's name and checksum");
           },
+      .files = [arguments] { return filesOf(*arguments); },
       .run = [arguments](const Task& task) { return runProject(*arguments, task); }};
 }
 

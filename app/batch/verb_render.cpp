@@ -175,6 +175,19 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const RenderArguments& a) {
+  VerbFiles files;
+  if (a.carrier.given()) {
+    files.readsStateOf(a.carrier, a.map.file);
+  } else {
+    files.reads(a.map.file);
+  }
+  files.writes(a.out);
+  files.writes(a.caption);
+  files.writesMap(a.region.window_out);
+  return files;
+}
+
 /// What the image says must not be said again, differently.
 void checkUse(const CLI::App& verb, const RenderArguments& a) {
   if (a.carrier.given()) {
@@ -213,6 +226,7 @@ Verb renderVerb() {
                 addCarrierOptions(verb, arguments->carrier);
                 verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runRender(*arguments, task); }};
 }
 

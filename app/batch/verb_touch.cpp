@@ -259,12 +259,24 @@ void declareTouch(CLI::App& verb, TouchArguments& arguments) {
       ->check(CLI::IsMember({"view", "device"}));
 }
 
+VerbFiles filesOf(const TouchArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.reads(a.stroke, "the stroke that is read");
+  files.reads(a.firmness, "the raster of firm ground that is read");
+  files.writes(a.out);
+  files.writes(a.plot);
+  files.writesMap(a.region.window_out);
+  return files;
+}
+
 Verb touchVerb(std::vector<std::string> words) {
   auto arguments = std::make_shared<TouchArguments>();
   arguments->words = std::move(words);
   return {.name = "touch",
           .help = "Run a stroke over a region and log proxy and force at every millisecond",
           .declare = [arguments](CLI::App& verb) { declareTouch(verb, *arguments); },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runTouch(*arguments, task); }};
 }
 

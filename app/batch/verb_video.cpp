@@ -157,6 +157,18 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
                 shortNumber(facts.seconds) + " s, " + std::to_string(facts.bytes / 1024) + " kB"}};
 }
 
+VerbFiles filesOf(const VideoArguments& a) {
+  VerbFiles files;
+  if (!a.recording.empty()) {
+    files.readsStateOf(a.recording, a.input);
+    files.reads(a.path, "the project that is read");  // For its camera path alone.
+  } else if (!a.path.empty()) {
+    files.readsStateOf({.from_image = {}, .project = a.path}, a.input);
+  }
+  files.writes(a.out);
+  return files;
+}
+
 void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("recording", a.recording, "LOG.csv or LOG.h5 of the window, touch or record");
   verb.add_option("--path", a.path, "PROJECT.json whose key views the camera passes");
@@ -190,6 +202,7 @@ Verb videoVerb() {
   return {.name = "video",
           .help = "Video of a recording: detail, whole object and plots, frame by frame",
           .declare = [arguments](CLI::App& verb) { declareVideo(verb, *arguments); },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runVideo(*arguments, task); }};
 }
 
