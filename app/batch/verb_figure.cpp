@@ -21,7 +21,6 @@ struct Arguments {
   FigureArguments figure;
   CarrierArguments carrier;
   std::string out, caption, heights;
-  bool both_eyes = false;
 };
 
 Stored fromArguments(const Arguments& a, const Task& task) {
@@ -65,7 +64,7 @@ Json measurementsJson(const Surface& surface, const Project& project) {
 
 FigureFiles figureFiles(const Arguments& a) {
   return {.figure = a.out,
-          .both_eyes = a.both_eyes,
+          .both_eyes = a.figure.both_eyes,
           .heights = a.heights,
           .caption = a.caption == "-" ? "" : a.caption};  // Shown in any case.
 }
@@ -146,11 +145,10 @@ Verb figureVerb() {
             verb.add_option("--caption", arguments->caption, "Also write the caption as text");
             verb.add_option("--heights", arguments->heights,
                             "Also write the region's heights as a 16-bit TIFF");
-            verb.add_flag("--both-eyes", arguments->both_eyes,
-                          "Also write NAME.left.png and NAME.right.png");
             verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg")
                 ->required();
             verb.final_callback([arguments, &verb] {
+              requireCarrier(arguments->carrier);
               if (!arguments->carrier.given()) return;
               refuseBeside(
                   verb, arguments->carrier,

@@ -168,7 +168,28 @@ Outcome verify(const ProjectArguments& a, const Task& task) {
   return outcome;
 }
 
+/// Each action takes its own options.
+void checkOptions(const ProjectArguments& a) {
+  const auto only = [&](const char* option, bool given,
+                        std::initializer_list<const char*> actions) {
+    std::string list;
+    for (const char* action : actions) list += (list.empty() ? "" : " or ") + std::string(action);
+    const bool applies = std::any_of(actions.begin(), actions.end(),
+                                     [&](const char* action) { return a.action == action; });
+    if (!given || applies) return;
+    throw ArgumentError(std::string(option) + " belongs to project " + list + ", not to " +
+                        a.action + ". Nothing was done. Leave it out.");
+  };
+  only("--output", !a.out.empty(), {"new", "relink", "package"});
+  only("--to", !a.to.empty(), {"relink"});
+  only("--search", !a.search.empty(), {"relink"});
+  only("--recording", !a.recordings.empty(), {"new"});
+  only("--figure", !a.figures.empty(), {"package"});
+  only("--without-input", a.without_input, {"package"});
+}
+
 Outcome runProject(const ProjectArguments& a, const Task& task) {
+  checkOptions(a);
   if (a.action == "new") return makeNew(a, task);
   if (a.action == "info") return showInfo(a);
   if (a.action == "check") return check(a, task);

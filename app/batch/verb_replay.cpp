@@ -160,7 +160,14 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
 }
 
 Outcome runReplay(const ReplayArguments& a, const Task& task) {
-  if (isPackage(a.log)) return verifyAll(a, task);
+  if (isPackage(a.log)) {
+    if (!a.out.empty()) {
+      throw ArgumentError(
+          "--output is for a single recording; a package is only checked. Nothing was replayed. "
+          "Leave it out.");
+    }
+    return verifyAll(a, task);
+  }
   const LogTable log = readLog(a.log);
   checkOutput(a, log, task);
   std::unique_ptr<SampleLog> out;
