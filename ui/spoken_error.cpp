@@ -70,6 +70,7 @@ constexpr std::array kSentences{
                       "The corners lie on one line, so that there is no area among them. Choose "
                       "others."),
     QT_TRANSLATE_NOOP("Core", "The plane does not cut the surface. Choose another plane."),
+    QT_TRANSLATE_NOOP("Core", "The plane of '%1' does not cut the surface. Choose another plane."),
     QT_TRANSLATE_NOOP("Core", "Two places, one above the other, give no plane. Choose another."),
     QT_TRANSLATE_NOOP("Core", "Three places on one line give no plane. Choose another."),
     QT_TRANSLATE_NOOP("Core",
@@ -155,9 +156,9 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller "
                       "scale or width."),
-    QT_TRANSLATE_NOOP(
-        "Core",
-        "A picture of %1 x %2 pixels is more than this version can hold. Choose a smaller one."),
+    QT_TRANSLATE_NOOP("Core",
+                      "A picture of %1 x %2 pixels is more than this version can hold, %3 million "
+                      "in all. Nothing was drawn. Choose a smaller one."),
     QT_TRANSLATE_NOOP("Core", "The graphics driver returned a black picture. Try a smaller one."),
     QT_TRANSLATE_NOOP(
         "Core",

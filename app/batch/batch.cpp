@@ -141,6 +141,31 @@ std::string withCode(const std::exception& error) {
 
 }  // namespace
 
+namespace {
+
+/// What the parser refuses, in a sentence of ours.
+std::string sentenceOf(const CLI::ParseError& error, const CLI::App& app) {
+  std::string sentence = error.what();
+  const auto replace = [&sentence](std::string_view from, std::string_view to) {
+    const std::size_t at = sentence.find(from);
+    if (at != std::string::npos) sentence.replace(at, from.size(), to);
+    return at != std::string::npos;
+  };
+  if (replace("Could not convert: ", "") && replace(" = ", ": '")) {
+    sentence += "' is not a number that it takes";
+  } else if (replace(": Value ", ": ")) {
+    replace(" not in range ", " is not from ");
+  } else if (replace(" not in {", "' is none of ")) {
+    replace(": ", ": '");
+    sentence.pop_back();
+  }
+  const auto chosen = app.get_subcommands();
+  const std::string verb = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  return sentence + ". Nothing was done. 'relievo" + verb + " --help' says what there is.";
+}
+
+}  // namespace
+
 bool isVerb(std::string_view word) {
   for (const batch::Verb& verb : batch::verbs()) {
     if (verb.name == word) return true;
@@ -174,7 +199,9 @@ int runBatch(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     // CLI11 has its own numbers; ours are 0 for help and 1 for every misuse.
-    return app.exit(error) == 0 ? 0 : 1;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    batch::tell(sentenceOf(error, app));
+    return 1;
   } catch (const Error& error) {
     batch::tell(withCode(error));
     return batch::exitCodeOf(error);
@@ -183,7 +210,9 @@ int runBatch(int argc, char** argv) {
     const batch::InterruptWatch interrupt;
     const Task task{.stop = interrupt.token(), .progress = {}};
     for (const batch::Verb& verb : verbs) {
-      if (app.got_subcommand(verb.name)) return batch::report(verb.run(task), format);
+      if (!app.got_subcommand(verb.name)) continue;
+      if (verb.files) check(verb.files());
+      return batch::report(verb.run(task), format);
     }
   } catch (const std::exception& error) {
     batch::tell(withCode(error));

@@ -24,6 +24,29 @@ std::optional<StereoPrint> stereoOf(const std::string& text) {
   return text == name(StereoMode::anaglyph) ? StereoPrint::grey : stereoPrint(text);
 }
 
+/// N of "N" and "1:N"; half of "2:1", twice as large as life, is "1:0.5".
+double scaleOf(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return numberList("--scale", text, 1)[0];
+  const double paper = numberList("--scale", text.substr(0, colon), 1)[0];
+  const double object = numberList("--scale", text.substr(colon + 1), 1)[0];
+  if (!(paper > 0)) {
+    throw ArgumentError("--scale: '" + text + "' is not of the form 1:N. Nothing was drawn.");
+  }
+  return object / paper;
+}
+
+/// As FigureDialog::limit.
+void refuseUseless(const FigureArguments& a, const FigureRequest& f) {
+  const bool eyes = f.stereo != StereoPrint::off || a.both_eyes;
+  const std::string stereo = "a kind of --stereo, or --both-eyes";
+  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, stereo);
+  requireUse("--zero-plane", a.zero_plane_mm.has_value(), eyes, stereo);
+  requireUse("--swap-eyes", a.swap_eyes, eyes, stereo);
+  requireUse("--any-parallax", a.any_parallax, eyes, stereo);
+  requireUse("--recording", !a.recording.empty(), f.layout == FigureLayout::plot, "--layout plot");
+}
+
 constexpr std::array<const char*, 8> kMarks{"scalebar", "heightbar", "up",      "outline",
                                             "hatch",    "legend",    "letters", "measurements"};
 
@@ -33,7 +56,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   verb.add_option("--layout", a.layout, listOf(kFigureLayoutNames));
   verb.add_option("--width-mm", a.width_mm, "Width on paper; 180");
   verb.add_option("--dpi", a.dpi, "Dots per inch; 300");
-  verb.add_option("--scale", a.scale, "The region at 1:N instead of a width");
+  verb.add_option("--scale", a.scale, "N or 1:N: the region at this scale instead of a width");
   verb.add_option("--text-pt", a.text_pt, "Text size in points; 8");
   addLookOptions(verb, a.look);
   verb.add_option("--stereo", a.stereo, listOf(kStereoPrintNames));
@@ -41,6 +64,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height");
   verb.add_flag("--swap-eyes", a.swap_eyes, "Left and right eye change places");
   verb.add_flag("--any-parallax", a.any_parallax, "Do not keep to the comfort limit of 1 degree");
+  verb.add_flag("--both-eyes", a.both_eyes, "Also write NAME.left.png and NAME.right.png");
   verb.add_option("--without", a.without, "Marks to leave out: " + listOf(kMarks))->delimiter(',');
   verb.add_flag("--transparent", a.transparent, "No paper behind the relief");
   verb.add_option("--recording", a.recording, "CSV of a recording, for --layout plot");
@@ -57,14 +81,14 @@ FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
     f.stereo = word("--stereo", a.stereo, stereoOf(a.stereo), kStereoPrintNames);
   }
   f.look = reliefLook(a.look, f.look);
-  if (a.width_mm && a.scale) {
+  if (a.width_mm && !a.scale.empty()) {
     throw ArgumentError("--scale: the width follows from it. Leave out --width-mm, or --scale.");
   }
   f.width_mm = a.width_mm.value_or(f.width_mm);
   f.dpi = a.dpi.value_or(f.dpi);
   f.text_pt = a.text_pt.value_or(f.text_pt);
   if (a.width_mm) f.scale_1_to.reset();  // One of the two decides.
-  if (a.scale) f.scale_1_to = a.scale;
+  if (!a.scale.empty()) f.scale_1_to = scaleOf(a.scale);
   f.eye_angle_deg = a.eye_angle_deg.value_or(f.eye_angle_deg);
   if (a.zero_plane_mm) f.zero_plane_mm = a.zero_plane_mm;
   if (a.swap_eyes) f.swap_eyes = true;
@@ -81,6 +105,7 @@ FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
     }
     *marks[static_cast<std::size_t>(found - kMarks.begin())] = false;
   }
+  refuseUseless(a, f);
   check(f);
   return f;
 }

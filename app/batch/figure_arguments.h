@@ -14,11 +14,12 @@ namespace relievo::batch {
 /// The options of a figure as they stand on the command line.
 struct FigureArguments {
   std::string layout;  ///< Empty, like all of these: as in the request they change.
-  std::optional<double> width_mm, dpi, scale, text_pt, eye_angle_deg, zero_plane_mm;
+  std::string scale;   ///< "N" or "1:N".
+  std::optional<double> width_mm, dpi, text_pt, eye_angle_deg, zero_plane_mm;
   LookArguments look;
   std::string stereo;
   std::vector<std::string> without;  ///< Marks to leave out.
-  bool transparent = false, swap_eyes = false, any_parallax = false;
+  bool transparent = false, swap_eyes = false, any_parallax = false, both_eyes = false;
   std::string recording;
   std::vector<std::string> measure;  ///< "NAME:KIND:X,Y;X,Y[@PLANE]"
 };

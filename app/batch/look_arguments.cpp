@@ -5,10 +5,36 @@
 #include <cmath>
 
 #include "app/batch/arguments.h"
+#include "app/batch/state.h"
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
 
 namespace relievo::batch {
+namespace {
+
+/// As FigureDialog::limitRelief.
+void refuseUseless(const LookArguments& a, ReliefKind kind) {
+  const bool lamps =
+      isLit(kind) || kind == ReliefKind::hillshade || kind == ReliefKind::multi_hillshade;
+  const std::string coloured = "a --relief with colours: height, slope, local, skyview or openness";
+  requireUse("--colours", !a.colours.empty(), hasLegend(kind), coloured);
+  requireUse("--range", !a.range.empty(), hasLegend(kind), coloured);
+  requireUse("--light", !a.light.empty(), lamps, "--relief lit, height, hillshade or multi");
+  requireUse("--radius", a.radius_mm.has_value(), hasRadius(kind),
+             "--relief local, skyview or openness");
+}
+
+}  // namespace
+
+void requireUse(const char* option, bool given, bool applies, const std::string& needs) {
+  if (!given || applies) return;
+  throw ArgumentError(std::string(option) + " needs " + needs +
+                      ". Nothing was made. Give that as well, or leave " + option + " out.");
+}
+
+void requireCarrier(const CarrierArguments& a) {
+  requireUse("--changed-input", a.changed_input, a.given(), "--from-image or --project");
+}
 
 void refuseWord(const char* option, const std::string& text, const std::string& words) {
   throw ArgumentError(std::string(option) + ": '" + text + "' is none of " + words + ".");
@@ -49,6 +75,7 @@ ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
     throw ArgumentError("--radius: it must be 0 (automatic) or more millimetres.");
   }
   look.radius_mm = a.radius_mm.value_or(look.radius_mm);
+  refuseUseless(a, look.kind);
   return look;
 }
 

@@ -25,8 +25,16 @@ void addValueOptions(CLI::App& verb, LookArguments& arguments);
 /// These, --colours and --range.
 void addLookOptions(CLI::App& verb, LookArguments& arguments);
 
+/// An option that could change nothing is refused; in the window its field is off.
+/// @param needs  what it belongs to @throw ArgumentError  given, but it does not apply
+void requireUse(const char* option, bool given, bool applies, const std::string& needs);
+
+struct CarrierArguments;
+/// @throw ArgumentError  --changed-input without a state
+void requireCarrier(const CarrierArguments& arguments);
+
 /// A look with what the arguments say in place of what it said.
-/// @throw ArgumentError  a value that is not of its option's form, or beyond its limits
+/// @throw ArgumentError  a value that is not of its option's form, beyond its limits, or of no use
 ReliefLook reliefLook(const LookArguments& arguments, ReliefLook look = {});
 
 /// The words of an option, for its help and for errors.

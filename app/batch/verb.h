@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/batch/arguments.h"
+#include "app/batch/verb_files.h"
 #include "core/base/task.h"
 
 namespace relievo::batch {
@@ -24,6 +25,8 @@ struct Verb {
   std::string name;
   std::string help;
   std::function<void(CLI::App&)> declare;
+  /// Looked at before it runs; empty: it replaces no file that it reads.
+  std::function<VerbFiles()> files = {};
   std::function<Outcome(const Task&)> run;
 };
 

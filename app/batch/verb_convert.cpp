@@ -21,7 +21,7 @@ struct ConvertArguments {
   MapArguments map;
   std::string out;
   std::string frame;  ///< Empty: file for rasters of others, view for all else.
-  ExportOptions how;
+  std::optional<double> plate_mm;
   LookArguments look;
 };
 
@@ -77,6 +77,7 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   if (!a.frame.empty() && a.frame != "view" && a.frame != "file") {
     throw ArgumentError("--frame: '" + a.frame + "' is neither view nor file.");
   }
+  requireUse("--plate", a.plate_mm.has_value(), *format == ExportFormat::stl, "an OUT.stl");
   std::optional<ReliefLook> look;
   if (!a.look.relief.empty()) {
     look = valuesAskedFor(a, *format);
@@ -101,7 +102,9 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
     writeMap(a.out, surface.map,
              {.view_from_file = surface.view_from_file, .mask_band = true, .state = state});
   } else {
-    exportGrid(a.out, grid, *format, a.how);
+    ExportOptions how;
+    how.plate_mm = a.plate_mm.value_or(how.plate_mm);
+    exportGrid(a.out, grid, *format, how);
   }
 
   const auto heights = static_cast<std::size_t>(
@@ -125,6 +128,13 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
           .exit_code = exitCodeAfter(surface)};
 }
 
+VerbFiles filesOf(const ConvertArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.writes(a.out);
+  return files;
+}
+
 }  // namespace
 
 Verb convertVerb() {
@@ -141,10 +151,11 @@ Verb convertVerb() {
                 verb.add_option("--frame", arguments->frame,
                                 "view: mm above the base plane; file: the file's coordinates and "
                                 "unit (the default for rasters)");
-                verb.add_option("--plate", arguments->how.plate_mm,
+                verb.add_option("--plate", arguments->plate_mm,
                                 "STL: thickness below the lowest height in mm; 3");
                 addValueOptions(verb, arguments->look);
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runConvert(*arguments, task); }};
 }
 

@@ -122,6 +122,21 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
       .exit_code = exitCodeAfter(surface)};
 }
 
+VerbFiles filesOf(const DepthmapArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  if (a.memory_mb) {
+    files.writesLevels(a.out);
+  } else {
+    files.writesMap(a.out);
+  }
+  if (a.quality) {
+    files.writes(besideMap(a.out, "count"));
+    files.writes(besideMap(a.out, "spread"));
+  }
+  return files;
+}
+
 }  // namespace
 
 Verb depthmapVerb() {
@@ -138,6 +153,7 @@ Verb depthmapVerb() {
                               "Also MAP.count.tif and MAP.spread.tif: points of every cell, and "
                               "their standard deviation in mm");
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runDepthmap(*arguments, task); }};
 }
 

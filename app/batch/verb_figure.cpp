@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
+#include "core/session/tiled_surface.h"
 #include "ui/figure/figure.h"
 
 namespace relievo::batch {
@@ -20,7 +21,6 @@ struct Arguments {
   FigureArguments figure;
   CarrierArguments carrier;
   std::string out, caption, heights;
-  bool both_eyes = false;
 };
 
 Stored fromArguments(const Arguments& a, const Task& task) {
@@ -62,20 +62,27 @@ Json measurementsJson(const Surface& surface, const Project& project) {
   return list;
 }
 
+FigureFiles figureFiles(const Arguments& a) {
+  return {.figure = a.out,
+          .both_eyes = a.figure.both_eyes,
+          .heights = a.heights,
+          .caption = a.caption == "-" ? "" : a.caption};  // Shown in any case.
+}
+
 Outcome runFigure(const Arguments& a, const Task& task) {
   if (!a.carrier.given() && a.map.file.empty()) {
     throw ArgumentError("Give FILE, --project or --from-image. Nothing was drawn.");
   }
-  const FigureFiles files{.figure = a.out,
-                          .both_eyes = a.both_eyes,
-                          .heights = a.heights,
-                          .caption = a.caption == "-" ? "" : a.caption};  // Shown in any case.
+  const FigureFiles files = figureFiles(a);
   check(files);  // Refused before the work.
   const Stored state = a.carrier.given() ? fromState(a, task) : fromArguments(a, task);
   const Surface& surface = state.surface;
   const Project& project = state.project;
   warnIfAliased(surface, project.region);
   const Json measured = measurementsJson(surface, project);  // Refused before anything is drawn.
+  if (!a.region.window_out.empty()) {
+    writeWindowIfAsked(a.region, surface, windowOf(surface, project.region, project.gain));
+  }
   const DisplayGuard display;
   const FigureSession session;
   const FigureWritten written = writeFigureFiles(surface, project, files, task);
@@ -109,6 +116,19 @@ Outcome runFigure(const Arguments& a, const Task& task) {
       .exit_code = exitCodeAfter(surface)};
 }
 
+VerbFiles filesOf(const Arguments& a) {
+  VerbFiles files;
+  if (a.carrier.given()) {
+    files.readsStateOf(a.carrier, a.map.file);
+  } else {
+    files.reads(a.map.file);
+  }
+  files.reads(a.figure.recording, "the recording that is read");
+  for (const auto& out : namesOf(figureFiles(a))) files.writes(out);
+  files.writesMap(a.region.window_out);
+  return files;
+}
+
 }  // namespace
 
 Verb figureVerb() {
@@ -125,11 +145,10 @@ Verb figureVerb() {
             verb.add_option("--caption", arguments->caption, "Also write the caption as text");
             verb.add_option("--heights", arguments->heights,
                             "Also write the region's heights as a 16-bit TIFF");
-            verb.add_flag("--both-eyes", arguments->both_eyes,
-                          "Also write NAME.left.png and NAME.right.png");
             verb.add_option("-o,--output", arguments->out, "FIG.png, .tif, .pdf or .svg")
                 ->required();
             verb.final_callback([arguments, &verb] {
+              requireCarrier(arguments->carrier);
               if (!arguments->carrier.given()) return;
               refuseBeside(
                   verb, arguments->carrier,
@@ -139,6 +158,7 @@ Verb figureVerb() {
                    "measure",    "heights",   "both-eyes"});
             });
           },
+      .files = [arguments] { return filesOf(*arguments); },
       .run = [arguments](const Task& task) { return runFigure(*arguments, task); }};
 }
 

@@ -71,6 +71,13 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const FillArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.writesMap(a.out);
+  return files;
+}
+
 }  // namespace
 
 Verb fillVerb() {
@@ -83,6 +90,7 @@ Verb fillVerb() {
                 verb.add_option("-o,--output", arguments->out, "MAP.tif; MAP.origin.tif beside it")
                     ->required();
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runFill(*arguments, task); }};
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/look_arguments.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/text_file.h"
@@ -23,7 +24,7 @@ struct MeasureArguments {
   MapArguments map;
   /// What was asked for, by kind, each "NAME=X,Y,..." or "X,Y,..."; sections "NX,NY,NZ,OFFSET".
   std::array<std::vector<std::string>, kMeasureKindNames.size()> places;
-  double plane_mm = 0;
+  std::optional<double> plane_mm;
   std::string out, profile_csv, profile_svg, section_csv, section_svg;
 };
 
@@ -64,7 +65,8 @@ std::vector<Measurement> measurements(const MeasureArguments& a) {
   for (std::size_t k = 0; k < a.places.size(); ++k) {
     std::size_t number = 0;
     for (const std::string& text : a.places[k]) {
-      list.push_back(measurementFrom(static_cast<MeasureKind>(k), text, a.plane_mm, ++number));
+      list.push_back(
+          measurementFrom(static_cast<MeasureKind>(k), text, a.plane_mm.value_or(0), ++number));
     }
   }
   if (list.empty()) {
@@ -161,6 +163,9 @@ void checkFiles(const MeasureArguments& a, const std::vector<Measurement>& list)
   checkEnding("--section-csv", a.section_csv, {".csv"});
   checkEnding("--section-svg", a.section_svg, {".svg"});
   using enum MeasureKind;
+  const bool areas =
+      std::any_of(list.begin(), list.end(), [](const Measurement& m) { return m.kind == area; });
+  requireUse("--plane", a.plane_mm.has_value(), areas, "--area");
   if (!a.profile_csv.empty()) onlyOne(list, profile, "--profile-csv");
   if (!a.profile_svg.empty()) onlyOne(list, profile, "--profile-svg");
   if (!a.section_csv.empty()) onlyOne(list, section, "--section-csv");
@@ -227,6 +232,16 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const MeasureArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  for (const std::string& out :
+       {a.out, a.profile_csv, a.profile_svg, a.section_csv, a.section_svg}) {
+    files.writes(out);
+  }
+  return files;
+}
+
 void declareMeasure(CLI::App& verb, MeasureArguments& a) {
   addMapOptions(verb, a.map);
   constexpr std::array<const char*, kMeasureKindNames.size()> kHelp{
@@ -259,6 +274,7 @@ Verb measureVerb() {
       .name = "measure",
       .help = "Points, distances, depths, angles, profiles, areas and sections of the depth map",
       .declare = [arguments](CLI::App& verb) { declareMeasure(verb, *arguments); },
+      .files = [arguments] { return filesOf(*arguments); },
       .run = [arguments](const Task& task) { return runMeasure(*arguments, task); }};
 }
 

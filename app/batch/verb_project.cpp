@@ -168,13 +168,56 @@ Outcome verify(const ProjectArguments& a, const Task& task) {
   return outcome;
 }
 
+/// Each action takes its own options.
+void checkOptions(const ProjectArguments& a) {
+  const auto only = [&](const char* option, bool given,
+                        std::initializer_list<const char*> actions) {
+    std::string list;
+    for (const char* action : actions) list += (list.empty() ? "" : " or ") + std::string(action);
+    const bool applies = std::any_of(actions.begin(), actions.end(),
+                                     [&](const char* action) { return a.action == action; });
+    if (!given || applies) return;
+    throw ArgumentError(std::string(option) + " belongs to project " + list + ", not to " +
+                        a.action + ". Nothing was done. Leave it out.");
+  };
+  only("--output", !a.out.empty(), {"new", "relink", "package"});
+  only("--to", !a.to.empty(), {"relink"});
+  only("--search", !a.search.empty(), {"relink"});
+  only("--recording", !a.recordings.empty(), {"new"});
+  only("--figure", !a.figures.empty(), {"package"});
+  only("--without-input", a.without_input, {"package"});
+}
+
 Outcome runProject(const ProjectArguments& a, const Task& task) {
+  checkOptions(a);
   if (a.action == "new") return makeNew(a, task);
   if (a.action == "info") return showInfo(a);
   if (a.action == "check") return check(a, task);
   if (a.action == "relink") return relink(a, task);
   if (a.action == "package") return pack(a, task);
   return verify(a, task);
+}
+
+VerbFiles filesOf(const ProjectArguments& a) {
+  VerbFiles files;
+  if (a.out.empty()) return files;  // Relink: the project itself.
+  const auto is_there = [](const fs::path& file) {
+    std::error_code unknown;  // Whoever reads it says so.
+    return fs::exists(file, unknown);
+  };
+  files.writes(a.out);
+  files.reads(a.to, "the file that was moved");
+  for (const std::string& log : a.recordings) files.reads(log, "a recording of the project");
+  for (const std::string& figure : a.figures) files.reads(figure, "a figure that is packed");
+  if (a.action != "relink") files.reads(a.file, "the file that is read");
+  if (!is_there(a.file) || a.action == "verify") return files;
+  const auto project = stateIn(a.file);
+  if (!project) return files;
+  files.reads(project->file);
+  for (const InputFile& log : project->recordings) {
+    files.reads(log.file, "a recording of the project");
+  }
+  return files;
 }
 
 }  // namespace
@@ -202,6 +245,7 @@ Verb projectVerb() {
             verb.add_flag("--without-input", arguments->without_input,
                           "package: only the input's name and checksum");
           },
+      .files = [arguments] { return filesOf(*arguments); },
       .run = [arguments](const Task& task) { return runProject(*arguments, task); }};
 }
 

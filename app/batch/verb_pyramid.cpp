@@ -52,6 +52,13 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const PyramidArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.writesLevels(levelFile(a.out, 0));
+  return files;
+}
+
 }  // namespace
 
 Verb pyramidVerb() {
@@ -65,6 +72,7 @@ Verb pyramidVerb() {
                 verb.add_option("-o,--output", arguments->out, "OUT.tif becomes OUT.L0.tif, ...")
                     ->required();
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runPyramid(*arguments, task); }};
 }
 

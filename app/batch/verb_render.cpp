@@ -24,8 +24,8 @@ struct RenderArguments {
   MapArguments map;
   RegionArguments region;
   std::string stereo = "off";
-  double eye_angle_deg = StereoOptions{}.eye_angle_deg;
-  std::optional<double> zero_plane_mm;
+  std::optional<double> eye_angle_deg, zero_plane_mm;
+  double eyeAngleDeg() const { return eye_angle_deg.value_or(StereoOptions{}.eye_angle_deg); }
   LookArguments look;
   int pixels = 800;
   bool scale_bar = false, swap_eyes = false;
@@ -58,7 +58,7 @@ FigureRequest pairOf(const RenderArguments& a, StereoPrint print, const ReliefLo
   f.scale_bar = a.scale_bar;
   f.height_bar = f.up_mark = f.window_outline = f.legend = f.letters = f.measurements = false;
   f.stereo = print;
-  f.eye_angle_deg = a.eye_angle_deg;
+  f.eye_angle_deg = a.eyeAngleDeg();
   f.zero_plane_mm = a.zero_plane_mm;
   f.swap_eyes = a.swap_eyes;
   f.limit_parallax = false;  // What was asked for, as in the other modes.
@@ -71,7 +71,7 @@ StereoOptions stereoOptions(const RenderArguments& a) {
       a.stereo == name(StereoPrint::grey) ? StereoMode::anaglyph : stereoMode(a.stereo);
   if (!mode) refuseWord("--stereo", a.stereo, kStereoWords);
   return {.mode = *mode,
-          .eye_angle_deg = a.eye_angle_deg,
+          .eye_angle_deg = a.eyeAngleDeg(),
           .zero_plane_mm = a.zero_plane_mm,
           .swap_eyes = a.swap_eyes};
 }
@@ -88,6 +88,10 @@ Stored fromArguments(const RenderArguments& a, const Task& task) {
   const ReliefLook look = reliefLook(a.look);
   const StereoPrint print = stereoPrint(a.stereo).value_or(StereoPrint::off);
   const StereoOptions stereo = isPair(print) ? StereoOptions{} : stereoOptions(a);
+  const bool eyes = isPair(print) || stereo.mode != StereoMode::off;
+  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, "a kind of --stereo");
+  requireUse("--zero-plane", a.zero_plane_mm.has_value(), eyes, "a kind of --stereo");
+  requireUse("--swap-eyes", a.swap_eyes, eyes, "a kind of --stereo");
   std::optional<FigureRequest> pair;
   if (isPair(print)) pair = pairOf(a, print, look);
   Stored state{.surface = openForVerb(a.map, task), .project = {}};
@@ -175,8 +179,22 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const RenderArguments& a) {
+  VerbFiles files;
+  if (a.carrier.given()) {
+    files.readsStateOf(a.carrier, a.map.file);
+  } else {
+    files.reads(a.map.file);
+  }
+  files.writes(a.out);
+  files.writes(a.caption);
+  files.writesMap(a.region.window_out);
+  return files;
+}
+
 /// What the image says must not be said again, differently.
 void checkUse(const CLI::App& verb, const RenderArguments& a) {
+  requireCarrier(a.carrier);
   if (a.carrier.given()) {
     refuseBeside(verb, a.carrier, {});
   } else if (a.map.file.empty()) {
@@ -213,6 +231,7 @@ Verb renderVerb() {
                 addCarrierOptions(verb, arguments->carrier);
                 verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runRender(*arguments, task); }};
 }
 

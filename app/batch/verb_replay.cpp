@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/batch/companions.h"
 #include "app/batch/json.h"
 #include "app/batch/replay_command.h"
 #include "app/batch/replay_window.h"
@@ -28,6 +29,10 @@ constexpr int kVerifyMismatch = 5;
 
 bool isPackage(const std::string& file) {
   return readHead(file, 4) == std::string("PK\x03\x04", 4);
+}
+
+bool isOfWindow(const LogTable& log) {
+  return log.footer.find("replay core ") != std::string::npos;
 }
 
 /// A folder of its own, gone afterwards.
@@ -128,16 +133,48 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
   return outcome;
 }
 
+VerbFiles filesOf(const ReplayArguments& a) {
+  VerbFiles files;
+  files.reads(a.log, "the recording that is read");
+  files.reads(a.input);
+  files.writes(a.out);
+  return files;
+}
+
+/// What the log names is read as well. @throw ArgumentError, FileError
+void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task) {
+  if (a.out.empty()) return;
+  VerbFiles files;
+  files.writes(a.out);
+  if (isOfWindow(log)) {
+    files.readsStateOf(a.log, a.input);
+    for (const InputFile& file : companionsOf(a.log, true, task)) {
+      files.reads(file.file, "a file that the recording needs");
+    }
+  } else {
+    const TouchArguments touch = argumentsOf(commandOf(log, a.log));
+    files.reads(a.input.empty() ? touch.map.file : a.input);
+    files.reads(touch.firmness, "the raster of firm ground that is read");
+  }
+  check(files);
+}
+
 Outcome runReplay(const ReplayArguments& a, const Task& task) {
-  if (isPackage(a.log)) return verifyAll(a, task);
+  if (isPackage(a.log)) {
+    if (!a.out.empty()) {
+      throw ArgumentError(
+          "--output is for a single recording; a package is only checked. Nothing was replayed. "
+          "Leave it out.");
+    }
+    return verifyAll(a, task);
+  }
   const LogTable log = readLog(a.log);
+  checkOutput(a, log, task);
   std::unique_ptr<SampleLog> out;
   const auto each = [&out](const HapticSample& sample, double t_s) {
     if (out) out->write(sample, t_s);
   };
-  if (!a.out.empty() && log.footer.find("replay core ") != std::string::npos) {
-    out = openLog(a.out, log.header);
-  }
+  if (!a.out.empty() && isOfWindow(log)) out = openLog(a.out, log.header);
   std::string input = a.input;
   std::optional<ReplayResult> of_window = replayOfWindow(log, a.log, a.input, each, task);
   if (!of_window) {
@@ -192,6 +229,7 @@ Verb replayVerb() {
                 verb.add_flag("--verify", arguments->verify,
                               "Exit 5 if a single bit differs from the log");
               },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runReplay(*arguments, task); }};
 }
 

@@ -8,6 +8,7 @@
 #include "app/batch/force_plot.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/look_arguments.h"
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
@@ -119,6 +120,13 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
 }
 
 Outcome runTouch(const TouchArguments& a, const Task& task) {
+  requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
+             "--magnet");
+  if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
+    throw ArgumentError(
+        "--stiffness is one for all levels. Nothing was touched. Leave it out, or "
+        "--level-stiffness.");
+  }
   const Stroke stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
   const RegionWindow& window = setup.window;
@@ -259,12 +267,24 @@ void declareTouch(CLI::App& verb, TouchArguments& arguments) {
       ->check(CLI::IsMember({"view", "device"}));
 }
 
+VerbFiles filesOf(const TouchArguments& a) {
+  VerbFiles files;
+  files.reads(a.map.file);
+  files.reads(a.stroke, "the stroke that is read");
+  files.reads(a.firmness, "the raster of firm ground that is read");
+  files.writes(a.out);
+  files.writes(a.plot);
+  files.writesMap(a.region.window_out);
+  return files;
+}
+
 Verb touchVerb(std::vector<std::string> words) {
   auto arguments = std::make_shared<TouchArguments>();
   arguments->words = std::move(words);
   return {.name = "touch",
           .help = "Run a stroke over a region and log proxy and force at every millisecond",
           .declare = [arguments](CLI::App& verb) { declareTouch(verb, *arguments); },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runTouch(*arguments, task); }};
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/batch/json.h"
+#include "app/batch/look_arguments.h"
 #include "app/batch/recording.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
@@ -21,8 +22,9 @@ namespace fs = std::filesystem;
 
 struct VideoArguments {
   std::string path;
-  std::string recording, input, out, profile = "talk", size = "1280x720", stereo, relief = "lit",
-                                     colours = "viridis", light;
+  std::string recording, input, out, profile = "talk", size = "1280x720", stereo;
+  LookArguments look;
+  std::optional<double> eye_angle_deg;
   std::vector<std::string> without;
   VideoRequest request;
   std::optional<std::uint64_t> frame;
@@ -47,12 +49,11 @@ VideoRequest requestOf(const VideoArguments& a) {
   const bool grey = a.stereo.empty() && v.profile == VideoProfile::anaglyph;
   if (grey) v.stereo = StereoPrint::grey;
   if (!a.stereo.empty()) v.stereo = chosen("--stereo", a.stereo, stereoPrint(a.stereo));
-  v.look.kind = chosen("--relief", a.relief, reliefKind(a.relief));
-  v.look.colours = chosen("--colours", a.colours, colourMap(a.colours));
-  if (!a.light.empty()) {
-    const std::vector<double> light = numberList("--light", a.light, 2);
-    v.look.light = {light[0], light[1]};
-  }
+  const bool eyes = v.stereo != StereoPrint::off;
+  requireUse("--eye-angle", a.eye_angle_deg.has_value(), eyes, "a kind of --stereo");
+  requireUse("--swap-eyes", v.swap_eyes, eyes, "a kind of --stereo");
+  v.eye_angle_deg = a.eye_angle_deg.value_or(v.eye_angle_deg);
+  v.look = reliefLook(a.look, v.look);
   for (const std::string& part : a.without) {
     if (part == "plots") v.plots = false;
     if (part == "overview") v.overview = false;
@@ -159,6 +160,18 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
                 shortNumber(facts.seconds) + " s, " + std::to_string(facts.bytes / 1024) + " kB"}};
 }
 
+VerbFiles filesOf(const VideoArguments& a) {
+  VerbFiles files;
+  if (!a.recording.empty()) {
+    files.readsStateOf(a.recording, a.input);
+    files.reads(a.path, "the project that is read");  // For its camera path alone.
+  } else if (!a.path.empty()) {
+    files.readsStateOf({.from_image = {}, .project = a.path}, a.input);
+  }
+  files.writes(a.out);
+  return files;
+}
+
 void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("recording", a.recording, "LOG.csv or LOG.h5 of the window, touch or record");
   verb.add_option("--path", a.path, "PROJECT.json whose key views the camera passes");
@@ -177,11 +190,11 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
       ->delimiter(',')
       ->check(CLI::IsMember({"plots", "overview", "scalebar"}));
   verb.add_option("--stereo", a.stereo, "off, grey, half or dubois; anaglyph: grey");
-  verb.add_option("--eye-angle", a.request.eye_angle_deg, "Degrees between the eyes; 4");
+  verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4");
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");
-  verb.add_option("--relief", a.relief, "How heights are painted, as for figure");
-  verb.add_option("--colours", a.colours, "grey, viridis, cividis or batlow");
-  verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
+  verb.add_option("--relief", a.look.relief, "How heights are painted, as for figure");
+  verb.add_option("--colours", a.look.colours, "grey, viridis, cividis or batlow");
+  verb.add_option("--light", a.look.light, "AZIMUTH,ELEVATION in degrees; 315,45");
   verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG");
 }
 
@@ -192,6 +205,7 @@ Verb videoVerb() {
   return {.name = "video",
           .help = "Video of a recording: detail, whole object and plots, frame by frame",
           .declare = [arguments](CLI::App& verb) { declareVideo(verb, *arguments); },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runVideo(*arguments, task); }};
 }
 

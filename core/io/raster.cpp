@@ -104,8 +104,10 @@ double readUnits(GDALDataset& dataset, ScanInfo& info) {
   if (srs->IsVertical()) vertical = unitOfMetres(srs->GetTargetLinearUnits("VERT_CS", nullptr));
   if (!vertical) vertical = unitOfName(dataset.GetRasterBand(1)->GetUnitType());
   if (!vertical) {
-    info.warnings.push_back("The raster states no unit for its heights; they were taken to be in " +
-                            std::string(name(*info.unit)) + " like its coordinates.");
+    // Whoever gives a unit gives it for both.
+    info.warnings.emplace_back(
+        "The raster states no unit for its heights; they were taken to be in the unit of its "
+        "coordinates.");
     return 1;
   }
   if (*vertical == *info.unit) return 1;

@@ -2,6 +2,8 @@
 #include "core/measure/measure.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -161,10 +163,19 @@ void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
   reading.not_measured = piece.not_measured;
 }
 
+/// To the micrometre, without zeros that say nothing.
+std::string shown(double mm) {
+  std::array<char, 400> text{};  // The largest double has 309 digits.
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::round(mm * 1e3) / 1e3,
+                                 std::chars_format::fixed);
+  return {text.data(), end.ptr};
+}
+
 void readSection(const MapCells& map, const Measurement& m, Reading& reading) {
   reading.curves = section(map, planeOf(m));
   if (reading.curves.empty()) {
-    throw ArgumentError("The plane does not cut the surface. Choose another plane.");
+    throw ArgumentError("The plane" + (m.name.empty() ? "" : " of '" + m.name + "'") +
+                        " does not cut the surface. Choose another plane.");
   }
   Quantity length{.title = "length of the cut", .unit = "mm"};
   double points = 0;
@@ -254,8 +265,8 @@ Reading read(const MapCells& map, const Measurement& m) {
     const auto point = surfacePoint(map, place);
     // A piece's corners and a profile's ends may lie beside the object.
     if (!point && !takesMore(m.kind)) {
-      throw ArgumentError("There is no surface at x " + std::to_string(place.x) + ", y " +
-                          std::to_string(place.y) + " mm. Choose a place on the object.");
+      throw ArgumentError("There is no surface at x " + shown(place.x) + ", y " + shown(place.y) +
+                          " mm. Choose a place on the object.");
     }
     reading.points.push_back(point.value_or(SurfacePoint{.at = {place.x, place.y, m.plane_mm}}));
   }

@@ -91,8 +91,10 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
   const int width = options.width, height = options.height;
   if (width < 1 || height < 1) throw ArgumentError("A picture needs a width and a height above 0.");
   if (static_cast<double>(width) * height > kMostPixels) {
-    throw GraphicsError("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                        " pixels is more than this version can hold. Choose a smaller one.");
+    throw ArgumentError("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                        " pixels is more than this version can hold, " +
+                        std::to_string(static_cast<int>(kMostPixels / 1e6)) +
+                        " million in all. Nothing was drawn. Choose a smaller one.");
   }
   OffscreenWindow window;
   const int side = std::min(options.tile_px, window.sizeLimitPx());

@@ -243,6 +243,8 @@ TEST(Raster, UnitComesFromTheProjection) {
   EXPECT_EQ(metres.info.unit, LengthUnit::m);
   ASSERT_FALSE(metres.info.warnings.empty());
   EXPECT_THAT(metres.info.warnings[0], HasSubstr("no unit for its heights"));
+  EXPECT_THAT(metres.info.warnings[0], HasSubstr("to be in the unit of its coordinates."))
+      << "which --unit may change";
   foreign.epsg = 2263;  // New York Long Island, US survey feet.
   EXPECT_EQ(readRaster(foreign.write(folder)).info.unit, LengthUnit::us_ft);
 }

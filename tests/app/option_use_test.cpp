@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options that could change nothing are refused by name, and misuse is told in a sentence.
+#include <functional>
+
+#include "tests/app/command_test.h"
+
+namespace relievo::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+
+class OptionUse : public CommandTest {
+ protected:
+  /// A map of 11 x 11 cells.
+  std::string map() const {
+    std::string grid = "ncols 11\nnrows 11\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+    for (int i = 0; i < 121; ++i) grid += std::to_string(i % 11) + (i % 11 == 10 ? "\n" : " ");
+    return write("m.asc", grid);
+  }
+  /// One sentence of ours ends stderr and begins with `what`, exit 1, and no such output.
+  void isRefused(const Words& words, const std::string& what, const std::string& out) const {
+    const CommandResult result = runRelievo(words);
+    std::string line;
+    for (const std::string& word : words) line += word + " ";
+    EXPECT_EQ(result.exit_code, 1) << line << result.err;
+    EXPECT_NE(result.err.find("relievo: " + what), std::string::npos) << line << result.err;
+    const std::size_t last = result.err.rfind("relievo: ");  // After what is said of the unit.
+    EXPECT_EQ(last, result.err.find("relievo: " + what)) << line << result.err;
+    EXPECT_EQ(result.err.find('\n', last), result.err.size() - 1) << line << result.err;
+    EXPECT_FALSE(fs::exists(out)) << line;
+  }
+};
+
+TEST_F(OptionUse, OfFiguresAndPicturesIsAsInTheWindow) {
+  const std::string m = map(), out = path("f.png");
+  const auto figure = [&](const Words& more, const std::string& what) {
+    isRefused(joined({"figure", m, "-o", out}, more), what, out);
+  };
+  const auto render = [&](const Words& more, const std::string& what) {
+    isRefused(joined({"render", m, "-o", out}, more), what, out);
+  };
+  figure({"--layout", "detail", "--recording", "none.csv"}, "--recording needs --layout plot.");
+  for (const auto& verb : {std::function(figure), std::function(render)}) {
+    verb({"--range", "0,5"}, "--range needs a --relief with colours");
+    verb({"--relief", "hillshade", "--colours", "grey"}, "--colours needs a --relief with colours");
+    verb({"--relief", "slope", "--radius", "3"}, "--radius needs --relief local, skyview");
+    verb({"--relief", "slope", "--light", "0,45"}, "--light needs --relief lit, height");
+    verb({"--eye-angle", "4"}, "--eye-angle needs a kind of --stereo");
+    verb({"--zero-plane", "1"}, "--zero-plane needs a kind of --stereo");
+    verb({"--swap-eyes"}, "--swap-eyes needs a kind of --stereo");
+    verb({"--changed-input"}, "--changed-input needs --from-image or --project.");
+  }
+  figure({"--any-parallax"}, "--any-parallax needs a kind of --stereo");
+}
+
+TEST_F(OptionUse, ThatAppliesIsTaken) {
+  const std::string m = map(), out = path("f.png");
+  for (const Words& more : std::vector<Words>{
+           {"--both-eyes", "--eye-angle", "3", "--swap-eyes"},
+           {"--stereo", "grey", "--eye-angle", "3", "--zero-plane", "5"},
+           {"--relief", "local", "--radius", "3", "--range", "-1,1", "--colours", "grey"},
+           {"--relief", "multi", "--light", "0,60"}}) {
+    const CommandResult result = runRelievo(joined({"figure", m, "--dpi", "60", "-o", out}, more));
+    EXPECT_EQ(result.exit_code, 0) << more[0] << result.err;
+  }
+}
+
+TEST_F(OptionUse, OfOtherVerbsLikewise) {
+  const std::string m = map(), out = path("o.csv"), log = path("log.csv");
+  isRefused({"measure", m, "--plane", "3", "--point", "4,4", "-o", out}, "--plane needs --area.",
+            out);
+  isRefused({"convert", m, path("o.tif"), "--plate", "2"}, "--plate needs an OUT.stl.",
+            path("o.tif"));
+  isRefused({"touch", m, "--stroke", kFlatStroke, "--magnet-reach", "2", "-o", out},
+            "--magnet-reach needs --magnet.", out);
+  isRefused({"touch", m, "--stroke", kFlatStroke, "--stiffness", "1", "--level-stiffness", "1,2",
+             "-o", out},
+            "--stiffness is one for all levels.", out);
+  ASSERT_EQ(runRelievo({"touch", m, "--stroke", kFlatStroke, "-o", log}).exit_code, 0);
+  const auto video = [&](const Words& more, const std::string& what) {
+    isRefused(joined({"video", log, "--frame", "0", "-o", path("v.png")}, more), what,
+              path("v.png"));
+  };
+  video({"--eye-angle", "3"}, "--eye-angle needs a kind of --stereo");
+  video({"--swap-eyes"}, "--swap-eyes needs a kind of --stereo");
+  video({"--colours", "grey"}, "--colours needs a --relief with colours");
+  isRefused({"project", "info", log, "-o", out}, "--output belongs to project new or relink", out);
+  isRefused({"project", "new", log, "--to", m, "-o", out}, "--to belongs to project relink", out);
+}
+
+TEST_F(OptionUse, ThatIsWrongIsToldInASentence) {
+  const std::string m = map(), out = path("f.png");
+  const std::string none = " Nothing was done. 'relievo figure --help' says what there is.\n";
+  isRefused({"figure", m, "--dpi", "abc", "-o", out},
+            "--dpi: 'abc' is not a number that it takes." + none, out);
+  isRefused({"figure", m}, "--output is required." + none, out);
+  isRefused({"figure", m, "--colour", "-o", out},
+            "The following argument was not expected: --colour." + none, out);
+  const std::string render = " Nothing was done. 'relievo render --help' says what there is.\n";
+  isRefused({"render", m, "--pixels", "15", "-o", out},
+            "--pixels: 15 is not from 16 to 16384." + render, out);
+  isRefused({"render", m, "--report", "xml", "-o", out},
+            "--report: 'xml' is none of json,text." + render, out);
+  isRefused({"figure", m, "--width-mm", "2000", "--dpi", "2400", "-o", out}, "A picture of ", out);
+  const CommandResult large =
+      runRelievo({"figure", m, "--width-mm", "2000", "--dpi", "2400", "-o", out});
+  EXPECT_NE(large.err.find("can hold, 536 million in all. Nothing was drawn."), std::string::npos)
+      << large.err;
+}
+
+TEST_F(OptionUse, ThatMeasuresNamesThePlaceAndTheSection) {
+  const std::string m = map(), out = path("o.csv");
+  isRefused({"measure", m, "--point", "900,9.25", "-o", out},
+            "There is no surface at x 900, y 9.25 mm.", out);
+  isRefused({"measure", m, "--section", "0,0,1,5", "--section", "rim=0,0,1,99", "-o", out},
+            "The plane of 'rim' does not cut the surface.", out);
+}
+
+TEST_F(OptionUse, TakesAScaleAsItIsWritten) {
+  const std::string m = map();
+  const auto paper = [&](const std::string& scale) {
+    const CommandResult result =
+        runRelievo({"figure", m, "--layout", "detail", "--dpi", "60", "--scale", scale, "-o",
+                    path("f.png"), "--report", "json"});
+    return reportOf(result)["scale_1_to"].get<double>();
+  };
+  EXPECT_EQ(paper("0.5"), 0.5);
+  EXPECT_EQ(paper("1:0.5"), 0.5);
+  EXPECT_EQ(paper("2:1"), 0.5);
+  EXPECT_EQ(paper("1:0.25"), paper("0.25"));
+  isRefused({"figure", m, "--scale", "1:x", "-o", path("g.png")}, "--scale: 'x' is not a number.",
+            path("g.png"));
+  isRefused({"figure", m, "--scale", "0:1", "-o", path("g.png")},
+            "--scale: '0:1' is not of the form 1:N.", path("g.png"));
+}
+
+}  // namespace
+}  // namespace relievo::test
