@@ -97,6 +97,9 @@ FigureRequest FigureDialog::request() const {
     f.look.range.reset();
   }
   f.stereo = static_cast<StereoPrint>(stereo_->currentIndex());
+  if (f.stereo != project_.figure.stereo || f.layout != project_.figure.layout) {
+    f.eye = FigureEye::both;  // The state of one eye's file; this is another figure.
+  }
   f.eye_angle_deg = eye_->valueOr(f.eye_angle_deg);
   f.limit_parallax = comfort_->isChecked();
   if (own_zero_plane_->isChecked()) {

@@ -74,6 +74,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
 }
 
 FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
+  if (!a.layout.empty() || !a.stereo.empty()) f.eye = FigureEye::both;  // No longer that one's.
   if (!a.layout.empty()) {
     f.layout = word("--layout", a.layout, figureLayout(a.layout), kFigureLayoutNames);
   }

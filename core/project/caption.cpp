@@ -115,8 +115,10 @@ std::string stereoText(const CaptionFacts& facts) {
                                               "Dubois red-cyan anaglyph",
                                               "two pictures side by side",
                                               "two pictures, one over the other"};
-  return "; " + std::string(kWords.at(static_cast<std::size_t>(facts.stereo))) + ", " +
-         shortNumber(facts.eye_angle_deg, 3) + "\u00b0 between the eyes" +
+  const std::string picture = facts.eye == FigureEye::both
+                                  ? kWords.at(static_cast<std::size_t>(facts.stereo))
+                                  : std::string(name(facts.eye)) + " eye's picture of two";
+  return "; " + picture + ", " + shortNumber(facts.eye_angle_deg, 3) + "\u00b0 between the eyes" +
          (facts.swap_eyes ? ", eyes swapped" : "");
 }
 

@@ -17,6 +17,7 @@ namespace relievo {
 struct CaptionFacts {
   ReliefLook look = {};
   StereoPrint stereo = StereoPrint::off;
+  FigureEye eye = FigureEye::both;
   bool swap_eyes = false;
   double eye_angle_deg = 0;                              ///< As drawn.
   std::optional<double> mm_per_pixel = std::nullopt;     ///< On the object; nothing: not of pixels.

@@ -39,6 +39,11 @@ void check(const FigureRequest& f) {
         "Two eyes' pictures fill a figure of their own: they need the layout "
         "'detail'. Choose it, or an anaglyph.");
   }
+  if (f.eye != FigureEye::both && (!pair || f.layout != FigureLayout::detail)) {
+    throw ArgumentError(
+        "One eye's picture of two needs the layout 'detail' and the stereo 'sidebyside' or "
+        "'overunder'. Choose both eyes, or these.");
+  }
   if (f.layout == FigureLayout::plot && f.recording.empty()) {
     throw ArgumentError("A figure with plots needs a recording. Choose the CSV file of one.");
   }

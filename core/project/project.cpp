@@ -71,6 +71,7 @@ Json figureJson(const FigureRequest& f) {
   Json json;
   json["layout"] = name(f.layout);
   json["stereo"] = name(f.stereo);
+  json["eye"] = name(f.eye);
   json["scale_1_to"] = optionalJson(f.scale_1_to);
   json["zero_plane_mm"] = optionalJson(f.zero_plane_mm);
   forEachField(f, [&](const char* key, const auto& field) { json[key] = field; });
@@ -82,6 +83,7 @@ FigureRequest figureFrom(const Json& json) {
   FigureRequest f;
   f.layout = word<FigureLayout>(json, "layout", kFigureLayoutNames);
   f.stereo = word<StereoPrint>(json, "stereo", kStereoPrintNames);
+  if (json.contains("eye")) f.eye = word<FigureEye>(json, "eye", kFigureEyeNames);
   f.scale_1_to = optionalFrom<double>(json, "scale_1_to");
   f.zero_plane_mm = optionalFrom<double>(json, "zero_plane_mm");
   forEachField(f, [&](const char* key, auto& field) { field = json.value(key, field); });

@@ -8,14 +8,19 @@
 #include <QImage>
 #include <QPainter>
 
+#include "core/base/error.h"
 #include "core/project/caption.h"
+#include "core/project/carried_state.h"
 #include "core/session/map_facts.h"
 #include "core/session/tiled_surface.h"
+#include "ui/figure/figure_legend.h"
 #include "ui/figure/figure_marks.h"
 #include "ui/figure/figure_plot.h"
 #include "ui/figure/figure_sheet.h"
 
 namespace relievo {
+
+namespace fs = std::filesystem;
 
 struct FigureSession::Impl {
   int argc = 3;
@@ -36,12 +41,15 @@ std::string figureCaption(const Surface& surface, const Project& project,
   const FigureRequest& f = project.figure;
   CaptionFacts drawn{.look = figureLook(surface, project),
                      .stereo = f.stereo,
+                     .eye = f.eye,
                      .swap_eyes = f.swap_eyes,
                      .eye_angle_deg = facts.eye_angle_deg,
                      .paper_mm_per_mm = facts.paper_per_mm};
   if (facts.mm_per_pixel > 0) drawn.mm_per_pixel = facts.mm_per_pixel;
   if (facts.measured) drawn.measurements = project.measurements;
-  return captionOf(project, surface, windowOf(surface, project.region, project.gain), drawn);
+  const std::string caption =
+      captionOf(project, surface, windowOf(surface, project.region, project.gain), drawn);
+  return facts.left_out.empty() ? caption : caption + " " + facts.left_out;
 }
 
 namespace {
@@ -52,7 +60,7 @@ FigureFacts sizesOf(const FigureSheet& layout, const FigureInk& ink, double dpi,
   facts.width_mm = layout.width_mm;
   facts.height_mm = layout.height_mm;
   facts.width_px = static_cast<int>(std::lround(facts.width_mm / 25.4 * dpi));
-  facts.height_px = static_cast<int>(std::ceil(facts.height_mm / 25.4 * dpi - 1e-6));
+  facts.height_px = static_cast<int>(std::lround(facts.height_mm / 25.4 * dpi));
   facts.paper_per_mm = layout.paper_per_mm;
   facts.measured = measured;
   for (const FigurePanel& panel : layout.panels) {
@@ -68,6 +76,54 @@ std::vector<Reading> readAll(const Surface& surface, const Project& project) {
   return readings;
 }
 
+/// A recording says which scan was touched; of another one its heights and forces mean nothing
+/// here.
+std::vector<ForceCurveRow> readRecording(const Project& project) {
+  const std::string& file = project.figure.recording;
+  std::vector<ForceCurveRow> rows = readForceCurve(file);
+  const std::optional<Project> touched = carriedProject(file);
+  if (touched && !touched->sha256.empty() && !project.sha256.empty() &&
+      touched->sha256 != project.sha256) {
+    throw FileError("'" + fs::path(file).filename().string() + "' is no recording of '" +
+                        fs::path(project.file).filename().string() +
+                        "' but of another file (checksum differs, E501). Nothing was drawn. "
+                        "Choose a recording of this one.",
+                    "E501");
+  }
+  return rows;
+}
+
+/// Its rows follow from its numbers, and the sheet's height from its rows.
+void fitLegend(const FigureInk& ink, const Surface& surface, const Project& project,
+               DrawnSheet& drawn) {
+  FigureSheet& sheet = drawn.layout;
+  if (sheet.legend.isEmpty()) return;
+  const FigureLegend legend(ink, surface, project, drawn.pictures.back().values,
+                            ink.px(sheet.legend).width());
+  sheet.legend.setHeight(legend.height() / ink.px(1.0));
+  sheet.height_mm = sheet.legend.bottom();
+}
+
+/// What the figure's facts say of its size and marks.
+FigureFacts factsOf(const Surface& surface, const Project& project, const DrawnSheet& drawn,
+                    double dpi) {
+  QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
+  QPainter painter(&unit);
+  const FigureInk ink(painter, dpi, project.figure.text_pt, FigureInk::Target::pixels);
+  FigureFacts facts = sizesOf(drawn.layout, ink, dpi, project.figure.measurements);
+  const PanelPicture& picture = drawn.pictures.back();
+  facts.eye_angle_deg = picture.eye_angle_deg;
+  facts.parallax_deg = picture.parallax_deg;
+  facts.zero_plane_mm = picture.zero_plane_mm;
+  if (hasLegend(project.figure.look.kind)) {
+    facts.range = {{picture.values.low, picture.values.high}};
+    facts.range_unit = picture.values.unit;
+  }
+  facts.left_out = leftOutText(placeMarks(ink, {surface, project, drawn.layout, drawn.measured}));
+  facts.caption = figureCaption(surface, project, facts);
+  return facts;
+}
+
 }  // namespace
 
 DrawnSheet drawPictures(const Surface& surface, const Project& project, double dpi,
@@ -77,14 +133,12 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
   DrawnSheet drawn;
   drawn.layout = layOut(surface, project);
   drawn.dpi = dpi;
-  if (f.layout == FigureLayout::plot) drawn.recording = readForceCurve(f.recording);
+  if (f.layout == FigureLayout::plot) drawn.recording = readRecording(project);
   // Before the pictures: one place beside the object and there is no figure.
   if (f.measurements) drawn.measured = readAll(surface, project);
   QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
   QPainter painter(&unit);
   const FigureInk ink(painter, dpi, f.text_pt, FigureInk::Target::pixels);
-  FigureFacts& facts = drawn.facts;
-  facts = sizesOf(drawn.layout, ink, dpi, f.measurements);
   // The region's first: where its colours end they end in the others, which its bar explains, too.
   Project alike = project;
   alike.figure.look = figureLook(surface, project);
@@ -97,15 +151,9 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
     if (hasLegend(f.look.kind))
       alike.figure.look.range = {{picture.values.low, picture.values.high}};
   }
-  facts.eye_angle_deg = drawn.pictures.back().eye_angle_deg;
-  facts.parallax_deg = drawn.pictures.back().parallax_deg;
-  facts.zero_plane_mm = drawn.pictures.back().zero_plane_mm;
-  if (hasLegend(f.look.kind)) {
-    const ReliefValues& values = drawn.pictures.back().values;
-    facts.range = {{values.low, values.high}};
-    facts.range_unit = values.unit;
-  }
-  facts.caption = figureCaption(surface, project, facts);
+  fitLegend(ink, surface, project, drawn);
+  drawn.marks = placeMarks(ink, {surface, project, drawn.layout, drawn.measured});
+  drawn.facts = factsOf(surface, project, drawn, dpi);
   return drawn;
 }
 
@@ -120,18 +168,18 @@ void paintSheet(QPainter& painter, const Surface& surface, const Project& projec
     drawMarks(ink, surface, project, sheet, static_cast<int>(i));
   }
   if (!sheet.recording.empty()) {
-    drawForcePlots(ink, sheet.recording, sheet.layout.heights_plot, sheet.layout.force_plot);
+    drawForcePlots(ink, sheet.recording, {sheet.layout.heights_plot, sheet.layout.force_plot});
   }
   if (!sheet.layout.legend.isEmpty()) {
-    drawLegend(ink, surface, project, sheet.layout.legend, sheet.pictures.back().values);
+    const QRectF legend = ink.px(sheet.layout.legend);
+    FigureLegend(ink, surface, project, sheet.pictures.back().values, legend.width())
+        .draw(ink, legend.topLeft());
   }
 }
 
 namespace {
 
-Figure onPixels(const Surface& surface, const Project& project, double dpi, const Task& task) {
-  const DrawnSheet sheet = drawPictures(surface, project, dpi, task);
-  task.check();
+Figure onPixels(const Surface& surface, const Project& project, const DrawnSheet& sheet) {
   QImage page(sheet.facts.width_px, sheet.facts.height_px, QImage::Format_ARGB32_Premultiplied);
   page.fill(project.figure.transparent ? Qt::transparent : Qt::white);
   QPainter painter(&page);
@@ -151,28 +199,26 @@ Figure onPixels(const Surface& surface, const Project& project, double dpi, cons
 }  // namespace
 
 Figure drawFigure(const Surface& surface, const Project& project, const Task& task) {
-  return onPixels(surface, project, project.figure.dpi, task);
+  const DrawnSheet sheet = drawPictures(surface, project, project.figure.dpi, task);
+  task.check();
+  return onPixels(surface, project, sheet);
 }
 
 Figure previewFigure(const Surface& surface, const Project& project, int longest_px,
                      const Task& task) {
   check(project.figure);
-  const FigureSheet sheet = layOut(surface, project);
-  const double longest_inch = std::max(sheet.width_mm, sheet.height_mm) / 25.4;
   const double dpi = project.figure.dpi;
-  Figure figure = onPixels(surface, project, std::min(dpi, longest_px / longest_inch), task);
-  // Said of the figure, not of the preview.
-  QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);
-  QPainter painter(&unit);
-  const FigureInk ink(painter, dpi, project.figure.text_pt, FigureInk::Target::pixels);
-  FigureFacts facts = sizesOf(sheet, ink, dpi, project.figure.measurements);
-  facts.eye_angle_deg = figure.facts.eye_angle_deg;
-  facts.parallax_deg = figure.facts.parallax_deg;
-  facts.zero_plane_mm = figure.facts.zero_plane_mm;
-  facts.range = figure.facts.range;
-  facts.range_unit = figure.facts.range_unit;
-  facts.caption = figureCaption(surface, project, facts);
-  figure.facts = facts;
+  const auto fitting = [&](const FigureSheet& sheet) {
+    return std::min(dpi, longest_px / (std::max(sheet.width_mm, sheet.height_mm) / 25.4));
+  };
+  DrawnSheet sheet = drawPictures(surface, project, fitting(layOut(surface, project)), task);
+  // Its legend has more rows than one: only now is it known how long the sheet is.
+  if (const double fits = fitting(sheet.layout); fits < sheet.dpi) {
+    sheet = drawPictures(surface, project, fits, task);
+  }
+  task.check();
+  Figure figure = onPixels(surface, project, sheet);
+  figure.facts = factsOf(surface, project, sheet, dpi);  // Of the figure, not of the preview.
   return figure;
 }
 

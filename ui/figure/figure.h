@@ -30,6 +30,7 @@ struct FigureFacts {
   /// Values at the colours' ends; nothing: stone or grey.
   std::optional<std::array<double, 2>> range;
   std::string_view range_unit;  ///< "mm", "\u00b0" or empty.
+  std::string left_out;  ///< A sentence on marks without room, or empty; in the caption, too.
   std::string caption;
 };
 

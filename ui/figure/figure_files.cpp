@@ -44,16 +44,16 @@ std::string lowerEnding(const fs::path& file) {
   return ending;
 }
 
-[[noreturn]] void cannotWrite(const fs::path& file) {
-  throw WriteError("Cannot write the figure '" + file.string() +
-                   "'. Choose another folder or free some space.");
+[[noreturn]] void cannotWrite(const fs::path& file, const QString& reason) {
+  throw WriteError("Cannot write the figure '" + file.string() + "' (" + reason.toStdString() +
+                   "). Choose another folder or free some space.");
 }
 
 void save(const QByteArray& bytes, const fs::path& file) {
   requireReplaceable(file);
   QSaveFile out(QFile::decodeName(file.c_str()));
   if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
-    cannotWrite(file);
+    cannotWrite(file, out.errorString());
   }
 }
 
@@ -119,6 +119,18 @@ QByteArray pdfOf(const Surface& surface, const Project& project, const DrawnShee
   return bytes;
 }
 
+/// Qt counts an SVG's size in whole pixels; its millimetres are made exact here.
+void setExactSize(QByteArray& bytes, double width_mm, double height_mm) {
+  for (const auto& [attribute, mm] :
+       {std::pair{"<svg width=\"", width_mm}, std::pair{"mm\" height=\"", height_mm}}) {
+    const int found = bytes.indexOf(attribute);
+    const int start = found + static_cast<int>(std::strlen(attribute));
+    const int end = bytes.indexOf("mm\"", start);
+    if (found < 0 || end < 0) return;  // Not as Qt 5.15 writes it: whole pixels, then.
+    bytes.replace(start, end - start, QByteArray::number(mm, 'g', 9));
+  }
+}
+
 QByteArray svgOf(const Surface& surface, const Project& project, const DrawnSheet& sheet,
                  const PictureText& text) {
   QByteArray bytes;
@@ -128,13 +140,17 @@ QByteArray svgOf(const Surface& surface, const Project& project, const DrawnShee
   generator.setOutputDevice(&buffer);
   generator.setResolution(static_cast<int>(std::lround(sheet.dpi)));
   generator.setSize({sheet.facts.width_px, sheet.facts.height_px});
-  generator.setViewBox(QRect(0, 0, sheet.facts.width_px, sheet.facts.height_px));
+  const double per_mm = sheet.dpi / 25.4;
+  const QRectF page(0, 0, sheet.facts.width_mm * per_mm, sheet.facts.height_mm * per_mm);
+  generator.setViewBox(page);
   // Qt writes both as they are.
   generator.setTitle(QString::fromStdString(markupText(entry(text, "Title"))));
   generator.setDescription(QString::fromStdString(markupText(entry(text, "Description"))));
   QPainter painter(&generator);
+  if (!project.figure.transparent) painter.fillRect(page, Qt::white);
   paintSheet(painter, surface, project, sheet, FigureInk::Target::vectors);
   painter.end();
+  setExactSize(bytes, sheet.facts.width_mm, sheet.facts.height_mm);
   // Qt has no call for metadata; they stand before what is drawn.
   const int at = bytes.indexOf("<defs>");
   return bytes.insert(
@@ -146,28 +162,40 @@ fs::path eyeFile(fs::path figure, int eye) {
   return figure.replace_extension(eye < 0 ? ".left.png" : ".right.png");
 }
 
+/// In errors; a folder is named whole.
+std::string named(const fs::path& file) {
+  return file.has_filename() ? file.filename().string() : file.string();
+}
+
+/// "'a.png' and 'a.txt' are written."
+std::string writtenText(const std::vector<fs::path>& names, std::size_t there) {
+  if (there == 0) return {};
+  std::string text;
+  for (std::size_t i = 0; i < there; ++i) {
+    text += (text.empty() ? " '" : i + 1 < there ? ", '" : " and '") + names[i].string() + '\'';
+  }
+  return text + (there == 1 ? " is written." : " are written.");
+}
+
 /// The endings that writeFigure takes.
 void checkFigureName(const fs::path& file) {
   const std::string ending = lowerEnding(file);
   if (pictureFormatOf(file) || ending == ".pdf" || ending == ".svg") return;
-  throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" +
-                      file.filename().string() + "' does not. Nothing was drawn.");
+  throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" + named(file) +
+                      "' does not. Nothing was drawn.");
 }
 
-/// Side of the region's square in the eyes' files.
-double eyePaperMm(const Project& project) {
-  const FigureRequest& f = project.figure;
-  return f.scale_1_to ? project.region.side_mm / *f.scale_1_to : f.width_mm;
-}
-
-FigurePanel eyePanel(const Project& project, int eye) {
-  FigurePanel panel;
-  const Region& r = project.region;
-  panel.paper = {0, 0, eyePaperMm(project), eyePaperMm(project)};
-  panel.shown = {r.x_mm, r.y_mm, r.side_mm, r.side_mm};
-  panel.level = r.level;
-  panel.eye = eye;
-  return panel;
+/// What the file of one eye shows: the region as that one sees it and nothing over it.
+Project ofEye(const Surface& surface, const Project& project, int eye) {
+  Project one = project;
+  FigureRequest& f = one.figure;
+  f.layout = FigureLayout::detail;
+  if (f.stereo == StereoPrint::off || isAnaglyph(f.stereo)) f.stereo = StereoPrint::side_by_side;
+  f.eye = eye < 0 ? FigureEye::left : FigureEye::right;
+  f.look = figureLook(surface, project);
+  f.scale_bar = f.height_bar = f.up_mark = f.window_outline = false;
+  f.legend = f.letters = f.measurements = false;
+  return one;
 }
 
 }  // namespace
@@ -196,40 +224,24 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const fs
 
 EyeFiles writeEyes(const Surface& surface, const Project& project, const fs::path& file,
                    const Task& task) {
-  const FigureRequest& f = project.figure;
-  Project both = project;
-  if (f.stereo == StereoPrint::off) both.figure.stereo = StereoPrint::side_by_side;
-  both.figure.layout = FigureLayout::detail;
-  both.figure.look = figureLook(surface, project);
-  check(both.figure);
-  FigureSheet sheet;
-  const double paper_mm = eyePaperMm(project);
-  sheet.paper_per_mm = paper_mm / project.region.side_mm;
-  const int side = std::max(2, static_cast<int>(std::lround(paper_mm / 25.4 * f.dpi)));
   EyeFiles eyes;
   struct Drawn {
-    RgbaImage image;
+    Figure figure;
     PictureText text;
   };
   std::vector<Drawn> drawn;  // Before any is written: stopped, there are both or none.
   for (const int eye : {-1, 1}) {
-    const PanelPicture picture = drawPanel(surface, both, eyePanel(both, f.swap_eyes ? -eye : eye),
-                                           sheet, {side, side}, f.dpi, task);
-    const QImage page = picture.image.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+    const Project one = ofEye(surface, project, eye);
+    Figure figure = drawFigure(surface, one, task);
     eyes.files.push_back(eyeFile(file, eye));
-    FigureFacts facts;
-    facts.paper_per_mm = sheet.paper_per_mm;
-    facts.eye_angle_deg = picture.eye_angle_deg;
-    facts.mm_per_pixel = project.region.side_mm / side;
-    facts.caption = figureCaption(surface, both, facts);
-    drawn.push_back({{side, side, {page.constBits(), page.constBits() + page.sizeInBytes()}},
-                     textOf(surface, both, facts, eyes.files.back())});
-    eyes.eye_angle_deg = picture.eye_angle_deg;
-    eyes.parallax_deg = picture.parallax_deg;
+    eyes.eye_angle_deg = figure.facts.eye_angle_deg;
+    eyes.parallax_deg = figure.facts.parallax_deg;
+    const PictureText text = textOf(surface, one, figure.facts, eyes.files.back());
+    drawn.push_back({std::move(figure), text});
   }
   task.check();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    writePng(eyes.files[i], drawn[i].image, f.dpi, drawn[i].text);
+    writePng(eyes.files[i], drawn[i].figure.image, project.figure.dpi, drawn[i].text);
   }
   return eyes;
 }
@@ -289,8 +301,8 @@ std::vector<fs::path> namesOf(const FigureFiles& files) {
 void check(const FigureFiles& files) {
   checkFigureName(files.figure);
   if (!files.heights.empty() && pictureFormatOf(files.heights) != PictureFormat::tiff) {
-    throw ArgumentError("The name of a figure's heights ends in .tif; '" +
-                        files.heights.filename().string() + "' does not. Nothing was drawn.");
+    throw ArgumentError("The name of a figure's heights ends in .tif; '" + named(files.heights) +
+                        "' does not. Nothing was drawn.");
   }
   std::set<fs::path> taken;
   for (const fs::path& name : namesOf(files)) {
@@ -305,27 +317,32 @@ FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
                                const FigureFiles& files, const Task& task,
                                const std::function<void(std::size_t)>& told) {
   check(files);
+  if (files.both_eyes) layOut(surface, ofEye(surface, project, -1));  // Refused before the work.
   std::size_t there = 0;
   const auto tell = [&](std::size_t more) {
     there += more;
     if (told) told(there);
     task.check();
   };
-  FigureWritten written{.facts = writeFigure(surface, project, files.figure, task), .eyes = {}};
-  tell(1);
-  if (files.both_eyes) {
-    written.eyes = writeEyes(surface, project, files.figure, task);
-    tell(written.eyes->files.size());
-  }
-  if (!files.heights.empty()) {
-    writeHeightsTiff(surface, project, files.heights);
+  try {
+    FigureWritten written{.facts = writeFigure(surface, project, files.figure, task), .eyes = {}};
     tell(1);
+    if (files.both_eyes) {
+      written.eyes = writeEyes(surface, project, files.figure, task);
+      tell(written.eyes->files.size());
+    }
+    if (!files.heights.empty()) {
+      writeHeightsTiff(surface, project, files.heights);
+      tell(1);
+    }
+    if (!files.caption.empty()) {
+      writeTextFile(files.caption, written.facts.caption + "\n");
+      tell(1);
+    }
+    return written;
+  } catch (const WriteError& error) {
+    throw WriteError(error.what() + writtenText(namesOf(files), there), error.code);
   }
-  if (!files.caption.empty()) {
-    writeTextFile(files.caption, written.facts.caption + "\n");
-    tell(1);
-  }
-  return written;
 }
 
 }  // namespace relievo

@@ -10,14 +10,17 @@
 #include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
 #include "core/session/tiled_surface.h"
+#include "ui/figure/figure_plot.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kGapMm = 2;
-constexpr double kPlotMm = 26;  // Height of one plot's box.
-constexpr double kMostPaperMm = 2000;
+constexpr double kPlotMm = 26;   // Height of one plot's box at least,
+constexpr double kPlotEm = 9.2;  // and times the text's size: its numbers stand above each other.
+constexpr double kLeastPaperMm = 20, kMostPaperMm = 2000;
 constexpr int kMostLevels = 4;
+constexpr double kLeastPlotEm = 9;      // Across, with its numbers.
 constexpr double kEnoughSamples = 600;  // Across the reference: no more is seen on a page.
 
 RectMm rectOf(const Region& r) {
@@ -36,6 +39,16 @@ Level levelOfWhole(const DetailLadder& map) {
     --level;
   }
   return {level};
+}
+
+void checkPaper(const FigureSheet& sheet) {
+  const bool tiny = sheet.width_mm < kLeastPaperMm;
+  if (!tiny && sheet.width_mm <= kMostPaperMm && sheet.height_mm <= kMostPaperMm) return;
+  throw ArgumentError("This figure would be " + shortNumber(sheet.width_mm, 3) + " x " +
+                      shortNumber(sheet.height_mm, 3) + " mm " +
+                      (tiny ? "small, and at least 20 mm wide it must be. Nothing was drawn. "
+                              "Choose a larger scale, 1:N with a smaller N."
+                            : "large. Nothing was drawn. Choose a smaller scale or width."));
 }
 
 bool needsLegend(const Surface& surface, const Project& project) {
@@ -102,17 +115,23 @@ class Sheet {
     }
   }
   void detail() {
-    if (f_.stereo == StereoPrint::side_by_side) {
+    if (f_.eye != FigureEye::both) {
+      alone((f_.eye == FigureEye::left) != f_.swap_eyes ? -1 : 1);
+    } else if (f_.stereo == StereoPrint::side_by_side) {
       pair({}, {}, side(2, eyesGap()), true, eyesGap());
       eyes();
     } else if (f_.stereo == StereoPrint::over_under) {
       pair({}, {}, side(1), false, eyesGap());
       eyes();
     } else {
-      side_mm_ = side(1);
-      sheet_.panels.push_back(regionPanel(p_, {0, 0, side_mm_, side_mm_}));
-      grow();
+      alone(0);
     }
+  }
+  void alone(int eye) {
+    side_mm_ = side(1);
+    sheet_.panels.push_back(regionPanel(p_, {0, 0, side_mm_, side_mm_}));
+    sheet_.panels.front().eye = eye;
+    grow();
   }
   void eyes() {
     const int first = f_.swap_eyes ? 1 : -1;
@@ -205,10 +224,17 @@ FigureSheet layOut(const Surface& surface, const Project& project) {
   FigureSheet sheet = Sheet(surface, project).pictures();
   const double line = 1.5 * f.text_pt * kMmPerPoint;
   if (f.layout == FigureLayout::plot) {
-    const double left = 5 * f.text_pt * kMmPerPoint;  // Room for the numbers.
-    const double width = sheet.width_mm - left - 1;
-    sheet.heights_plot = {left, sheet.height_mm + kGapMm, width, kPlotMm};
-    sheet.force_plot = {left, sheet.heights_plot.bottom() + kGapMm, width, 0.75 * kPlotMm};
+    const double em = f.text_pt * kMmPerPoint;
+    if (sheet.width_mm < kLeastPlotEm * em) {
+      throw ArgumentError("Numbers of " + shortNumber(f.text_pt, 3) +
+                          " points leave no room for plots " + "on " +
+                          shortNumber(sheet.width_mm, 3) +
+                          " mm. Nothing was drawn. Choose a smaller text or a larger width.");
+    }
+    const double gap = std::max(kGapMm, kPlotGapEm * em);
+    const double high = std::max(kPlotMm, kPlotEm * em);
+    sheet.heights_plot = {0, sheet.height_mm + gap, sheet.width_mm, high};
+    sheet.force_plot = {0, sheet.heights_plot.bottom() + gap, sheet.width_mm, 0.75 * high};
     sheet.height_mm = sheet.force_plot.bottom() + 2 * line;
   }
   if (needsLegend(surface, project)) {
@@ -216,11 +242,7 @@ FigureSheet layOut(const Surface& surface, const Project& project) {
     if (hasLegend(f.look.kind)) sheet.legend.setHeight(2.7 * line);
     sheet.height_mm = sheet.legend.bottom();
   }
-  if (!(sheet.width_mm <= kMostPaperMm) || !(sheet.height_mm <= kMostPaperMm)) {
-    throw ArgumentError("This figure would be " + std::to_string(std::lround(sheet.width_mm)) +
-                        " x " + std::to_string(std::lround(sheet.height_mm)) +
-                        " mm large. Nothing was drawn. Choose a smaller scale or width.");
-  }
+  checkPaper(sheet);
   return sheet;
 }
 

@@ -24,8 +24,9 @@ struct FigurePanel {
 struct FigureSheet {
   double width_mm = 0, height_mm = 0;
   std::vector<FigurePanel> panels;  ///< The region's is the last but for stereo pairs and levels.
-  QRectF heights_plot, force_plot;  ///< Empty without a recording.
-  QRectF legend;                    ///< Empty if nothing needs explaining.
+  QRectF heights_plot, force_plot;  ///< With their numbers; empty without a recording.
+  QRectF legend;                    ///< Empty if nothing needs explaining; one row, until its
+                                    ///< numbers are known.
   double paper_per_mm = 1;          ///< Of the region's panels.
 };
 
@@ -43,7 +44,8 @@ struct LegendShares {
 };
 LegendShares legendShares(const Surface& surface, const Project& project);
 
-/// Where everything goes. @throw ArgumentError  a scale that needs a sheet beyond 2 m
+/// Where everything goes. @throw ArgumentError  a scale that needs a sheet beyond 2 m, or one
+/// narrower than 20 mm
 FigureSheet layOut(const Surface& surface, const Project& project);
 
 }  // namespace relievo

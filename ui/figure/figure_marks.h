@@ -5,15 +5,9 @@
 
 namespace relievo {
 
-/// Everything that is drawn over and beside the pictures of a figure, as vectors.
-
 /// Scale bar, height bar, up mark, window's outline, measurements and letter of one panel.
 /// @param panel  by its place in the sheet; 0 has the letter a
 void drawMarks(FigureInk& ink, const Surface& surface, const Project& project,
                const DrawnSheet& sheet, int panel);
-
-/// Bar of colours and swatches of hatches with their shares.
-void drawLegend(FigureInk& ink, const Surface& surface, const Project& project, const QRectF& paper,
-                const ReliefValues& values);
 
 }  // namespace relievo

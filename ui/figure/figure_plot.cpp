@@ -16,9 +16,52 @@ const QColor kHip(0xd0, 0x20, 0x20);
 const QColor kProxy(0x1f, 0x5f, 0xd0);
 
 constexpr int kMostSteps = 4;
+constexpr double kTitleEm = 3.9;  // From a plot's left side to the baseline of its upright title.
+constexpr double kRoomEm = 1.1;   // Beyond that baseline.
 
 QString tick(double value, double step) {
   return QString::fromStdString(tickText(value, step));
+}
+
+double widestNumber(const FigureInk& ink, const Axis& axis) {
+  double widest = 0;
+  for (double v = axis.low; v <= axis.high + 0.5 * axis.step; v += axis.step) {
+    widest = std::max(widest, ink.width(tick(v, axis.step)));
+  }
+  return widest;
+}
+
+/// How far left of the plot its upright title stands, pixels: beside the widest number.
+double titlePx(const FigureInk& ink, const Axis& y) {
+  const double em = ink.pt(ink.textPt());
+  return std::max(kTitleEm * em, widestNumber(ink, y) + ink.pt(3) + 0.5 * em);
+}
+
+/// The last number of an axis whose ends are exact, and where it stands.
+double lastNumber(const Axis& x) {
+  return std::floor(x.high / x.step + 1e-9) * x.step;
+}
+
+/// A time axis whose numbers stand beside each other over `across` pixels.
+Axis timeAxis(const FigureInk& ink, double low, double high, double across) {
+  for (int steps = kMostSteps;; --steps) {
+    const Axis axis = axisFor(low, high, steps, AxisEnds::exact);
+    const double number = std::max(ink.width(tick(axis.low, axis.step)),
+                                   ink.width(tick(lastNumber(axis), axis.step)));
+    const double apart = axis.step / (axis.high - axis.low) * across;
+    if (steps == 1 || apart >= number + 0.5 * ink.pt(ink.textPt())) return axis;
+  }
+}
+
+/// The box of a plot whose numbers and title have room within `paper`.
+QRectF trimmed(const FigureInk& ink, const QRectF& paper, const Axis& x, double left_px) {
+  const double mm_per_px = 1 / ink.px(1.0);
+  const double half = 0.5 * ink.width(tick(lastNumber(x), x.step));
+  QRectF box = paper;
+  box.setLeft(paper.left() + left_px * mm_per_px);
+  const double aside = (x.high - lastNumber(x)) / (x.high - x.low) * ink.px(box.width());
+  box.setRight(paper.right() - std::max(0.0, half - aside) * mm_per_px);
+  return box;
 }
 
 class Plot {
@@ -52,7 +95,7 @@ class Plot {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(ink_.pen(kInk, 0.6));
     painter.drawRect(box_);
-    ink_.uprightText({box_.left() - ink_.pt(3.9 * ink_.textPt()), box_.center().y()}, y_title);
+    ink_.uprightText({box_.left() - titlePx(ink_, y_), box_.center().y()}, y_title);
     if (x_title.isEmpty()) return;
     ink_.text({box_.center().x(), box_.bottom() + 2.1 * ink_.lineHeight()}, x_title,
               Qt::AlignHCenter);
@@ -117,16 +160,21 @@ std::vector<QPointF> curveOf(const std::vector<ForceCurveRow>& rows,
 
 }  // namespace
 
-void drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows, const QRectF& heights,
-                    const QRectF& forces) {
+ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows,
+                          const ForcePlots& papers) {
   const auto hip = curveOf(rows, [](const ForceCurveRow& r) { return r.hip_z_mm; });
   const auto proxy = curveOf(rows, [](const ForceCurveRow& r) { return r.proxy_z_mm; });
   const auto force = curveOf(rows, [](const ForceCurveRow& r) { return r.force_n; });
-  const Axis time = axisFor(rows.front().t_s, rows.back().t_s, kMostSteps, AxisEnds::exact);
   const auto [hip_low, hip_high] = range(hip);
   const auto [proxy_low, proxy_high] = range(proxy);
-  Plot above(ink, heights, time,
-             axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), kMostSteps));
+  const Axis z = axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), kMostSteps);
+  const Axis n = axisFor(0, range(force).second, kMostSteps);
+  const double left = std::max(titlePx(ink, z), titlePx(ink, n)) + kRoomEm * ink.pt(ink.textPt());
+  const Axis time =
+      timeAxis(ink, rows.front().t_s, rows.back().t_s, ink.px(papers.heights.width()) - left);
+  const ForcePlots boxes{trimmed(ink, papers.heights, time, left),
+                         trimmed(ink, papers.forces, time, left)};
+  Plot above(ink, boxes.heights, time, z);
   above.frame(QStringLiteral("z (mm)"), {});
   // Width and dashes tell the curves apart without colour, too.
   const QPen proxy_pen = ink.pen(kProxy, 1.4);
@@ -136,9 +184,10 @@ void drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows, cons
   above.curve(hip, hip_pen);
   above.name(QStringLiteral("proxy"), proxy_pen, 0);
   above.name(QStringLiteral("HIP"), hip_pen, 1);
-  Plot below(ink, forces, time, axisFor(0, range(force).second, kMostSteps));
+  Plot below(ink, boxes.forces, time, n);
   below.frame(QStringLiteral("force (N)"), QStringLiteral("time (s)"));
   below.curve(force, ink.pen(kInk, 1));
+  return boxes;
 }
 
 void drawCurve(FigureInk& ink, const std::vector<QPointF>& curve, const QRectF& box,

@@ -8,10 +8,20 @@
 
 namespace relievo {
 
+/// Two plots, one above the other, millimetres of paper.
+struct ForcePlots {
+  QRectF heights, forces;
+};
+/// Between two of them, and between a plot and a picture above it, times the text's size: a number
+/// at the end of either axis needs half its height.
+inline constexpr double kPlotGapEm = 1.3;
+
 /// The paper's force figure: heights of HIP (red, dashed) and proxy (blue) above, the force below,
-/// against time. Boxes in millimetres of paper; numbers stand left of and below them.
-void drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows, const QRectF& heights,
-                    const QRectF& forces);
+/// against time.
+/// @param papers  the plots with the numbers left and right of them; those of time stand below
+/// @return  the plots' own boxes
+ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows,
+                          const ForcePlots& papers);
 
 /// A curve (x, y) with axes named after their units, for a profile.
 void drawCurve(FigureInk& ink, const std::vector<QPointF>& curve, const QRectF& box,

@@ -8,6 +8,7 @@
 #include "ui/figure/figure.h"
 #include "ui/figure/figure_ink.h"
 #include "ui/figure/figure_pictures.h"
+#include "ui/figure/mark_places.h"
 
 namespace relievo {
 
@@ -16,6 +17,7 @@ struct DrawnSheet {
   FigureSheet layout;
   std::vector<PanelPicture> pictures;  ///< One for each panel.
   std::vector<Reading> measured;       ///< One for each measurement that is drawn.
+  std::vector<PanelMarks> marks;       ///< Of each panel.
   std::vector<ForceCurveRow> recording;
   double dpi = 300;
   FigureFacts facts;

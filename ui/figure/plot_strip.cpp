@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kTextPt = 8;
 constexpr double kLinesAcross = 22;  // The strip's height in lines of text: text grows with it.
-constexpr double kLeftPt = 40, kRightPt = 8, kTopPt = 18, kBottomPt = 26, kGapPt = 8;
+constexpr double kLeftPt = 40, kRightPt = 8, kTopPt = 18, kBottomPt = 26;
+constexpr double kGapPt = kPlotGapEm * kTextPt;
 const QColor kCursor(0x16, 0x16, 0x18);
 
 double dpiFor(int height_px) {
@@ -23,7 +24,7 @@ double dpiFor(int height_px) {
 struct PlotStrip::Impl {
   double dpi;
   double first_s = 0, last_s = 0;
-  QRectF heights_mm, forces_mm;
+  ForcePlots plots_mm;
   QImage curves;
 };
 
@@ -38,11 +39,11 @@ PlotStrip::PlotStrip(const std::vector<ForceCurveRow>& rows, int width_px, int h
   FigureInk ink(painter, impl_->dpi, kTextPt, FigureInk::Target::pixels);
   constexpr double kMmPerPt = 25.4 / 72;
   const double width = width_px * 25.4 / impl_->dpi, height = height_px * 25.4 / impl_->dpi;
-  const double left = kLeftPt * kMmPerPt, across = width - left - kRightPt * kMmPerPt;
+  const double across = width - kRightPt * kMmPerPt;
   const double room = height - (kTopPt + kBottomPt + kGapPt) * kMmPerPt;
-  impl_->heights_mm = {left, kTopPt * kMmPerPt, across, 0.6 * room};
-  impl_->forces_mm = {left, impl_->heights_mm.bottom() + kGapPt * kMmPerPt, across, 0.4 * room};
-  drawForcePlots(ink, rows, impl_->heights_mm, impl_->forces_mm);
+  const QRectF heights(0, kTopPt * kMmPerPt, across, 0.6 * room);
+  const QRectF forces(0, heights.bottom() + kGapPt * kMmPerPt, across, 0.4 * room);
+  impl_->plots_mm = drawForcePlots(ink, rows, {heights, forces});
 }
 
 PlotStrip::~PlotStrip() = default;
@@ -55,7 +56,7 @@ RgbaImage PlotStrip::draw(double t_s, const std::string& words) const {
   if (impl_->last_s > impl_->first_s) {
     const double part = (t_s - impl_->first_s) / (impl_->last_s - impl_->first_s);
     painter.setPen(ink.pen(kCursor, 1));
-    for (const QRectF& box : {impl_->heights_mm, impl_->forces_mm}) {
+    for (const QRectF& box : {impl_->plots_mm.heights, impl_->plots_mm.forces}) {
       const QRectF p = ink.px(box);
       const double x = p.left() + part * p.width();
       painter.drawLine(QPointF(x, p.top()), QPointF(x, p.bottom()));

@@ -464,10 +464,6 @@
         <translation>Diese Abbildung würde %1 x %2 mm groß. Nichts wurde gezeichnet. Wählen Sie einen kleineren Maßstab oder weniger Breite.</translation>
     </message>
     <message>
-        <source>A picture of %1 x %2 pixels is more than this version can hold. Choose a smaller one.</source>
-        <translation>Ein Bild von %1 x %2 Pixeln ist mehr, als diese Version fassen kann. Wählen Sie ein kleineres.</translation>
-    </message>
-    <message>
         <source>The graphics driver returned a black picture. Try a smaller one.</source>
         <translation>Der Grafiktreiber lieferte ein schwarzes Bild. Versuchen Sie ein kleineres.</translation>
     </message>
@@ -482,10 +478,6 @@
     <message>
         <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
         <translation>Aufnahme beendet: %1. %2 Abtastwerte sind gespeichert und vollständig in „%3“.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written. Choose another place.</source>
-        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
@@ -544,16 +536,40 @@
         <translation>Der Ordner „%1“ enthält schon Bilder eines Videos. Nichts wurde geschrieben. Wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <source>There is nothing between %1 s and %2 s. Nothing was made.</source>
-        <translation>Zwischen %1 s und %2 s ist nichts. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
         <source>This would be more than a million frames. Choose a part of the recording.</source>
         <translation>Das wären mehr als eine Million Bilder. Wählen Sie einen Teil der Aufzeichnung.</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
         <translation>Das Ziel „%1“ ist der Scan selbst. Nichts wurde geschrieben. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -464,10 +464,6 @@
         <translation>यह चित्र %1 x %2 mm बड़ा होगा। कुछ नहीं बनाया गया। छोटा पैमाना या कम चौड़ाई चुनें।</translation>
     </message>
     <message>
-        <source>A picture of %1 x %2 pixels is more than this version can hold. Choose a smaller one.</source>
-        <translation>%1 x %2 पिक्सेल की तस्वीर इस संस्करण की क्षमता से बड़ी है। छोटी चुनें।</translation>
-    </message>
-    <message>
         <source>The graphics driver returned a black picture. Try a smaller one.</source>
         <translation>ग्राफ़िक्स ड्राइवर ने काली तस्वीर दी। छोटी आज़माएँ।</translation>
     </message>
@@ -482,10 +478,6 @@
     <message>
         <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
         <translation>रिकॉर्डिंग रुकी: %1। %2 नमूने &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written. Choose another place.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती। दूसरी जगह चुनें।</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
@@ -544,16 +536,40 @@
         <translation>फ़ोल्डर &quot;%1&quot; में पहले से किसी वीडियो के फ़्रेम हैं। कुछ नहीं लिखा गया। दूसरा चुनें।</translation>
     </message>
     <message>
-        <source>There is nothing between %1 s and %2 s. Nothing was made.</source>
-        <translation>%1 s और %2 s के बीच कुछ नहीं है। कुछ नहीं बना।</translation>
-    </message>
-    <message>
         <source>This would be more than a million frames. Choose a part of the recording.</source>
         <translation>ये दस लाख से अधिक फ़्रेम होंगे। रिकॉर्डिंग का एक भाग चुनें।</translation>
     </message>
     <message>
         <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
-        <translation>आउटपुट '%1' स्वयं स्कैन है। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
+        <translation>आउटपुट &apos;%1&apos; स्वयं स्कैन है। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -73,6 +74,7 @@ void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t*
   fs::path part = file;
   part += ".part" + std::to_string(getpid());
   bool good = shape.width > 0 && shape.height > 0;
+  errno = 0;
   if (good) {
     const TiffFile tiff(TIFFOpen(part.c_str(), "w"));
     good = tiff != nullptr;
@@ -86,14 +88,16 @@ void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t*
     }
     good = good && TIFFFlush(tiff.get()) == 1;
   }
+  std::string reason = errno == 0 ? std::string() : std::string(" (") + std::strerror(errno) + ")";
   std::error_code error;
   if (good) {
     fs::rename(part, file, error);
     if (!error) return;
+    reason = " (" + error.message() + ")";
   }
   fs::remove(part, error);
-  throw WriteError("Cannot write the picture '" + file.string() +
-                   "'. Choose another folder or free some space.");
+  throw WriteError("Cannot write the picture '" + file.string() + "'" + reason +
+                   ". Choose another folder or free some space.");
 }
 
 }  // namespace

@@ -290,7 +290,7 @@ TEST_F(FigureTest, LabelsOfMeasurementsAtOnePlaceStandBelowEachOther) {
   writeFigure(*surface_, project_, folder_ / "a.svg");
   const std::string svg = bytesOf(folder_ / "a.svg");
   std::vector<double> lines;
-  for (const char* label : {">one: ", ">two: ", ">three: "}) {
+  for (const char* label : {">one:", ">two:", ">three:"}) {
     const std::size_t at = svg.find(label);
     ASSERT_NE(at, std::string::npos) << label;
     // The text's place is the end of the matrix before it: matrix(a,b,c,d,x,y).

@@ -85,16 +85,22 @@ TEST_F(FigureText, TheColourBarHasRoundNumbersWithTheSameDecimals) {
     for (const auto& [range, numbers] : cases) {
       project_.figure.look.range = range;
       const auto texts = textsOf(surface);
-      ASSERT_EQ(texts.size(), numbers.size() + 1) << range[0];
+      // All of them on a wide sheet, as many as fit beside each other on a narrow one.
+      ASSERT_GE(texts.size(), 3U) << range[0];
+      const bool wide = width_mm == 180;
+      ASSERT_EQ(texts.size(), wide ? numbers.size() + 1 : texts.size()) << range[0];
       EXPECT_EQ(texts.back().first, "height (mm)");
-      const double em_px = texts.size() < 2 ? 0 : 0.3 * project_.figure.text_pt * 100 / 72;
-      for (std::size_t i = 0; i < numbers.size(); ++i) {
-        EXPECT_EQ(texts[i].first, numbers[i]);
+      const double em_px = 0.3 * project_.figure.text_pt * 100 / 72;
+      for (std::size_t i = 0; i + 1 < texts.size(); ++i) {
+        const std::string& number = texts[i].first;
+        EXPECT_EQ(number, wide ? numbers[i] : number);
+        EXPECT_EQ(number.size() - std::min(number.size(), number.find('.')),
+                  texts[0].first.size() - std::min(texts[0].first.size(), texts[0].first.find('.')))
+            << "the same decimals";
         EXPECT_GE(texts[i].second, -1e-9) << "on the paper";
         if (i == 0) continue;
-        const auto letters = static_cast<double>(numbers[i - 1].size());
-        EXPECT_GT(texts[i].second - texts[i - 1].second, letters * em_px * width_mm / 180)
-            << "beside each other";
+        const auto letters = static_cast<double>(texts[i - 1].first.size());
+        EXPECT_GT(texts[i].second - texts[i - 1].second, letters * em_px) << "beside each other";
       }
     }
   }
@@ -162,6 +168,51 @@ TEST_F(FigureText, APdfPageIsAsLargeAsThePaper) {
     const std::size_t table = pdf.rfind("startxref");
     ASSERT_NE(table, std::string::npos);
     EXPECT_EQ(pdf.compare(std::stoul(pdf.substr(table + 10)), 4, "xref"), 0);
+  }
+}
+
+TEST_F(FigureText, AnSvgPageIsAsLargeAsThePaperAndWhite) {
+  const Surface surface = surfaceOf(1, 8, LengthUnit::mm);
+  use(surface);
+  const std::regex head(
+      "<svg width=\"([0-9.]+)mm\" height=\"([0-9.]+)mm\"\\s+viewBox=\"0 0 ([0-9.]+) ([0-9.]+)\"");
+  for (const double width_mm : {180.0, 173.0, 100.01}) {
+    project_.figure.width_mm = width_mm;
+    project_.figure.transparent = false;
+    const std::string svg = bytesOf(surface, "a.svg");
+    std::smatch page;
+    ASSERT_TRUE(std::regex_search(svg, page, head)) << svg.substr(0, 400);
+    EXPECT_NEAR(std::stod(page[1]), width_mm, 1e-6);
+    EXPECT_NEAR(std::stod(page[2]), facts_.height_mm, 1e-5);
+    EXPECT_NEAR(std::stod(page[3]), width_mm / 25.4 * 100, 1e-2);
+    EXPECT_NEAR(std::stod(page[4]), facts_.height_mm / 25.4 * 100, 1e-2);
+    // White paper before anything else is drawn, unless it is to be transparent.
+    const auto first_white = [](const std::string& text) {
+      const std::size_t drawn = text.find("<g fill=\"#ffffff\"");
+      return drawn != std::string::npos && drawn < text.find("<image");
+    };
+    EXPECT_TRUE(first_white(svg)) << svg.substr(0, 3000);
+    project_.figure.transparent = true;
+    EXPECT_FALSE(first_white(bytesOf(surface, "b.svg")));
+  }
+}
+
+TEST_F(FigureText, OnlyAMapHasNorth) {
+  Surface surface = surfaceOf(1, 8, LengthUnit::mm);
+  use(surface);
+  struct Case {
+    const char* format;
+    std::optional<LengthUnit> unit;
+    const char* up;
+  };
+  for (const Case& c :
+       {Case{"LAS 1.4 point format 6", LengthUnit::m, "N"},
+        Case{"GeoTIFF Float32", LengthUnit::m, "N"},
+        Case{"ESRI ASCII grid Float32", LengthUnit::m, "N"}, Case{"GeoTIFF Float32", {}, "y"},
+        Case{"GeoTIFF Float32", LengthUnit::mm, "y"}, Case{"PLY ascii", LengthUnit::m, "y"}}) {
+    surface.info.format = c.format;
+    surface.info.unit = c.unit;
+    EXPECT_TRUE(has(textsOf(surface), c.up)) << c.format;
   }
 }
 
