@@ -277,6 +277,12 @@ std::size_t FalconEmulator::readyBytes(std::int64_t now) const {
   return static_cast<std::size_t>(later - to_host_.begin());
 }
 
+bool FalconEmulator::failsToRead() {
+  if (troubles.failed_reads <= 0) return false;
+  --troubles.failed_reads;
+  return true;
+}
+
 std::optional<std::vector<std::uint8_t>> FalconEmulator::bulkIn(std::int64_t now) {
   advance(now);
   const std::size_t ready = readyBytes(now);

@@ -34,6 +34,7 @@ struct Troubles {
   int late_hellos = 0;         ///< Hellos that are answered only after the next one.
   int wrong_echoes = 0;        ///< Uploads that echo one byte wrongly ...
   int wrong_echo_at = 1000;    ///< ... this one.
+  int failed_reads = 0;        ///< Transfers to the host that break off, whatever they would bring.
   bool silent = false;         ///< The processor hangs; commands vanish.
   bool clogged = false;        ///< The bridge takes no more bytes.
   bool frozen_encoders = false;
@@ -67,6 +68,8 @@ class FalconEmulator {
   bool bulkOut(std::span<const std::uint8_t> bytes, std::int64_t now);
   /// A packet of 2 to 64 bytes, if one is due.
   std::optional<std::vector<std::uint8_t>> bulkIn(std::int64_t now);
+  /// Does this transfer break off? Ask before each bulkIn().
+  bool failsToRead();
   /// When bulkIn may have one next.
   std::int64_t nextIn(std::int64_t now) const;
 

@@ -13,7 +13,6 @@ constexpr double kNudgeMm = 5;        // Of a grip that nobody holds; it coasts 
 constexpr double kLeastRateHz = 800;  // Below, surfaces must be made softer (E306).
 constexpr std::uint64_t kMostMalformedPerThousand = 1;
 constexpr int kMovedCounts = 200;
-constexpr std::uint32_t kAllButtons = 0b1111;
 constexpr std::array<DeviceN, 6> kDirections{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 constexpr std::array<const char*, 6> kDirectionNames{"right", "left", "up", "down", "out", "in"};
