@@ -82,7 +82,13 @@ class InProcessPort : public falcon::Port {
     }
   }
 
-  void discardInput() override {}
+  void discardInput() override {
+    falcon_->with([this](FalconEmulator& f) {
+      if (!f.plugged()) return;
+      while (f.bulkIn(clock_->now())) {
+      }
+    });
+  }
   bool clearToSend() const override { return cts_; }
   falcon::LineErrors lineErrors() const override { return errors_; }
 

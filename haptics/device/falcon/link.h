@@ -111,6 +111,8 @@ class Link {
   void debounce(std::uint8_t raw);
   void forgetButtons();
   bool takeFailure(std::int64_t now_ns);
+  bool wasPaused(std::int64_t now_ns) const;
+  bool takePause(std::int64_t now_ns);
   void countFrame(std::int64_t now_ns);
   void measureAnewIfAsked();
   std::int64_t silentAt() const;

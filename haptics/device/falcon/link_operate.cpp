@@ -60,6 +60,10 @@ Link::Leave Link::operate(const std::stop_token& stop) {
       forgetButtons();
       interrupt(DeviceFault::timeout, now);
     }
+    if (in.bytes > 0 && wasPaused(now)) {
+      if (!takePause(now)) return Leave::gone;
+      continue;
+    }
     for (std::size_t i = 0; i < in.bytes; ++i) {
       if (const auto report = reader_.take(bytes[i])) takeReport(*report, now);
     }
@@ -81,6 +85,26 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     }
   }
   return Leave::stopped;
+}
+
+/// 20 ms without an answer are a stall, which watch() notices in time. Unless this thread itself
+/// did not run: it was halted, or the processor was not its own. The loop may step as slowly as it
+/// likes: only answers count, and they come by themselves.
+bool Link::wasPaused(std::int64_t now_ns) const {
+  return !resting_ && silence_step_ <= kStall && now_ns - last_answer_ns_ >= measureAfter(kStall);
+}
+
+/// What came meanwhile tells where the hand was. Zero first; the answer to it has the new place,
+/// and only forces that are made from that one are shown, rising from zero.
+bool Link::takePause(std::int64_t now_ns) {
+  ++status_.counts.hiccups;
+  ++reading_.epoch;  // The loop learns it with the new place.
+  port_->discardInput();
+  reader_.reset();
+  last_answer_ns_ = now_ns;
+  under_way_ = silence_step_ = 0;
+  doubtful_ = false;
+  return ask(now_ns, true);
 }
 
 /// A read that broke off: zero at once, and on. The answer may be lost, or come all the same.
@@ -213,6 +237,8 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   } else {
     if (step == kStall) ++status_.counts.stalls;
     interrupt(DeviceFault::timeout, now_ns);
+    port_->discardInput();  // Too late to tell where the hand is.
+    reader_.reset();
   }
   const int stalled = step - kStall + 1;
   if (stalled >= kGiveUp) return Leave::silent;
@@ -236,6 +262,10 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
 bool Link::ask(std::int64_t now_ns, bool neutral) {
   Command command;
   command.lights = lights(now_ns);
+  if (!neutral && wasPaused(now_ns)) {  // Since the answer, that is: its place is old.
+    ++reading_.epoch;
+    zero_next_ = true;
+  }
   if (neutral || zero_next_) {
     gate_ns_ = now_ns;
   } else {
@@ -297,6 +327,7 @@ void Link::wake() {
   request(latencyTimer(1));
   resting_ = false;
   silence_step_ = 0;
+  zero_next_ = true;  // The place that is known is as old as the rest.
   last_answer_ns_ = rate_mark_ns_ = bus_.now();
   rate_frames_ = status_.counts.frames;
 }

@@ -117,6 +117,45 @@ TEST_F(FalconTroubleTest, AStallSwitchesForcesOffUntilItAnswers) {
   EXPECT_TRUE(touchesAgain());
 }
 
+TEST_F(FalconTroubleTest, InAStallEveryFrameOnTheWireIsZero) {
+  trouble([](auto& f) { f.troubles.silent = true; });
+  step(300);
+  falcon([](auto& f) {
+    EXPECT_TRUE(f.commands().empty());
+    // The one that was under way aside; then after 5, 10, 15, 20 and every 20 ms.
+    ASSERT_GE(f.unheeded().size(), 15U);
+    EXPECT_LE(f.unheeded().size(), 20U);
+    EXPECT_TRUE(std::all_of(f.unheeded().begin() + 1, f.unheeded().end(),
+                            [](const auto& c) { return c.neutral(); }));
+    EXPECT_LT(f.unheeded()[1].time_ns - f.unheeded()[0].time_ns, 7'000'000);
+  });
+}
+
+TEST_F(FalconTroubleTest, MeasuresAgainstSilenceComeAtTheirTimes) {
+  beginTouching();
+  step(100);
+  falcon([](auto& f) {
+    f.troubles.silent = true;
+    f.forgetRequests();
+  });
+  const std::int64_t began_ns = clock_->now();
+  const auto sinceMs = [&] { return 1e-6 * static_cast<double>(clock_->now() - began_ns); };
+  const auto purges = [this](int value) {
+    return falcon([value](auto& f) {
+      return std::count_if(f.requests().begin(), f.requests().end(),
+                           [value](const auto& r) { return r.request == 0 && r.value == value; });
+    });
+  };
+  ASSERT_TRUE(stepUntil([this] { return fault_ == DeviceFault::timeout; }, 40));
+  EXPECT_NEAR(sinceMs(), 20, 4);
+  ASSERT_TRUE(stepUntil([&] { return purges(1) > 0 && purges(2) > 0; }, 1000));
+  EXPECT_NEAR(sinceMs(), 500, 10);
+  ASSERT_TRUE(becomes(LinkState::silent, 5));
+  ASSERT_TRUE(becomes(LinkState::checking, 3000));
+  EXPECT_NEAR(sinceMs(), 2000, 25);
+  EXPECT_EQ(device_->status().counts.purges, 3U);
+}
+
 TEST_F(FalconTroubleTest, AHungProcessorIsStartedAnew) {
   trouble([](auto& f) { f.troubles.silent = true; });
   ASSERT_TRUE(becomes(LinkState::silent, 600));
@@ -136,6 +175,24 @@ TEST_F(FalconTroubleTest, ABridgeThatTakesNothingIsAStall) {
   ASSERT_TRUE(zeroFollows());
   falcon([](auto& f) { EXPECT_TRUE(f.commands().front().neutral()); });
   EXPECT_TRUE(touchesAgain(700));
+}
+
+TEST_F(FalconTroubleTest, LosingTheHomingOfAnyArmEndsForce) {
+  beginTouching();
+  for (int lost = 1; lost < 7; ++lost) {
+    falcon([lost](auto& f) {
+      f.forgetCommands();
+      f.body.forgetHoming(lost);
+    });
+    step(30);
+    falcon([](auto& f) { EXPECT_TRUE(test::everyNextCommandIsNeutral(f)); });
+    EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
+    EXPECT_EQ(device_->status().state, LinkState::homing) << lost;
+    EXPECT_EQ(device_->status().homed, kAllHomed & ~lost);
+    ASSERT_TRUE(home()) << lost;
+    hold(10, -5, 130);
+    ASSERT_TRUE(touchesAgain()) << lost;
+  }
 }
 
 TEST_F(FalconTroubleTest, UnpluggedInContactThenReplugged) {
