@@ -121,9 +121,11 @@ std::array<int, 3> FalconBody::encoders() const {
   return counts;
 }
 
-void FalconBody::forgetHoming() {
-  homed_ = 0;
-  was_out_ = {};
+void FalconBody::forgetHoming(int arms) {
+  homed_ &= ~arms;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((arms >> i & 1) != 0) was_out_[i] = false;
+  }
 }
 
 }  // namespace relievo::emulator

@@ -27,8 +27,8 @@ class FalconBody {
   /// As the encoders count: 16 bits that begin anywhere until an arm is homed.
   std::array<int, 3> encoders() const;
   int homed() const { return homed_; }
-  /// As after switching on: no arm knows its zero.
-  void forgetHoming();
+  /// As after switching on: no arm knows its zero. Or only these, bit i: arm i.
+  void forgetHoming(int arms = 7);
   /// Every arm knows its zero, as when another program has used it before.
   void beHomed() { homed_ = 7; }
 

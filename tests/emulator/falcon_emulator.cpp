@@ -75,6 +75,9 @@ std::optional<std::size_t> FalconEmulator::control(const std::array<std::uint8_t
     return 1;
   }
   if (setup[0] != 0x40) return std::nullopt;
+  if (requests_.size() < kMostCommands) {
+    requests_.push_back({now, request, value, setup[4] | setup[5] << 8});
+  }
   switch (request) {
     case 0:
       // 2 empties what waits for the host; 1 the other side, which this model keeps empty.
@@ -144,7 +147,7 @@ void FalconEmulator::send(std::uint8_t byte, std::int64_t now) {
 }
 
 void FalconEmulator::receive(std::uint8_t byte, std::int64_t now) {
-  if (troubles.silent) return;
+  if (troubles.silent && mode_ != Mode::running) return;
   switch (mode_) {
     case Mode::boot:
       if (baud_divisor_ == kHelloDivisor) bootByte(byte, now);
@@ -243,10 +246,13 @@ void FalconEmulator::answerCommand(std::int64_t now) {
     command.motors[motor] = value >= 32768 ? value - 65536 : value;
   }
   const int control = frame_[13] - 'A';
-  command.homing = homing_on_ = (control & 1) != 0;
+  command.homing = (control & 1) != 0;
   command.lights = control & 14;
-  if (commands_.size() < kMostCommands) commands_.push_back(command);
+  std::vector<SeenCommand>& seen = troubles.silent ? unheeded_ : commands_;
+  if (seen.size() < kMostCommands) seen.push_back(command);
+  if (troubles.silent) return;
   ++command_count_;
+  homing_on_ = command.homing;
   body.drive(command.motors);
 
   if (!troubles.frozen_encoders) frozen_ = body.encoders();
@@ -277,6 +283,12 @@ std::size_t FalconEmulator::readyBytes(std::int64_t now) const {
   return static_cast<std::size_t>(later - to_host_.begin());
 }
 
+bool FalconEmulator::failsToRead() {
+  if (troubles.failed_reads <= 0) return false;
+  --troubles.failed_reads;
+  return true;
+}
+
 std::optional<std::vector<std::uint8_t>> FalconEmulator::bulkIn(std::int64_t now) {
   advance(now);
   const std::size_t ready = readyBytes(now);
@@ -285,8 +297,8 @@ std::optional<std::vector<std::uint8_t>> FalconEmulator::bulkIn(std::int64_t now
   const bool at_once = !options_.latency_timer && ready > 0;
   if (!full && !timer && !at_once) return std::nullopt;
   last_packet_ = now;
-  const bool cts =
-      mode_ == Mode::hello_done && baud_divisor_ == kUploadDivisor && now >= clear_to_send_at_;
+  const bool cts = options_.clear_to_send && mode_ == Mode::hello_done &&
+                   baud_divisor_ == kUploadDivisor && now >= clear_to_send_at_;
   std::vector<std::uint8_t> packet{static_cast<std::uint8_t>(cts ? 0x11 : 0x01), 0x60};
   for (std::size_t i = 0; i < std::min(ready, kPayload); ++i) {
     packet.push_back(to_host_.front().byte);

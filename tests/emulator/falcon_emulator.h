@@ -23,6 +23,12 @@ struct SeenCommand {
   bool neutral() const { return motors == std::array<int, 3>{}; }
 };
 
+/// A request to the bridge chip.
+struct SeenRequest {
+  std::int64_t time_ns = 0;
+  int request = 0, value = 0, index = 0;
+};
+
 /// What goes wrong from now on; counters count down.
 struct Troubles {
   int lose_answer_bytes = 0;   ///< Bytes to the host that vanish.
@@ -34,7 +40,8 @@ struct Troubles {
   int late_hellos = 0;         ///< Hellos that are answered only after the next one.
   int wrong_echoes = 0;        ///< Uploads that echo one byte wrongly ...
   int wrong_echo_at = 1000;    ///< ... this one.
-  bool silent = false;         ///< The processor hangs; commands vanish.
+  int failed_reads = 0;        ///< Transfers to the host that break off, whatever they would bring.
+  bool silent = false;         ///< The processor hangs; commands arrive and nothing is done.
   bool clogged = false;        ///< The bridge takes no more bytes.
   bool frozen_encoders = false;
   bool impossible_encoders = false;  ///< Angles that no place of the grip has.
@@ -49,6 +56,7 @@ struct EmulatorOptions {
   bool leading_zero = false;                  ///< Before the answer to hello.
   /// From the upload's baud rate to CTS; before it the boot loader does not lock.
   std::int64_t clear_to_send_delay_ns = 0;
+  bool clear_to_send = true;  ///< false: it never tells CTS, and locks all the same.
 };
 
 /// A Falcon as USB sees it: an FT232R, behind it the processor with its boot loader or firmware,
@@ -67,6 +75,8 @@ class FalconEmulator {
   bool bulkOut(std::span<const std::uint8_t> bytes, std::int64_t now);
   /// A packet of 2 to 64 bytes, if one is due.
   std::optional<std::vector<std::uint8_t>> bulkIn(std::int64_t now);
+  /// Does this transfer break off? Ask before each bulkIn().
+  bool failsToRead();
   /// When bulkIn may have one next.
   std::int64_t nextIn(std::int64_t now) const;
 
@@ -86,7 +96,14 @@ class FalconEmulator {
   // What happened to it.
   const std::vector<SeenCommand>& commands() const { return commands_; }
   std::uint64_t commandCount() const { return command_count_; }
-  void forgetCommands() { commands_.clear(); }
+  void forgetCommands() {
+    commands_.clear();
+    unheeded_.clear();
+  }
+  /// Those that arrived while the processor hung.
+  const std::vector<SeenCommand>& unheeded() const { return unheeded_; }
+  const std::vector<SeenRequest>& requests() const { return requests_; }
+  void forgetRequests() { requests_.clear(); }
   int uploads() const { return uploads_; }
   /// Uploads that began without both purges since the answer to hello.
   int unpurgedUploads() const { return unpurged_uploads_; }
@@ -134,7 +151,8 @@ class FalconEmulator {
   bool homing_on_ = false;
   std::array<int, 3> frozen_{};
 
-  std::vector<SeenCommand> commands_;
+  std::vector<SeenCommand> commands_, unheeded_;
+  std::vector<SeenRequest> requests_;
   std::uint64_t command_count_ = 0;
   int uploads_ = 0, unpurged_uploads_ = 0;
   std::array<bool, 2> purged_{};  // Since the answer to hello.

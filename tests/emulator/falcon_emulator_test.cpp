@@ -206,9 +206,14 @@ TEST_F(FalconBytes, FaultsOfTheDeviceAreCarriedOut) {
   falcon_.troubles.frozen_encoders = false;
   EXPECT_NE(ask(frame), before);
 
+  falcon_.forgetCommands();
   falcon_.troubles.silent = true;
   EXPECT_EQ(ask(frame, 50), "");
+  EXPECT_TRUE(falcon_.commands().empty());
+  EXPECT_EQ(falcon_.unheeded().size(), 1U) << "it was on the wire";
   falcon_.troubles.silent = false;
+  falcon_.troubles.failed_reads = 2;
+  EXPECT_TRUE(falcon_.failsToRead() && falcon_.failsToRead() && !falcon_.failsToRead());
   falcon_.troubles.clogged = true;
   EXPECT_FALSE(send(frame)) << "the bridge takes nothing";
   falcon_.troubles.clogged = false;
@@ -217,6 +222,9 @@ TEST_F(FalconBytes, FaultsOfTheDeviceAreCarriedOut) {
   falcon_.body.forgetHoming();
   const std::string lost = ask(frame);
   EXPECT_EQ(static_cast<unsigned char>(lost[13]), 0x41) << "no arm is homed any more";
+  falcon_.body.beHomed();
+  falcon_.body.forgetHoming(0b010);
+  EXPECT_EQ(static_cast<unsigned char>(ask(frame)[13]), 0x41 + 0x50) << "only the right one";
   falcon_.unplug();
   EXPECT_FALSE(falcon_.plugged());
   falcon_.powerCycle();

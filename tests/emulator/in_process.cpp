@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <thread>
+#include <utility>
 
 #include "haptics/rt/realtime_thread.h"
 
@@ -47,16 +48,25 @@ class InProcessPort : public falcon::Port {
   }
 
   Incoming read(std::span<std::uint8_t> into, std::int64_t until_ns) override {
+    const std::int64_t again_ns = std::exchange(read_again_ns_, 0);
+    while (clock_->now() < std::min(again_ns, until_ns)) {
+      clock_->waitUntil(std::min(again_ns, until_ns));
+    }
     while (true) {
-      bool plugged = true;
+      bool plugged = true, fails = false;
       std::int64_t next = 0;
       const auto packet = falcon_->with([&](FalconEmulator& f) {
         plugged = f.plugged();
-        auto due = plugged ? f.bulkIn(clock_->now()) : std::nullopt;
+        fails = plugged && f.failsToRead();
+        auto due = plugged && !fails ? f.bulkIn(clock_->now()) : std::nullopt;
         next = f.nextIn(clock_->now());
         return due;
       });
       if (!plugged) return {0, falcon::PortResult::gone};
+      if (fails) {
+        read_again_ns_ = clock_->now() + 5 * kMs;
+        return {0, falcon::PortResult::failed};
+      }
       if (packet) {
         falcon::LineStatus line;
         const std::size_t bytes = falcon::stripStatus(*packet, into, line);
@@ -72,7 +82,13 @@ class InProcessPort : public falcon::Port {
     }
   }
 
-  void discardInput() override {}
+  void discardInput() override {
+    falcon_->with([this](FalconEmulator& f) {
+      if (!f.plugged()) return;
+      while (f.bulkIn(clock_->now())) {
+      }
+    });
+  }
   bool clearToSend() const override { return cts_; }
   falcon::LineErrors lineErrors() const override { return errors_; }
 
@@ -80,6 +96,7 @@ class InProcessPort : public falcon::Port {
   std::shared_ptr<SharedFalcon> falcon_;
   std::shared_ptr<TestClock> clock_;
   falcon::LineErrors errors_;
+  std::int64_t read_again_ns_ = 0;
   bool cts_ = false;
 };
 }  // namespace
@@ -116,7 +133,13 @@ falcon::Opening InProcessBus::open() {
 }
 
 void InProcessBus::waitForChange(std::int64_t until_ns) {
-  clock_->waitUntil(std::min(until_ns, clock_->now() + 10 * kMs));
+  const auto seen = [this] {
+    return std::pair{falcon_->with([](FalconEmulator& f) { return f.plugged(); }), pretend};
+  };
+  const auto before = seen();
+  while (clock_->now() < until_ns && seen() == before) {
+    clock_->waitUntil(std::min(until_ns, clock_->now() + 10 * kMs));
+  }
 }
 
 }  // namespace relievo::emulator

@@ -18,6 +18,9 @@ class TestClock {
   std::int64_t now() const;
   /// Returns at `until_ns`, or earlier.
   void waitUntil(std::int64_t until_ns);
+  /// [made up, from every_ms or while it waits there] As if the waiting thread had not run for so
+  /// long.
+  void jump(std::int64_t ns) { now_ns_ += ns; }
   /// [made up] Called once for every millisecond that passes.
   std::function<void(std::int64_t now_ns)> every_ms;
 

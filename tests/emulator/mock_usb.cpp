@@ -294,6 +294,10 @@ void MockUsb::Impl::serve() {
         if (f.bulkOut({urb.buffer->data, length}, now)) urb.finish(0, length);
         return;
       }
+      if (f.failsToRead()) {
+        urb.finish(-EPROTO, 0);
+        return;
+      }
       const auto packet = f.bulkIn(now);
       if (!packet) return;
       const std::size_t bytes = std::min(packet->size(), length);

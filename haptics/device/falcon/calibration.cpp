@@ -21,7 +21,8 @@ constexpr double kRecoverS = 0.5;  // Until the grip is back in its place.
 
 /// Each let the force rise from zero again.
 std::uint64_t interruptions(const LinkCounts& counts) {
-  return counts.hiccups + counts.malformed + counts.stalls + counts.impossible_poses;
+  return counts.hiccups + counts.malformed + counts.stalls + counts.impossible_poses +
+         counts.failed_reads;
 }
 }  // namespace
 

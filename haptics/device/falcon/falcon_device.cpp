@@ -89,8 +89,8 @@ DeviceReading FalconDevice::exchange(DeviceN force, std::int64_t now_ns) RELIEVO
   mailbox_.orders.write({force, now_ns, newest.epoch});
   DeviceReading reading{newest.position, newest.buttons, newest.time_ns, newest.fault};
   if (settings_.left_handed) reading.buttons = withPlusAndMinusSwapped(reading.buttons);
-  if (newest.epoch != epoch_seen_) {
-    epoch_seen_ = newest.epoch;
+  if (newest.told != told_seen_) {
+    told_seen_ = newest.told;
     // One that was over before this tick is told all the same: the force was off.
     if (reading.fault == DeviceFault::none) reading.fault = newest.interruption;
   }

@@ -64,8 +64,8 @@ class FalconDevice : public Device {
   FirmwareSource firmware_;
   LinkLimits limits_;
   LinkMailbox mailbox_;
-  LinkWish wish_;                 // [owner]
-  std::uint32_t epoch_seen_ = 0;  // [haptic loop]
+  LinkWish wish_;                // [owner]
+  std::uint32_t told_seen_ = 0;  // [haptic loop]
   std::jthread thread_;
 };
 

@@ -9,6 +9,9 @@ namespace relievo::falcon {
 namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::size_t kReadBytes = 512;
+/// Between openings: whatever fails, and however fast, there are never more than fifty a second; of
+/// a connection that goes on failing, one in ten seconds.
+constexpr std::int64_t kLeastPauseNs = 20 * kMs, kLongestPauseNs = 10'000 * kMs;
 }  // namespace
 
 Link::Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits limits)
@@ -18,12 +21,13 @@ Link::Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits l
 
 void Link::run(const std::stop_token& stop, std::unique_ptr<Port> port) {
   slept_ = bus_.slept();
+  known_present_ = port != nullptr;
   while (!stop.stop_requested()) {
     if (!port) port = waitForDevice(stop, true);
     if (!port) break;
     serve(stop, port);
-    port_ = nullptr;
-    port.reset();
+    close(port, stop.stop_requested());
+    if (!stop.stop_requested()) waitAfterFailure(stop);
   }
   interrupt(DeviceFault::not_ready, bus_.now());
   setState(LinkState::closed);
@@ -35,8 +39,13 @@ std::unique_ptr<Port> Link::waitForDevice(const std::stop_token& stop, bool also
     Opening opening = bus_.open();
     switch (opening.presence) {
       case Presence::present:
+        known_present_ = true;
         return std::move(opening.port);
       case Presence::absent:
+        if (std::exchange(known_present_, false)) {
+          ++status_.unplugged;
+          interrupt(DeviceFault::disconnected, bus_.now());
+        }
         if (!also_absent) return nullptr;
         setState(LinkState::absent);
         break;
@@ -50,41 +59,100 @@ std::unique_ptr<Port> Link::waitForDevice(const std::stop_token& stop, bool also
         setState(LinkState::broken, opening.detail);
         break;
     }
-    // An absent one announces itself; the others can change without a sign. Short enough that
-    // closing never takes long.
-    const std::int64_t give_up = bus_.now() + 1000 * kMs;
-    while (!stop.stop_requested() && bus_.now() < give_up) {
-      const std::int64_t before = bus_.now();
-      bus_.waitForChange(std::min(give_up, before + 100 * kMs));
-      if (bus_.now() - before < 99 * kMs) break;  // Something changed.
-    }
+    // An absent one announces itself; the others can change without a sign.
+    pause(stop, 1000 * kMs);
   }
   return nullptr;
 }
 
+/// Ends early when something was plugged or pulled, or another try was asked for.
+/// @return false: stopped
+bool Link::pause(const std::stop_token& stop, std::int64_t most_ns) {
+  const std::int64_t began_ns = bus_.now();
+  bool changed = false;
+  while (!stop.stop_requested()) {
+    const std::int64_t now = bus_.now();
+    if (now - began_ns >= (changed ? std::min(kLeastPauseNs, most_ns) : most_ns)) return true;
+    mailbox_.wishes.update();
+    if (mailbox_.wishes.front().retries != retries_seen_) {
+      retries_seen_ = mailbox_.wishes.front().retries;
+      status_.failed_openings = 0;
+      changed = true;
+    }
+    // Short enough that closing never takes long.
+    const std::int64_t until = std::min(began_ns + most_ns, now + 100 * kMs);
+    bus_.waitForChange(until);
+    changed = changed || bus_.now() < until;
+  }
+  return false;
+}
+
+/// The connection was lost, yet the device may still be there: then it is opened anew, after longer
+/// and longer pauses.
+void Link::waitAfterFailure(const std::stop_token& stop) {
+  const int failed = ++status_.failed_openings;
+  // Once can be the plug, which is told when it is found to be out.
+  if (failed > 1) setState(failed < limits_.attempts ? LinkState::silent : LinkState::not_started);
+  constexpr int kDoublings = 9;
+  pause(stop, std::min(kLongestPauseNs, kLeastPauseNs << std::min(failed - 1, kDoublings)));
+}
+
+/// Motors at zero first, if it takes anything at all: nobody else sends that once it is closed.
+void Link::close(std::unique_ptr<Port>& port, bool for_good) {
+  if (port && lost_ != PortResult::gone) {
+    if (!runs_) port->request(kRunBaud);
+    sayGoodbye(for_good ? encode({.homing = false}) : encode({.lights = red}));
+  }
+  port_ = nullptr;
+  port.reset();
+}
+
 void Link::serve(const std::stop_token& stop, std::unique_ptr<Port>& port) {
   port_ = port.get();
-  setState(LinkState::checking);
+  lost_ = PortResult::ok;
+  if (status_.failed_openings == 0 || status_.state == LinkState::absent) {
+    setState(LinkState::checking);
+  }
   constexpr int kQuestions = 5;
   bool running = prepareToRun() && answers(kQuestions);
   status_.firmware_was_running = running;
-  while (!stop.stop_requested()) {
+  while (!stop.stop_requested() && lost_ == PortResult::ok) {
     if (!running && !start(stop, port)) break;
     const Leave leave = operate(stop);
     if (leave != Leave::silent) break;
     setState(LinkState::checking);
     running = prepareToRun() && answers(kQuestions);
   }
-  const bool gone = port_ == nullptr || !stop.stop_requested();
-  if (gone) {
-    ++status_.unplugged;
-    interrupt(DeviceFault::disconnected, bus_.now());
-  }
+  forgetButtons();
+  status_.homed = 0;
+  if (stop.stop_requested()) return interrupt(DeviceFault::not_ready, bus_.now());
+  interrupt(lost_ == PortResult::failed ? DeviceFault::timeout : DeviceFault::disconnected,
+            bus_.now());
+}
+
+PortResult Link::request(const BridgeRequest& request) {
+  const PortResult result = port_->request(request);
+  if (result == PortResult::gone) lost_ = result;
+  return result;
+}
+
+PortResult Link::write(std::span<const std::uint8_t> bytes) {
+  const PortResult result = port_->write(bytes);
+  if (result == PortResult::gone) lost_ = result;
+  return result;
+}
+
+/// @return false: the connection is lost
+bool Link::read(std::span<std::uint8_t> into, std::int64_t until_ns, std::size_t& bytes) {
+  const Port::Incoming in = port_->read(into, until_ns);
+  bytes = in.bytes;
+  if (in.result == PortResult::gone || in.result == PortResult::failed) lost_ = in.result;
+  return lost_ == PortResult::ok;
 }
 
 bool Link::requestAll(std::initializer_list<BridgeRequest> requests) {
   return std::all_of(requests.begin(), requests.end(), [this](const BridgeRequest& request) {
-    return port_->request(request) == PortResult::ok;
+    return this->request(request) == PortResult::ok;
   });
 }
 
@@ -94,19 +162,20 @@ bool Link::prepareToRun() {
   port_->discardInput();
   reader_.reset();
   resting_ = false;
+  runs_ = true;
   return done;
 }
 
 bool Link::answers(int questions) {
   const Frame neutral = encode({.lights = red});
   for (int i = 0; i < questions; ++i) {
-    if (port_->write(neutral) == PortResult::gone) return false;
+    if (write(neutral) == PortResult::gone) return false;
     const std::int64_t until = bus_.now() + 40 * kMs;
     std::array<std::uint8_t, kReadBytes> bytes{};
     while (bus_.now() < until) {
-      const Port::Incoming in = port_->read(bytes, until);
-      if (in.result == PortResult::gone) return false;
-      for (std::size_t k = 0; k < in.bytes; ++k) {
+      std::size_t got = 0;
+      if (!read(bytes, until, got)) return false;
+      for (std::size_t k = 0; k < got; ++k) {
         if (reader_.take(bytes[k])) return true;
       }
     }
@@ -114,17 +183,18 @@ bool Link::answers(int questions) {
   return false;
 }
 
-/// @return false: unplugged or stopped
+/// @return false: connection lost, or stopped
 bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
   std::array<std::uint8_t, kReadBytes> bytes{};
   const std::int64_t began_ns = bus_.now();
   while (!stop.stop_requested()) {
     if (bus_.now() - began_ns >= most_ns) return true;
     // The latency timer at its longest: two packets a second say that it is still plugged in.
-    if (port_->request(latencyTimer(255)) == PortResult::gone) return false;
+    if (request(latencyTimer(255)) == PortResult::gone) return false;
     const std::int64_t until = bus_.now() + 200 * kMs;
     while (bus_.now() < until) {
-      if (port_->read(bytes, until).result == PortResult::gone) return false;
+      std::size_t got = 0;
+      if (!read(bytes, until, got)) return false;
     }
     mailbox_.wishes.update();
     if (mailbox_.wishes.front().retries != retries_seen_) {
@@ -137,11 +207,11 @@ bool Link::waitForRetry(const std::stop_token& stop, std::int64_t most_ns) {
 
 void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   ++reading_.epoch;
+  ++reading_.told;
   reading_.interruption = fault;
   reading_.fault = fault;
   reading_.time_ns = now_ns;
-  reading_.buttons = 0;
-  button_frames_ = {};
+  button_frames_ = {};  // The buttons stay: a release is only what was read as one.
   gate_ns_ = now_ns;
   zero_next_ = true;
   mailbox_.readings.write(reading_);

@@ -26,8 +26,9 @@ struct LinkReading {
   /// Grows with every interruption. A force that was made from a reading of an earlier epoch is
   /// not shown any more.
   std::uint32_t epoch = 0;
+  std::uint32_t told = 0;  ///< Grows with those that the loop is told.
   DeviceFault fault = DeviceFault::not_ready;
-  DeviceFault interruption = DeviceFault::none;  ///< What began the epoch.
+  DeviceFault interruption = DeviceFault::none;  ///< The last one that it is told.
 };
 
 /// What the loop tells the link. [haptic loop writes, link thread reads]
@@ -45,6 +46,8 @@ struct LinkWish {
   bool show_lights = false;  ///< `lights` instead of those that tell the state.
   std::uint8_t lights = lights_off;
 };
+
+inline constexpr std::uint32_t kAllButtons = 0b1111;
 
 struct LinkMailbox {
   TripleBuffer<LinkReading> readings;
@@ -83,6 +86,12 @@ class Link {
 
   std::unique_ptr<Port> waitForDevice(const std::stop_token& stop, bool also_absent);
   void serve(const std::stop_token& stop, std::unique_ptr<Port>& port);
+  void close(std::unique_ptr<Port>& port, bool for_good);
+  void waitAfterFailure(const std::stop_token& stop);
+  bool pause(const std::stop_token& stop, std::int64_t most_ns);
+  PortResult request(const BridgeRequest& request);
+  PortResult write(std::span<const std::uint8_t> bytes);
+  bool read(std::span<std::uint8_t> into, std::int64_t until_ns, std::size_t& bytes);
   bool requestAll(std::initializer_list<BridgeRequest> requests);
   bool prepareToRun();
   bool answers(int questions);
@@ -100,6 +109,10 @@ class Link {
   void takeReport(const Report& report, std::int64_t now_ns);
   void follow(const Report& report);
   void debounce(std::uint8_t raw);
+  void forgetButtons();
+  bool takeFailure(std::int64_t now_ns);
+  bool wasPaused(std::int64_t now_ns) const;
+  bool takePause(std::int64_t now_ns);
   void countFrame(std::int64_t now_ns);
   void measureAnewIfAsked();
   std::int64_t silentAt() const;
@@ -110,7 +123,7 @@ class Link {
   bool isWanted(std::int64_t now_ns);
   void wake();
   bool rest(std::int64_t now_ns);
-  void sayGoodbye();
+  void sayGoodbye(const Frame& frame);
 
   void interrupt(DeviceFault fault, std::int64_t now_ns);
   void setState(LinkState state, const std::string& detail = {});
@@ -122,6 +135,9 @@ class Link {
   FirmwareSource firmware_;
   LinkLimits limits_;
   Port* port_ = nullptr;
+  PortResult lost_ = PortResult::ok;  // How this opening was lost.
+  bool known_present_ = false;        // Open, or was until it was lost.
+  bool runs_ = false;                 // The bridge is set to the running protocol.
 
   ReportReader reader_;
   LinkStatus status_;
@@ -132,19 +148,22 @@ class Link {
   // Of operate().
   std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
   std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, gate_ns_ = 0, force_ns_ = 0;
-  std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0;
+  std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0, operates_since_ns_ = 0;
   std::uint64_t rate_frames_ = 0, malformed_seen_ = 0;
   double answer_sum_ms_ = 0;
   std::uint64_t answers_timed_ = 0;
   int under_way_ = 0;     // Questions without an answer.
   int silence_step_ = 0;  // How far the measures against silence have gone.
   int homed_frames_ = 0;  // In a row, with all arms homed.
+  int failed_reads_ = 0;  // In a row.
   bool seen_unhomed_ = false;
   bool zero_next_ = false;
   bool resting_ = false;
   bool asked_at_rest_ = false;  // At `asked_ns_`: the answer tells nothing of the pace.
   bool doubtful_ = false;       // One of the questions under way may have lost its answer.
   std::array<std::uint8_t, 4> button_frames_{};
+  std::uint32_t held_over_ =
+      kAllButtons;  // Whether pressed before is unknown: no press until let go.
 };
 
 }  // namespace relievo::falcon

@@ -18,6 +18,8 @@ constexpr std::int64_t kHomingHintNs = 20'000 * kMs;
 constexpr std::int64_t kRestAfterNs = 1000 * kMs, kRestNs = 500 * kMs, kRestLookNs = 100 * kMs;
 constexpr std::int64_t kRestPatienceNs = 2 * kRestNs;
 constexpr std::uint8_t kRestLatencyMs = 255;
+constexpr int kMostFailedReads = 3;              // In a row; then it is opened anew.
+constexpr std::int64_t kHealthyNs = 2000 * kMs;  // So long: failures before it are over.
 
 /// Measures against silence: after 5, 10 and 15 ms, then one every 20 ms. All ask again, with zero
 /// force: a bad line gets many chances before the processor is taken for dead.
@@ -31,12 +33,13 @@ constexpr std::int64_t measureAfter(int step) {
 
 Link::Leave Link::operate(const std::stop_token& stop) {
   std::int64_t now = bus_.now();
-  last_answer_ns_ = gate_ns_ = rate_mark_ns_ = now;
+  last_answer_ns_ = gate_ns_ = rate_mark_ns_ = operates_since_ns_ = now;
   malformed_seen_ = reader_.malformed();
   rate_frames_ = status_.counts.frames;
-  under_way_ = silence_step_ = homed_frames_ = 0;
+  under_way_ = silence_step_ = homed_frames_ = failed_reads_ = 0;
   seen_unhomed_ = resting_ = doubtful_ = false;
   status_.homed = 0;
+  forgetButtons();
   jacobian_.reset();
   setState(LinkState::homing);
   std::array<std::uint8_t, 512> bytes{};
@@ -45,11 +48,21 @@ Link::Leave Link::operate(const std::stop_token& stop) {
     // At least now and then to the stop token, whatever the clock did.
     const Port::Incoming in = port_->read(
         bytes, resting_ ? now + kRestLookNs : std::clamp(silentAt(), now, now + 50 * kMs));
-    if (in.result == PortResult::gone) return Leave::gone;
+    lost_ = in.result == PortResult::gone ? in.result : lost_;
+    if (lost_ != PortResult::ok) return Leave::gone;
     now = bus_.now();
+    if (in.result == PortResult::failed) {
+      if (!takeFailure(now)) return Leave::gone;
+      continue;
+    }
     if (const std::int64_t slept = bus_.slept(); slept != slept_) {
       slept_ = slept;
+      forgetButtons();
       interrupt(DeviceFault::timeout, now);
+    }
+    if (in.bytes > 0 && wasPaused(now)) {
+      if (!takePause(now)) return Leave::gone;
+      continue;
     }
     for (std::size_t i = 0; i < in.bytes; ++i) {
       if (const auto report = reader_.take(bytes[i])) takeReport(*report, now);
@@ -71,8 +84,41 @@ Link::Leave Link::operate(const std::stop_token& stop) {
       if (!ask(bus_.now(), false)) return Leave::gone;
     }
   }
-  sayGoodbye();
   return Leave::stopped;
+}
+
+/// 20 ms without an answer are a stall, which watch() notices in time. Unless this thread itself
+/// did not run: it was halted, or the processor was not its own. The loop may step as slowly as it
+/// likes: only answers count, and they come by themselves.
+bool Link::wasPaused(std::int64_t now_ns) const {
+  return !resting_ && silence_step_ <= kStall && now_ns - last_answer_ns_ >= measureAfter(kStall);
+}
+
+/// What came meanwhile tells where the hand was. Zero first; the answer to it has the new place,
+/// and only forces that are made from that one are shown, rising from zero.
+bool Link::takePause(std::int64_t now_ns) {
+  ++status_.counts.hiccups;
+  ++reading_.epoch;  // The loop learns it with the new place.
+  port_->discardInput();
+  reader_.reset();
+  last_answer_ns_ = now_ns;
+  under_way_ = silence_step_ = 0;
+  doubtful_ = false;
+  return ask(now_ns, true);
+}
+
+/// A read that broke off: zero at once, and on. The answer may be lost, or come all the same.
+/// @return false: it goes on failing
+bool Link::takeFailure(std::int64_t now_ns) {
+  ++status_.counts.failed_reads;
+  zero_next_ = true;
+  gate_ns_ = now_ns;
+  if (++failed_reads_ > kMostFailedReads) lost_ = PortResult::failed;
+  if (failed_reads_ > 1) return lost_ == PortResult::ok;
+  if (!ask(now_ns, true)) return false;
+  doubtful_ = under_way_ > 1;
+  under_way_ = doubtful_ ? 2 : 1;
+  return true;
 }
 
 void Link::takeReport(const Report& report, std::int64_t now_ns) {
@@ -81,7 +127,8 @@ void Link::takeReport(const Report& report, std::int64_t now_ns) {
   countFrame(now_ns);
   if (status_.state == LinkState::silent) setState(LinkState::homing);
   last_answer_ns_ = now_ns;
-  silence_step_ = 0;
+  silence_step_ = failed_reads_ = 0;
+  if (now_ns - operates_since_ns_ > kHealthyNs) status_.failed_openings = 0;
   follow(report);
   homed_frames_ = report.homed == kAllHomed ? std::min(homed_frames_ + 1, kSureFrames) : 0;
   status_.homed = report.homed;
@@ -125,12 +172,20 @@ void Link::follow(const Report& report) {
 void Link::debounce(std::uint8_t raw) {
   for (std::size_t i = 0; i < button_frames_.size(); ++i) {
     const std::uint32_t bit = 1U << i;
-    const bool differs = (raw & bit) != (reading_.buttons & bit);
+    const bool held_over = (held_over_ & bit) != 0;
+    const bool differs = held_over ? (raw & bit) == 0 : (raw & bit) != (reading_.buttons & bit);
     button_frames_[i] = differs ? static_cast<std::uint8_t>(button_frames_[i] + 1) : 0;
     if (button_frames_[i] < kSureFrames) continue;
-    reading_.buttons ^= bit;
+    (held_over ? held_over_ : reading_.buttons) ^= bit;
     button_frames_[i] = 0;
   }
+}
+
+/// After more than a short interruption nobody knows what was done with them meanwhile.
+void Link::forgetButtons() {
+  reading_.buttons = status_.buttons = 0;
+  held_over_ = kAllButtons;
+  button_frames_ = {};
 }
 
 void Link::countFrame(std::int64_t now_ns) {
@@ -182,11 +237,15 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
   } else {
     if (step == kStall) ++status_.counts.stalls;
     interrupt(DeviceFault::timeout, now_ns);
+    port_->discardInput();  // Too late to tell where the hand is.
+    reader_.reset();
   }
   const int stalled = step - kStall + 1;
   if (stalled >= kGiveUp) return Leave::silent;
   if (stalled > 0 && stalled % kPurgeEvery == 0) {
     ++status_.counts.purges;
+    status_.failed_openings = 0;  // Another trouble.
+    forgetButtons();
     setState(LinkState::silent);
     if (!requestAll({kPurge1, kPurge2})) return Leave::gone;
     port_->discardInput();
@@ -203,14 +262,17 @@ std::optional<Link::Leave> Link::watch(std::int64_t now_ns) {
 bool Link::ask(std::int64_t now_ns, bool neutral) {
   Command command;
   command.lights = lights(now_ns);
+  if (!neutral && wasPaused(now_ns)) {  // Since the answer, that is: its place is old.
+    ++reading_.epoch;
+    zero_next_ = true;
+  }
   if (neutral || zero_next_) {
     gate_ns_ = now_ns;
   } else {
     command.motors = motorCounts(now_ns);
   }
   zero_next_ = false;
-  const PortResult result = port_->write(encode(command));
-  if (result == PortResult::gone) return false;
+  if (write(encode(command)) == PortResult::gone) return false;
   if (under_way_ == 0) {  // Else the answer is waited for since the first of them.
     asked_ns_ = now_ns;
     asked_at_rest_ = resting_;
@@ -262,9 +324,10 @@ bool Link::isWanted(std::int64_t now_ns) {
 }
 
 void Link::wake() {
-  port_->request(latencyTimer(1));
+  request(latencyTimer(1));
   resting_ = false;
   silence_step_ = 0;
+  zero_next_ = true;  // The place that is known is as old as the rest.
   last_answer_ns_ = rate_mark_ns_ = bus_.now();
   rate_frames_ = status_.counts.frames;
 }
@@ -272,17 +335,16 @@ void Link::wake() {
 bool Link::rest(std::int64_t now_ns) {
   resting_ = true;
   const bool asked = ask(now_ns, true);  // Whatever the motors showed, they rest as well.
-  port_->request(latencyTimer(kRestLatencyMs));
+  request(latencyTimer(kRestLatencyMs));
   return asked;
 }
 
-void Link::sayGoodbye() {
-  interrupt(DeviceFault::not_ready, bus_.now());
-  // More than one: nobody repeats a frame that is lost now.
+void Link::sayGoodbye(const Frame& frame) {
+  // More than one: nobody repeats a frame that is lost now. Reading may fail; it paces them.
   constexpr int kFrames = 3;
   for (int i = 0; i < kFrames; ++i) {
     std::array<std::uint8_t, 64> bytes{};
-    if (port_->write(encode({.homing = true, .lights = lights_off})) == PortResult::gone) return;
+    if (port_->write(frame) == PortResult::gone) return;
     if (port_->read(bytes, bus_.now() + 5 * kMs).result == PortResult::gone) return;
   }
 }

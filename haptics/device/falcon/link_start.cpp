@@ -39,8 +39,7 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
       setState(LinkState::starting);
       // A port opened anew sometimes helps where repeating does not.
       if (attempt > 1 && attempt % 3 == 1) {
-        port_ = nullptr;
-        port.reset();
+        close(port, false);
         port = waitForDevice(stop, false);  // Another program may have taken it meanwhile.
         port_ = port.get();
         if (!port) return false;
@@ -51,6 +50,7 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
       if (result == Upload::gone) return false;
     }
     if (stop.stop_requested()) return false;
+    status_.failed_openings = 0;
     const std::string at =
         "byte " + std::to_string(status_.uploaded_bytes) + " of " + std::to_string(firmware.size());
     constexpr std::array<const char*, 5> kReasons{
@@ -68,8 +68,10 @@ Link::Upload Link::uploadOnce(const std::stop_token& stop,
                               const std::vector<std::uint8_t>& firmware) {
   const auto failed = [this](Upload how) {
     // Asking the chip anything tells whether it is still there.
-    return port_->request(kPurge1) == PortResult::gone ? Upload::gone : how;
+    request(kPurge1);
+    return lost_ == PortResult::ok ? how : Upload::gone;
   };
+  runs_ = false;
   if (!requestAll({kPurge1, kPurge2, latencyTimer(16), kHelloBaud, kData8N1, kFlowOff, kRtsLow,
                    kDtrLow, kDtrHigh})) {
     return failed(Upload::no_hello);
@@ -97,12 +99,12 @@ bool Link::hello() {
   std::array<std::uint8_t, kPacketBytes> bytes{};
   std::size_t matched = 0;
   for (int i = 0; i < kTries; ++i) {
-    if (port_->write(kHello) != PortResult::ok) return false;
+    if (write(kHello) != PortResult::ok) return false;
     const std::int64_t until = bus_.now() + 150 * kMs;
     while (bus_.now() < until) {
-      const Port::Incoming in = port_->read(bytes, until);
-      if (in.result == PortResult::gone) return false;
-      for (std::size_t k = 0; k < in.bytes; ++k) {
+      std::size_t got = 0;
+      if (!read(bytes, until, got)) return false;
+      for (std::size_t k = 0; k < got; ++k) {
         // Anywhere in the stream: zeros or an answer to an earlier hello may come first.
         if (bytes[k] != kHelloAnswer[matched]) matched = 0;
         if (bytes[k] == kHelloAnswer[matched]) ++matched;
@@ -118,17 +120,16 @@ bool Link::lockBaud() {
   // Some devices raise CTS when they are ready; none is known to need it.
   const std::int64_t ready_by = bus_.now() + 200 * kMs;
   while (!port_->clearToSend() && bus_.now() < ready_by) {
-    if (port_->read(bytes, std::min(ready_by, bus_.now() + 20 * kMs)).result == PortResult::gone) {
-      return false;
-    }
+    std::size_t got = 0;
+    if (!read(bytes, std::min(ready_by, bus_.now() + 20 * kMs), got)) return false;
   }
   port_->discardInput();
-  if (port_->write(std::array<std::uint8_t, 1>{kAutoBaud}) != PortResult::ok) return false;
+  if (write(std::array<std::uint8_t, 1>{kAutoBaud}) != PortResult::ok) return false;
   const std::int64_t until = bus_.now() + 300 * kMs;
   while (bus_.now() < until) {
-    const Port::Incoming in = port_->read(bytes, until);
-    if (in.result == PortResult::gone) return false;
-    for (std::size_t k = 0; k < in.bytes; ++k) {
+    std::size_t got = 0;
+    if (!read(bytes, until, got)) return false;
+    for (std::size_t k = 0; k < got; ++k) {
       if (bytes[k] == kAutoBaud) return true;
     }
   }
@@ -136,17 +137,17 @@ bool Link::lockBaud() {
 }
 
 bool Link::echoes(std::span<const std::uint8_t> chunk) {
-  if (port_->write(chunk) != PortResult::ok) return false;
+  if (write(chunk) != PortResult::ok) return false;
   std::array<std::uint8_t, kPacketBytes> bytes{};
   std::size_t same = 0;
   const std::int64_t until = bus_.now() + 1000 * kMs;
   while (same < chunk.size()) {
-    const Port::Incoming in = port_->read(bytes, until);
-    if (in.result == PortResult::gone || (in.bytes == 0 && bus_.now() >= until)) return false;
-    if (in.bytes > chunk.size() - same) return false;
-    const auto expected = chunk.subspan(same, in.bytes);
+    std::size_t got = 0;
+    if (!read(bytes, until, got) || (got == 0 && bus_.now() >= until)) return false;
+    if (got > chunk.size() - same) return false;
+    const auto expected = chunk.subspan(same, got);
     if (!std::equal(expected.begin(), expected.end(), bytes.begin())) return false;
-    same += in.bytes;
+    same += got;
   }
   return true;
 }

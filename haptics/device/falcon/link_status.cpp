@@ -56,6 +56,14 @@ LinkMessage describe(const LinkStatus& status) {
               status.attempt > 3 ? "Still starting." : "Starting the Falcon."};
     }
     case LinkState::not_started:
+      if (status.failed_openings > 0) {
+        return {"E303",
+                "The connection to the Falcon failed " + std::to_string(status.failed_openings) +
+                    " times, although it is plugged in. Forces are off; it is tried again every "
+                    "10 seconds. Plug it straight into the computer, if you can with another "
+                    "cable, or choose Touch > Device set-up > Retry.",
+                "The Falcon does not answer. Forces are off."};
+      }
       return {"E303",
               "The Falcon did not start after " + std::to_string(status.attempts) +
                   " attempts; it is left alone now. Check its power supply and plug it straight "
@@ -74,6 +82,14 @@ LinkMessage describe(const LinkStatus& status) {
     case LinkState::ready:
       return {"", "Falcon ready.", "Falcon ready."};
     case LinkState::silent:
+      if (status.failed_openings > 0) {
+        return {"",
+                "The connection to the Falcon fails, although it is plugged in. Forces are off; it "
+                "is opened anew – " +
+                    std::to_string(status.failed_openings) + " of " +
+                    std::to_string(status.attempts) + ".",
+                "The Falcon does not answer. Forces are off."};
+      }
       return {"", "The Falcon does not answer. Forces are off; trying to wake it.",
               "The Falcon does not answer. Forces are off."};
   }

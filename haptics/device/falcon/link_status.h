@@ -34,11 +34,12 @@ struct LinkCounts {
   static constexpr std::array<std::int64_t, 7> kGapEdgesNs{
       800'000, 1'000'000, 1'200'000, 2'000'000, 5'000'000, 20'000'000, 100'000'000};
 
-  std::uint64_t frames = 0;     ///< Whole answers.
-  std::uint64_t malformed = 0;  ///< Pieces that were none; dropped.
-  std::uint64_t hiccups = 0;    ///< No answer for 5 ms: asked again, with zero force.
-  std::uint64_t stalls = 0;     ///< None for 20 ms: forces off.
-  std::uint64_t purges = 0;     ///< None for 500 ms: buffers emptied.
+  std::uint64_t frames = 0;        ///< Whole answers.
+  std::uint64_t malformed = 0;     ///< Pieces that were none; dropped.
+  std::uint64_t hiccups = 0;       ///< No answer for 5 ms: asked again, with zero force.
+  std::uint64_t stalls = 0;        ///< None for 20 ms: forces off.
+  std::uint64_t purges = 0;        ///< None for 500 ms: buffers emptied.
+  std::uint64_t failed_reads = 0;  ///< The USB system broke one off: asked again, with zero force.
   std::uint64_t impossible_poses = 0;
   std::uint64_t overruns = 0, framing = 0;  ///< Told by the bridge chip.
   std::int64_t worst_gap_ns = 0;  ///< Since times were last measured anew, or the link runs.
@@ -60,6 +61,9 @@ struct LinkStatus {
   /// From question to answer, since times were last measured anew, or the link runs.
   double mean_answer_ms = 0, worst_answer_ms = 0;
   std::uint64_t unplugged = 0;  ///< How many times it went away while open.
+  /// In a row that came to nothing although it is plugged in. In the states `silent` and
+  /// `not_started` (E303): why it is in them.
+  int failed_openings = 0;
   LinkCounts counts;
   std::array<char, 700> detail{};  ///< Zero-terminated; see the states.
 };

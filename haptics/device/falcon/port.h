@@ -15,6 +15,7 @@ enum class PortResult : std::uint8_t {
   ok,
   timeout,  ///< The device takes nothing.
   gone,     ///< Unplugged.
+  failed,   ///< The transfer broke off, though the device is still there.
 };
 
 /// Errors that the bridge chip has reported since the port was opened.
@@ -39,7 +40,8 @@ class Port {
     std::size_t bytes = 0;
     PortResult result = PortResult::ok;
   };
-  /// What has come, line status taken out; waits for the first byte until `until_ns`.
+  /// What has come, line status taken out; waits for the first byte until `until_ns`. A failure is
+  /// told at once, before what came after it; the next read takes up reading again, after 5 ms.
   virtual Incoming read(std::span<std::uint8_t> into, std::int64_t until_ns) = 0;
   /// Forgets what has come and was not read.
   virtual void discardInput() = 0;

@@ -12,8 +12,8 @@ constexpr double kNudgeN = 0.5, kNudgeSeconds = 0.15, kNudgePauseSeconds = 0.25;
 constexpr double kNudgeMm = 5;        // Of a grip that nobody holds; it coasts some more.
 constexpr double kLeastRateHz = 800;  // Below, surfaces must be made softer (E306).
 constexpr std::uint64_t kMostMalformedPerThousand = 1;
+constexpr double kMovedMm = 0.2;
 constexpr int kMovedCounts = 200;
-constexpr std::uint32_t kAllButtons = 0b1111;
 constexpr std::array<DeviceN, 6> kDirections{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 constexpr std::array<const char*, 6> kDirectionNames{"right", "left", "up", "down", "out", "in"};
@@ -81,12 +81,12 @@ bool SelfTest::step(std::int64_t now_ns) {
       device_.showStateLights();
       lines_.push_back({SelfTestLine::Result::not_seen,
                         "Lights: red, green and blue were shown one after the other."});
-      next(options_.nudges ? Phase::nudges : Phase::person, now_ns);
+      next(options_.nudges ? Phase::nudges : afterNudges(), now_ns);
       break;
     }
     case Phase::nudges:
       force_ = nudge(reading, since_s);
-      if (nudge_ >= static_cast<int>(kDirections.size())) next(Phase::person, now_ns);
+      if (nudge_ >= static_cast<int>(kDirections.size())) next(afterNudges(), now_ns);
       break;
     case Phase::person: {
       pressed_ |= reading.buttons;
@@ -99,7 +99,7 @@ bool SelfTest::step(std::int64_t now_ns) {
       }
       const bool all = moved && pressed_ == kAllButtons;
       if (all || since_s > options_.wait_for_person_s) {
-        if (options_.wait_for_person_s > 0) judgePerson();
+        judgePerson();
         next(Phase::done, now_ns);
       }
       break;
@@ -116,16 +116,7 @@ DeviceN SelfTest::nudge(const DeviceReading& reading, double since_s) {
     nudge_ = index;
     nudge_from_ = reading.position;
     nudged_far_ = false;
-    if (index == static_cast<int>(kDirections.size())) {
-      std::string text = "Nudges of 0.5 N moved the hand by";
-      bool all = true;
-      for (std::size_t i = 0; i < moved_mm_.size(); ++i) {
-        text += format("%s %s %.1f mm", i == 0 ? "" : ",", kDirectionNames[i], moved_mm_[i]);
-        all = all && moved_mm_[i] > 0.2;
-      }
-      lines_.push_back({all ? SelfTestLine::Result::passed : SelfTestLine::Result::not_seen,
-                        text + (all ? "." : "; a hand that holds on moves less.")});
-    }
+    if (index == static_cast<int>(kDirections.size())) judgeNudges();
   }
   if (index >= static_cast<int>(kDirections.size())) return {};
   const auto i = static_cast<std::size_t>(index);
@@ -139,6 +130,25 @@ DeviceN SelfTest::nudge(const DeviceReading& reading, double since_s) {
     if (!nudged_far_) return kNudgeN * along;
   }
   return {};
+}
+
+void SelfTest::judgeNudges() {
+  std::string text = "Nudges of 0.5 N moved the hand by";
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < moved_mm_.size(); ++i) {
+    text += format("%s %s %.1f mm", i == 0 ? "" : ",", kDirectionNames[i], moved_mm_[i]);
+    if (moved_mm_[i] > kMovedMm) ++moved;
+  }
+  if (moved == moved_mm_.size()) {
+    lines_.push_back({SelfTestLine::Result::passed, text + "."});
+  } else if (moved > 0) {
+    lines_.push_back({SelfTestLine::Result::not_seen, text + "; a hand that holds on moves less."});
+  } else {
+    lines_.push_back({SelfTestLine::Result::failed,
+                      text +
+                          "; the motors moved nothing. Check the Falcon's power supply, hold the "
+                          "grip loosely or let go of it, and test again."});
+  }
 }
 
 void SelfTest::judgeRate() {

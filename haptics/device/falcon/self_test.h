@@ -10,7 +10,8 @@
 
 namespace relievo::falcon {
 
-/// One thing that was tried. What a person must judge or do is not failed, only not seen.
+/// One thing that was tried. What a person must judge or do is not failed, only not seen; motors
+/// that move nothing at all are failed.
 struct SelfTestLine {
   enum class Result : std::uint8_t { passed, failed, not_seen };
   Result result = Result::passed;
@@ -40,7 +41,9 @@ class SelfTest {
 
  private:
   void next(Phase phase, std::int64_t now_ns);
+  Phase afterNudges() const { return options_.wait_for_person_s > 0 ? Phase::person : Phase::done; }
   void judgeRate();
+  void judgeNudges();
   void judgePerson();
   DeviceN nudge(const DeviceReading& reading, double since_s);
 

@@ -61,33 +61,58 @@ int nodeOf(libusb_context* context) {
   return node;
 }
 
+class UsbPort;
+
+struct Read {
+  libusb_transfer* transfer = nullptr;
+  UsbPort* port = nullptr;
+  std::array<std::uint8_t, kPacketBytes> bytes{};
+  bool under_way = false;
+};
+
+/// What the system may still write to after the port is gone.
+struct Transfers {
+  std::array<Read, 2> reads;  // Two, so that one is always queued.
+  libusb_transfer* out = nullptr;
+  std::array<std::uint8_t, kPacketBytes> out_bytes{};
+};
+
 class UsbPort : public Port {
  public:
   UsbPort(libusb_context* context, libusb_device_handle* handle)
-      : context_(context), handle_(handle), last_words_(nodeOf(context)) {
-    for (Read& read : reads_) {
+      : context_(context), handle_(handle), last_words_(std::in_place, nodeOf(context)) {
+    for (Read& read : transfers_->reads) {
       read.transfer = libusb_alloc_transfer(0);
-      read.owner = this;
+      read.port = this;
       libusb_fill_bulk_transfer(read.transfer, handle_, kEndpointIn, read.bytes.data(),
                                 static_cast<int>(read.bytes.size()), &UsbPort::onRead, &read, 0);
       submit(read);
     }
-    out_ = libusb_alloc_transfer(0);
+    transfers_->out = libusb_alloc_transfer(0);
   }
 
   ~UsbPort() override {
+    // The last frame carries zero: it has its time. Its own limit ends before this one.
+    const std::int64_t sent_by = monotonicNs() + (kWriteTimeoutMs + 50) * kMs;
+    while (writing_ && !gone_ && monotonicNs() < sent_by) handleEvents(sent_by);
     closing_ = true;
-    for (Read& read : reads_) {
+    for (Read& read : transfers_->reads) {
       if (read.under_way) libusb_cancel_transfer(read.transfer);
     }
-    if (writing_) libusb_cancel_transfer(out_);
+    if (writing_) libusb_cancel_transfer(transfers_->out);
     const std::int64_t give_up = monotonicNs() + 2000 * kMs;
     while (busy() && monotonicNs() < give_up) handleEvents(monotonicNs() + 100 * kMs);
+    last_words_.reset();                   // The node's number may soon be another file's.
     libusb_release_interface(handle_, 0);  // And the kernel's driver, if there was one, comes back.
     libusb_close(handle_);
-    if (busy()) return;  // Never freed while the kernel may write to them.
-    for (Read& read : reads_) libusb_free_transfer(read.transfer);
-    libusb_free_transfer(out_);
+    if (busy()) {  // Never freed while the kernel may write to them.
+      for (Read& read : transfers_->reads) read.port = nullptr;
+      transfers_->out->user_data = nullptr;
+      static_cast<void>(transfers_.release());
+      return;
+    }
+    for (Read& read : transfers_->reads) libusb_free_transfer(read.transfer);
+    libusb_free_transfer(transfers_->out);
   }
 
   PortResult request(const BridgeRequest& request) override {
@@ -104,15 +129,15 @@ class UsbPort : public Port {
     while (writing_ && !gone_ && monotonicNs() < give_up) handleEvents(give_up);
     if (gone_) return PortResult::gone;
     if (LastWords::spoken()) return PortResult::timeout;
-    if (writing_ || !written_ || bytes.size() > out_bytes_.size()) {
+    if (writing_ || !written_ || bytes.size() > transfers_->out_bytes.size()) {
       written_ = true;  // Told once; the next write is tried again.
       return PortResult::timeout;
     }
-    std::copy(bytes.begin(), bytes.end(), out_bytes_.begin());
-    libusb_fill_bulk_transfer(out_, handle_, kEndpointOut, out_bytes_.data(),
+    std::copy(bytes.begin(), bytes.end(), transfers_->out_bytes.begin());
+    libusb_fill_bulk_transfer(transfers_->out, handle_, kEndpointOut, transfers_->out_bytes.data(),
                               static_cast<int>(bytes.size()), &UsbPort::onWritten, this,
                               kWriteTimeoutMs);
-    const int result = libusb_submit_transfer(out_);
+    const int result = libusb_submit_transfer(transfers_->out);
     if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
     if (gone_) return PortResult::gone;
     if (result != 0) return PortResult::timeout;
@@ -122,6 +147,10 @@ class UsbPort : public Port {
 
   Incoming read(std::span<std::uint8_t> into, std::int64_t until_ns) override {
     while (true) {
+      if (std::exchange(failed_, false)) {
+        read_again_ns_ = monotonicNs() + 5 * kMs;
+        return {0, PortResult::failed};
+      }
       if (received_ > 0) {
         const std::size_t bytes = std::min(into.size(), received_);
         std::copy_n(buffer_.begin(), bytes, into.begin());
@@ -137,7 +166,8 @@ class UsbPort : public Port {
         sleepUntil(std::min(until_ns, now + kMs));
         return {0, PortResult::timeout};
       }
-      handleEvents(until_ns);
+      readAgain(now);
+      if (!failed_) handleEvents(reads() ? until_ns : std::min(until_ns, read_again_ns_));
     }
   }
 
@@ -149,30 +179,36 @@ class UsbPort : public Port {
   LineErrors lineErrors() const override { return errors_; }
 
  private:
-  struct Read {
-    libusb_transfer* transfer = nullptr;
-    UsbPort* owner = nullptr;
-    std::array<std::uint8_t, kPacketBytes> bytes{};
-    bool under_way = false;
-  };
-
   bool busy() const {
-    return writing_ || std::any_of(reads_.begin(), reads_.end(),
+    return writing_ || std::any_of(transfers_->reads.begin(), transfers_->reads.end(),
                                    [](const Read& read) { return read.under_way; });
+  }
+  bool reads() const {
+    return std::all_of(transfers_->reads.begin(), transfers_->reads.end(),
+                       [](const Read& read) { return read.under_way; });
+  }
+
+  void readAgain(std::int64_t now_ns) {
+    if (reads() || now_ns < read_again_ns_) return;
+    if (std::exchange(stalled_, false)) libusb_clear_halt(handle_, kEndpointIn);
+    for (Read& read : transfers_->reads) {
+      if (!read.under_way && !failed_ && !gone_) submit(read);
+    }
   }
 
   void submit(Read& read) {
     const int result = libusb_submit_transfer(read.transfer);
     read.under_way = result == 0;
-    if (result != 0) gone_ = true;
+    if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
+    if (result != 0) failed_ = true;
   }
 
   void handleEvents(std::int64_t until_ns) {
     timeval left = timeLeft(until_ns);
-    if (libusb_handle_events_timeout_completed(context_, &left, nullptr) ==
-        LIBUSB_ERROR_NO_DEVICE) {
-      gone_ = true;
-    }
+    const int result = libusb_handle_events_timeout_completed(context_, &left, nullptr);
+    if (result == LIBUSB_ERROR_NO_DEVICE) gone_ = true;
+    // Whoever waits for events tries again: not as fast as they fail.
+    if (result != 0 && !gone_) sleepUntil(std::min(until_ns, monotonicNs() + kMs));
   }
 
   void take(std::span<const std::uint8_t> packet) {
@@ -189,18 +225,23 @@ class UsbPort : public Port {
 
   static void LIBUSB_CALL onRead(libusb_transfer* transfer) {
     auto& read = *static_cast<Read*>(transfer->user_data);
-    UsbPort& port = *read.owner;
     read.under_way = false;
+    if (read.port == nullptr) return;
+    UsbPort& port = *read.port;
     if (transfer->status == LIBUSB_TRANSFER_COMPLETED) {
       port.take({read.bytes.data(), static_cast<std::size_t>(transfer->actual_length)});
-    } else if (transfer->status != LIBUSB_TRANSFER_CANCELLED) {
-      // A stalled or failing endpoint of this chip does not come back without a new open.
+      if (!port.gone_ && !port.closing_) port.submit(read);
+    } else if (transfer->status == LIBUSB_TRANSFER_NO_DEVICE) {
       port.gone_ = true;
+    } else if (transfer->status != LIBUSB_TRANSFER_CANCELLED) {
+      // Only this direction: what is written still arrives. read() submits it again, in a while.
+      port.failed_ = true;
+      port.stalled_ = port.stalled_ || transfer->status == LIBUSB_TRANSFER_STALL;
     }
-    if (!port.gone_ && !port.closing_) port.submit(read);
   }
 
   static void LIBUSB_CALL onWritten(libusb_transfer* transfer) {
+    if (transfer->user_data == nullptr) return;
     UsbPort& port = *static_cast<UsbPort*>(transfer->user_data);
     port.writing_ = false;
     port.written_ = transfer->status == LIBUSB_TRANSFER_COMPLETED;
@@ -209,14 +250,14 @@ class UsbPort : public Port {
 
   libusb_context* context_;
   libusb_device_handle* handle_;
-  LastWords last_words_;
-  std::array<Read, 2> reads_;  // Two, so that one is always queued.
-  libusb_transfer* out_ = nullptr;
-  std::array<std::uint8_t, kPacketBytes> out_bytes_{};
+  std::optional<LastWords> last_words_;
+  std::unique_ptr<Transfers> transfers_ = std::make_unique<Transfers>();
   std::array<std::uint8_t, 4096> buffer_{};
   std::size_t received_ = 0;
   LineStatus line_;
   LineErrors errors_;
+  std::int64_t read_again_ns_ = 0;
+  bool failed_ = false, stalled_ = false;  // Of reading; not told yet, not cleared yet.
   bool writing_ = false, written_ = true, gone_ = false, closing_ = false;
 };
 }  // namespace
@@ -344,7 +385,9 @@ void UsbBus::waitForChange(std::int64_t until_ns) {
   const int before = impl_->plugs;
   do {
     timeval left = timeLeft(until_ns);
-    libusb_handle_events_timeout_completed(impl_->context, &left, nullptr);
+    if (libusb_handle_events_timeout_completed(impl_->context, &left, nullptr) != 0) {
+      sleepUntil(std::min(until_ns, monotonicNs() + kMs));
+    }
   } while (impl_->plugs == before && monotonicNs() < until_ns);
 }
 

@@ -70,6 +70,19 @@ class FalconTest : public ::testing::Test {
       reached_.acquire();
     }
   }
+  /// Presses and releases that a loop sees, as signed numbers of buttons from 1 on.
+  std::vector<int> edges(int ms) {
+    std::vector<int> seen;
+    for (int i = 0; i < ms; ++i) {
+      const std::uint32_t before = reading_.buttons;
+      step();
+      for (int button = 0; button < 4; ++button) {
+        const bool was = (before >> button & 1U) != 0, is = (reading_.buttons >> button & 1U) != 0;
+        if (was != is) seen.push_back(is ? button + 1 : -(button + 1));
+      }
+    }
+    return seen;
+  }
   /// @return false: it did not become so
   bool stepUntil(const std::function<bool()>& holds, int most_ms) {
     for (int i = 0; i < most_ms; ++i) {

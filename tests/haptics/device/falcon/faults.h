@@ -27,8 +27,9 @@ struct Fault {
 inline void PrintTo(const Fault& fault, std::ostream* out) {
   *out << fault.name;
 }
+constexpr int kForEver = 1 << 30;
 inline void mendsItself(FalconEmulator& /*falcon*/) {}
-inline const std::array<Fault, 10> kFaults{{
+inline const std::array<Fault, 12> kFaults{{
     {"LostByteOfAnAnswer", [](FalconEmulator& f) { f.troubles.lose_answer_bytes = 1; }, mendsItself,
      DeviceFault::none, [](const LinkStatus& s) { return s.counts.hiccups + s.counts.malformed; },
      false},
@@ -46,6 +47,11 @@ inline const std::array<Fault, 10> kFaults{{
     {"LateAnswers", [](FalconEmulator& f) { f.hold_answers_ns = 8'000'000; },
      [](FalconEmulator& f) { f.hold_answers_ns = 0; }, DeviceFault::none,
      [](const LinkStatus& s) { return s.counts.hiccups; }, false},
+    {"FailedRead", [](FalconEmulator& f) { f.troubles.failed_reads = 1; }, mendsItself,
+     DeviceFault::none, [](const LinkStatus& s) { return s.counts.failed_reads; }, false},
+    {"ReadsThatGoOnFailing", [](FalconEmulator& f) { f.troubles.failed_reads = kForEver; },
+     [](FalconEmulator& f) { f.troubles.failed_reads = 0; }, DeviceFault::timeout,
+     [](const LinkStatus& s) { return s.counts.failed_reads; }, false},
     {"Stall", [](FalconEmulator& f) { f.troubles.silent = true; },
      [](FalconEmulator& f) { f.troubles.silent = false; }, DeviceFault::timeout,
      [](const LinkStatus& s) { return s.counts.stalls; }, false},

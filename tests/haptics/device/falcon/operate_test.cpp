@@ -116,6 +116,148 @@ TEST_F(RunningFalconTest, ButtonsAreDebounced) {
   }
 }
 
+TEST_F(RunningFalconTest, OfTwoFramesNothingCountsOfThreeAPress) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  step(50);
+  const auto frames = [this] { return falcon([](auto& f) { return f.commandCount(); }); };
+  const auto setFor = [&](int buttons, std::uint64_t count) {
+    const int before = falcon([](auto& f) { return f.buttons; });
+    falcon([&](auto& f) { f.buttons = buttons; });
+    std::vector<int> seen;
+    for (const std::uint64_t end = frames() + count; frames() < end;) {
+      const std::vector<int> now = edges(1);
+      seen.insert(seen.end(), now.begin(), now.end());
+      EXPECT_LE(frames(), end) << "a frame a millisecond";
+    }
+    falcon([&](auto& f) { f.buttons = before; });
+    const std::vector<int> now = edges(20);
+    seen.insert(seen.end(), now.begin(), now.end());
+    return seen;
+  };
+  EXPECT_EQ(setFor(0b0001, 1), std::vector<int>{});
+  EXPECT_EQ(setFor(0b0001, 2), std::vector<int>{});
+  EXPECT_EQ(setFor(0b0001, 3), (std::vector<int>{1, -1}));
+  falcon([](auto& f) { f.buttons = 0b0001; });
+  step(20);
+  EXPECT_EQ(setFor(0, 2), std::vector<int>{}) << "nor is a gap of two a release";
+  EXPECT_EQ(setFor(0, 3), (std::vector<int>{-1, 1}));
+}
+
+TEST_F(RunningFalconTest, AShortInterruptionWhileAButtonIsHeldIsNoSecondPress) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  falcon([](auto& f) { f.buttons = 0b0101; });
+  EXPECT_EQ(edges(50), (std::vector<int>{1, 3}));
+  falcon([](auto& f) { f.troubles.silent = true; });
+  EXPECT_EQ(edges(40), std::vector<int>{});
+  EXPECT_EQ(fault_, DeviceFault::timeout);
+  falcon([](auto& f) { f.troubles.silent = false; });
+  EXPECT_EQ(edges(150), std::vector<int>{});
+  for (const int failed : {1, 3}) {
+    falcon([failed](auto& f) { f.troubles.failed_reads = failed; });
+    EXPECT_EQ(edges(50), std::vector<int>{});
+  }
+  EXPECT_EQ(bus_->opens, 1);
+  falcon([](auto& f) { f.buttons = 0; });
+  EXPECT_EQ(edges(50), (std::vector<int>{-1, -3}));
+}
+
+TEST_F(RunningFalconTest, AButtonThatWasHeldThroughALongInterruptionIsNoPress) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  step(50);
+  const auto strike = [this](bool unplugged) {
+    falcon([unplugged](auto& f) {
+      if (unplugged) {
+        f.unplug();
+      } else {
+        f.troubles.silent = true;
+      }
+    });
+  };
+  for (const bool unplugged : {true, false}) {
+    falcon([](auto& f) { f.buttons = 0b0001; });
+    EXPECT_EQ(edges(50), std::vector<int>{1});
+    strike(unplugged);
+    EXPECT_EQ(edges(800), std::vector<int>{-1}) << "the press is over";
+    falcon([](auto& f) {
+      f.plugIn();
+      f.troubles.silent = false;
+    });
+    ASSERT_TRUE(becomes(LinkState::ready, 2000));
+    EXPECT_EQ(edges(100), std::vector<int>{});
+    falcon([](auto& f) { f.buttons = 0; });
+    EXPECT_EQ(edges(50), std::vector<int>{});
+    falcon([](auto& f) { f.buttons = 0b0001; });
+    EXPECT_EQ(edges(50), std::vector<int>{1}) << "a new one counts";
+    falcon([](auto& f) { f.buttons = 0; });
+    EXPECT_EQ(edges(50), std::vector<int>{-1});
+  }
+}
+
+TEST_F(RunningFalconTest, AButtonThatIsDownWhenItIsPluggedInIsNoPress) {
+  falcon([](auto& f) { f.buttons = 0b0001; });
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  EXPECT_EQ(edges(100), std::vector<int>{});
+}
+
+/// As after SIGSTOP and SIGCONT: the loop is back before this thread, and asks at once.
+TEST_F(RunningFalconTest, AfterAPauseOfItsOwnThreadForceRisesFromZeroAtTheNewPlace) {
+  for (const std::int64_t pause_ms : {25, 1000}) {
+    if (pause_ms == 25) {
+      beginTouching();
+    } else {
+      ASSERT_TRUE(stepUntil([this] { return norm(felt()) > 1.9; }, 300));
+    }
+    step(250);
+    falcon([](auto& f) { f.forgetCommands(); });
+    hold(pause_ms == 25 ? 30 : 10, 10, 140);
+    clock_->jump(pause_ms * 1'000'000);
+    reading_ = device_->exchange(force_, clock_->now());
+    step();
+    falcon([](auto& f) {
+      ASSERT_FALSE(f.commands().empty());
+      EXPECT_TRUE(f.commands().front().neutral());
+    });
+    step(3);
+    EXPECT_LT(norm(felt()), 0.3) << "50 N/s";
+    EXPECT_TRUE(stepUntil([this] { return norm(felt()) > 1.9; }, 100));
+    EXPECT_LT(norm(felt() - force_), 0.1) << "made for the place where the hand is";
+    EXPECT_EQ(fault_, DeviceFault::none) << "the Falcon did nothing wrong";
+  }
+}
+
+TEST_F(RunningFalconTest, ALoopThatStepsSlowlyKeepsItsForce) {
+  beginTouching();
+  step(250);
+  loop_runs_ = false;  // As the set-up, whose timer gives 125 steps a second.
+  falcon([](auto& f) { f.forgetCommands(); });
+  for (int i = 0; i < 100; ++i) {
+    reading_ = device_->exchange(force_, clock_->now());
+    EXPECT_EQ(reading_.fault, DeviceFault::none);
+    step(8);
+  }
+  falcon([](auto& f) {
+    EXPECT_TRUE(std::none_of(f.commands().begin(), f.commands().end(),
+                             [](const auto& c) { return c.neutral(); }));
+  });
+  EXPECT_GT(norm(felt()), 1.9);
+}
+
+TEST_F(RunningFalconTest, AfterARestTheFirstFrameIsZero) {
+  beginTouching();
+  loop_runs_ = false;
+  step(2500);
+  falcon([](auto& f) { f.forgetCommands(); });
+  hold(30, 10, 140);
+  loop_runs_ = true;
+  ASSERT_TRUE(stepUntil([this] { return norm(felt()) > 0.01; }, 700));
+  EXPECT_LT(norm(felt()), 0.5) << "50 N/s";
+  EXPECT_TRUE(stepUntil([this] { return norm(felt()) > 1.9; }, 100));
+}
+
 TEST_F(RunningFalconTest, LightsTellTheStateAndCanBeTried) {
   begin();
   ASSERT_TRUE(becomes(LinkState::ready, 100));
@@ -149,6 +291,15 @@ TEST_F(RunningFalconTest, ClosingLeavesTheMotorsAtZeroAndTheLightsOff) {
   finish();
   EXPECT_TRUE(lastCommand().neutral());
   EXPECT_EQ(lastCommand().lights, lights_off);
+  falcon([](auto& f) {
+    // "<AAAAAAAAAAAAAA>", and more than one: nobody repeats a frame that is lost.
+    const auto last = f.commands().rbegin();
+    EXPECT_EQ(std::count_if(
+                  last, last + 10,
+                  [](const auto& c) { return c.neutral() && c.lights == lights_off && !c.homing; }),
+              3);
+    EXPECT_TRUE(std::all_of(last, last + 3, [](const auto& c) { return !c.homing; }));
+  });
   EXPECT_EQ(device_->exchange({0, 0, 2}, clock_->now()).fault, DeviceFault::not_ready);
 }
 

@@ -110,6 +110,42 @@ TEST_F(FalconSelfTest, NudgesAreHalfANewtonAndMoveTheHandTheirWay) {
   })) << textOf(test);
 }
 
+TEST_F(FalconSelfTest, MotorsThatMoveNothingFailAndNobodyIsAskedForMore) {
+  // Held fast, or without power: it cannot be told apart, and is never passed.
+  SelfTest test(*device_, {});
+  std::string asked;
+  for (int ms = 0; ms < 20'000 && test.step(clock_->now()); ++ms) {
+    step();
+    asked += test.prompt();
+  }
+  EXPECT_FALSE(test.passed());
+  EXPECT_EQ(test.prompt(), "The self test found something wrong.");
+  EXPECT_THAT(textOf(test), HasSubstr("in 0.0 mm; the motors moved nothing. Check the Falcon's "
+                                      "power supply, hold the grip loosely"));
+  EXPECT_THAT(asked, HasSubstr("Hold the grip loosely"));
+  EXPECT_THAT(asked, testing::Not(HasSubstr("press each of the four buttons")))
+      << "nothing would be waited for";
+}
+
+TEST_F(FalconSelfTest, MotorsWithoutPowerFailInALooseHand) {
+  falcon([](auto& f) {
+    f.body.counts_per_n_mm = 1e9;
+    f.body.pullToward({0, 0, 125});
+  });
+  SelfTest test(*device_, {});
+  runFor(test, 20'000);
+  EXPECT_FALSE(test.passed()) << textOf(test);
+}
+
+TEST_F(FalconSelfTest, WithoutNudgesNobodyIsAskedForButtonsThatAreNotTried) {
+  SelfTest test(*device_, {.nudges = false});
+  for (int ms = 0; ms < 20'000 && test.step(clock_->now()); ++ms) {
+    step();
+    EXPECT_NE(test.phase(), SelfTest::Phase::person);
+  }
+  EXPECT_TRUE(test.passed()) << textOf(test);
+}
+
 TEST_F(FalconSelfTest, ANudgeEndsBeforeAGripThatNobodyHoldsGoesFar) {
   falcon([](auto& f) { f.body.letGo(0); });
   SelfTest test(*device_, {});

@@ -32,11 +32,60 @@ TEST_F(FalconTest, FromPlugToTouch) {
   step(10);
   EXPECT_EQ(lastCommand().lights, blue);
   EXPECT_EQ(reading_.fault, DeviceFault::not_ready) << "no force before it was pulled out";
-  hold(0, 0, 172);
+  hold(0, 0, 169);
+  step(50);
+  EXPECT_EQ(device_->status().state, LinkState::pull_out) << "not far enough";
+  EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
+  hold(0, 0, 171);
   ASSERT_TRUE(becomes(LinkState::ready, 50));
   step(10);
   EXPECT_EQ(reading_.fault, DeviceFault::none);
   EXPECT_LT(clock_->now(), 21'000'000'000) << "within 20 seconds";
+}
+
+using Request = std::array<int, 3>;  // Request, value, index.
+constexpr std::array<Request, 8> kToRun{{{0, 1, 0},
+                                         {0, 2, 0},
+                                         {9, 1, 0},
+                                         {3, 0x0002, 0},
+                                         {4, 0x0008, 0},
+                                         {2, 0, 0},
+                                         {0, 1, 0},
+                                         {0, 2, 0}}};
+constexpr std::array<Request, 13> kToUpload{{{0, 1, 0},
+                                             {0, 2, 0},
+                                             {9, 16, 0},
+                                             {3, 0x4138, 0},
+                                             {4, 0x0008, 0},
+                                             {2, 0, 0},
+                                             {1, 0x0200, 0},
+                                             {1, 0x0100, 0},
+                                             {1, 0x0101, 0},
+                                             // After the answer to hello.
+                                             {1, 0x0100, 0},
+                                             {3, 0x0015, 0},
+                                             {0, 1, 0},
+                                             {0, 2, 0}}};
+std::vector<Request> requestsTo(const emulator::FalconEmulator& falcon) {
+  std::vector<Request> all;
+  for (const auto& r : falcon.requests()) all.push_back({r.request, r.value, r.index});
+  return all;
+}
+
+TEST_F(FalconTest, TheBridgeIsAskedWhatThePageOfTheProtocolSays) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 5000));
+  std::vector<Request> expected(kToRun.begin(), kToRun.end());
+  expected.insert(expected.end(), kToUpload.begin(), kToUpload.end());
+  expected.insert(expected.end(), kToRun.begin(), kToRun.end());
+  EXPECT_EQ(falcon(requestsTo), expected);
+}
+
+TEST_F(RunningFalconTest, ARunningOneIsAskedOnlyForTheRunningProtocol) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 200));
+  step(100);
+  EXPECT_EQ(falcon(requestsTo), std::vector<Request>(kToRun.begin(), kToRun.end()));
 }
 
 TEST_F(RunningFalconTest, NeedsNoFileWhenFirmwareRuns) {
@@ -205,6 +254,25 @@ TEST_F(LateClearToSendTest, IsWaitedFor) {
   begin();
   EXPECT_TRUE(becomes(LinkState::homing, 5000));
   EXPECT_EQ(device_->status().attempt, 1);
+}
+
+class NoClearToSendTest : public FalconTest {
+ protected:
+  NoClearToSendTest() : FalconTest({.clear_to_send = false}) {}
+};
+TEST_F(NoClearToSendTest, IsDoneWithout) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 5000));
+  EXPECT_EQ(device_->status().attempt, 1);
+  falcon([](auto& f) {
+    // From the baud rate of the upload to that of the running protocol: the wait is part of it.
+    std::int64_t locked_ns = 0, runs_ns = 0;
+    for (const auto& r : f.requests()) {
+      if (r.request == 3 && r.value == 0x0015) locked_ns = r.time_ns;
+      if (r.request == 3 && r.value == 0x0002) runs_ns = r.time_ns;
+    }
+    EXPECT_GT(runs_ns - locked_ns, 200'000'000);
+  });
 }
 
 TEST_F(FalconTest, UnpluggedWhileStartingIsWaitedFor) {

@@ -117,6 +117,45 @@ TEST_F(FalconTroubleTest, AStallSwitchesForcesOffUntilItAnswers) {
   EXPECT_TRUE(touchesAgain());
 }
 
+TEST_F(FalconTroubleTest, InAStallEveryFrameOnTheWireIsZero) {
+  trouble([](auto& f) { f.troubles.silent = true; });
+  step(300);
+  falcon([](auto& f) {
+    EXPECT_TRUE(f.commands().empty());
+    // The one that was under way aside; then after 5, 10, 15, 20 and every 20 ms.
+    ASSERT_GE(f.unheeded().size(), 15U);
+    EXPECT_LE(f.unheeded().size(), 20U);
+    EXPECT_TRUE(std::all_of(f.unheeded().begin() + 1, f.unheeded().end(),
+                            [](const auto& c) { return c.neutral(); }));
+    EXPECT_LT(f.unheeded()[1].time_ns - f.unheeded()[0].time_ns, 7'000'000);
+  });
+}
+
+TEST_F(FalconTroubleTest, MeasuresAgainstSilenceComeAtTheirTimes) {
+  beginTouching();
+  step(100);
+  falcon([](auto& f) {
+    f.troubles.silent = true;
+    f.forgetRequests();
+  });
+  const std::int64_t began_ns = clock_->now();
+  const auto sinceMs = [&] { return 1e-6 * static_cast<double>(clock_->now() - began_ns); };
+  const auto purges = [this](int value) {
+    return falcon([value](auto& f) {
+      return std::count_if(f.requests().begin(), f.requests().end(),
+                           [value](const auto& r) { return r.request == 0 && r.value == value; });
+    });
+  };
+  ASSERT_TRUE(stepUntil([this] { return fault_ == DeviceFault::timeout; }, 40));
+  EXPECT_NEAR(sinceMs(), 20, 4);
+  ASSERT_TRUE(stepUntil([&] { return purges(1) > 0 && purges(2) > 0; }, 1000));
+  EXPECT_NEAR(sinceMs(), 500, 10);
+  ASSERT_TRUE(becomes(LinkState::silent, 5));
+  ASSERT_TRUE(becomes(LinkState::checking, 3000));
+  EXPECT_NEAR(sinceMs(), 2000, 25);
+  EXPECT_EQ(device_->status().counts.purges, 3U);
+}
+
 TEST_F(FalconTroubleTest, AHungProcessorIsStartedAnew) {
   trouble([](auto& f) { f.troubles.silent = true; });
   ASSERT_TRUE(becomes(LinkState::silent, 600));
@@ -136,6 +175,24 @@ TEST_F(FalconTroubleTest, ABridgeThatTakesNothingIsAStall) {
   ASSERT_TRUE(zeroFollows());
   falcon([](auto& f) { EXPECT_TRUE(f.commands().front().neutral()); });
   EXPECT_TRUE(touchesAgain(700));
+}
+
+TEST_F(FalconTroubleTest, LosingTheHomingOfAnyArmEndsForce) {
+  beginTouching();
+  for (int lost = 1; lost < 7; ++lost) {
+    falcon([lost](auto& f) {
+      f.forgetCommands();
+      f.body.forgetHoming(lost);
+    });
+    step(30);
+    falcon([](auto& f) { EXPECT_TRUE(test::everyNextCommandIsNeutral(f)); });
+    EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
+    EXPECT_EQ(device_->status().state, LinkState::homing) << lost;
+    EXPECT_EQ(device_->status().homed, kAllHomed & ~lost);
+    ASSERT_TRUE(home()) << lost;
+    hold(10, -5, 130);
+    ASSERT_TRUE(touchesAgain()) << lost;
+  }
 }
 
 TEST_F(FalconTroubleTest, UnpluggedInContactThenReplugged) {
@@ -228,6 +285,142 @@ TEST_F(FalconTroubleTest, AnImpossiblePoseKeepsTheLastPlaceAndNoForceUntilItIsOv
   }));
   falcon([](auto& f) { f.troubles.impossible_encoders = false; });
   EXPECT_TRUE(touchesAgain());
+}
+
+TEST_F(FalconTroubleTest, AReadThatFailsOnceIsZeroAtOnceAndNoMore) {
+  trouble([](auto& f) { f.troubles.failed_reads = 1; });
+  ASSERT_TRUE(stepUntil(
+      [this] { return falcon([](auto& f) { return test::nextCommandIsNeutral(f); }); }, 3));
+  step(8);
+  EXPECT_LT(norm(felt()), 0.6) << "50 N/s";
+  EXPECT_TRUE(touchesAgain());
+  EXPECT_EQ(bus_->opens, 1);
+  EXPECT_EQ(fault_, DeviceFault::none);
+  falcon([](auto& f) { f.forgetCommands(); });
+  step(200);
+  EXPECT_LE(falcon([](auto& f) { return f.commands().size(); }), 201U) << "one question at a time";
+}
+
+/// The motors' side of the line works: whoever only looked at the other one would leave the force.
+TEST_F(FalconTroubleTest, ReadsThatGoOnFailingLeaveNoForceAndAreNotOpenedForEver) {
+  trouble([](auto& f) { f.troubles.failed_reads = test::kForEver; });
+  ASSERT_TRUE(stepUntil([this] { return fault_ == DeviceFault::timeout; }, 25));
+  EXPECT_LT(norm(felt()), 1e-9);
+  step(10);
+  falcon([](auto& f) {
+    ASSERT_GT(f.commands().size(), 3U);
+    EXPECT_TRUE(test::everyNextCommandIsNeutral(f));
+    for (std::size_t i = f.commands().size() - 3; i < f.commands().size(); ++i) {
+      EXPECT_EQ(f.commands()[i].lights, red) << "before it was closed";
+    }
+  });
+  ASSERT_TRUE(becomes(LinkState::silent, 200));
+  EXPECT_THAT(describe(device_->status()).screen, testing::HasSubstr("although it is plugged in"));
+  step(1000);
+  EXPECT_LE(bus_->opens, 1 + 6) << "20, 40, 80, 160, 320, 640 ms";
+  EXPECT_GE(bus_->opens, 1 + 4);
+  EXPECT_EQ(device_->status().unplugged, 0U);
+  EXPECT_EQ(firmware_asked_, 0) << "nothing of it hints at the firmware";
+
+  ASSERT_TRUE(becomes(LinkState::not_started, 15'000));
+  const LinkMessage message = describe(device_->status());
+  EXPECT_EQ(message.code, "E303");
+  EXPECT_THAT(message.screen, testing::StartsWith("The connection to the Falcon failed 10 times, "
+                                                  "although it is plugged in. Forces are off"));
+  const int opens = bus_->opens;
+  step(60'000);
+  EXPECT_LE(bus_->opens - opens, 6) << "one in ten seconds";
+  EXPECT_GE(bus_->opens - opens, 5);
+  falcon([](auto& f) {
+    EXPECT_TRUE(test::everyNextCommandIsNeutral(f));
+    f.troubles.failed_reads = 0;
+  });
+  ASSERT_TRUE(becomes(LinkState::ready, 11'000)) << "without a restart";
+  EXPECT_TRUE(touchesAgain());
+}
+
+TEST_F(FalconTroubleTest, ReadsThatGoOnFailingAreTriedAtOnceWhenAsked) {
+  trouble([](auto& f) { f.troubles.failed_reads = test::kForEver; });
+  ASSERT_TRUE(becomes(LinkState::not_started, 20'000));
+  step(1000);
+  falcon([](auto& f) { f.troubles.failed_reads = 0; });
+  device_->retry();
+  EXPECT_TRUE(becomes(LinkState::ready, 300));
+}
+
+TEST_F(FalconTroubleTest, ReadsThatFailNowAndThenAreNotOpenedInALoop) {
+  beginTouching();
+  for (int i = 0; i < 40; ++i) {
+    falcon([](auto& f) { f.troubles.failed_reads = 5; });  // Enough for one opening.
+    step(100);
+  }
+  EXPECT_LE(bus_->opens, 1 + 20);
+  EXPECT_GE(bus_->opens, 1 + 5);
+}
+
+TEST_F(FalconTroubleTest, ClosedWhileReadsFailTheMotorsAreAtZero) {
+  trouble([](auto& f) { f.troubles.failed_reads = test::kForEver; });
+  finish();
+  EXPECT_LT(norm(felt()), 1e-9);
+  device_.reset();
+  EXPECT_LT(norm(felt()), 1e-9);
+  EXPECT_TRUE(lastCommand().neutral());
+}
+
+TEST_F(FalconTroubleTest, PulledWhileReadsFailItIsUnplugged) {
+  trouble([](auto& f) { f.troubles.failed_reads = test::kForEver; });
+  ASSERT_TRUE(becomes(LinkState::silent, 200));
+  falcon([](auto& f) { f.unplug(); });
+  ASSERT_TRUE(becomes(LinkState::absent, 200));
+  EXPECT_EQ(describe(device_->status()).code, "E305");
+  EXPECT_EQ(device_->status().unplugged, 1U);
+  step(2);
+  EXPECT_EQ(fault_, DeviceFault::disconnected);
+}
+
+/// Every call fails, yet it is found each time.
+class DeadPort : public Port {
+ public:
+  PortResult request(const BridgeRequest& /*request*/) override { return PortResult::gone; }
+  PortResult write(std::span<const std::uint8_t> /*bytes*/) override { return PortResult::gone; }
+  Incoming read(std::span<std::uint8_t> /*into*/, std::int64_t /*until_ns*/) override {
+    return {0, PortResult::gone};
+  }
+  void discardInput() override {}
+  bool clearToSend() const override { return false; }
+  LineErrors lineErrors() const override { return {}; }
+};
+class DeadBus : public Bus {
+ public:
+  Opening open() override {
+    ++opens;
+    return {.presence = Presence::present, .port = std::make_unique<DeadPort>(), .detail = {}};
+  }
+  void waitForChange(std::int64_t until_ns) override {
+    now_ns_ = until_ns;
+    if (now_ns_ > kUntilNs) stop.request_stop();
+  }
+  std::int64_t now() override { return now_ns_ += 1000; }
+
+  static constexpr std::int64_t kUntilNs = 60'000'000'000;
+  int opens = 0;
+  std::stop_source stop;
+
+ private:
+  std::int64_t now_ns_ = 0;
+};
+TEST(FalconLink, APortThatIsDeadEachTimeIsNotOpenedInALoop) {
+  DeadBus bus;
+  LinkMailbox mailbox;
+  int firmware_asked = 0;
+  Link link(bus, mailbox, [&] {
+    ++firmware_asked;
+    return relievo::test::madeImage();
+  });
+  link.run(bus.stop.get_token(), nullptr);
+  EXPECT_LE(bus.opens, 16) << "in a minute";
+  EXPECT_GE(bus.opens, 10);
+  EXPECT_EQ(firmware_asked, 0);
 }
 
 class FrozenFalconTest : public test::FalconTest {};

@@ -268,6 +268,43 @@ std::vector<test::Fault> faultsOfTheLine() {
 INSTANTIATE_TEST_SUITE_P(Faults, FalconUsbFaultTest, ::testing::ValuesIn(faultsOfTheLine()),
                          [](const auto& fault) { return std::string(fault.param.name); });
 
+TEST_F(FalconUsbTest, ClosedWhileReadsFailTheMotorsAreAtZero) {
+  for (const bool destroyed : {false, true}) {
+    const auto falcon = plugged();
+    auto device = this->device();
+    device->open();
+    ASSERT_TRUE(becomes(*device, LinkState::ready)) << describe(device->status()).screen;
+    ASSERT_TRUE(eventually([&] {
+      device->exchange({0, 0, 2}, monotonicNs());
+      return falcon->with([](auto& f) { return std::abs(f.body.force()[2]) > 0.5; });
+    }));
+    falcon->with([](auto& f) { f.troubles.failed_reads = test::kForEver; });
+    if (destroyed) device.reset();
+    if (device) device->close();
+    falcon->with([](auto& f) {
+      EXPECT_TRUE(f.commands().back().neutral());
+      EXPECT_LT(std::abs(f.body.force()[2]), 1e-9);
+    });
+    usb_.unplug();
+  }
+}
+
+TEST_F(FalconUsbTest, ReadsThatGoOnFailingAreNeverTriedInALoop) {
+  const auto falcon = plugged();
+  const auto device = this->device();
+  device->open();
+  ASSERT_TRUE(becomes(*device, LinkState::ready)) << describe(device->status()).screen;
+  falcon->with([](auto& f) { f.troubles.failed_reads = test::kForEver; });
+  ASSERT_TRUE(eventually([&] { return device->status().failed_openings == 5; }));
+  const std::uint64_t before = usb_.counts().submits;
+  ASSERT_TRUE(eventually([&] { return device->status().failed_openings == 7; }));
+  // Of each: two reads, nine requests, four frames, and reads that go with the frames.
+  EXPECT_LT(usb_.counts().submits - before, 60U);
+  EXPECT_EQ(device->status().unplugged, 0U);
+  falcon->with([](auto& f) { f.troubles.failed_reads = 0; });
+  EXPECT_TRUE(becomes(*device, LinkState::ready)) << "without a restart";
+}
+
 TEST_F(FalconUsbTest, AnOpenFalconThatNobodyAsksIsLeftInPeace) {
   const auto falcon = plugged();
   const auto device = this->device();
