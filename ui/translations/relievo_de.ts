@@ -545,31 +545,31 @@
     </message>
     <message>
         <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene von „%1“ schneidet die Oberfläche nicht. Wählen Sie eine andere Ebene.</translation>
     </message>
     <message>
         <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild von %1 x %2 Pixeln ist mehr, als diese Version fasst (%3 Millionen im Ganzen). Nichts wurde gezeichnet. Wählen Sie ein kleineres.</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme „%1“ kann nicht geschrieben werden: Der Datenträger ist voll. Nichts wurde behalten. Schaffen Sie Platz oder wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner „%1“ für Aufnahmen kann nicht angelegt werden. Nichts wird aufgenommen. Wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Aufnahme von relievo. Wählen Sie eine .csv- oder .h5-Datei, die es aufgenommen hat.</translation>
     </message>
     <message>
         <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen %1 s und %2 s ist nichts: Die Aufnahme ist %3 s lang. Nichts wurde gemacht.</translation>
     </message>
     <message>
         <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen %1 s und %2 s ist nichts: Der Kameraweg ist %3 s lang. Nichts wurde gemacht.</translation>
     </message>
 </context>
 <context>

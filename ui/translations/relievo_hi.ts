@@ -545,31 +545,31 @@
     </message>
     <message>
         <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>&apos;%1&apos; का तल सतह को नहीं काटता। दूसरा तल चुनें।</translation>
     </message>
     <message>
         <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 x %2 पिक्सेल का चित्र इस संस्करण की क्षमता (कुल %3 मिलियन) से अधिक है। कुछ नहीं बनाया गया। छोटा चित्र चुनें।</translation>
     </message>
     <message>
         <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
-        <translation type="unfinished"></translation>
+        <translation>रिकॉर्डिंग &quot;%1&quot; नहीं लिखी जा सकती: डिस्क भरी है। कुछ नहीं रखा गया। जगह खाली करें या दूसरी जगह चुनें।</translation>
     </message>
     <message>
         <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>रिकॉर्डिंग का फ़ोल्डर &quot;%1&quot; नहीं बनाया जा सकता। कुछ रिकॉर्ड नहीं हो रहा। दूसरा चुनें।</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; relievo की रिकॉर्डिंग नहीं है। उसकी रिकॉर्ड की हुई .csv या .h5 फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s और %2 s के बीच कुछ नहीं है: रिकॉर्डिंग %3 s लंबी है। कुछ नहीं बनाया गया।</translation>
     </message>
     <message>
         <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s और %2 s के बीच कुछ नहीं है: कैमरा पथ %3 s लंबा है। कुछ नहीं बनाया गया।</translation>
     </message>
 </context>
 <context>
