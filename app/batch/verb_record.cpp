@@ -9,6 +9,7 @@
 #include "app/batch/live_device.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "app/batch/verb_files.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/haptic_loop.h"
@@ -190,6 +191,7 @@ Verb recordVerb(std::vector<std::string> words) {
   return {.name = "record",
           .help = "Touch a region with a device in real time and record every millisecond",
           .declare = [arguments](CLI::App& verb) { declareRecord(verb, *arguments); },
+          .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runRecord(*arguments, task); }};
 }
 

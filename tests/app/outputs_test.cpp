@@ -110,6 +110,7 @@ TEST_F(Outputs, DoNotReplaceWhatIsTouchedWith) {
   isRefused({"touch", m, "--stroke", stroke, "--firmness", firm, "-o", log, "--plot", firm},
             "is the raster of firm ground that is read.");
   must({"touch", m, "--stroke", stroke, "-o", log});
+  isRefused({"record", m, "--seconds", "0.1", "-o", m}, kScan);
   isRefused({"replay", log, "-o", log}, "is the recording that is read.");
   isRefused({"replay", log, "-o", m}, kScan);
   isRefused({"video", log, "-o", log}, "is the recording that is read.");
