@@ -139,29 +139,42 @@ class FalconWindowTest : public ::testing::Test {
   }
   /// On a busy computer the mocked port may answer too late in the very moment of F5; forces then
   /// stay off, as they must, and one presses again.
-  void switchForcesOn(test::ProgramWindow& program) {
+  void switchForcesOn(test::ProgramWindow& program, std::size_t from) {
     constexpr auto kPatience = std::chrono::seconds(4);
     for (int presses = 0; presses < 5; ++presses) {
       program.key("F5");
       const auto pressed = std::chrono::steady_clock::now();
       while (std::chrono::steady_clock::now() - pressed < kPatience) {
-        if (events().find("forces on") != std::string::npos) return;
+        if (events(from).find("forces on") != std::string::npos) return;
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
       }
     }
+    FAIL() << "no forces on\n" << events();
   }
-  /// Forces on, then down on the surface.
+  bool pushed() {
+    return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
+  }
+  /// The surface pushes; or the mocked port stalled on a busy computer, and forces are off.
+  bool pushedOrStalled(std::size_t from) {
+    return eventually([this, from] {
+      return pushed() || events(from).find("did not answer in time") != std::string::npos;
+    });
+  }
+  /// Forces on, then down on the surface; again, as a person would, after a stall.
   void touch(test::ProgramWindow& program) {
-    handTo(kAbove);
-    const auto pushed = [this] {
-      return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
-    };
-    ASSERT_FALSE(pushed());
-    switchForcesOn(program);
-    ASSERT_TRUE(happens("forces on")) << events();
-    handTo(kBelow);
-    ASSERT_TRUE(eventually(pushed)) << events();
-    ASSERT_TRUE(lit(falcon::green));
+    for (int attempt = 0; attempt < 5; ++attempt) {
+      handTo(kAbove);
+      ASSERT_TRUE(eventually([this] { return !pushed(); }));
+      const std::size_t from = readRecording(file()).rows.size();
+      switchForcesOn(program, from);
+      if (HasFatalFailure()) return;
+      handTo(kBelow);
+      ASSERT_TRUE(pushedOrStalled(from)) << events();
+      if (!pushed()) continue;
+      ASSERT_TRUE(lit(falcon::green));
+      return;
+    }
+    FAIL() << "five stalls\n" << events();
   }
   /// The newest recording's file; empty: there is none.
   fs::path file() const {
@@ -174,10 +187,11 @@ class FalconWindowTest : public ::testing::Test {
     return newest;
   }
   /// Of the recording so far, from the `begun_`th row on.
-  std::string events() const {
+  std::string events() const { return events(begun_); }
+  std::string events(std::size_t from) const {
     std::string text;
     const Recording recording = readRecording(file());
-    for (std::size_t i = begun_; i < recording.rows.size(); ++i) {
+    for (std::size_t i = from; i < recording.rows.size(); ++i) {
       if (!recording.rows[i].event.empty()) text += recording.rows[i].event + '\n';
     }
     return text;
@@ -212,15 +226,15 @@ TEST_F(FalconWindowTest, OpenHomeTouchPlusUnplugReplugTouchAgain) {
   touch(program);
   picture(program, "2_touching");
 
+  const std::size_t before_plus = readRecording(file()).rows.size();
   falcon_->with([](FalconEmulator& f) { f.buttons = 1; });
   std::this_thread::sleep_for(std::chrono::milliseconds(150));  // 700 ms are another command.
   falcon_->with([](FalconEmulator& f) { f.buttons = 0; });
   ASSERT_TRUE(happens("button 0 down"));
   ASSERT_TRUE(happens("of detail 2")) << events();
-  ASSERT_TRUE(eventually([this] {
-    return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
-  })) << "the touched point stays under the hand\n"
-      << events();
+  ASSERT_TRUE(pushedOrStalled(before_plus)) << "the touched point stays under the hand\n"
+                                            << events();
+  if (!pushed()) touch(program);
   picture(program, "3_plus");
 
   usb_.unplug();

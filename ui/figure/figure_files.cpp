@@ -317,6 +317,9 @@ FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
                                const FigureFiles& files, const Task& task,
                                const std::function<void(std::size_t)>& told) {
   check(files);
+  for (const fs::path& name : namesOf(files)) {
+    requireNotAnInput(name, {FileRead{.file = project.file}});
+  }
   if (files.both_eyes) layOut(surface, ofEye(surface, project, -1));  // Refused before the work.
   std::size_t there = 0;
   const auto tell = [&](std::size_t more) {
