@@ -202,6 +202,19 @@ constexpr std::array kForms{
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
                            "Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, "
                            "down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.")},
+    Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
+                           "Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, "
+                           "down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the "
+                           "Falcon's power supply, hold the grip loosely or let go of it, and test "
+                           "again.")},
+    Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
+                           "The connection to the Falcon failed %1 times, although it is plugged "
+                           "in. Forces are off; it is tried again every 10 seconds. Plug it "
+                           "straight into the computer, if you can with another cable, or choose "
+                           "Touch > Device set-up > Retry.")},
+    Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
+                           "The connection to the Falcon fails, although it is plugged in. Forces "
+                           "are off; it is opened anew \u2013 %1 of %2.")},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords", "Buttons that were not pressed: %1."), "1"},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords", "Encoder of the %1 arm: moved by %2 counts."),
          "1"},

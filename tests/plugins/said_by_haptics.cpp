@@ -75,6 +75,9 @@ void sayStates(SaidByHaptics& said) {
     status.state = static_cast<LinkState>(i);
     status.attempts = 10;
     say(said, status);
+    status.failed_openings = 3;
+    say(said, status);
+    status.failed_openings = 0;
     status.attempt = 4;
     status.unplugged = 1;
     status.homed = 0b010;

@@ -5778,6 +5778,18 @@
         <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
         <translation>Die Einstellungen des Falcon konnten nicht nach „%1“ geschrieben werden. Sie gelten, bis das Programm endet. Prüfen Sie die Rechte des Ordners.</translation>
     </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the Falcon&apos;s power supply, hold the grip loosely or let go of it, and test again.</source>
+        <translation>Stöße von 0.5 N bewegten die Hand nach rechts um %1 mm, links %2 mm, oben %3 mm, unten %4 mm, außen %5 mm, innen %6 mm; die Motoren haben nichts bewegt. Prüfen Sie das Netzteil des Falcon, halten Sie den Griff locker oder lassen Sie ihn los und prüfen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon failed %1 times, although it is plugged in. Forces are off; it is tried again every 10 seconds. Plug it straight into the computer, if you can with another cable, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Die Verbindung zum Falcon ist %1-mal gescheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; alle 10 Sekunden wird es noch einmal versucht. Stecken Sie ihn direkt am Computer ein, möglichst mit einem anderen Kabel, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal.</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
+        <translation>Die Verbindung zum Falcon scheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; er wird neu geöffnet – %1 von %2.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::StartPage</name>

@@ -5778,6 +5778,18 @@
         <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
         <translation>Falcon की सेटिंग &quot;%1&quot; में लिखी नहीं जा सकीं। वे प्रोग्राम के बंद होने तक लागू हैं। फ़ोल्डर की अनुमति जाँचें।</translation>
     </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the Falcon&apos;s power supply, hold the grip loosely or let go of it, and test again.</source>
+        <translation>0.5 N के धक्कों से हाथ दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, भीतर %6 mm हिला; मोटरों ने कुछ नहीं हिलाया। Falcon की बिजली जाँचें, ग्रिप को ढीला पकड़ें या छोड़ दें, और फिर से जाँचें।</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon failed %1 times, although it is plugged in. Forces are off; it is tried again every 10 seconds. Plug it straight into the computer, if you can with another cable, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Falcon जुड़ा है, फिर भी उससे संपर्क %1 बार विफल हुआ। बल बंद हैं; हर 10 सेकंड में फिर कोशिश होती है। इसे सीधे कंप्यूटर में लगाएँ, हो सके तो दूसरी केबल से, या स्पर्श &gt; डिवाइस सेटअप &gt; फिर कोशिश चुनें।</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
+        <translation>Falcon जुड़ा है, फिर भी उससे संपर्क विफल हो रहा है। बल बंद हैं; इसे फिर से खोला जा रहा है – %2 में से %1।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::StartPage</name>

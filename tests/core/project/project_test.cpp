@@ -69,6 +69,7 @@ Project fullProject() {
   p.figure.transparent = true;
   p.figure.stereo = StereoPrint::over_under;
   p.figure.eye_angle_deg = 3;
+  p.figure.eye = FigureEye::left;
   p.figure.zero_plane_mm = 1;
   p.figure.swap_eyes = true;
   p.figure.limit_parallax = false;
