@@ -51,6 +51,8 @@ class SelfTest {
   SelfTestOptions options_;
   Phase phase_ = Phase::rate;
   std::int64_t began_ns_ = 0;
+  DeviceFault fault_ = DeviceFault::none;  ///< That ends the test.
+  std::int64_t fault_ns_ = 0;
   DeviceN force_;
   LinkStatus before_;
   std::vector<SelfTestLine> lines_;
