@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Recordings that the plugin makes: their names and kinds, notes in them, and how they end.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <csignal>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -14,6 +12,7 @@
 #include <QTest>
 
 #include "haptics/record/replay.h"
+#include "tests/haptics/record/size_limit.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
@@ -83,16 +82,9 @@ TEST_F(PluginRecordingTest, ARecordingThatCannotGoOnIsSaidAboveTheViewsAndKept) 
   attach();
   QAction* record = host_.actions.at("record");
   {
-    // A file that may not grow is as good as a full disk.
-    rlimit before{};
-    ::getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{100'000, before.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const test::SizeLimit full_disk(100'000);
     record->trigger();
     EXPECT_TRUE(eventually([this] { return !host_.errors.isEmpty(); }));
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
   }
   ASSERT_EQ(host_.errors.size(), 1);
   EXPECT_TRUE(host_.errors[0].startsWith("Recording stopped")) << host_.errors[0].toStdString();
@@ -107,15 +99,9 @@ TEST_F(PluginRecordingTest, AnHdf5RecordingThatCannotGoOnIsCompleteToo) {
   host_.ending = "h5";
   attach();
   {
-    rlimit before{};
-    ::getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{420'000, before.rlim_max};  // 200'000 are the surface.
-    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const test::SizeLimit full_disk(420'000);  // 200'000 are the surface.
     host_.actions.at("record")->trigger();
     EXPECT_TRUE(eventually([this] { return !host_.errors.isEmpty(); }));
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
   }
   EXPECT_TRUE(host_.errors.value(0).startsWith("Recording stopped: disk full"))
       << host_.errors.value(0).toStdString();
@@ -129,14 +115,8 @@ TEST_F(PluginRecordingTest, AnHdf5RecordingWithoutRoomIsNotBegunAndSaysSo) {
   attach();
   QAction* record = host_.actions.at("record");
   {
-    rlimit before{};
-    ::getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{160'000, before.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const test::SizeLimit full_disk(160'000);
     record->trigger();
-    ::setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
   }
   EXPECT_FALSE(record->isChecked());
   ASSERT_EQ(host_.errors.size(), 1);

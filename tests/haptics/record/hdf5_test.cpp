@@ -2,9 +2,7 @@
 // An HDF5 log is read back here with the library's own calls, as any other program would.
 #include <gtest/gtest.h>
 #include <hdf5.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
 #include "tests/haptics/haptic_fixture.h"
+#include "tests/haptics/record/size_limit.h"
 
 namespace relievo {
 namespace {
@@ -147,33 +146,12 @@ TEST(Hdf5Log, WhatALogHoldsOutlivesAProgramThatIsKilled) {
   EXPECT_EQ(kept.events[8].tick, 8000U);
 }
 
-/// A file that may not grow beyond a size is as good as a disk with so much room.
-class SizeLimit {
- public:
-  explicit SizeLimit(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-  SizeLimit(const SizeLimit&) = delete;
-  SizeLimit& operator=(const SizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*old_handler_)(int) = nullptr;
-};
-
 TEST(Hdf5Log, IsCompleteWhenItCannotGrow) {
   const std::filesystem::path file = temporary("full.h5");
   std::string said;
   std::uint64_t saved = 0;
   {
-    const SizeLimit limit(5'000'000);
+    const test::SizeLimit limit(5'000'000);
     const auto log = openLog(file, "relievo log\nunit mm");
     try {
       write(*log, 0, 1'000'000);
@@ -203,7 +181,7 @@ struct Kept {
 };
 Kept keptIn(rlim_t room_bytes, const std::filesystem::path& file, const HapticSpace& surface,
             std::uint64_t rows) {
-  const SizeLimit limit(room_bytes);
+  const test::SizeLimit limit(room_bytes);
   Kept kept;
   std::unique_ptr<SampleLog> log;
   try {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The log: what is written can be read back to the last bit, also when the disk is full.
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -17,6 +15,7 @@
 #include "haptics/record/sample_drain.h"
 #include "haptics/record/stroke.h"
 #include "tests/haptics/haptic_fixture.h"
+#include "tests/haptics/record/size_limit.h"
 
 namespace relievo {
 namespace {
@@ -140,33 +139,12 @@ TEST(Log, SaysThatTheDiskIsFullAndThatNothingIsSaved) {
   }
 }
 
-/// A file that may not grow beyond a size is as good as a disk that is full in the middle of a row.
-class SizeLimit {
- public:
-  explicit SizeLimit(rlim_t bytes) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~SizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, old_handler_);
-  }
-  SizeLimit(const SizeLimit&) = delete;
-  SizeLimit& operator=(const SizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*old_handler_)(int) = nullptr;
-};
-
 TEST(Log, KeepsWholeRowsWhenItCannotGrow) {
   const std::filesystem::path file = temporary("full.csv");
   std::string said;
   std::uint64_t saved = 0;
   {
-    const SizeLimit limit(100'001);
+    const test::SizeLimit limit(100'001);
     LogWriter log(file, "one\ntwo");
     HapticSample sample;
     try {
