@@ -118,11 +118,7 @@ Outcome runFigure(const Arguments& a, const Task& task) {
 
 VerbFiles filesOf(const Arguments& a) {
   VerbFiles files;
-  if (a.carrier.given()) {
-    files.readsStateOf(a.carrier, a.map.file);
-  } else {
-    files.reads(a.map.file);
-  }
+  files.readsStateOf(a.carrier, a.map.file);
   files.reads(a.figure.recording, "the recording that is read");
   for (const auto& out : namesOf(figureFiles(a))) files.writes(out);
   files.writesMap(a.region.window_out);

@@ -55,6 +55,10 @@ void VerbFiles::reads(const fs::path& scan) {
 }
 
 void VerbFiles::readsStateOf(const CarrierArguments& carrier, const std::string& given) {
+  if (!carrier.given()) {
+    reads(given);
+    return;
+  }
   reads(carrier.from_image, "the picture that is read");
   reads(carrier.project, "the project that is read");
   addState(*this, carrier.from_image.empty() ? carrier.project : carrier.from_image, given);

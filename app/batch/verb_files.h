@@ -19,7 +19,7 @@ struct VerbFiles {
   void reads(const std::filesystem::path& scan);
   void reads(const std::filesystem::path& file, const std::string& what);
   /// A picture or project whose state comes back, and the files that the state names.
-  /// @param given  the scan if it is not where the state says; else empty
+  /// @param given  the scan, if no state is given or it is not where the state says; else empty
   /// @throw FileError  the state is unreadable, or (E501) the scan is nowhere
   void readsStateOf(const CarrierArguments& carrier, const std::string& given);
   /// Likewise of a log that says how its map was made. @throw FileError

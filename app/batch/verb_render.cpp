@@ -181,11 +181,7 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
 
 VerbFiles filesOf(const RenderArguments& a) {
   VerbFiles files;
-  if (a.carrier.given()) {
-    files.readsStateOf(a.carrier, a.map.file);
-  } else {
-    files.reads(a.map.file);
-  }
+  files.readsStateOf(a.carrier, a.map.file);
   files.writes(a.out);
   files.writes(a.caption);
   files.writesMap(a.region.window_out);
