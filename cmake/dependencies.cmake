@@ -6,7 +6,9 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   GUISupportQt RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingUI InteractionStyle
   FiltersCore FiltersSources FiltersGeneral IOImage CommonCore CommonDataModel RenderingCore)
 set(RELIEVO_VTK_LIBRARIES ${VTK_LIBRARIES})
-find_package(PCL 1.13 REQUIRED COMPONENTS common io)
+# PCL brings the target FLANN::FLANN; flann.pc of Debian would drag in HDF5 and MPI.
+find_package(PCL 1.13 REQUIRED COMPONENTS
+  common io kdtree search filters features sample_consensus segmentation registration)
 find_package(GDAL 3.6 REQUIRED)
 find_package(EXPAT 2.4 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)

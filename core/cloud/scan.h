@@ -19,6 +19,21 @@ struct FileBounds {
   friend bool operator==(const FileBounds&, const FileBounds&) = default;
 };
 
+/// Colour as files store it: sRGB, not linear. Alpha 255: stored; 0: this point has no colour.
+using Rgba = std::array<std::uint8_t, 4>;
+
+/// One of several scans in a file, or one of several files that were joined.
+struct ScanPart {
+  std::string name;
+  std::uint64_t points = 0;            ///< Records stored, as in ScanInfo::points.
+  std::optional<FilePoint> viewpoint;  ///< Where the scanner stood; turns normals outward.
+};
+
+/// Which stored intensities the whole numbers of Scan::intensities stand for.
+struct IntensityRange {
+  double low = 0, high = 0;  ///< Of 0 and of 65535.
+};
+
 /// What a file says about itself; kept with every result made from it.
 struct ScanInfo {
   std::filesystem::path file;
@@ -30,8 +45,21 @@ struct ScanInfo {
   std::optional<FileBounds> bounds;  ///< Over finite points, double; nothing if there are none.
   std::optional<LengthUnit> unit;    ///< If the file states one.
   double height_step = 0;  ///< Rasters of whole numbers: of their heights, file unit; 0: others.
-  std::vector<std::string> warnings;  ///< For people; each one sentence.
+  std::string reader;      ///< "PCL 1.13.0", "relievo": which library read the points.
+  std::vector<ScanPart> parts;              ///< Empty: one.
+  std::optional<IntensityRange> intensity;  ///< If the scan has intensities.
+  std::vector<std::string> warnings;        ///< For people; each one sentence.
 };
+
+/// A picture on a mesh. Texels row by row from the top, sRGB.
+struct Texture {
+  std::uint32_t cols = 0, rows = 0;
+  std::vector<Rgba> texels;
+};
+
+/// u to the right, v upward, of the three corners of a triangle; 0 ... 1 is the picture once.
+using TextureCorners = std::array<std::array<float, 2>, 3>;
+inline constexpr std::uint16_t kNoTexture = 0xFFFF;
 
 /// The points of one object, and its triangles where the file has faces. Plain value.
 /// Coordinates are the file's own (axes, unit), stored relative to `origin` in float, so that
@@ -42,6 +70,17 @@ struct Scan {
   FilePoint origin;                                     ///< Added to every point; double.
   std::vector<std::array<float, 3>> points;             ///< Finite; file units from `origin`.
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Valid indices; empty for a cloud.
+
+  // What the file says of each point: each list is empty, or as long as `points`.
+  std::vector<Rgba> colours;
+  std::vector<std::uint16_t> intensities;  ///< As info.intensity says.
+  std::vector<std::uint8_t> classes;       ///< Of LAS.
+  std::vector<std::uint8_t> parts;         ///< Index into info.parts.
+
+  // What it says of each triangle: empty, or as long as `triangles`.
+  std::vector<TextureCorners> texture_corners;
+  std::vector<std::uint16_t> texture_of;  ///< Index into `textures`, or kNoTexture.
+  std::vector<Texture> textures;
 
   FilePoint point(std::size_t i) const noexcept {
     return {origin.x + static_cast<double>(points[i][0]),
