@@ -8,14 +8,12 @@ constexpr std::uint32_t kMostCounts = 1U << 15U;     ///< Of a SymbolModel, then
 constexpr std::uint32_t kMostBitCounts = 1U << 13U;  ///< Of a BitModel.
 constexpr std::uint32_t kHalf = 1U << 31U;
 constexpr unsigned kShareBits = 15;
-constexpr unsigned kTableAbove = 16;  ///< Fewer symbols are found as soon without a table.
+constexpr unsigned kTableAbove = 4;  ///< Fewer symbols are found as soon without a table.
+constexpr std::uint16_t kBeyond = ~std::uint16_t{0};  ///< Larger than any share.
 
-/// Bits of the number of places of a model's table: about a quarter of its symbols.
+/// Bits of the number of places of a model's table: as many as there are symbols, or some more.
 unsigned placeBits(unsigned symbols) {
-  if (symbols <= kTableAbove) return 0;
-  unsigned bits = 3;
-  while (symbols > 1U << (bits + 2)) ++bits;
-  return bits;
+  return symbols <= kTableAbove ? 0 : static_cast<unsigned>(std::bit_width(symbols - 1));
 }
 
 }  // namespace
@@ -24,11 +22,10 @@ void SymbolModel::begin() {
   const unsigned bits = placeBits(symbols_);
   places_ = static_cast<std::uint16_t>(1U << bits);
   shift_ = static_cast<std::uint8_t>(kShareBits - bits);
-  memory_ = std::make_unique<std::uint16_t[]>(2U * symbols_ + places_ + 2U);
-  sums_ = memory_.get();
-  counts_ = sums_ + symbols_;
-  firsts_ = counts_ + symbols_;
-  std::fill_n(counts_, symbols_, std::uint16_t{1});
+  seen_ = std::make_unique<Symbol[]>(symbols_ + 1U);
+  seen_[symbols_].sum = kBeyond;
+  firsts_ = std::make_unique<std::uint16_t[]>(places_ + 1U);
+  for (unsigned s = 0; s < symbols_; ++s) seen_[s].count = 1;
   total_ = 0;
   cycle_ = symbols_;
   update();
@@ -40,22 +37,21 @@ void SymbolModel::update() {
   if (total_ > kMostCounts) {
     total_ = 0;
     for (unsigned s = 0; s < symbols_; ++s) {
-      counts_[s] = static_cast<std::uint16_t>((counts_[s] + 1U) / 2);
-      total_ += counts_[s];
+      seen_[s].count = static_cast<std::uint16_t>((seen_[s].count + 1U) / 2);
+      total_ += seen_[s].count;
     }
   }
   const std::uint32_t scale = kHalf / total_;
   std::uint32_t before = 0;
   for (unsigned s = 0; s < symbols_; ++s) {
-    sums_[s] = static_cast<std::uint16_t>((scale * before) >> 16U);
-    before += counts_[s];
+    seen_[s].sum = static_cast<std::uint16_t>((scale * before) >> 16U);
+    before += seen_[s].count;
   }
   unsigned first = 0;
   for (unsigned place = 0; place < places_ + 1U; ++place) {
-    while (first + 1U < symbols_ && sums_[first + 1U] <= place << shift_) ++first;
+    while (first + 1U < symbols_ && seen_[first + 1U].sum <= place << shift_) ++first;
     firsts_[place] = static_cast<std::uint16_t>(first);
   }
-  firsts_[places_ + 1U] = static_cast<std::uint16_t>(symbols_ - 1U);
   cycle_ = static_cast<std::uint16_t>(std::min(5U * cycle_ / 4U, 8U * (symbols_ + 6U)));
   left_ = cycle_;
 }

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
+
+#include "core/io/scalar.h"
 
 namespace relievo {
 
@@ -29,10 +32,13 @@ class SymbolModel {
   void begin();
   void update();
 
-  std::unique_ptr<std::uint16_t[]> memory_;  ///< Sums, counts, and the first symbols of a table.
-  std::uint16_t* sums_ = nullptr;            ///< Shares of all symbols before this one.
-  std::uint16_t* counts_ = nullptr;
-  std::uint16_t* firsts_ = nullptr;  ///< Largest symbol whose sum is at most (place << shift_).
+  struct Symbol {
+    std::uint16_t sum;  ///< Shares of all symbols before this one.
+    std::uint16_t count;
+  };
+  std::unique_ptr<Symbol[]> seen_;
+  /// By place in a table: the largest symbol whose sum is at most (place << shift_).
+  std::unique_ptr<std::uint16_t[]> firsts_;
   std::uint32_t total_ = 0;
   std::uint16_t symbols_, left_ = 0, cycle_ = 0, places_ = 0;
   std::uint8_t shift_ = 0;
@@ -57,23 +63,20 @@ class ArithmeticDecoder {
   explicit ArithmeticDecoder(std::string_view bytes);
 
   unsigned symbol(SymbolModel& model) {
-    if (model.sums_ == nullptr) model.begin();
+    if (!model.seen_) model.begin();
+    SymbolModel::Symbol* const seen = model.seen_.get();
     const std::uint32_t whole = length_;
     length_ >>= 15U;
     const std::uint32_t share = value_ / length_;
-    const std::size_t place = std::min<std::uint32_t>(share >> model.shift_, model.places_);
-    unsigned low = model.firsts_[place];
-    unsigned high = model.firsts_[place + 1] + 1U;
-    while (high > low + 1) {
-      const unsigned middle = (low + high) / 2;
-      (model.sums_[middle] > share ? high : low) = middle;
-    }
-    const std::uint32_t start = model.sums_[low] * length_;
-    const std::uint32_t end = low + 1U == model.symbols_ ? whole : model.sums_[low + 1U] * length_;
+    // From the first symbol of its place in the table on; beyond the last there is a larger sum.
+    unsigned low = model.firsts_[std::min<std::uint32_t>(share >> model.shift_, model.places_)];
+    while (seen[low + 1U].sum <= share) ++low;
+    const std::uint32_t start = seen[low].sum * length_;
+    const std::uint32_t end = low + 1U == model.symbols_ ? whole : seen[low + 1U].sum * length_;
     value_ -= start;
     length_ = end - start;
     renormalise();
-    ++model.counts_[low];
+    ++seen[low].count;
     if (--model.left_ == 0) model.update();
     return low;
   }
@@ -115,8 +118,19 @@ class ArithmeticDecoder {
     return number;
   }
 
+  /// Until the length has its upper byte. Without a branch where there are bytes enough: whether
+  /// one is due is a coin's toss.
   void renormalise() {
-    while (length_ < (1U << 24U)) {
+    const auto count = static_cast<unsigned>(std::countl_zero(length_)) / 8;
+    if (end_ - at_ < 4) return renormaliseAtEnd(count);
+    const std::uint64_t both =
+        std::uint64_t{value_} << 32U | loadAs<std::uint32_t>(at_, ByteOrder::big);
+    value_ = static_cast<std::uint32_t>(both >> (32 - 8 * count));
+    length_ <<= 8 * count;
+    at_ += count;
+  }
+  void renormaliseAtEnd(unsigned count) {
+    for (; count > 0; --count) {
       value_ = value_ << 8U | next();
       length_ <<= 8U;
     }
