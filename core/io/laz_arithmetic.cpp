@@ -9,7 +9,7 @@ constexpr std::uint32_t kMostBitCounts = 1U << 13U;  ///< Of a BitModel.
 constexpr std::uint32_t kHalf = 1U << 31U;
 constexpr unsigned kShareBits = 15;
 constexpr unsigned kTableAbove = 4;  ///< Fewer symbols are found as soon without a table.
-constexpr std::uint16_t kBeyond = ~std::uint16_t{0};  ///< Larger than any share.
+constexpr std::uint16_t kBeyond = 0xFFFF;  ///< Larger than any share.
 
 /// Bits of the number of places of a model's table: as many as there are symbols, or some more.
 unsigned placeBits(unsigned symbols) {
