@@ -71,19 +71,38 @@ PointSource sourceOf(const PointStream& stream) {
 
 /// About `wanted` points in short runs at even distances: scans are often stored line by line, and
 /// single points would each cost a page of the disk.
-Scan sampleOf(const PointStream& stream, std::uint64_t wanted, const Task& task) {
+std::vector<PointRange> evenRuns(const PointStream& stream, std::uint64_t wanted) {
   constexpr std::uint64_t kRun = 256;
   const std::uint64_t count = stream.info().points;
   const std::uint64_t runs = std::max<std::uint64_t>(1, wanted / kRun);
-  ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
-  std::vector<FilePoint> block(kRun);
+  std::vector<PointRange> ranges;
   std::uint64_t next = 0;  // Overlapping runs in small files are read once.
-  for (std::uint64_t i = 0; i < runs; ++i) {
-    if (i % 256 == 0) task.check();
+  for (std::uint64_t i = 0; i < runs && next < count; ++i) {
     const std::uint64_t start = std::max(next, count / runs * i + count % runs * i / runs);
-    const std::size_t got = stream.read(start, block);
-    for (std::size_t k = 0; k < got; ++k) builder.addPoint(block[k].x, block[k].y, block[k].z);
-    next = start + got;
+    next = std::min(start + kRun, count);
+    ranges.push_back({start, next - start});
+  }
+  return ranges;
+}
+
+/// Points for a look, as soon as they can be had: packed files cost where they are opened.
+std::vector<PointRange> firstRuns(const PointStream& stream, std::uint64_t wanted) {
+  const std::vector<PointRange> cheap = stream.cheapSample(wanted);
+  return cheap.empty() ? evenRuns(stream, wanted) : cheap;
+}
+
+Scan sampleOf(const PointStream& stream, const std::vector<PointRange>& ranges, const Task& task) {
+  constexpr std::uint64_t kAtOnce = 4096;
+  ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
+  std::vector<FilePoint> block(kAtOnce);
+  std::size_t looked = 0;
+  for (const PointRange& range : ranges) {
+    if (looked++ % 256 == 0 || range.count > kAtOnce) task.check();
+    for (std::uint64_t done = 0; done < range.count; done += kAtOnce) {
+      const auto wanted = static_cast<std::size_t>(std::min(kAtOnce, range.count - done));
+      const std::size_t got = stream.read(range.first + done, std::span(block).first(wanted));
+      for (std::size_t k = 0; k < got; ++k) builder.addPoint(block[k].x, block[k].y, block[k].z);
+    }
   }
   ScanInfo info = stream.info();
   Scan scan = builder.finish();
@@ -394,7 +413,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   const PointStream stream(file, import, task);
   LargeMap map;
   if (large.on_view) {
-    const Scan sample = sampleOf(stream, kFirstSample, task);
+    const Scan sample = sampleOf(stream, firstRuns(stream, kFirstSample), task);
     const Surface view = viewOf(sample, options, kFirstViewCells, task);
     map.first_view_s = secondsSince(start);
     large.on_view(view);
@@ -403,7 +422,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   facts.info = stream.info();
   facts.messages = stream.info().warnings;
   chooseUnit(facts, options);
-  Scan sample = sampleOf(stream, kSecondSample, task);
+  Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
   const Placed placed = place(facts, stream, sample, options, large, task);
   const MemoryPlan plan = planMemory(placed.frame, large);
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
@@ -542,7 +561,7 @@ Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& o
                       std::uint64_t points, const ImportOptions& import, const Task& task) {
   requireStreamable(file);
   const PointStream stream(file, import, task);
-  return viewOf(sampleOf(stream, points, task), options, kSecondViewCells, task);
+  return viewOf(sampleOf(stream, firstRuns(stream, points), task), options, kSecondViewCells, task);
 }
 
 }  // namespace relievo

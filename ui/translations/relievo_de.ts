@@ -76,10 +76,6 @@
         <translation>Punkte werden gelesen</translation>
     </message>
     <message>
-        <source>unpacking</source>
-        <translation>wird entpackt</translation>
-    </message>
-    <message>
         <source>front-most point</source>
         <translation>vorderster Punkt</translation>
     </message>

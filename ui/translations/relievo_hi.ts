@@ -76,10 +76,6 @@
         <translation>बिंदु पढ़े जा रहे हैं</translation>
     </message>
     <message>
-        <source>unpacking</source>
-        <translation>खोला जा रहा है</translation>
-    </message>
-    <message>
         <source>front-most point</source>
         <translation>सबसे आगे का बिंदु</translation>
     </message>

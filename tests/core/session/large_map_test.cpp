@@ -21,6 +21,7 @@
 #include "core/tiles/tile_raster.h"
 #include "core/tiles/tiled_map.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/laz_sample.h"
 #include "tests/core/scan_fixtures.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
@@ -193,6 +194,33 @@ TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {
               bytesOfFile(folder / (std::string("b") + end)))
         << end;
   }
+}
+
+TEST(LargeMap, GivesTheBytesOfTheLasForALazOfTheSamePoints) {
+  const test::TileFolder folder;
+  const test::Las las = bigLas(60'000);
+  test::Laz laz;
+  for (const auto& point : las.raw) {
+    std::string record;
+    for (const std::int32_t stored : point) record += test::bytesOf(stored);
+    laz.records.push_back(record + std::string(8, '\x11'));
+  }
+  laz.scale = kScale;
+  laz.chunk_points = 5000;
+  writeLas(folder / "plain.las", las);
+  std::ofstream(folder / "packed.laz", std::ios::binary) << test::lazFile(laz).bytes;
+  SurfaceOptions options = gridOptions(PointRule::mean);
+  options.spacing_mm = 2;
+  for (const char* const name : {"plain.las", "packed.laz"}) {
+    makeLargeMap(folder / name, options,
+                 {.file = folder / (std::string(name) + ".tif"),
+                  .memory_bytes = 400'000'000,
+                  .threads = 3,
+                  .on_view = {}});
+  }
+  const std::string bytes = bytesOfFile(folder / "plain.las.tif");
+  EXPECT_GT(bytes.size(), 10'000U);
+  EXPECT_TRUE(bytes == bytesOfFile(folder / "packed.laz.tif"));
 }
 
 TEST(LargeMap, TakesRastersWithHoles) {
