@@ -93,6 +93,7 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   provenance.values = look;
   const std::string state = toJson(provenance, -1);
   ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
+  for (const std::string& words : grid.left_out) tell(words);
   const std::string unit = grid.unit;
   grid.state = state;
   if (look) {

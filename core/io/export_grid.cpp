@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -122,8 +123,25 @@ ExportGrid viewGrid(const DepthMap& map) {
           .heights = map.heights_mm,
           .origins = map.origins,
           .unit = "mm",
-          .projection = {}};
+          .projection = {},
+          .is_view = true};
 }
+
+namespace {
+
+/// Holes lie on the base plane for the hand; a file's coordinates know no such plane.
+void leaveOutBasePlane(ExportGrid& grid) {
+  const auto cells = std::count(grid.origins.begin(), grid.origins.end(), Origin::base_plane);
+  if (cells == 0) return;
+  std::replace(grid.origins.begin(), grid.origins.end(), Origin::base_plane, Origin::outside);
+  grid.left_out.push_back(
+      std::to_string(cells) +
+      (cells == 1 ? " cell without a height stays" : " cells without a height stay") +
+      " empty: the base plane they rest on is none of the file's. Fill them "
+      "with --holes membrane:MM2 if they are to have one.");
+}
+
+}  // namespace
 
 std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view_from_file,
                                    LengthUnit unit, const RasterMap* raster) {
@@ -133,6 +151,7 @@ std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view
                         m[8] == 0 && m[9] == 0 && m[5] == scale && m[10] == scale;
   if (!from_top) return std::nullopt;
   ExportGrid grid = viewGrid(map);
+  grid.is_view = false;
   grid.unit = name(unit);
   grid.spacing /= scale;
   grid.first_x = (map.frame.first_x_mm - m[3]) / scale;
@@ -140,11 +159,17 @@ std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view
   for (float& height : grid.heights) {
     height = static_cast<float>((static_cast<double>(height) - m[11]) / scale);
   }
+  leaveOutBasePlane(grid);
   if (raster == nullptr || raster->size != grid.size || raster->is_own_map) return grid;
   grid.spacing = raster->pixel;
   grid.first_x = raster->first.x;
   grid.first_y = raster->first.y;
-  grid.projection = raster->projection;
+  if (raster->projection.empty() || raster->info.unit == unit) {
+    grid.projection = raster->projection;
+  } else {
+    grid.left_out.push_back("The raster's reference system was left out: it is not in " +
+                            grid.unit + ".");
+  }
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     if (grid.origins[i] == Origin::measured && raster->valid[i]) {
       grid.heights[i] = raster->values[i];
@@ -238,26 +263,48 @@ void writeVti(const std::filesystem::path& file, const ExportGrid& grid) {
   out.keep();
 }
 
-void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
-  std::uint32_t count = 0;
-  const std::vector<std::int32_t> numbers = vertexNumbers(grid, count);
-  const std::vector<Triangle> triangles = trianglesBetween(grid, numbers);
-  ExportFile out(file);
-  out << "ply\nformat binary_little_endian 1.0\ncomment unit " << grid.unit << "\nelement vertex "
-      << std::to_string(count)
-      << "\nproperty double x\nproperty double y\nproperty float z\nproperty uchar origin\n"
-         "element face "
-      << std::to_string(triangles.size())
-      << "\nproperty list uchar int vertex_indices\nend_header\n";
+namespace {
+
+/// Do floats tell the samples' places apart to a thousandth of their distance?
+bool fitsFloats(const ExportGrid& grid) {
+  const double farthest =
+      std::max({std::abs(grid.first_x), std::abs(grid.first_y),
+                std::abs(xOf(grid, grid.size.cols - 1)), std::abs(yOf(grid, grid.size.rows - 1))});
+  return farthest * std::numeric_limits<float>::epsilon() <= 1e-3 * grid.spacing;
+}
+
+template <class Real>
+void writePlyVertices(ExportFile& out, const ExportGrid& grid) {
   for (int row = 0; row < grid.size.rows; ++row) {
     for (int col = 0; col < grid.size.cols; ++col) {
       const std::size_t i = grid.size.index({col, row});
       if (!grid.holds(i)) continue;
-      out.bytes(xOf(grid, col));
-      out.bytes(yOf(grid, row));
-      out.bytes(grid.heights[i]);
+      out.bytes(static_cast<Real>(xOf(grid, col)));
+      out.bytes(static_cast<Real>(yOf(grid, row)));
+      out.bytes(static_cast<Real>(grid.heights[i]));
       out.bytes(static_cast<std::uint8_t>(grid.origins[i]));
     }
+  }
+}
+
+}  // namespace
+
+void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
+  std::uint32_t count = 0;
+  const std::vector<std::int32_t> numbers = vertexNumbers(grid, count);
+  const std::vector<Triangle> triangles = trianglesBetween(grid, numbers);
+  const bool as_floats = fitsFloats(grid);
+  const std::string real = as_floats ? "float" : "double";
+  ExportFile out(file);
+  out << "ply\nformat binary_little_endian 1.0\ncomment unit " << grid.unit << "\nelement vertex "
+      << std::to_string(count) << "\nproperty " << real << " x\nproperty " << real
+      << " y\nproperty " << real << " z\nproperty uchar origin\nelement face "
+      << std::to_string(triangles.size())
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  if (as_floats) {
+    writePlyVertices<float>(out, grid);
+  } else {
+    writePlyVertices<double>(out, grid);
   }
   for (const Triangle& triangle : triangles) {
     out.bytes(std::uint8_t{3});

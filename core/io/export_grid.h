@@ -21,8 +21,10 @@ struct ExportGrid {
   std::vector<float> heights;                    ///< Row-major, row 0 at the lowest y; in `unit`.
   std::vector<Origin> origins;                   ///< Same order and size.
   std::string unit = "mm";
-  std::string projection;  ///< Well-known text; empty: none.
+  std::string projection;  ///< Well-known text, in `unit`; empty: none stated.
   std::string state = {};  ///< As MapFileOptions::state, of a GeoTIFF.
+  bool is_view = false;    ///< View mm above the base plane, not a file's coordinates.
+  std::vector<std::string> left_out = {};  ///< For people: what the file had and this has not.
 
   /// Is there a height? Holes on the base plane have one, cells outside the object have none.
   bool holds(std::size_t i) const noexcept { return origins[i] != Origin::outside; }
@@ -32,7 +34,9 @@ struct ExportGrid {
 ExportGrid viewGrid(const DepthMap& map);
 
 /// In the coordinates and the unit of the file that the map was made from. Nothing unless it was
-/// seen from the top, as elevation models are: only then is a height a z of the file.
+/// seen from the top, as elevation models are: only then is a height a z of the file. Cells on the
+/// base plane have no height there: nobody measured one. A reference system that does not agree
+/// with the unit is left out.
 /// @param raster  if it was made from one: gives place, projection, and measured heights to the bit
 std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view_from_file,
                                    LengthUnit unit, const RasterMap* raster = nullptr);
@@ -49,10 +53,10 @@ struct ExportOptions {
 
 /// Writes under a temporary name and renames. GeoTIFF: float32, a mask band within, NaN where
 /// there is no height. ESRI ASCII: shortest digits, -9999, projection in NAME.prj. VTI: float32
-/// `height` and uint8 `origin` as raw appended data. PLY: binary, double x and y, float z,
-/// triangles between four neighbours with heights. XYZ: text. STL: a plate for printing, closed on
-/// all sides, that rises to the map; where there is no height it is at 0, x and y from the first
-/// sample. [worker]
+/// `height` and uint8 `origin` as raw appended data. PLY: binary, x, y and z all float, or all
+/// double where floats do not tell the places apart, triangles between four neighbours with
+/// heights. XYZ: text. STL: a plate for printing, closed on all sides, that rises to the map; where
+/// there is no height it is at 0, x and y from the first sample. [worker]
 /// @throw WriteError; ArgumentError  fewer than 2 x 2 samples, no height, or no plate
 void exportGrid(const std::filesystem::path& file, const ExportGrid& grid, ExportFormat format,
                 const ExportOptions& options = {});

@@ -13,6 +13,7 @@
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
 #include "core/io/replaced_file.h"
+#include "core/io/tiff_head.h"
 
 namespace relievo {
 namespace {
@@ -32,10 +33,11 @@ struct RasterPlace {
   GridSize size;
   double first_x = 0, first_y = 0, spacing = 1;
   const char* projection = "";
+  std::string unit = {};  ///< Of the heights, as programs that read GeoTIFF expect it; or empty.
 };
 
 RasterPlace placeOf(const GridFrame& frame) {
-  return {frame.size, frame.first_x_mm, frame.first_y_mm, frame.spacing_mm};
+  return {frame.size, frame.first_x_mm, frame.first_y_mm, frame.spacing_mm, kViewSystem};
 }
 
 /// @return  false once GDAL complains
@@ -71,6 +73,7 @@ void writeBand(const std::filesystem::path& file, const std::filesystem::path& s
   dataset->SetMetadata(const_cast<char**>(metadata.List()));
   GDALRasterBand& cells = *dataset->GetRasterBand(1);
   if (band.type == GDT_Float32) cells.SetNoDataValue(kNaN);
+  if (!place.unit.empty()) cells.SetUnitType(place.unit.c_str());
   bool good = writeRows(cells, size, band.type, band.cells, band.cell_bytes);
   if (good && band.mask != nullptr) {
     // Within the file, not as NAME.tif.msk beside it.
@@ -127,19 +130,20 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
   metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
   if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
 
+  const std::filesystem::path origin_name = originFileOf(file);
+  if (options.write_origins) requireOwnOrAbsent(origin_name);
   ReplacedFile map_file(file);
   writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},
             metadata);
-  const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) {
     ReplacedFile origin_file(origin_name);
     metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
     writeBand(origin_file.path(), origin_name, placeOf(map.frame), {GDT_Byte, codes.data(), 1},
               metadata);
     origin_file.keep();
-  } else {
-    std::error_code ignored;  // An older map's origins would lie about this one.
-    std::filesystem::remove(origin_name, ignored);
+  } else if (isOwnTiff(origin_name)) {
+    std::error_code ignored;
+    std::filesystem::remove(origin_name, ignored);  // An older map's would lie about this one.
   }
   map_file.keep();
 }
@@ -157,9 +161,10 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
   metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
   metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
   if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
+  const std::string system = grid.is_view ? kViewSystem : grid.projection;
   ReplacedFile written(file);
   writeBand(written.path(), file,
-            {grid.size, grid.first_x, grid.first_y, grid.spacing, grid.projection.c_str()},
+            {grid.size, grid.first_x, grid.first_y, grid.spacing, system.c_str(), grid.unit},
             {GDT_Float32, heights.data(), sizeof(float), &mask}, metadata);
   written.keep();
 }

@@ -3,6 +3,7 @@
 // the same heights at the same places.
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
+#include <ogr_spatialref.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -186,6 +187,7 @@ TEST_F(Export, AnElevationModelGoesBackWhereItCameFrom) {
   raster.pixel = 0.5;
   raster.first = {512022.1, 5403117.3, 0};
   raster.projection = R"(LOCAL_CS["site",UNIT["metre",1]])";
+  raster.info.unit = LengthUnit::m;
   raster.values = {250.1F, 250.2F, 250.3F, 251, 0, 252.7F};
   raster.valid = {true, true, true, true, false, true};
   DepthMap map{.frame = {.size = {3, 2}, .spacing_mm = 500, .first_x_mm = 250, .first_y_mm = 250},
@@ -210,6 +212,136 @@ TEST_F(Export, AnElevationModelGoesBackWhereItCameFrom) {
   view.m[0] = 0;
   view.m[1] = 1000;
   EXPECT_FALSE(fileGrid(map, view, LengthUnit::m).has_value());
+}
+
+/// A raster of metres whose heights are in feet above a datum, as another program writes it.
+std::filesystem::path heightsInFeet(const std::filesystem::path& file, int vertical_epsg,
+                                    const char* unit_of_band) {
+  GDALAllRegister();
+  auto* const made = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(file.c_str(), 3, 2, 1,
+                                                                              GDT_Float64, nullptr);
+  std::array<double, 6> place{500000, 0.5, 0, 4100000, 0, -0.5};
+  made->SetGeoTransform(place.data());
+  OGRSpatialReference flat, all;
+  flat.importFromEPSG(26910);  // NAD83, UTM zone 10 N, metres.
+  if (vertical_epsg != 0) {
+    OGRSpatialReference vertical;
+    vertical.importFromEPSG(vertical_epsg);
+    all.SetCompoundCS("NAD83 / UTM zone 10N + height (ftUS)", &flat, &vertical);
+  }
+  made->SetSpatialRef(vertical_epsg != 0 ? &all : &flat);
+  if (unit_of_band != nullptr) made->GetRasterBand(1)->SetUnitType(unit_of_band);
+  std::vector<double> feet{100, 110, 120, 130, 140, 150};
+  EXPECT_EQ(made->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 3, 2, feet.data(), 3, 2, GDT_Float64,
+                                             0, 0, nullptr),
+            CE_None);
+  GDALClose(made);
+  return file;
+}
+
+/// What was converted must not say its old unit: read again, a height is where it was.
+TEST_F(Export, HeightsThatWereConvertedSayTheUnitTheyAreIn) {
+  struct Case {
+    int vertical;  ///< 6360: NAVD88 height in US survey feet.
+    const char* unit;
+  };
+  for (const Case& c : {Case{6360, nullptr}, Case{0, "ft"}}) {
+    SCOPED_TRACE(c.vertical);
+    const auto file = heightsInFeet(folder_.path() / "feet.tif", c.vertical, c.unit);
+    const RasterMap raster = importRaster(file);
+    const double metres = c.vertical != 0 ? 1200.0 / 3937 : 0.3048;
+    EXPECT_EQ(raster.info.unit, LengthUnit::m);
+    ASSERT_NEAR(static_cast<double>(raster.values[0]), 130 * metres, 1e-5);
+    DepthMap map{
+        .frame = {.size = raster.size, .spacing_mm = 500, .first_x_mm = 250, .first_y_mm = 250},
+        .heights_mm = std::vector<float>(6, 0),
+        .origins = std::vector<Origin>(6, Origin::measured)};
+    ViewFromFile view;
+    view.m = {1000, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1000, 0, 0, 0, 0, 1};
+    const auto grid = fileGrid(map, view, LengthUnit::m, &raster);
+    ASSERT_TRUE(grid);
+    EXPECT_TRUE(grid->left_out.empty());
+    for (const char* const name : {"back.tif", "back.asc"}) {
+      SCOPED_TRACE(name);
+      const RasterMap back = importRaster(write(name, *grid));
+      expectSame(back, *grid);  // Not converted once more.
+      EXPECT_EQ(back.info.unit, LengthUnit::m);
+    }
+    const OGRSpatialReference said(grid->projection.c_str());
+    EXPECT_EQ(said.IsCompound() != 0, c.vertical != 0);
+    if (c.vertical == 0) continue;
+    EXPECT_NE(grid->projection.find("North American Vertical Datum 1988"), std::string::npos)
+        << grid->projection;
+    EXPECT_EQ(grid->projection.find("ftUS"), std::string::npos) << grid->projection;
+    EXPECT_NEAR(said.GetTargetLinearUnits("VERT_CS", nullptr), 1, 1e-12);
+    EXPECT_NEAR(said.GetLinearUnits(nullptr), 1, 1e-12);
+  }
+}
+
+TEST_F(Export, AReferenceSystemThatDoesNotAgreeWithTheUnitIsLeftOutWithAWord) {
+  const RasterMap raster = importRaster(heightsInFeet(folder_.path() / "feet.tif", 6360, nullptr));
+  const DepthMap map{
+      .frame = {.size = raster.size, .spacing_mm = 1, .first_x_mm = 0, .first_y_mm = 0},
+      .heights_mm = std::vector<float>(6, 0),
+      .origins = std::vector<Origin>(6, Origin::measured)};
+  const auto grid = fileGrid(map, {}, LengthUnit::mm, &raster);
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->projection, "");
+  ASSERT_EQ(grid->left_out.size(), 1U);
+  EXPECT_NE(grid->left_out[0].find("reference system was left out"), std::string::npos);
+}
+
+/// The unit of a map in view millimetres can be seen by every program that asks for it.
+TEST_F(Export, AMapInViewMillimetresSaysSo) {
+  const auto file = folder_.path() / "map.tif";
+  writeMap(file, smallMap(), {});
+  const auto grid_file = write("grid.tif", viewGrid(smallMap()));
+  for (const auto& name : {file, grid_file}) {
+    auto* const dataset = GDALDataset::Open(name.c_str(), GDAL_OF_RASTER);
+    ASSERT_NE(dataset, nullptr);
+    const OGRSpatialReference* const system = dataset->GetSpatialRef();
+    ASSERT_NE(system, nullptr) << name;
+    EXPECT_NE(system->IsLocal(), 0);
+    EXPECT_NEAR(system->GetLinearUnits(nullptr), 0.001, 1e-15);
+    GDALClose(dataset);
+  }
+  EXPECT_EQ(importRaster(grid_file).info.unit, LengthUnit::mm);
+}
+
+/// Enclosed cells without a height lie on the base plane for the hand; in the file's coordinates
+/// that would be terrain which nobody measured.
+TEST_F(Export, HolesAreNoTerrainInTheFilesCoordinates) {
+  DepthMap map = smallMap();
+  ASSERT_EQ(map.origins[16], Origin::base_plane);
+  ViewFromFile view;
+  view.m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, -500, 0, 0, 0, 1};
+  const auto grid = fileGrid(map, view, LengthUnit::mm);
+  ASSERT_TRUE(grid);
+  EXPECT_FALSE(grid->holds(16));
+  EXPECT_TRUE(grid->holds(15));
+  EXPECT_TRUE(viewGrid(map).holds(16)) << "in the view it rests on the plane";
+  ASSERT_EQ(grid->left_out.size(), 1U);
+  EXPECT_NE(grid->left_out[0].find("1 cell without a height"), std::string::npos);
+  const RasterMap back = importRaster(write("map.tif", *grid));
+  EXPECT_FALSE(back.valid[16]);
+  EXPECT_EQ(back.info.finite_points, 33U);
+}
+
+TEST_F(Export, PlyHasOneTypeOfNumbersForAllThreeCoordinates) {
+  ExportGrid grid = viewGrid(smallMap());
+  const auto header = [&] {
+    std::stringstream text;
+    text << std::ifstream(write("map.ply", grid)).rdbuf();
+    return text.str().substr(0, text.str().find("end_header"));
+  };
+  EXPECT_NE(header().find("property float x\nproperty float y\nproperty float z"),
+            std::string::npos);
+  grid.first_x = 512022.46875;  // A float has steps of 0.03 there, the samples are 0.1 apart.
+  EXPECT_NE(header().find("property double x\nproperty double y\nproperty double z"),
+            std::string::npos);
+  const Scan far = importScan(folder_.path() / "map.ply");
+  EXPECT_NEAR(far.point(1).x, 512022.56875, 1e-6);
+  EXPECT_EQ(far.points[1][2], grid.heights[1]);
 }
 
 TEST_F(Export, WhatCannotBeWrittenLeavesWhatWasThere) {
