@@ -11,12 +11,12 @@
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
+#include "core/io/replaced_file.h"
 #include "core/io/tiff_head.h"
 #include "core/tiles/tile_layout.h"
 
@@ -33,21 +33,18 @@ GDALDriver& geoTiffDriver() {
   return *GetGDALDriverManager()->GetDriverByName("GTiff");
 }
 
-[[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
-  throw WriteError("Cannot write " + file.string() + ": " + reason +
-                   ". Check the folder, its permissions and the free space.");
-}
-
 }  // namespace
 
 struct TileRasterWriter::Impl {
-  std::filesystem::path file, temporary;
+  explicit Impl(const std::filesystem::path& name) : file(name), written(name) {}
+
+  std::filesystem::path file;
+  ReplacedFile written;
   GridFrame frame;
   Layout layout;
   Dataset dataset;
   std::vector<std::vector<std::byte>> rows;  ///< Per band: the rows of one row of tiles.
   int next_row = 0;                          ///< From the lowest.
-  bool kept = false;
 
   GDALDataType type() const { return layout.cell_bytes == 4 ? GDT_Float32 : GDT_Byte; }
   std::size_t lineBytes() const {
@@ -65,7 +62,7 @@ void TileRasterWriter::Impl::create() {
       "TILED=YES",        "BLOCKXSIZE=256", "BLOCKYSIZE=256",    "INTERLEAVE=BAND",
       "BIGTIFF=IF_SAFER", "COMPRESS=NONE",  "ENDIANNESS=LITTLE", nullptr};
   const GridSize size = frame.size;
-  dataset.reset(geoTiffDriver().Create(temporary.c_str(), size.cols, size.rows, layout.bands,
+  dataset.reset(geoTiffDriver().Create(written.path().c_str(), size.cols, size.rows, layout.bands,
                                        type(), const_cast<char**>(options)));
   if (!dataset) cannotWrite(file, errors.first());
   const double s = frame.spacing_mm;
@@ -124,21 +121,15 @@ void TileRasterWriter::Impl::writeMask(const BitRows& mask, const GdalErrors& er
 
 TileRasterWriter::TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame,
                                    const Layout& layout)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->file = file;
-  impl_->temporary = file.parent_path() /
-                     ("." + file.stem().string() + "." + std::to_string(::getpid()) + ".tmp.tif");
+    : impl_(std::make_unique<Impl>(file)) {
   impl_->frame = frame;
   impl_->layout = layout;
   impl_->create();
 }
 
 TileRasterWriter::~TileRasterWriter() {
-  if (impl_->kept) return;
   const GdalErrors silent;
   impl_->dataset.reset();
-  std::error_code ignored;
-  std::filesystem::remove(impl_->temporary, ignored);
 }
 
 void TileRasterWriter::add(std::span<const void* const> bands) {
@@ -165,10 +156,7 @@ void TileRasterWriter::close(const RasterFacts& facts, const BitRows* mask) {
 }
 
 void TileRasterWriter::keep() {
-  std::error_code error;
-  std::filesystem::rename(impl_->temporary, impl_->file, error);
-  if (error) cannotWrite(impl_->file, error.message());
-  impl_->kept = true;
+  impl_->written.keep();
 }
 
 namespace {
