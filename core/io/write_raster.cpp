@@ -56,6 +56,16 @@ bool writeRows(GDALRasterBand& band, GridSize size, GDALDataType type, const voi
   return true;
 }
 
+void describe(GDALDataset& dataset, const RasterPlace& place, const CPLStringList& metadata) {
+  const double s = place.spacing;
+  std::array<double, 6> transform{
+      place.first_x - 0.5 * s, s, 0, place.first_y + (place.size.rows - 1) * s + 0.5 * s, 0, -s};
+  dataset.SetGeoTransform(transform.data());
+  if (*place.projection != '\0') dataset.SetProjection(place.projection);
+  dataset.SetMetadata(const_cast<char**>(metadata.List()));
+  if (!place.unit.empty()) dataset.GetRasterBand(1)->SetUnitType(place.unit.c_str());
+}
+
 void writeBand(const std::filesystem::path& file, const std::filesystem::path& shown,
                const RasterPlace& place, const BandToWrite& band, const CPLStringList& metadata) {
   GdalErrors errors;
@@ -65,15 +75,9 @@ void writeBand(const std::filesystem::path& file, const std::filesystem::path& s
   Dataset dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
       file.c_str(), size.cols, size.rows, 1, band.type, const_cast<char**>(options)));
   if (!dataset) cannotWrite(shown, errors.first());
-  const double s = place.spacing;
-  std::array<double, 6> transform{
-      place.first_x - 0.5 * s, s, 0, place.first_y + (size.rows - 1) * s + 0.5 * s, 0, -s};
-  dataset->SetGeoTransform(transform.data());
-  if (*place.projection != '\0') dataset->SetProjection(place.projection);
-  dataset->SetMetadata(const_cast<char**>(metadata.List()));
+  describe(*dataset, place, metadata);
   GDALRasterBand& cells = *dataset->GetRasterBand(1);
   if (band.type == GDT_Float32) cells.SetNoDataValue(kNaN);
-  if (!place.unit.empty()) cells.SetUnitType(place.unit.c_str());
   bool good = writeRows(cells, size, band.type, band.cells, band.cell_bytes);
   if (good && band.mask != nullptr) {
     // Within the file, not as NAME.tif.msk beside it.
@@ -104,6 +108,8 @@ void registerRasterDrivers() {
     GDALRegister_GTiff();
     GDALRegister_PNG();
     GDALRegister_AAIGrid();
+    GDALRegister_MEM();
+    GDALRegister_COG();
   });
 }
 
@@ -148,6 +154,36 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
   map_file.keep();
 }
 
+namespace {
+
+CPLStringList factsOf(const ExportGrid& grid) {
+  CPLStringList metadata;
+  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
+  metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
+  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
+  if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
+  return metadata;
+}
+
+RasterPlace placeOf(const ExportGrid& grid) {
+  return {grid.size,
+          grid.first_x,
+          grid.first_y,
+          grid.spacing,
+          grid.is_view ? kViewSystem : grid.projection.c_str(),
+          grid.unit};
+}
+
+/// Passes GDAL's progress on and stops it.
+int passProgress(double fraction, const char* /*words*/, void* data) {
+  const auto& task = *static_cast<const Task*>(data);
+  if (task.stop.stop_requested()) return 0;
+  task.report("Writing", fraction);
+  return 1;
+}
+
+}  // namespace
+
 void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
   std::vector<float> heights = grid.heights;
   std::vector<std::uint8_t> mask(heights.size(), 255);
@@ -156,16 +192,43 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
     heights[i] = kNaN;
     mask[i] = 0;
   }
-  CPLStringList metadata;
-  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
-  metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
-  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
-  if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
-  const std::string system = grid.is_view ? kViewSystem : grid.projection;
   ReplacedFile written(file);
-  writeBand(written.path(), file,
-            {grid.size, grid.first_x, grid.first_y, grid.spacing, system.c_str(), grid.unit},
-            {GDT_Float32, heights.data(), sizeof(float), &mask}, metadata);
+  writeBand(written.path(), file, placeOf(grid),
+            {GDT_Float32, heights.data(), sizeof(float), &mask}, factsOf(grid));
+  written.keep();
+}
+
+void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid,
+                       const Task& task) {
+  GdalErrors errors;
+  registerRasterDrivers();
+  ReplacedFile written(file);
+  // The driver copies what is complete: its first bytes say where everything is.
+  Dataset whole(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
+      "", grid.size.cols, grid.size.rows, 1, GDT_Float32, nullptr));
+  if (!whole) cannotWrite(file, errors.first());
+  std::vector<float> heights = grid.heights;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (!grid.holds(i)) heights[i] = kNaN;
+  }
+  describe(*whole, placeOf(grid), factsOf(grid));
+  whole->GetRasterBand(1)->SetNoDataValue(kNaN);
+  bool good =
+      writeRows(*whole->GetRasterBand(1), grid.size, GDT_Float32, heights.data(), sizeof(float));
+  std::vector<float>().swap(heights);
+  const char* const options[] = {
+      "COMPRESS=DEFLATE",   "PREDICTOR=YES",    "BLOCKSIZE=512", "OVERVIEWS=AUTO",
+      "RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", nullptr};
+  Dataset made;
+  if (good) {
+    made.reset(GetGDALDriverManager()->GetDriverByName("COG")->CreateCopy(
+        written.path().c_str(), whole.get(), 0, const_cast<char**>(options), passProgress,
+        const_cast<Task*>(&task)));
+  }
+  task.check();
+  good = made != nullptr;
+  made.reset();
+  if (!good || errors.any()) cannotWrite(file, errors.first());
   written.keep();
 }
 

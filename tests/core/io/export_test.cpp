@@ -10,7 +10,11 @@
 #include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -342,6 +346,138 @@ TEST_F(Export, PlyHasOneTypeOfNumbersForAllThreeCoordinates) {
   const Scan far = importScan(folder_.path() / "map.ply");
   EXPECT_NEAR(far.point(1).x, 512022.56875, 1e-6);
   EXPECT_EQ(far.points[1][2], grid.heights[1]);
+}
+
+TEST_F(Export, CloudGeoTiffHasOverviewsAndKeepsUnitAndSystem) {
+  // A thousand cells across: one overview at least.
+  ExportGrid grid;
+  grid.size = {1100, 700};
+  grid.spacing = 0.5;
+  grid.first_x = 500000.25;
+  grid.first_y = 4100000.25;
+  grid.unit = "m";
+  OGRSpatialReference utm;
+  utm.importFromEPSG(32632);
+  char* text = nullptr;
+  utm.exportToWkt(&text);
+  grid.projection = text;
+  CPLFree(text);
+  grid.state = "{\"where\":\"from\"}";
+  for (int i = 0; i < 1100 * 700; ++i) {
+    grid.heights.push_back(static_cast<float>(i % 1100) * 0.01F);
+  }
+  grid.origins.assign(grid.heights.size(), Origin::measured);
+  for (std::size_t i = 0; i < 5000; ++i) grid.origins[i] = Origin::outside;
+  const auto file = folder_.path() / "cog.tif";
+  exportGrid(file, grid, ExportFormat::cloud_geotiff);
+  const RasterMap back = importRaster(file);
+  expectSame(back, grid);
+  EXPECT_EQ(back.info.unit, LengthUnit::m);
+  EXPECT_EQ(rasterState(file), grid.state);
+  EXPECT_LT(std::filesystem::file_size(file), 1100U * 700 * 4);
+  auto* const dataset = GDALDataset::Open(file.c_str(), GDAL_OF_RASTER);
+  ASSERT_NE(dataset, nullptr);
+  EXPECT_STREQ(dataset->GetMetadataItem("LAYOUT", "IMAGE_STRUCTURE"), "COG");
+  EXPECT_GE(dataset->GetRasterBand(1)->GetOverviewCount(), 1);
+  EXPECT_STREQ(dataset->GetRasterBand(1)->GetUnitType(), "m");
+  EXPECT_STREQ(dataset->GetSpatialRef()->GetAuthorityCode(nullptr), "32632");
+  GDALClose(dataset);
+  // Nothing else is left beside it.
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_.path()), {}), 1);
+  // In view millimetres.
+  exportGrid(file, viewGrid(smallMap()), ExportFormat::cloud_geotiff);
+  EXPECT_EQ(importRaster(file).info.unit, LengthUnit::mm);
+  expectSame(importRaster(file), viewGrid(smallMap()));
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_THROW(exportGrid(folder_.path() / "no.tif", grid, ExportFormat::cloud_geotiff, {},
+                          {.stop = stop.get_token(), .progress = {}}),
+               Cancelled);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "no.tif"));
+}
+
+/// One number of a part of a GLB's JSON.
+double numberAfter(const std::string& json, const std::string& words) {
+  const std::size_t at = json.find(words);
+  return at == std::string::npos ? -1 : std::strtod(json.c_str() + at + words.size(), nullptr);
+}
+
+template <class T>
+std::vector<T> itemsAt(const std::string& bytes, std::size_t at, std::size_t count) {
+  std::vector<T> items(count);
+  std::memcpy(items.data(), bytes.data() + at, count * sizeof(T));
+  return items;
+}
+
+TEST_F(Export, GltfIsAMeshInMetresWithNormalsAndColours) {
+  ExportGrid grid = viewGrid(smallMap());
+  for (std::size_t i = 0; i < grid.heights.size(); ++i) {
+    grid.heights[i] = 0.05F * static_cast<float>(i % 7);  // A slope of 1 : 2 along x.
+    grid.colours.push_back({255, 128, 0, static_cast<std::uint8_t>(i)});
+  }
+  const auto file = write("map.glb", grid);
+  std::stringstream stream;
+  stream << std::ifstream(file, std::ios::binary).rdbuf();
+  const std::string bytes = stream.str();
+  const auto head = itemsAt<std::uint32_t>(bytes, 0, 5);
+  EXPECT_EQ(bytes.substr(0, 4), "glTF");
+  EXPECT_EQ(head[1], 2U);
+  EXPECT_EQ(head[2], bytes.size());
+  ASSERT_EQ(head[3] % 4, 0U);
+  const std::string json = bytes.substr(20, head[3]);
+  const std::size_t binary = 20 + head[3] + 8;
+  EXPECT_EQ(itemsAt<std::uint32_t>(bytes, binary - 8, 1)[0], bytes.size() - binary);
+  EXPECT_EQ(numberAfter(json, R"("buffers":[{"byteLength":)"), bytes.size() - binary);
+  EXPECT_NE(json.find(R"("COLOR_0":2)"), std::string::npos);
+  constexpr std::size_t kVertices = 34;
+  const std::size_t triangles = 2U * (6 * 4 - 1);
+  ASSERT_EQ(bytes.size() - binary, kVertices * (12 + 12 + 8) + triangles * 12);
+  const auto places = itemsAt<std::array<float, 3>>(bytes, binary, kVertices);
+  const auto normals = itemsAt<std::array<float, 3>>(bytes, binary + 12 * kVertices, kVertices);
+  const auto colours =
+      itemsAt<std::array<std::uint16_t, 4>>(bytes, binary + 24 * kVertices, kVertices);
+  const auto corners = itemsAt<std::uint32_t>(bytes, binary + 32 * kVertices, 3 * triangles);
+  EXPECT_NEAR(places[1][0] - places[0][0], 1e-4, 1e-9) << "metres";
+  EXPECT_NEAR(places[7][1] - places[0][1], 1e-4, 1e-9) << "y is up";
+  EXPECT_NEAR(places[1][2] - places[0][2], 5e-5, 1e-9) << "heights towards the viewer";
+  EXPECT_NEAR(places[0][0] + places[6][0], 0, 1e-9) << "about the middle";
+  for (const auto& n : normals) {
+    EXPECT_NEAR(n[0], -1 / std::sqrt(5.0), 1e-3);
+    EXPECT_NEAR(n[1], 0, 1e-3);
+    EXPECT_NEAR(n[2], 2 / std::sqrt(5.0), 1e-3);
+  }
+  // Linear light: half of sRGB is about a fifth.
+  EXPECT_EQ(colours[5], (std::array<std::uint16_t, 4>{65535, 14146, 0, 65535}));
+  EXPECT_TRUE(std::all_of(corners.begin(), corners.end(), [](auto c) { return c < kVertices; }));
+  EXPECT_NEAR(numberAfter(json, R"("type":"VEC3","min":[)"), places[0][0], 1e-12);
+
+  // In a file's coordinates the map lies, and its middle is told.
+  grid.is_view = false;
+  grid.unit = "m";
+  grid.first_x = 500000;
+  grid.colours.clear();
+  std::stringstream lying;
+  lying << std::ifstream(write("map.glb", grid), std::ios::binary).rdbuf();
+  const std::string other = lying.str();
+  const std::size_t at = 28 + itemsAt<std::uint32_t>(other, 12, 1)[0];
+  const auto flat = itemsAt<std::array<float, 3>>(other, at, kVertices);
+  EXPECT_NEAR(flat[7][2] - flat[0][2], -0.1, 1e-6) << "north is away from the viewer";
+  EXPECT_NEAR(flat[1][1] - flat[0][1], 0.05, 1e-6) << "heights are up";
+  EXPECT_EQ(other.find("COLOR_0"), std::string::npos);
+  EXPECT_NEAR(numberAfter(other, R"("middle":[)"), 500000.3, 1e-6);
+}
+
+TEST_F(Export, ColoursGoIntoPly) {
+  ExportGrid grid = viewGrid(smallMap());
+  grid.colours.assign(grid.heights.size(), {10, 20, 30, 255});
+  std::stringstream text;
+  text << std::ifstream(write("map.ply", grid), std::ios::binary).rdbuf();
+  EXPECT_NE(text.str().find("property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                            "property uchar alpha\n"),
+            std::string::npos);
+  EXPECT_EQ(importScan(folder_.path() / "map.ply").points.size(), 34U);
+  grid.colours.resize(3);
+  EXPECT_THROW(write("map.ply", grid), ArgumentError);
 }
 
 TEST_F(Export, WhatCannotBeWrittenLeavesWhatWasThere) {
