@@ -46,7 +46,7 @@ ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const R
   if (!grid) {
     throw ArgumentError(surface.info.file.filename().string() +
                         " was not seen from the top, so heights are no z of the file. Nothing was "
-                        "written. Choose the view from the top, or view millimetres.");
+                        "written. Choose --view top or view millimetres.");
   }
   grid->state = choice.state;
   return std::move(*grid);
