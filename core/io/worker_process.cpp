@@ -15,6 +15,7 @@
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
 #include "core/io/unnamed_file.h"
+#include "core/io/worker_sandbox.h"
 
 namespace relievo {
 namespace {
@@ -72,6 +73,7 @@ WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path&
                      std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
                      roundTripText(std::array{options.max_cpu_s})},
        .more_environment = {},
+       .environment = workerEnvironment(),
        .fds = {{child_words.get(), 1},
                {child_words.get(), 2},
                {child_progress.get(), kProgressFd},
