@@ -136,7 +136,10 @@ PairFit fitFromStart(const Cloud& scan, const Cloud& reference, const LocalPose&
   fit.pose = closestPoints(scan.fine, reference.fine, fit.pose, near, task);
   fit.pose = settle(scan.fine, reference.fine, fit.pose, scale.fine, 0, task);
   fit.judgement = judge(scan.fine, reference.fine, fit.pose, kStarted, task);
-  if (fit.judgement.answer == Answer::holds || fit.judgement.answer == Answer::weak) return fit;
+  if (fit.judgement.answer == Answer::holds || fit.judgement.answer == Answer::weak ||
+      fit.judgement.stability >= kHolds) {
+    return fit;
+  }
   // What slides was carried away by noise. Once more, without the motions that nothing holds.
   LocalPose kept = start;
   for (const double distance : far) {

@@ -116,7 +116,7 @@ class Aligner {
 
   align::PairFit searchedFit(std::size_t s, std::size_t onto) {
     align::PairFit fit = fitAutomatically(clouds_[s], clouds_[onto], scale_, how_.seed, task_);
-    if (fit.judgement.answer == Answer::refused && clouds_[s].side_guessed) {
+    if (fit.judgement.answer == Answer::refused && !fit.judgement.fits && clouds_[s].side_guessed) {
       turnOver(clouds_[s]);
       fit = fitAutomatically(clouds_[s], clouds_[onto], scale_, how_.seed, task_);
     }

@@ -5,6 +5,8 @@ namespace relievo::align {
 namespace {
 
 constexpr unsigned kSeeds = 6;
+/// So many places where surface lies on surface and nothing holds it: it slides everywhere.
+constexpr int kSlidingFits = 3;
 /// The consensus of least error above a share of inliers wins, not the one of most inliers: so that
 /// share comes down from what few scans reach.
 constexpr std::array<double, 4> kInlierShares{0.6, 0.45, 0.3, 0.2};
@@ -21,6 +23,7 @@ PairFit fitAutomatically(const Cloud& scan, const Cloud& reference, const Scale&
   const Features reference_features = featuresOf(reference.coarse);
   PairFit best;
   best.judgement.reason = "no place was found where it fits";
+  int sliding = 0;
   for (unsigned n = 0; n < kSeeds; ++n) {
     const bool strict = n % 2 == 1;
     for (unsigned share = 0; share < kInlierShares.size(); ++share) {
@@ -40,6 +43,7 @@ PairFit fitAutomatically(const Cloud& scan, const Cloud& reference, const Scale&
       }
       // What came nearest says best why it was refused.
       if (judgement.tight_share > best.judgement.tight_share) best = {pose, *start, judgement};
+      if (judgement.fits && ++sliding == kSlidingFits) return best;
     }
   }
   return best;

@@ -100,9 +100,6 @@ std::string refusalOf(const Judgement& found, const Matches& matches, const Dema
       shareOf(matches.scan_tight + matches.reference_tight, loose) < demands.tight_of_loose) {
     return "it touches the others, but does not lie on them";
   }
-  if (found.stability < demands.stability) {
-    return "nothing in its shape says where it belongs " + motionText(found);
-  }
   return {};
 }
 
@@ -174,6 +171,10 @@ Judgement judge(const OrientedSet& scan, const OrientedSet& reference, const Loc
         kUncertaintyFactor * found.rms / std::sqrt(std::max(1.0, seen) * stability.values(0));
   }
   found.reason = refusalOf(found, matches, demands, cell);
+  found.fits = found.reason.empty();
+  if (found.fits && found.stability < demands.stability) {
+    found.reason = "nothing in its shape says where it belongs " + motionText(found);
+  }
   if (!found.reason.empty()) {
     found.answer = Answer::refused;
   } else if (found.stability < kSlides) {

@@ -76,6 +76,7 @@ struct Judgement {
   Eigen::Vector3d weak_direction = Eigen::Vector3d::Zero();
   bool weak_turn = false;  ///< The weakest motion turns about that direction.
   double weak_motion = 0;  ///< How far along the weakest motion it may lie; 0: no limit known.
+  bool fits = false;       ///< Surface lies on surface, whether or not anything holds it there.
   std::string reason;      ///< Of a refusal; the rest of a sentence.
 };
 

@@ -54,8 +54,8 @@ struct Row {
 
 void heading() {
   std::printf(
-      "\n| object | start | verdict | turn, degrees | shift, mm | spacing, mm | s |\n"
-      "|---|---|---|---:|---:|---:|---:|\n");
+      "\n| object | start | verdict | stability | turn, degrees | shift, mm | spacing, mm | s |\n"
+      "|---|---|---|---:|---:|---:|---:|---:|\n");
 }
 
 /// The worst of all scans but the reference.
@@ -64,9 +64,11 @@ void print(const Row& row) {
   bool holds = true;
   double spacing = 0;
   std::string words;
+  double stability = 1;
   for (const Part& part : row.parts) spacing = std::max(spacing, medianSpacing(part));
   for (std::size_t s = 1; s < row.parts.size(); ++s) {
     const AlignVerdict& verdict = row.answer.scans[s];
+    stability = std::min(stability, verdict.stability);
     if (!verdict.holds) {
       holds = false;
       words = verdict.words;
@@ -79,9 +81,9 @@ void print(const Row& row) {
   char numbers[96] = "- | -";
   if (holds) std::snprintf(numbers, sizeof numbers, "%.4f | %.4f", worst.deg, worst.mm);
   std::printf(
-      "| %s | %s | %s %s | %s | %.3f | %.1f |\n", row.object.c_str(), row.start.c_str(),
+      "| %s | %s | %s %s | %.2g | %s | %.3f | %.1f |\n", row.object.c_str(), row.start.c_str(),
       holds ? (worst.deg <= 0.05 && worst.mm <= 0.5 * spacing ? "right." : "WRONG.") : "refused.",
-      words.c_str(), numbers, spacing, row.seconds);
+      words.c_str(), stability, numbers, spacing, row.seconds);
   std::fflush(stdout);
 }
 
