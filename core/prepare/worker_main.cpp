@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// relievo-prepare: cleans, joins and thins scans, by FLANN and PCL.
+#include "core/prepare/worker.h"
+
+int main(int argc, char** argv) {
+  return relievo::runPrepareWorker(argc, argv, {});
+}
