@@ -21,6 +21,8 @@ using align::OrientedSet;
 
 /// A loop that misses by more than so many times its uncertainty has a wrong pair in it.
 constexpr double kLoopUncertainties = 5;
+/// Of what picks leave after they are fitted: three pairs have only three numbers to spare.
+constexpr double kPickUncertainty = 2;
 /// Scans that are thought to meet: this share of one's coarse points lies near the other.
 constexpr double kMeet = 0.05;
 
@@ -35,6 +37,7 @@ class Aligner {
     starts_.resize(scans.size());
     placed_.resize(scans.size());
     parents_.resize(scans.size(), kNone);
+    pick_errors_.resize(scans.size());
   }
 
   AlignAnswer run() {
@@ -81,7 +84,9 @@ class Aligner {
         for (const PickedPair& pair : how_.pairs) {
           if (pair.scan == s) picks.push_back(pair);
         }
-        given = align::fitPicks(picks, scans_[s].name).pose;
+        const align::PickedFit fit = align::fitPicks(picks, scans_[s].name);
+        given = fit.pose;
+        pick_errors_[s] = fit.error;
       }
       starts_[s] = align::middlesFromFile(given, clouds_[reference_].middle, clouds_[s].middle);
       if (s != reference_) {
@@ -328,7 +333,11 @@ class Aligner {
       verdict.weak_direction = {judgement.weak_direction.x(), judgement.weak_direction.y(),
                                 judgement.weak_direction.z()};
     }
-    verdict.uncertainty_mm = judgement.weak_motion * mm;
+    // Where nothing holds it, it is as good as the picks.
+    verdict.uncertainty_mm =
+        (judgement.answer == Answer::slides ? kPickUncertainty * pick_errors_[s]
+                                            : judgement.weak_motion) *
+        mm;
     verdict.words = wordsOf(judgement, mm) + wordsOfOpenLoops(s);
     return verdict;
   }
@@ -369,6 +378,7 @@ class Aligner {
   std::vector<Cloud> clouds_;
   std::vector<std::optional<LocalPose>> starts_, placed_;  ///< Reference from scan, middles.
   std::vector<Link> links_, refusals_;
+  std::vector<double> pick_errors_;   ///< Root mean square, file units.
   std::vector<std::size_t> parents_;  ///< Per scan the link that carries its pose.
   std::vector<std::size_t> open_;     ///< Links whose loop does not close.
   std::size_t pairs_done_ = 0;

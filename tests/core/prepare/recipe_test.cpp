@@ -89,7 +89,7 @@ TEST(Recipe, IsRefusedInWordsWhateverIsWrongWithIt) {
       {withStep(R"({"kind":"polish"})"), "'polish' is no step"},
       {withStep(R"({"kind":"thin"})"), "spacing_mm"},
       {withStep(R"({"kind":"thin","spacing_mm":"1"})"), "not a number"},
-      {withStep(R"({"kind":"thin","spacing_mm":1e999})"), "out of range"},
+      {withStep(R"({"kind":"thin","spacing_mm":1e999})"), "number overflow"},
       {withStep(R"({"kind":"thin","spacing_mm":-1})"), "above 0 mm"},
       {withStep(R"({"kind":"thin","spacing_mm":0})"), "above 0 mm"},
       {withStep(R"({"kind":"thin","spacing_mm":1,"spacing":2})"), "'spacing' is not a key"},
