@@ -72,7 +72,7 @@ LocalPose closestPoints(const OrientedSet& scan, const OrientedSet& reference,
 }
 
 LocalPose settle(const OrientedSet& scan, const OrientedSet& reference, const LocalPose& start,
-                 double farthest, double keep_below, const Task& task) {
+                 double farthest, bool keep_sliding, const Task& task) {
   constexpr int kRounds = 8;
   constexpr double kStillCells = 1e-6;
   LocalPose pose = start;
@@ -83,7 +83,7 @@ LocalPose settle(const OrientedSet& scan, const OrientedSet& reference, const Lo
     const Stability stability = stabilityOf(matches);
     // Columns of held motions come last: the values rise.
     Eigen::Index kept = 0;
-    while (kept < 6 && stability.values(kept) < keep_below * stability.values(5)) ++kept;
+    while (keep_sliding && kept < 6 && stability.slides(kept)) ++kept;
     const Eigen::Matrix<double, 6, Eigen::Dynamic> held = stability.vectors.rightCols(6 - kept);
     Matrix6d squares = Matrix6d::Zero();
     Vector6d pull = Vector6d::Zero();
@@ -134,19 +134,19 @@ PairFit fitFromStart(const Cloud& scan, const Cloud& reference, const LocalPose&
   fit.start = start;
   fit.pose = closestPoints(scan.mid, reference.mid, start, far, task);
   fit.pose = closestPoints(scan.fine, reference.fine, fit.pose, near, task);
-  fit.pose = settle(scan.fine, reference.fine, fit.pose, scale.fine, 0, task);
+  fit.pose = settle(scan.fine, reference.fine, fit.pose, scale.fine, false, task);
   fit.judgement = judge(scan.fine, reference.fine, fit.pose, kStarted, task);
   if (fit.judgement.answer == Answer::holds || fit.judgement.answer == Answer::weak ||
-      fit.judgement.stability >= kHolds) {
+      !fit.judgement.slides) {
     return fit;
   }
   // What slides was carried away by noise. Once more, without the motions that nothing holds.
   LocalPose kept = start;
   for (const double distance : far) {
-    kept = settle(scan.mid, reference.mid, kept, distance, kSlides, task);
+    kept = settle(scan.mid, reference.mid, kept, distance, true, task);
   }
   for (const double distance : near) {
-    kept = settle(scan.fine, reference.fine, kept, distance, kSlides, task);
+    kept = settle(scan.fine, reference.fine, kept, distance, true, task);
   }
   const Judgement again = judge(scan.fine, reference.fine, kept, kStarted, task);
   if (again.answer != Answer::refused) fit = {kept, start, again};

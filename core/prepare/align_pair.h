@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "core/prepare/judge.h"
 
 /// Two scans: from a rough start to the pose, and what it is worth.
@@ -21,10 +19,10 @@ LocalPose closestPoints(const OrientedSet& scan, const OrientedSet& reference,
                         const LocalPose& start, std::span<const double> distances,
                         const Task& task);
 
-/// Gauss-Newton on the matches of both directions, without any motion that the shape holds less
-/// than `keep_below` (relative, as Stability::ratio): there the start stays. 0: all motions.
+/// Gauss-Newton on the matches of both directions.
+/// @param keep_sliding  without the motions that nothing holds: there the start stays
 LocalPose settle(const OrientedSet& scan, const OrientedSet& reference, const LocalPose& start,
-                 double farthest, double keep_below, const Task& task);
+                 double farthest, bool keep_sliding, const Task& task);
 
 /// Turns all normals of the scan over if more of them look against the reference's than along,
 /// where the scans meet at `pose`. Only where its side was guessed.
@@ -34,13 +32,5 @@ void agreeOnSides(Cloud& scan, const Cloud& reference, const LocalPose& pose, co
 /// From a start by hand, or as stored, that is off by some percent of the size.
 PairFit fitFromStart(const Cloud& scan, const Cloud& reference, const LocalPose& start,
                      const Scale& scale, const Task& task);
-
-/// From the picks of one scan. @throw ArgumentError  fewer than three pairs, all nearly in one
-/// line, or on scans of different size; the sentence names the scan
-struct PickedFit {
-  Pose pose;
-  double error = 0;  ///< Root mean square of what is left; file units.
-};
-PickedFit fitPicks(std::span<const PickedPair> picks, const std::string& scan);
 
 }  // namespace relievo::align

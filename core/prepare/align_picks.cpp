@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/prepare/align_picks.h"
+
 #include <pcl/point_types.h>
 #include <pcl/registration/transformation_estimation_svd.h>
 
@@ -6,7 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/prepare/align_pair.h"
+#include "core/base/error.h"
+#include "core/prepare/align_math.h"
 
 namespace relievo::align {
 namespace {

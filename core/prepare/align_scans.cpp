@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/prepare/align_joint.h"
+#include "core/prepare/align_picks.h"
 #include "core/prepare/align_start.h"
 
 namespace relievo {

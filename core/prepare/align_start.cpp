@@ -37,7 +37,7 @@ PairFit fitAutomatically(const Cloud& scan, const Cloud& reference, const Scale&
       Judgement judgement = judge(scan.mid, reference.mid, pose, kAutomatic, task);
       if (judgement.answer != Answer::refused) {
         pose = closestPoints(scan.fine, reference.fine, pose, near, task);
-        pose = settle(scan.fine, reference.fine, pose, scale.fine, 0, task);
+        pose = settle(scan.fine, reference.fine, pose, scale.fine, false, task);
         judgement = judge(scan.fine, reference.fine, pose, kAutomatic, task);
         if (judgement.answer != Answer::refused) return {pose, *start, judgement};
       }

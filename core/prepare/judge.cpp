@@ -122,6 +122,10 @@ double Stability::ratio() const {
   return values(5) > 0 ? std::max(0.0, values(0)) / values(5) : 0.0;
 }
 
+bool Stability::slides(Eigen::Index motion) const {
+  return values(motion) < std::clamp(noise, kSlides * values(5), kSlidesAtMost * values(5));
+}
+
 Stability stabilityOf(const std::vector<Match>& matches) {
   Stability stability;
   if (matches.empty()) return stability;
@@ -131,14 +135,19 @@ Stability stabilityOf(const std::vector<Match>& matches) {
   for (const Match& m : matches) arms += (m.middle() - stability.centre).norm() / count;
   if (arms > 0) stability.arm = arms;
   Matrix6d products = Matrix6d::Zero();
+  double differences = 0;
   for (const Match& m : matches) {
     const Eigen::Vector3d arm = (m.middle() - stability.centre) / stability.arm;
     Vector6d scan;
     Vector6d reference;
     scan << arm.cross(m.scan_normal), m.scan_normal;
     reference << arm.cross(m.reference_normal), m.reference_normal;
+    differences += (m.scan_normal - m.reference_normal).squaredNorm() / count;
     products += (scan * reference.transpose() + reference * scan.transpose()) / (2 * count);
   }
+  // A normal's noise has two directions and comes twice; so many matches share their points.
+  constexpr double kShareNormals = 28;
+  stability.noise = 5 * differences / 4 / std::sqrt(std::max(1.0, count / kShareNormals));
   const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(products);
   stability.values = solver.eigenvalues();
   stability.vectors = solver.eigenvectors();
@@ -165,7 +174,8 @@ Judgement judge(const OrientedSet& scan, const OrientedSet& reference, const Loc
   found.weak_turn = weakest.head<3>().norm() > weakest.tail<3>().norm();
   found.weak_direction = found.weak_turn ? weakest.head<3>() : weakest.tail<3>();
   found.weak_direction.normalize();
-  if (found.stability >= kSlides) {
+  found.slides = stability.slides(0);
+  if (!found.slides) {
     const double seen = static_cast<double>(std::min(matches.scan_loose, matches.reference_loose));
     found.weak_motion =
         kUncertaintyFactor * found.rms / std::sqrt(std::max(1.0, seen) * stability.values(0));
@@ -177,7 +187,7 @@ Judgement judge(const OrientedSet& scan, const OrientedSet& reference, const Loc
   }
   if (!found.reason.empty()) {
     found.answer = Answer::refused;
-  } else if (found.stability < kSlides) {
+  } else if (found.slides) {
     found.answer = Answer::slides;
   } else {
     found.answer = found.stability < kHolds ? Answer::weak : Answer::holds;

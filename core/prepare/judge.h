@@ -44,7 +44,11 @@ struct Stability {
   Vector6d values = Vector6d::Zero();       ///< Rising; mean square of what a motion of 1 opens.
   Matrix6d vectors = Matrix6d::Identity();  ///< Columns: turn times arm, move.
 
+  double noise = 0;  ///< Values below it may be chance: five standard deviations of a plane's.
+
   double ratio() const;  ///< Weakest over strongest; [0, 1].
+  /// Whether nothing holds the motion of this number.
+  bool slides(Eigen::Index motion) const;
 };
 
 /// Products of the two scans' normals, not squares of one: what is noise in them is not the same
@@ -63,8 +67,12 @@ inline constexpr Demands kAutomatic{0.4, 0.75, 0.15, 2e-3};
 inline constexpr Demands kStarted{0.4, 0.75, 0.05, 0};
 
 inline constexpr double kLooseCells = 3;
-inline constexpr double kHolds = 1e-3;   ///< Ratio of stability that holds in every direction.
-inline constexpr double kSlides = 1e-4;  ///< Below it nothing holds: the start is kept.
+inline constexpr double kHolds = 1e-3;  ///< Ratio of stability that holds in every direction.
+/// Below it nothing holds: the start is kept. Planes have 0 to 1e-6, 0.2 mm of relief on 100 mm
+/// (noise 0.05 mm) has 3e-5.
+inline constexpr double kSlides = 1e-5;
+/// However rough the normals are: what holds more than this is no chance.
+inline constexpr double kSlidesAtMost = 1e-4;
 /// The plain formula was 2 to 4 times too small on made scans: neighbours share their noise.
 inline constexpr double kUncertaintyFactor = 4;
 
@@ -76,6 +84,7 @@ struct Judgement {
   Eigen::Vector3d weak_direction = Eigen::Vector3d::Zero();
   bool weak_turn = false;  ///< The weakest motion turns about that direction.
   double weak_motion = 0;  ///< How far along the weakest motion it may lie; 0: no limit known.
+  bool slides = false;     ///< Nothing holds the weakest motion.
   bool fits = false;       ///< Surface lies on surface, whether or not anything holds it there.
   std::string reason;      ///< Of a refusal; the rest of a sentence.
 };
