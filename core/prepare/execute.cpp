@@ -19,7 +19,6 @@
 namespace relievo {
 namespace {
 
-constexpr double kSpacingsOfLonely = 4;
 constexpr double kSpacingsOfBase = 2;
 constexpr double kManyOutliers = 0.05;
 constexpr double kLittlePlane = 0.05;
@@ -127,13 +126,20 @@ class Executor {
     forGroups([&](const Group& group) {
       const PointNeighbours neighbours(group.points, task_);
       const double radius = step.radius_mm ? *step.radius_mm / mmPerUnit(group)
-                                           : kSpacingsOfLonely * spacingOf(neighbours, task_);
+                                           : step.spacings * spacingOf(neighbours, task_);
       if (!(radius > 0)) {
         notDone("All points of " + nameOf(group) + " are one place, which has no spacing.");
         return;
       }
       keepOnly(group,
                withoutLonely(neighbours, group.points.size(), radius, step.neighbours, task_));
+    });
+  }
+
+  void operator()(const Sparse& step) {
+    forGroups([&](const Group& group) {
+      const PointNeighbours neighbours(group.points, task_);
+      keepOnly(group, withoutSparse(neighbours, group.points.size(), step, task_));
     });
   }
 

@@ -78,6 +78,41 @@ std::vector<std::uint32_t> withoutLonely(const PointNeighbours& neighbours, std:
   return kept;
 }
 
+std::vector<std::uint32_t> withoutSparse(const PointNeighbours& neighbours, std::size_t points,
+                                         const Sparse& step, const Task& task) {
+  constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+  const auto wanted = static_cast<std::size_t>(step.neighbours);
+  const std::size_t places = neighbours.places();
+  std::vector<float> distances(places, 0);
+  std::vector<std::uint32_t> near_by(places * wanted, kNobody);
+  neighbours.nearest(step.neighbours + 1, 0, task, [&](const NearPlaces& near) {
+    const std::size_t others = near.places.size() - 1;
+    double sum = 0;
+    for (std::size_t i = 0; i < others; ++i) {
+      sum += std::sqrt(static_cast<double>(near.squared[i + 1]));
+      near_by[near.of * wanted + i] = near.places[i + 1];
+    }
+    if (others > 0) distances[near.of] = static_cast<float>(sum / static_cast<double>(others));
+  });
+  std::vector<std::uint8_t> stays(points, 0);
+  for (std::size_t place = 0; place < places; ++place) {
+    float densest = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < wanted; ++i) {
+      const std::uint32_t other = near_by[place * wanted + i];
+      if (other != kNobody) densest = std::min(densest, distances[other]);
+    }
+    if (static_cast<double>(distances[place]) > step.factor * static_cast<double>(densest))
+      continue;
+    for (const std::uint32_t point : neighbours.pointsAt(place)) stays[point] = 1;
+  }
+  std::vector<std::uint32_t> kept;
+  kept.reserve(points);
+  for (std::size_t i = 0; i < points; ++i) {
+    if (stays[i] != 0) kept.push_back(static_cast<std::uint32_t>(i));
+  }
+  return kept;
+}
+
 double spacingOf(const PointNeighbours& neighbours, const Task& task) {
   const std::size_t places = neighbours.places();
   if (places < 2) return 0;

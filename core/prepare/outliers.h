@@ -22,6 +22,11 @@ std::vector<std::uint32_t> withoutOutliers(const PointNeighbours& neighbours, st
 std::vector<std::uint32_t> withoutLonely(const PointNeighbours& neighbours, std::size_t points,
                                          double radius, int at_least, const Task& task);
 
+/// Numbers of the points that stay, rising: those whose mean distance to their nearest places is at
+/// most `factor` times the least of these places' own. [worker] @throw Cancelled
+std::vector<std::uint32_t> withoutSparse(const PointNeighbours& neighbours, std::size_t points,
+                                         const Sparse& step, const Task& task);
+
 /// Median distance of a place to its nearest other, in the points' unit; 0 for fewer than two
 /// places. [worker] @throw Cancelled
 double spacingOf(const PointNeighbours& neighbours, const Task& task);

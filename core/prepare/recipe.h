@@ -70,9 +70,19 @@ struct Outliers {
 /// Points go that have fewer than `neighbours` others within the radius:
 /// pcl::RadiusOutlierRemoval.
 struct Lonely {
-  std::optional<double> radius_mm = std::nullopt;  ///< Nothing: four times the scan's spacing.
+  std::optional<double> radius_mm = std::nullopt;  ///< Nothing: in spacings of the scan.
+  double spacings = 4;                             ///< If there is no radius.
   int neighbours = 3;
   friend bool operator==(const Lonely&, const Lonely&) = default;
+};
+
+/// Points go whose mean distance to their `neighbours` nearest is more than `factor` times that of
+/// the densest of these: what is thin beside what is dense. Unlike Outliers it leaves alone what is
+/// thin all around, at the far end of a scan; unlike Outliers it misses strays among strays.
+struct Sparse {
+  int neighbours = 8;
+  double factor = 2.6;
+  friend bool operator==(const Sparse&, const Sparse&) = default;
 };
 
 /// One point stays in every cube of this side: the one nearest the cube's middle.
@@ -119,7 +129,11 @@ struct Align {
 };
 
 using Step = std::variant<CropBox, CropOutline, Classes, Intensities, Duplicates, Outliers, Lonely,
-                          Thin, Base, Normals, Align>;
+                          Sparse, Thin, Base, Normals, Align>;
+
+/// The steps that leave stray points out of most scans; tests/benchmark/prepare_benchmark holds
+/// them against planted strays.
+std::vector<Step> cleaningSteps();
 
 /// "crop_box", "outliers", ...: the word of a step in recipes and reports.
 std::string_view kindOf(const Step& step) noexcept;

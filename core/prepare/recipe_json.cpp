@@ -62,7 +62,12 @@ struct ToJson {
   }
   void operator()(const Lonely& s) const {
     json["radius_mm"] = orNull(s.radius_mm);
+    json["spacings"] = s.spacings;
     json["neighbours"] = s.neighbours;
+  }
+  void operator()(const Sparse& s) const {
+    json["neighbours"] = s.neighbours;
+    json["factor"] = s.factor;
   }
   void operator()(const Thin& s) const { json["spacing_mm"] = s.spacing_mm; }
   void operator()(const Base& s) const {
@@ -209,9 +214,15 @@ Step outliersFrom(const Json& json) {
 }
 
 Step lonelyFrom(const Json& json) {
-  requireKeys(json, {"kind", "radius_mm", "neighbours"});
+  requireKeys(json, {"kind", "radius_mm", "spacings", "neighbours"});
   return Lonely{.radius_mm = optionalNumber(json, "radius_mm"),
+                .spacings = optionalNumber(json, "spacings").value_or(Lonely{}.spacings),
                 .neighbours = count(json.at("neighbours"))};
+}
+
+Step sparseFrom(const Json& json) {
+  requireKeys(json, {"kind", "neighbours", "factor"});
+  return Sparse{.neighbours = count(json.at("neighbours")), .factor = number(json.at("factor"))};
 }
 
 Step baseFrom(const Json& json) {
@@ -257,6 +268,7 @@ Step stepFrom(const Json& json) {
   if (kind == "intensities") return intensitiesFrom(json);
   if (kind == "outliers") return outliersFrom(json);
   if (kind == "lonely") return lonelyFrom(json);
+  if (kind == "sparse") return sparseFrom(json);
   if (kind == "base") return baseFrom(json);
   if (kind == "align") return alignFrom(json);
   if (kind == "duplicates") {

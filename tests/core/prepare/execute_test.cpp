@@ -131,6 +131,24 @@ TEST(Lonely, TakesItsRadiusInMillimetres) {
   EXPECT_EQ(keptBy(scan, Lonely{.radius_mm = 1.1, .neighbours = 1}), Numbers{});
 }
 
+TEST(Sparse, LeavesOutWhatIsThinBesideWhatIsDense) {
+  // A lattice of 0.1, another of 1 far from it, and three points above the dense one.
+  std::vector<Point3f> points;
+  for (int i = 0; i < 900; ++i) {
+    points.push_back({0.1F * static_cast<float>(i % 30), 0.1F * static_cast<float>(i / 30), 0});
+  }
+  for (int i = 0; i < 100; ++i) {
+    points.push_back({100 + static_cast<float>(i % 10), static_cast<float>(i / 10), 0});
+  }
+  for (int i = 0; i < 3; ++i) points.push_back({1, 1, 1 + 0.3F * static_cast<float>(i)});
+  const Numbers kept = keptBy(test::scanOf(points), Sparse{});
+  EXPECT_EQ(kept.size(), 1000U);
+  EXPECT_EQ(kept.back(), 999U);
+  // Of the whole only the thin part is far from its neighbours.
+  const Numbers outliers = keptBy(test::scanOf(points), Outliers{});
+  EXPECT_FALSE(std::binary_search(outliers.begin(), outliers.end(), 950U));
+}
+
 TEST(Thin, KeepsThePointNearestTheMiddleOfEveryCube) {
   const std::vector<Point3f> points = test::reliefWithFlyers(30000, 0.01, 7);
   const double side = 1.5;
@@ -276,7 +294,8 @@ TEST(Steps, CommuteWithARigidMotion) {
       {Duplicates{}, Duplicates{}},
       {Lonely{.radius_mm = 0.9, .neighbours = 3}, Lonely{.radius_mm = 0.9, .neighbours = 3}},
       {Lonely{}, Lonely{}},
-      {Outliers{}, Outliers{}}};
+      {Outliers{}, Outliers{}},
+      {Sparse{}, Sparse{}}};
   for (const auto& [step, step_of_moved] : steps) {
     // Sums of squares along other axes round in another order: a few points on the edge may differ.
     const Numbers a = keptBy(test::scanOf(points), step);
