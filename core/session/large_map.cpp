@@ -22,6 +22,8 @@
 #include "core/session/choices.h"
 #include "core/session/large_memory.h"
 #include "core/session/loss_words.h"
+#include "core/session/raster_in_use.h"
+#include "core/session/source_in_use.h"
 #include "core/tiles/band_fill.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/scatter.h"
@@ -211,17 +213,23 @@ struct Placed {
   ViewFromFile view_from_file;
   NamedRotation rotation;
   double lowest_mm = 0, range_mm = 0;
+  SourceInUse points;
 };
 
+/// @param sample  without strays
 Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
              const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
   Placed placed;
+  facts.info.bounds = sample.info.bounds;
+  chooseUnit(facts, options);
   placed.rotation = chosenRotation(
       sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
   if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
   const double mm = mmPer(facts.unit);
-  const SourceBounds bounds = boundsOf(
-      sourceOf(stream), viewFromFile(placed.rotation.rotation, mm, 0, 0, 0), large.threads, task);
+  placed.points = sourceInUse(sourceOf(stream), sample, placed.rotation.rotation,
+                              viewFromFile(placed.rotation.rotation, mm, 0, 0, 0), options,
+                              large.threads, task);
+  const SourceBounds& bounds = placed.points.bounds;
   facts.info.finite_points = bounds.finite_points;
   facts.info.bounds = bounds.file;
   placed.frame = chooseFrame(facts, sample, options, placed.rotation.rotation,
@@ -273,6 +281,21 @@ struct StoredDepths {
   }
 };
 
+void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& stream,
+                const SurfaceOptions& options) {
+  if (points.missing > 0) {
+    facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
+  }
+  if (std::string words = strayWords(points.strays); !words.empty()) {
+    facts.messages.push_back(std::move(words));
+  }
+  const FileBounds& box = points.bounds.file;
+  if (options.nodata || !(isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) return;
+  if (const auto suspect = suspectHeight(sourceOf(stream))) {
+    facts.messages.push_back(suspectWords(*suspect));
+  }
+}
+
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
                                          const Placed& placed, const SurfaceOptions& options,
                                          const LargeMapOptions& large, std::size_t memory_bytes,
@@ -282,7 +305,7 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
                                       .spill_folder = spillFolder(large),
                                       .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
                                       .threads = large.threads});
-  scatterIntoTiles(sourceOf(stream), placed.view_from_file, placed.frame, store, task);
+  scatterIntoTiles(placed.points.source, placed.view_from_file, placed.frame, store, task);
   const RuleProposal rule = options.rule
                                 ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
                                 : proposeRule(store, placed.frame.spacing_mm, task);
@@ -331,9 +354,13 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   Surface facts;
   facts.info = stream.info();
   facts.messages = stream.info().warnings;
-  chooseUnit(facts, options);
   Scan sample = sampleOf(stream, kSecondSample, task);
-  const Placed placed = place(facts, stream, sample, options, large, task);
+  const ScanInUse sample_in_use(sample, options.strays,
+                                options.nodata ? options.nodata->value : std::nullopt, task);
+  const Placed placed = place(facts, stream, sample_in_use.scan(), options, large, task);
+  map.strays = placed.points.strays;
+  map.missing = placed.points.missing;
+  sayLeftOut(facts, placed.points, stream, options);
   const MemoryPlan plan = planMemory(placed.frame, large);
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
   sample = {};
@@ -359,20 +386,6 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
       },
       task);
   return map;
-}
-
-/// Heights of a foreign raster in mm above its lowest sample.
-RowsOf depthsOf(const RasterRows& raster, double mm) {
-  const double lowest = raster.head().info.bounds->min.z;
-  return [&raster, lowest, mm](int first, int rows, float* out) {
-    raster.read(first, rows, out, nullptr);
-    const float* const end =
-        out + static_cast<std::size_t>(rows) * static_cast<std::size_t>(raster.head().size.cols);
-    // What is no height stays none.
-    for (; out != end; ++out) {
-      *out = static_cast<float>((static_cast<double>(*out) - lowest) * mm);
-    }
-  };
 }
 
 /// An own map's rows become levels as they are.
@@ -439,13 +452,17 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
     writeOwnMap(map, rows, frame, options, large, task);
     return map;
   }
-  if (options.view && options.view->name != "top" && options.view->name != "auto") {
+  if (options.view && options.view->name != "top" && options.view->name != "auto" &&
+      options.view->name != kEarlierAutomatic) {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
-  const double lowest = raster.info.bounds->min.z;
+  const RasterInUse in_use(rows, options.nodata, task);
+  map.missing = in_use.missing();
+  map.messages.insert(map.messages.end(), in_use.messages().begin(), in_use.messages().end());
+  const double lowest = in_use.lowest();
   fillAndWrite(
       map,
-      {.depths = {.front = depthsOf(rows, mm), .between = {}},
+      {.depths = {.front = in_use.depths(mm), .between = {}},
        .frame = frame,
        .fill = {.has_sampling_gaps = false, .base_quantile = 0}},
       options, large, plan.depths_bytes,

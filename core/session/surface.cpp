@@ -14,6 +14,7 @@
 #include "core/session/choices.h"
 #include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
+#include "core/session/unit_guess.h"
 
 namespace relievo {
 namespace {
@@ -37,18 +38,11 @@ class Stopwatch {
 }  // namespace
 
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
-  if (options.unit) {
-    surface.unit = *options.unit;
-    surface.unit_source = options.unit_source;
-  } else if (surface.info.unit) {
-    surface.unit = *surface.info.unit;
-    surface.unit_source = UnitSource::file;
-  } else {
-    surface.unit = LengthUnit::mm;
-    surface.unit_source = UnitSource::assumed;
-    surface.messages.emplace_back(
-        "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
-        "another.");
+  const UnitInUse unit = unitInUse(surface.info, options.unit, options.unit_source);
+  surface.unit = unit.unit;
+  surface.unit_source = unit.source;
+  if (std::string words = unitWords(surface.info, unit); !words.empty()) {
+    surface.messages.push_back(std::move(words));
   }
 }
 
@@ -84,8 +78,15 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
     if (cells < 2) throw ArgumentError("The grid needs at least 2 cells across.");
     spacing = side / (cells - 1);
   }
-  const double cols = std::floor(width / spacing + 0.5) + 1;
-  const double rows = std::floor(height / spacing + 0.5) + 1;
+  // A map has two samples each way at least: fewer enclose no square that could be drawn or
+  // touched.
+  const double cols = std::max(2.0, std::floor(width / spacing + 0.5) + 1);
+  const double rows = std::max(2.0, std::floor(height / spacing + 0.5) + 1);
+  if (std::min(width, height) < 0.5 * spacing) {
+    surface.messages.emplace_back(
+        "Seen from here the points lie on one line of cells, so that next to nothing can be seen "
+        "or touched. Choose another view, or more cells.");
+  }
   if (!(cols * rows <= kMostCells)) {
     throw ArgumentError("A grid of " + std::to_string(static_cast<long long>(cols)) + " x " +
                         std::to_string(static_cast<long long>(rows)) +
@@ -157,6 +158,45 @@ void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, c
   surface.seconds.pyramid = watch.lap();
 }
 
+std::optional<double> missingHeight(const SurfaceOptions& options) {
+  return options.nodata ? options.nodata->value : std::nullopt;
+}
+
+/// What of the scan is not in the surface, and what is that should perhaps not be.
+void takeLeftOut(Surface& surface, const ScanInUse& in_use, const Scan& whole,
+                 const SurfaceOptions& options) {
+  surface.strays = in_use.strays();
+  surface.missing = in_use.missing();
+  if (surface.missing > 0) {
+    surface.messages.push_back(missingWords(surface.missing, *options.nodata->value));
+  }
+  if (std::string words = strayWords(surface.strays); !words.empty()) {
+    surface.messages.push_back(std::move(words));
+  }
+  if (!options.nodata) surface.suspect_height = suspectHeight(whole);
+  if (surface.suspect_height) {
+    surface.messages.push_back(suspectWords(*surface.suspect_height));
+  }
+}
+
+/// The raster without the heights that stand for none; nothing: there are none.
+std::optional<RasterMap> withoutMissing(const RasterMap& raster, Surface& surface,
+                                        const SurfaceOptions& options) {
+  const std::optional<double> value = missingHeight(options);
+  if (!value) {
+    if (!options.nodata) surface.suspect_height = suspectHeight(raster);
+    if (surface.suspect_height) {
+      surface.messages.push_back(suspectWords(*surface.suspect_height));
+    }
+    return std::nullopt;
+  }
+  RasterMap cleaned = raster;
+  surface.missing = takeAsMissing(cleaned, *value);
+  if (surface.missing == 0) return std::nullopt;
+  surface.messages.push_back(missingWords(surface.missing, *value));
+  return cleaned;
+}
+
 /// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
 FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, double mm,
                       const HoleChoice& choice, const Task& task) {
@@ -206,7 +246,8 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
                        const Task& task) {
   chooseUnit(surface, options);
   if (options.view && (options.view->turn_deg != std::array<double, 3>{} ||
-                       (options.view->name != "top" && options.view->name != "auto"))) {
+                       (options.view->name != "top" && options.view->name != "auto" &&
+                        options.view->name != kEarlierAutomatic))) {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
   const double mm = mmPer(surface.unit);
@@ -228,16 +269,21 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
 
 }  // namespace
 
-Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
+Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
                     const Task& task) {
   Surface surface;
-  surface.info = scan.info;
-  surface.messages = scan.info.warnings;
-  chooseUnit(surface, options);
+  surface.messages = whole.info.warnings;
   Stopwatch watch;
-  const NamedRotation view =
-      chosenRotation(scan, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
+  ScanInUse in_use(whole, options.strays, missingHeight(options), task);
+  surface.info = in_use.scan().info;
+  chooseUnit(surface, options);
+  const NamedRotation view = chosenRotation(
+      in_use.scan(), options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
   if (!view.note.empty()) surface.messages.push_back(view.note);
+  surface.view_is_weak = view.is_weak;
+  in_use.dropAlong(view.rotation, task);
+  const Scan& scan = in_use.scan();
+  takeLeftOut(surface, in_use, whole, options);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
   const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
@@ -299,7 +345,8 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
           "A map written by this program is taken as it is; its holes were not treated anew.");
     }
   } else {
-    takeForeignRaster(surface, raster, options, task);
+    const std::optional<RasterMap> cleaned = withoutMissing(raster, surface, options);
+    takeForeignRaster(surface, cleaned ? *cleaned : raster, options, task);
   }
   surface.seconds.grid = watch.lap();
   finish(surface, options, watch, task);

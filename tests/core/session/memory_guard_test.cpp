@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/session/unit_guess.h"
 
 namespace relievo {
 namespace {
@@ -33,17 +32,6 @@ TEST(MemoryGuard, TheSystemSaysHowMuchIsFree) {
   const auto free_bytes = availableBytes();
   ASSERT_TRUE(free_bytes);
   EXPECT_GT(*free_bytes, 1U << 20U);
-}
-
-FileBounds boxOf(double longest) {
-  return {.min = {.x = 5, .y = 5, .z = 5}, .max = {.x = 5 + longest, .y = 6, .z = 5.5}};
-}
-
-TEST(UnitGuess, ReliefsAreInMillimetresStatuesOfOneUnitAndSitesInMetres) {
-  EXPECT_EQ(guessedUnit(boxOf(300)), LengthUnit::mm);
-  EXPECT_EQ(guessedUnit(boxOf(24)), LengthUnit::mm);
-  EXPECT_EQ(guessedUnit(boxOf(1.8)), LengthUnit::m);
-  EXPECT_EQ(guessedUnit(boxOf(40000)), LengthUnit::m);
 }
 
 }  // namespace
