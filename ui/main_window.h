@@ -176,10 +176,20 @@ class MainWindow : public QMainWindow {
   void showWindow();
   void showBusy(bool busy);
   void showFailure(const QString& message, const QString& code, const QString& file);
-  void askUnit();
-  void askUnitIfAssumed();
-  void chooseUnit(LengthUnit unit);
   void useThisView();
+
+  // main_window_questions.cpp
+  void connectQuestions();
+  /// What was found in an opened file and may be meant otherwise, one strip after the other.
+  void askQuestions();
+  void askNext();
+  void askStrays();
+  void askNodata();
+  /// Draws the six faces in a worker and asks for one of them then.
+  void drawFaces();
+  void askFace(const std::vector<std::pair<std::string, QImage>>& faces);
+  void askUnit();
+  void chooseUnit(LengthUnit unit);
 
   // main_window_layout.cpp
   void setFullScreenDetail(bool on);
@@ -342,7 +352,9 @@ class MainWindow : public QMainWindow {
   Project project_;  ///< What of the state no other part holds.
   /// How the view looked when the figure's look was chosen; nothing: not chosen yet.
   std::optional<ReliefLook> figure_view_;
-  std::optional<Project> restoring_;  ///< Until its file is open.
+  LatestWorker face_worker_;
+  std::vector<std::function<void()>> questions_;  ///< Not yet asked, the next one first.
+  std::optional<Project> restoring_;              ///< Until its file is open.
   QString project_file_;
   std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.
   bool closes_anyway_ = false;

@@ -23,6 +23,8 @@
 #include "core/session/closed_cloud.h"
 #include "core/session/large_memory.h"
 #include "core/session/loss_words.h"
+#include "core/session/raster_in_use.h"
+#include "core/session/source_in_use.h"
 #include "core/tiles/band_fill.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/scatter.h"
@@ -231,15 +233,16 @@ struct Placed {
   ViewFromFile view_from_file;
   NamedRotation rotation;
   double lowest_mm = 0, range_mm = 0;
+  SourceInUse points;
   std::optional<FrontSurface> front;  ///< Of a cloud that lies behind itself.
 };
 
-/// The points of a stream in the view, from the lower corner of their box.
-ViewBlocks blocksOf(const PointStream& stream, const ViewFromFile& view_from_file,
+/// The points in the view, from the lower corner of their box.
+ViewBlocks blocksOf(const PointSource& source, const ViewFromFile& view_from_file,
                     const ViewMm& corner) {
-  return [&stream, view_from_file, corner](const auto& take) {
+  return [&source, view_from_file, corner](const auto& take) {
     std::vector<ViewMm> moved;
-    forEachBlock(sourceOf(stream), 0, stream.info().points, [&](std::span<const FilePoint> block) {
+    forEachBlock(source, 0, source.count, [&](std::span<const FilePoint> block) {
       moved.clear();
       for (const FilePoint& p : block) moved.push_back(view_from_file(p) - corner);
       take(moved);
@@ -248,15 +251,16 @@ ViewBlocks blocksOf(const PointStream& stream, const ViewFromFile& view_from_fil
 }
 
 /// Decides in 3-D what is seen, as for clouds in memory.
-void findFront(Placed& placed, const PointStream& stream, const Scan& sample,
-               const ViewFromFile& view_from_file, const SourceBounds& bounds, const Task& task) {
+void findFront(Placed& placed, const Scan& sample, const ViewFromFile& view_from_file,
+               const Task& task) {
+  const SourceBounds& bounds = placed.points.bounds;
   std::vector<ViewMm> seen;
   const ViewBox box{.min = {}, .max = bounds.max - bounds.min};
   for (std::size_t i = 0; i < sample.points.size(); ++i) {
     seen.push_back(view_from_file(sample.point(i)) - bounds.min);
   }
-  placed.front =
-      frontOf(blocksOf(stream, view_from_file, bounds.min), seen, box, bounds.finite_points, task);
+  placed.front = frontOf(blocksOf(placed.points.source, view_from_file, bounds.min), seen, box,
+                         bounds.finite_points, task);
 }
 
 /// How many points of all are on the front, by a sample of them.
@@ -272,19 +276,24 @@ std::uint64_t pointsOnFront(const FrontSurface& front, const Scan& sample,
   return static_cast<std::uint64_t>(share * static_cast<double>(bounds.finite_points));
 }
 
+/// @param sample  without strays
 Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
              const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
   Placed placed;
+  facts.info.bounds = sample.info.bounds;
+  chooseUnit(facts, options);
   placed.rotation = chosenRotation(
       sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
   if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
   const double mm = mmPer(facts.unit);
   const ViewFromFile turned = viewFromFile(placed.rotation.rotation, mm, 0, 0, 0);
-  const SourceBounds bounds = boundsOf(sourceOf(stream), turned, large.threads, task);
+  placed.points = sourceInUse(sourceOf(stream), sample, placed.rotation.rotation, turned, options,
+                              large.threads, task);
+  const SourceBounds& bounds = placed.points.bounds;
   facts.info.finite_points = bounds.finite_points;
   facts.info.bounds = bounds.file;
   const RotatedBounds box{.min = bounds.min, .max = bounds.max};
-  findFront(placed, stream, sample, turned, bounds, task);
+  findFront(placed, sample, turned, task);
   placed.frame = chooseFrame(facts, options, box, [&] {
     return placed.front
                ? cellsOf(*placed.front, box, pointsOnFront(*placed.front, sample, turned, bounds))
@@ -355,6 +364,21 @@ void addLeftOut(const LeftOut& left_out, StoredDepths& depths) {
   depths.flyers += left_out.strays;
 }
 
+void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& stream,
+                const SurfaceOptions& options) {
+  if (points.missing > 0) {
+    facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
+  }
+  if (std::string words = strayWords(points.strays); !words.empty()) {
+    facts.messages.push_back(std::move(words));
+  }
+  const FileBounds& box = points.bounds.file;
+  if (options.nodata || !(isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) return;
+  if (const auto suspect = suspectHeight(sourceOf(stream))) {
+    facts.messages.push_back(suspectWords(*suspect));
+  }
+}
+
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
                                          const Placed& placed, const SurfaceOptions& options,
                                          const LargeMapOptions& large, const MemoryPlan& plan,
@@ -365,8 +389,8 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
                                       .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
                                       .threads = large.threads});
   const FrontSurface* front = placed.front ? &*placed.front : nullptr;
-  const LeftOut left_out =
-      scatterIntoTiles(sourceOf(stream), placed.view_from_file, placed.frame, store, task, front);
+  const LeftOut left_out = scatterIntoTiles(placed.points.source, placed.view_from_file,
+                                            placed.frame, store, task, front);
   const RuleProposal rule = options.rule
                                 ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
                                 : proposeRule(store, placed.frame.spacing_mm, task);
@@ -426,9 +450,13 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   Surface facts;
   facts.info = stream.info();
   facts.messages = stream.info().warnings;
-  chooseUnit(facts, options);
   Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
-  const Placed placed = place(facts, stream, sample, options, large, task);
+  const ScanInUse sample_in_use(sample, options.strays,
+                                options.nodata ? options.nodata->value : std::nullopt, task);
+  const Placed placed = place(facts, stream, sample_in_use.scan(), options, large, task);
+  map.strays = placed.points.strays;
+  map.missing = placed.points.missing;
+  sayLeftOut(facts, placed.points, stream, options);
   const MemoryPlan plan = planMemory(placed.frame, large);
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
   sample = {};
@@ -454,20 +482,6 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
       },
       task);
   return map;
-}
-
-/// Heights of a foreign raster in mm above its lowest sample.
-RowsOf depthsOf(const RasterRows& raster, double mm) {
-  const double lowest = raster.head().info.bounds->min.z;
-  return [&raster, lowest, mm](int first, int rows, float* out) {
-    raster.read(first, rows, out, nullptr);
-    const float* const end =
-        out + static_cast<std::size_t>(rows) * static_cast<std::size_t>(raster.head().size.cols);
-    // What is no height stays none.
-    for (; out != end; ++out) {
-      *out = static_cast<float>((static_cast<double>(*out) - lowest) * mm);
-    }
-  };
 }
 
 /// An own map's rows become levels as they are.
@@ -534,13 +548,17 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
     writeOwnMap(map, rows, frame, options, large, task);
     return map;
   }
-  if (options.view && options.view->name != "top" && options.view->name != "auto") {
+  if (options.view && options.view->name != "top" && options.view->name != "auto" &&
+      options.view->name != kEarlierAutomatic) {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
-  const double lowest = raster.info.bounds->min.z;
+  const RasterInUse in_use(rows, options.nodata, task);
+  map.missing = in_use.missing();
+  map.messages.insert(map.messages.end(), in_use.messages().begin(), in_use.messages().end());
+  const double lowest = in_use.lowest();
   fillAndWrite(
       map,
-      {.depths = {.front = depthsOf(rows, mm), .between = {}},
+      {.depths = {.front = in_use.depths(mm), .between = {}},
        .frame = frame,
        .fill = {.has_sampling_gaps = false, .base_quantile = 0}},
       options, large, plan.depths_bytes,

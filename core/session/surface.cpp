@@ -15,6 +15,7 @@
 #include "core/session/closed_cloud.h"
 #include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
+#include "core/session/unit_guess.h"
 
 namespace relievo {
 namespace {
@@ -38,18 +39,11 @@ class Stopwatch {
 }  // namespace
 
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
-  if (options.unit) {
-    surface.unit = *options.unit;
-    surface.unit_source = options.unit_source;
-  } else if (surface.info.unit) {
-    surface.unit = *surface.info.unit;
-    surface.unit_source = UnitSource::file;
-  } else {
-    surface.unit = LengthUnit::mm;
-    surface.unit_source = UnitSource::assumed;
-    surface.messages.emplace_back(
-        "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
-        "another.");
+  const UnitInUse unit = unitInUse(surface.info, options.unit, options.unit_source);
+  surface.unit = unit.unit;
+  surface.unit_source = unit.source;
+  if (std::string words = unitWords(surface.info, unit); !words.empty()) {
+    surface.messages.push_back(std::move(words));
   }
 }
 
@@ -164,6 +158,45 @@ void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, c
   surface.seconds.pyramid = watch.lap();
 }
 
+std::optional<double> missingHeight(const SurfaceOptions& options) {
+  return options.nodata ? options.nodata->value : std::nullopt;
+}
+
+/// What of the scan is not in the surface, and what is that should perhaps not be.
+void takeLeftOut(Surface& surface, const ScanInUse& in_use, const Scan& whole,
+                 const SurfaceOptions& options) {
+  surface.strays = in_use.strays();
+  surface.missing = in_use.missing();
+  if (surface.missing > 0) {
+    surface.messages.push_back(missingWords(surface.missing, *options.nodata->value));
+  }
+  if (std::string words = strayWords(surface.strays); !words.empty()) {
+    surface.messages.push_back(std::move(words));
+  }
+  if (!options.nodata) surface.suspect_height = suspectHeight(whole);
+  if (surface.suspect_height) {
+    surface.messages.push_back(suspectWords(*surface.suspect_height));
+  }
+}
+
+/// The raster without the heights that stand for none; nothing: there are none.
+std::optional<RasterMap> withoutMissing(const RasterMap& raster, Surface& surface,
+                                        const SurfaceOptions& options) {
+  const std::optional<double> value = missingHeight(options);
+  if (!value) {
+    if (!options.nodata) surface.suspect_height = suspectHeight(raster);
+    if (surface.suspect_height) {
+      surface.messages.push_back(suspectWords(*surface.suspect_height));
+    }
+    return std::nullopt;
+  }
+  RasterMap cleaned = raster;
+  surface.missing = takeAsMissing(cleaned, *value);
+  if (surface.missing == 0) return std::nullopt;
+  surface.messages.push_back(missingWords(surface.missing, *value));
+  return cleaned;
+}
+
 /// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
 FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, double mm,
                       const HoleChoice& choice, const Task& task) {
@@ -213,7 +246,8 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
                        const Task& task) {
   chooseUnit(surface, options);
   if (options.view && (options.view->turn_deg != std::array<double, 3>{} ||
-                       (options.view->name != "top" && options.view->name != "auto"))) {
+                       (options.view->name != "top" && options.view->name != "auto" &&
+                        options.view->name != kEarlierAutomatic))) {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
   const double mm = mmPer(surface.unit);
@@ -251,16 +285,21 @@ void addHidden(const ClosedCloud& closed, const Scan& scan, const DepthRequest& 
 
 }  // namespace
 
-Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
+Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
                     const Task& task) {
   Surface surface;
-  surface.info = scan.info;
-  surface.messages = scan.info.warnings;
-  chooseUnit(surface, options);
+  surface.messages = whole.info.warnings;
   Stopwatch watch;
-  const NamedRotation view =
-      chosenRotation(scan, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
+  ScanInUse in_use(whole, options.strays, missingHeight(options), task);
+  surface.info = in_use.scan().info;
+  chooseUnit(surface, options);
+  const NamedRotation view = chosenRotation(
+      in_use.scan(), options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
   if (!view.note.empty()) surface.messages.push_back(view.note);
+  surface.view_is_weak = view.is_weak;
+  in_use.dropAlong(view.rotation, task);
+  const Scan& scan = in_use.scan();
+  takeLeftOut(surface, in_use, whole, options);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
   const std::optional<ClosedCloud> closed = closedCloud(scan, view.rotation, mm, box, task);
@@ -330,7 +369,8 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
           "A map written by this program is taken as it is; its holes were not treated anew.");
     }
   } else {
-    takeForeignRaster(surface, raster, options, task);
+    const std::optional<RasterMap> cleaned = withoutMissing(raster, surface, options);
+    takeForeignRaster(surface, cleaned ? *cleaned : raster, options, task);
   }
   surface.seconds.grid = watch.lap();
   finish(surface, options, watch, task);

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/session/unit_guess.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -99,17 +98,6 @@ TEST_F(Groups, TheOlderVersionCountsToo) {
   put("sys/fs/cgroup/memory/job/memory.usage_in_bytes", "900000000\n");
   put("sys/fs/cgroup/memory/job/memory.stat", "inactive_file 1\ntotal_inactive_file 50000000\n");
   EXPECT_EQ(available(), 150'000'000U);
-}
-
-FileBounds boxOf(double longest) {
-  return {.min = {.x = 5, .y = 5, .z = 5}, .max = {.x = 5 + longest, .y = 6, .z = 5.5}};
-}
-
-TEST(UnitGuess, ReliefsAreInMillimetresStatuesOfOneUnitAndSitesInMetres) {
-  EXPECT_EQ(guessedUnit(boxOf(300)), LengthUnit::mm);
-  EXPECT_EQ(guessedUnit(boxOf(24)), LengthUnit::mm);
-  EXPECT_EQ(guessedUnit(boxOf(1.8)), LengthUnit::m);
-  EXPECT_EQ(guessedUnit(boxOf(40000)), LengthUnit::m);
 }
 
 }  // namespace
