@@ -15,7 +15,7 @@ constexpr float kNone = -std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr double kPixelShare = 0.5;    // Of the spacing of the discs.
 constexpr double kMostPixels = 2048;   // Across the longer side.
-constexpr float kEdgeOn = 0.05F;       // Cosine; flatter discs are lines.
+constexpr float kEdgeOn = 0.1F;        // Cosine; flatter discs are lines.
 constexpr float kLeastCosine = 0.15F;  // For tolerances of slopes.
 constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
 constexpr double kRough = 0.3;         // Thickness over width: noise hides the planes.
@@ -46,7 +46,7 @@ class DrawnDisc {
     const bool is_middle = std::abs(x) <= pixel_ / 2 && std::abs(y) <= pixel_ / 2;
     weight = 1;
     const auto& n = disc_.normal;
-    if (n[2] <= kEdgeOn) return is_middle ? disc_.centre[2] : kNone;
+    if (n[2] <= kEdgeOn) return is_middle || isOnLine(x, y) ? disc_.centre[2] : kNone;
     const float z = -(n[0] * x + n[1] * y) / n[2];
     const float a = disc_.right[0] * x + disc_.right[1] * y + disc_.right[2] * z;
     const float b = disc_.up[0] * x + disc_.up[1] * y + disc_.up[2] * z;
@@ -64,6 +64,17 @@ class DrawnDisc {
   }
 
  private:
+  /// Seen edge-on, a disc is a line as long as it reaches.
+  bool isOnLine(float x, float y) const {
+    const auto& n = disc_.normal;
+    if (std::abs(n[0] * x + n[1] * y) > 0.71F * pixel_) return false;
+    const float a = disc_.right[0] * x + disc_.right[1] * y;
+    const float b = disc_.up[0] * x + disc_.up[1] * y;
+    const auto& reach = disc_.reach;
+    return a <= reach[0] && -a <= reach[1] && b <= reach[2] && -b <= reach[3] &&
+           x * x + y * y <= disc_.radius * disc_.radius;
+  }
+
   int pixelOf(float mm) const { return static_cast<int>(std::floor(mm / pixel_)); }
 
   const SurfaceDisc& disc_;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kPointsOfSquare = 8;
 constexpr std::size_t kFewestPoints = 5;  // Of a square that says anything.
-constexpr double kGap = 2;                // Sides of a square between the groups.
+constexpr double kGap = 0.7;    // Sides of a square between the groups; noise and slopes make less.
+constexpr double kUpright = 6;  // Sides of a square that its points rise: a wall seen edge-on.
 
 /// Do the points of a square, rising in z, fall into two groups over the same ground?
 bool isLayered(const std::vector<ViewMm>& square, double side) {
@@ -49,8 +50,13 @@ bool isLayered(const std::vector<ViewMm>& square, double side) {
 
 }  // namespace
 
-double layeredShare(const std::vector<ViewMm>& points) {
-  if (points.size() < kFewestPoints) return 0;
+bool liesInLayers(const std::vector<ViewMm>& points) {
+  const LayerShares shares = layerShares(points);
+  return shares.layered >= kLayered || shares.layered + shares.upright >= kMostlyUpright;
+}
+
+LayerShares layerShares(const std::vector<ViewMm>& points) {
+  if (points.size() < kFewestPoints) return {};
   ViewMm low = points[0];
   ViewMm high = points[0];
   for (const ViewMm& p : points) {
@@ -58,7 +64,7 @@ double layeredShare(const std::vector<ViewMm>& points) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y), 0};
   }
   const double longer = std::max(high.x - low.x, high.y - low.y);
-  if (!(longer > 0)) return 0;
+  if (!(longer > 0)) return {};
   // The covered area is not known yet: squares of a quarter of the points' mean area, then larger
   // ones until those that are hit hold enough.
   double side = longer * std::sqrt(kPointsOfSquare / static_cast<double>(points.size())) / 2;
@@ -84,6 +90,7 @@ double layeredShare(const std::vector<ViewMm>& points) {
     side *= 1.5;
   }
   std::size_t layered = 0;
+  std::size_t upright = 0;
   std::size_t judged = 0;
   std::vector<ViewMm> square;
   for (std::size_t i = 0; i < placed.size();) {
@@ -92,9 +99,15 @@ double layeredShare(const std::vector<ViewMm>& points) {
     for (; i < placed.size() && placed[i].square == number; ++i) square.push_back(placed[i].point);
     if (square.size() < kFewestPoints) continue;
     judged += square.size();
-    if (isLayered(square, side)) layered += square.size();
+    if (isLayered(square, side)) {
+      layered += square.size();
+    } else if (square.back().z - square.front().z > kUpright * side) {
+      upright += square.size();
+    }
   }
-  return judged == 0 ? 0 : static_cast<double>(layered) / static_cast<double>(judged);
+  const auto all = static_cast<double>(std::max<std::size_t>(judged, 1));
+  return {.layered = static_cast<double>(layered) / all,
+          .upright = static_cast<double>(upright) / all};
 }
 
 }  // namespace relievo

@@ -17,17 +17,17 @@ constexpr int kSpacingOf = 8;     // The distance to this one tells the density.
 constexpr float kRadius = 1.15F;  // Of a disc, in distances to that neighbour.
 // Points on a plane have pi d^2 / 9 of it each, where d is the distance to the eighth.
 constexpr float kSpacingShare = 0.59F;
-constexpr float kFarFromNeighbours = 4;  // Times as far as they are from theirs: alone.
-constexpr float kOffPlane = 0.6F;        // In distances to the eighth neighbour.
-constexpr float kFarFromAll = 3;         // In medians: there a plane must be a good one.
-constexpr float kGoodPlane = 0.02F;      // Least over middle variance.
-constexpr float kBentPlane = 0.1F;
-constexpr float kOffFarPlane = 0.35F;    // In distances to the eighth neighbour.
-constexpr float kAloneInNoPlane = 1.7F;  // Times as far as neighbours are from theirs.
-constexpr float kInNoPlane = 0.25F;      // Least over middle variance.
+constexpr int kFewestBonds = 3;  // Of the eight neighbours, how many have the point for theirs.
+constexpr int kMostStrayNeighbours = 4;
+constexpr float kAlike = 0.85F;      // Cosine between normals of one surface.
+constexpr float kOffPlane = 0.6F;    // In distances to the eighth neighbour.
+constexpr float kFarFromAll = 3;     // In medians: there a plane must be a good one.
+constexpr float kGoodPlane = 0.02F;  // Least over middle variance.
+constexpr float kInNoPlane = 0.25F;  // Least over middle variance.
 
 struct Patch {
   float far = 0;        // Distance to the eighth neighbour; 0: there is none.
+  float farthest = 0;   // To the last one.
   float off = 0;        // Distance of the point from its neighbours' plane.
   float thickness = 0;  // Their rms distance from it ...
   float width = 0;      // ... and across it, the narrower way.
@@ -58,6 +58,7 @@ Patch patchOf(const PointNeighbours& points, const NearPlaces& near) {
   patch.thickness = std::sqrt(std::max(axes.eigenvalues()[0], 0.0F));
   patch.width = std::sqrt(std::max(axes.eigenvalues()[1], 0.0F));
   patch.far = std::sqrt(near.squared[std::min<std::size_t>(kSpacingOf, count)]);
+  patch.farthest = std::sqrt(near.squared.back());
   return patch;
 }
 
@@ -108,6 +109,75 @@ double median(std::vector<float> values) {
   return static_cast<double>(*middle);
 }
 
+/// Tells points that stand alone in space from those on surfaces.
+class StrayFinder {
+ public:
+  explicit StrayFinder(std::size_t count) : patches_(count), near_(count), is_stray_(count, 0) {}
+
+  void set(const NearPlaces& near, const Patch& patch) {
+    patches_[near.of] = patch;
+    Near& its = near_[near.of];
+    its.count = static_cast<int>(std::min<std::size_t>(kSpacingOf, near.places.size() - 1));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(its.count); ++k) {
+      its.places[k] = near.places[k + 1];
+      its.squared[k] = near.squared[k + 1];
+    }
+  }
+
+  const std::vector<Patch>& patches() const { return patches_; }
+
+  /// Per place 1 for a stray. @param usual  median of Patch::far
+  const std::vector<std::uint8_t>& find(float usual) {
+    for (std::size_t i = 0; i < patches_.size(); ++i) is_stray_[i] = isAlone(i, usual) ? 1 : 0;
+    // Among strays others are strays, too, however well they lie.
+    const std::vector<std::uint8_t> alone = is_stray_;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      int strays = 0;
+      for (int k = 0; k < near_[i].count; ++k) {
+        strays += alone[near_[i].places[static_cast<std::size_t>(k)]];
+      }
+      if (strays > kMostStrayNeighbours) is_stray_[i] = 1;
+    }
+    return is_stray_;
+  }
+
+ private:
+  struct Near {
+    std::array<std::uint32_t, kSpacingOf> places{};
+    std::array<float, kSpacingOf> squared{};
+    int count = 0;
+  };
+
+  bool isAlone(std::size_t i, float usual) const {
+    const Patch& patch = patches_[i];
+    if (!(patch.far > 0) || patch.off > kOffPlane * patch.far) return true;
+    const float flatness =
+        patch.thickness * patch.thickness / std::max(patch.width * patch.width, 1e-30F);
+    if (patch.far > kFarFromAll * usual && (flatness > kGoodPlane || !isOneSurface(i))) return true;
+    // On a surface most neighbours are so of each other; who stands off it is nobody's.
+    int bonds = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(near_[i].count); ++k) {
+      const float theirs = patches_[near_[i].places[k]].farthest;
+      bonds += near_[i].squared[k] <= theirs * theirs ? 1 : 0;
+    }
+    return bonds < std::min(kFewestBonds, near_[i].count);
+  }
+
+  /// Do most neighbours face the same way?
+  bool isOneSurface(std::size_t i) const {
+    int alike = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(near_[i].count); ++k) {
+      const Patch& other = patches_[near_[i].places[k]];
+      alike += other.far > 0 && std::abs(other.normal.dot(patches_[i].normal)) > kAlike ? 1 : 0;
+    }
+    return 2 * alike > near_[i].count;
+  }
+
+  std::vector<Patch> patches_;
+  std::vector<Near> near_;
+  std::vector<std::uint8_t> is_stray_;
+};
+
 }  // namespace
 
 SurfaceDiscs surfaceDiscs(std::span<const std::array<float, 3>> points, const Task& task) {
@@ -115,45 +185,30 @@ SurfaceDiscs surfaceDiscs(std::span<const std::array<float, 3>> points, const Ta
   const PointNeighbours neighbours(points, task);
   const std::size_t count = neighbours.places();
   std::vector<SurfaceDisc> discs(count);
-  std::vector<Patch> patches(count);
-  std::vector<std::array<std::uint32_t, kSpacingOf>> near_places(count);
+  StrayFinder strays(count);
   neighbours.nearest(kNeighbours + 1, 0, task, [&](const NearPlaces& near) {
-    patches[near.of] = patchOf(neighbours, near);
-    if (patches[near.of].far > 0) discs[near.of] = discOf(neighbours, near, patches[near.of]);
-    auto& places = near_places[near.of];
-    places.fill(static_cast<std::uint32_t>(near.of));
-    std::copy_n(near.places.begin() + 1, std::min<std::size_t>(kSpacingOf, near.places.size() - 1),
-                places.begin());
+    const Patch patch = patchOf(neighbours, near);
+    if (patch.far > 0) discs[near.of] = discOf(neighbours, near, patch);
+    strays.set(near, patch);
   });
   std::vector<float> far(count);
   std::vector<float> rough(count);
   for (std::size_t i = 0; i < count; ++i) {
-    far[i] = patches[i].far;
-    rough[i] = patches[i].width > 0 ? patches[i].thickness / patches[i].width : 0;
+    const Patch& patch = strays.patches()[i];
+    far[i] = patch.far;
+    rough[i] = patch.width > 0 ? patch.thickness / patch.width : 0;
   }
-  const auto usual = static_cast<float>(median(far));
-  const auto is_stray = [&](std::size_t i) {
-    const Patch& patch = patches[i];
-    if (!(patch.far > 0) || patch.off > kOffPlane * patch.far) return true;
-    const float flatness =
-        patch.thickness * patch.thickness / std::max(patch.width * patch.width, 1e-30F);
-    if (flatness > kGoodPlane && patch.far > kFarFromAll * usual) return true;
-    std::array<float, kSpacingOf> theirs{};
-    for (std::size_t k = 0; k < theirs.size(); ++k) theirs[k] = far[near_places[i][k]];
-    std::nth_element(theirs.begin(), theirs.begin() + kSpacingOf / 2, theirs.end());
-    const bool is_off = flatness > kBentPlane || patch.off > kOffFarPlane * patch.far;
-    if (is_off && patch.far > kAloneInNoPlane * theirs[kSpacingOf / 2]) return true;
-    return patch.far > kFarFromNeighbours * theirs[kSpacingOf / 2];
-  };
+  const double usual = median(std::move(far));
+  const std::vector<std::uint8_t>& is_stray = strays.find(static_cast<float>(usual));
   result.discs.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    if (is_stray(i)) {
+    if (is_stray[i] != 0) {
       result.strays += neighbours.pointsAt(i).size();
     } else {
       result.discs.push_back(discs[i]);
     }
   }
-  result.spacing = static_cast<double>(kSpacingShare * usual);
+  result.spacing = static_cast<double>(kSpacingShare) * usual;
   result.roughness = median(std::move(rough));
   return result;
 }

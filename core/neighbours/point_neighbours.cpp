@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include <flann/config.h>
 #include <flann/flann.hpp>
 
 #include "core/base/bands.h"
@@ -205,6 +206,10 @@ void PointNeighbours::within(float radius, std::size_t most, int threads, const 
       take({.of = first + i, .places = near, .squared = squared[i]});
     }
   });
+}
+
+const char* flannVersion() noexcept {
+  return FLANN_VERSION_;
 }
 
 }  // namespace relievo

@@ -78,4 +78,7 @@ class PointNeighbours {
   std::unique_ptr<Tree> tree_;  ///< Null if there are no points. Looks into places_.
 };
 
+/// Version of the library that does it, "1.9.2".
+const char* flannVersion() noexcept;
+
 }  // namespace relievo

@@ -125,7 +125,7 @@ std::optional<ClosedCloud> closedCloud(const Scan& scan, const Rotation& rotatio
 
 std::optional<FrontSurface> frontOf(const ViewBlocks& points, const std::vector<ViewMm>& sample,
                                     const ViewBox& box, std::uint64_t count, const Task& task) {
-  if (layeredShare(sample) < kLayered) return std::nullopt;
+  if (!liesInLayers(sample)) return std::nullopt;
   return FrontSurface(points, box, count, task);
 }
 

@@ -357,10 +357,10 @@ void addLeftOut(const LeftOut& left_out, StoredDepths& depths) {
 
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
                                          const Placed& placed, const SurfaceOptions& options,
-                                         const LargeMapOptions& large, std::size_t memory_bytes,
+                                         const LargeMapOptions& large, const MemoryPlan& plan,
                                          const Task& task) {
   TileStore store(placed.frame.size, {.merges = options.rule && isMergeable(*options.rule),
-                                      .memory_bytes = memory_bytes,
+                                      .memory_bytes = plan.points_bytes,
                                       .spill_folder = spillFolder(large),
                                       .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
                                       .threads = large.threads});
@@ -371,6 +371,11 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
                                 ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
                                 : proposeRule(store, placed.frame.spacing_mm, task);
   sayRule(map, rule, store.merges());
+  if (!store.merges()) {
+    store.keepWithin(
+        storeBytes(plan, placed.frame, large, store.bytesOfRows(3),
+                   store.bytesOfRows(1) / static_cast<std::size_t>(store.layout().across())));
+  }
   map.spilled_bytes = store.spilledBytes();
   // The store has its memory; depths go to the disk.
   const GridSize size = placed.frame.size;
@@ -432,7 +437,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   map.seconds.read = secondsSince(start);
 
   const auto grid_start = Clock::now();
-  const auto depths = gridPoints(map, stream, placed, options, large, plan.points_bytes, task);
+  const auto depths = gridPoints(map, stream, placed, options, large, plan, task);
   map.seconds.grid = secondsSince(grid_start);
   fillAndWrite(
       map,

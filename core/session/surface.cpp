@@ -84,8 +84,15 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
     if (cells < 2) throw ArgumentError("The grid needs at least 2 cells across.");
     spacing = side / (cells - 1);
   }
-  const double cols = std::floor(width / spacing + 0.5) + 1;
-  const double rows = std::floor(height / spacing + 0.5) + 1;
+  // A map has two samples each way at least: fewer enclose no square that could be drawn or
+  // touched.
+  const double cols = std::max(2.0, std::floor(width / spacing + 0.5) + 1);
+  const double rows = std::max(2.0, std::floor(height / spacing + 0.5) + 1);
+  if (std::min(width, height) < 0.5 * spacing) {
+    surface.messages.emplace_back(
+        "Seen from here the points lie on one line of cells, so that next to nothing can be seen "
+        "or touched. Choose another view, or more cells.");
+  }
   if (!(cols * rows <= kMostCells)) {
     throw ArgumentError("A grid of " + std::to_string(static_cast<long long>(cols)) + " x " +
                         std::to_string(static_cast<long long>(rows)) +

@@ -128,17 +128,33 @@ TEST(FrontSurface, PointsAloneInSpaceHideNothing) {
   EXPECT_EQ(front.sideOf(points[20'001]), FrontSurface::Side::stray);
 }
 
-TEST(LayeredShare, TellsSheetsFromSlopesAndSteps) {
-  EXPECT_GT(layeredShare(sheets(20'000, {10, 50}, 7)), 0.9);
-  EXPECT_EQ(layeredShare(sheets(20'000, {10}, 8)), 0);
+TEST(LayerShares, TellSheetsFromSlopesStepsAndNoise) {
+  EXPECT_GT(layerShares(sheets(20'000, {10, 50}, 7)).layered, 0.9);
+  EXPECT_TRUE(liesInLayers(sheets(20'000, {10, 12}, 7)));  // Spacing 0.7 mm in each.
+  EXPECT_EQ(layerShares(sheets(20'000, {10}, 8)).layered, 0);
   std::vector<ViewMm> slope = sheets(20'000, {0}, 9);
   for (ViewMm& p : slope) p.z = 4 * p.x;
-  EXPECT_LT(layeredShare(slope), 0.01);
+  EXPECT_LT(layerShares(slope).layered, 0.03);
   std::vector<ViewMm> steps = sheets(20'000, {0}, 10);
   for (ViewMm& p : steps) p.z = 30 * std::floor(p.x / 20);
-  EXPECT_LT(layeredShare(steps), 0.02);
-  EXPECT_EQ(layeredShare({}), 0);
-  EXPECT_EQ(layeredShare(std::vector<ViewMm>(100, ViewMm{1, 2, 3})), 0);
+  EXPECT_LT(layerShares(steps).layered, 0.02);
+  std::vector<ViewMm> noisy = sheets(20'000, {0}, 11);
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0, 0.5);  // Of a spacing of 0.7 mm.
+  for (ViewMm& p : noisy) p.z = p.x + noise(random);
+  EXPECT_LT(layerShares(noisy).layered, 0.02);
+  EXPECT_FALSE(liesInLayers({}));
+  EXPECT_FALSE(liesInLayers(std::vector<ViewMm>(100, ViewMm{1, 2, 3})));
+}
+
+TEST(LayerShares, ABladeSeenEdgeOnStandsUpright) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<ViewMm> blade;
+  for (int i = 0; i < 20'000; ++i) {
+    blade.push_back({100 * unit(random), i % 2 == 0 ? 0.0 : 1.0, 30 * unit(random)});
+  }
+  EXPECT_TRUE(liesInLayers(blade));
 }
 
 TEST(FrontSurface, FewPointsOnALineOrASpotAreNoFault) {
