@@ -8,7 +8,7 @@ constexpr std::uint32_t kMostCounts = 1U << 15U;     ///< Of a SymbolModel, then
 constexpr std::uint32_t kMostBitCounts = 1U << 13U;  ///< Of a BitModel.
 constexpr std::uint32_t kHalf = 1U << 31U;
 constexpr unsigned kShareBits = 15;
-constexpr unsigned kTableAbove = 4;  ///< Fewer symbols are found as soon without a table.
+constexpr unsigned kTableAbove = 4;        ///< Fewer symbols are found as soon without a table.
 constexpr std::uint16_t kBeyond = 0xFFFF;  ///< Larger than any share.
 
 /// Bits of the number of places of a model's table: as many as there are symbols, or some more.
