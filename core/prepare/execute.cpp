@@ -20,7 +20,7 @@ namespace relievo {
 namespace {
 
 constexpr double kSpacingsOfBase = 2;
-constexpr double kManyOutliers = 0.05;
+constexpr double kManyStrays = 0.05;
 constexpr double kLittlePlane = 0.05;
 constexpr std::size_t kCheckEvery = 1U << 18U;
 
@@ -111,35 +111,29 @@ class Executor {
     forGroups([&](const Group& group) {
       const PointNeighbours neighbours(group.points, task_);
       const auto kept = withoutOutliers(neighbours, group.points.size(), step, task_);
-      const double share =
-          1 - static_cast<double>(kept.size()) /
-                  static_cast<double>(std::max<std::size_t>(1, group.points.size()));
-      if (share > kManyOutliers) {
-        addNote(percent(share) + " of the points of " + nameOf(group) +
-                " left as outliers; that is more than strays. Look at the result.");
-      }
-      keepOnly(group, kept);
+      keepButStrays(group, kept);
     });
   }
 
   void operator()(const Lonely& step) {
     forGroups([&](const Group& group) {
       const PointNeighbours neighbours(group.points, task_);
-      const double radius = step.radius_mm ? *step.radius_mm / mmPerUnit(group)
-                                           : step.spacings * spacingOf(neighbours, task_);
+      const double radius = step.radius_mm
+                                ? *step.radius_mm / mmPerUnit(group)
+                                : step.spacings * spacingOf(neighbours, task_, step.share);
       if (!(radius > 0)) {
         notDone("All points of " + nameOf(group) + " are one place, which has no spacing.");
         return;
       }
-      keepOnly(group,
-               withoutLonely(neighbours, group.points.size(), radius, step.neighbours, task_));
+      keepButStrays(group,
+                    withoutLonely(neighbours, group.points.size(), radius, step.neighbours, task_));
     });
   }
 
   void operator()(const Sparse& step) {
     forGroups([&](const Group& group) {
       const PointNeighbours neighbours(group.points, task_);
-      keepOnly(group, withoutSparse(neighbours, group.points.size(), step, task_));
+      keepButStrays(group, withoutSparse(neighbours, group.points.size(), step, task_));
     });
   }
 
@@ -273,6 +267,16 @@ class Executor {
         kept_.clear(group.numbers[i]);
       }
     }
+  }
+
+  void keepButStrays(const Group& group, const std::vector<std::uint32_t>& stays) {
+    const double share =
+        1 - static_cast<double>(stays.size()) / static_cast<double>(group.points.size());
+    if (share > kManyStrays) {
+      addNote(percent(share) + " of the points of " + nameOf(group) +
+              " were left out; those are more than strays. Look at the result.");
+    }
+    keepOnly(group, stays);
   }
 
   void base(const Base& step, const Group& group) {

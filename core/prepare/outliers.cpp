@@ -113,15 +113,17 @@ std::vector<std::uint32_t> withoutSparse(const PointNeighbours& neighbours, std:
   return kept;
 }
 
-double spacingOf(const PointNeighbours& neighbours, const Task& task) {
+double spacingOf(const PointNeighbours& neighbours, const Task& task, double share) {
   const std::size_t places = neighbours.places();
   if (places < 2) return 0;
   std::vector<float> squared(places);
   neighbours.nearest(2, 0, task,
                      [&](const NearPlaces& near) { squared[near.of] = near.squared[1]; });
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(places / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return std::sqrt(static_cast<double>(*middle));
+  const auto rank =
+      std::min(places - 1, static_cast<std::size_t>(share * static_cast<double>(places)));
+  const auto found = squared.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(squared.begin(), found, squared.end());
+  return std::sqrt(static_cast<double>(*found));
 }
 
 }  // namespace relievo

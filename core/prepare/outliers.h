@@ -27,8 +27,9 @@ std::vector<std::uint32_t> withoutLonely(const PointNeighbours& neighbours, std:
 std::vector<std::uint32_t> withoutSparse(const PointNeighbours& neighbours, std::size_t points,
                                          const Sparse& step, const Task& task);
 
-/// Median distance of a place to its nearest other, in the points' unit; 0 for fewer than two
-/// places. [worker] @throw Cancelled
-double spacingOf(const PointNeighbours& neighbours, const Task& task);
+/// The distance within which a share of the places has its nearest other, in the points' unit; 0
+/// for fewer than two places. [worker]
+/// @param share  [0, 1]; 0.5: the median @throw Cancelled
+double spacingOf(const PointNeighbours& neighbours, const Task& task, double share = 0.5);
 
 }  // namespace relievo

@@ -69,6 +69,7 @@ class Checker {
   void operator()(const Lonely& s) const {
     if (s.radius_mm) length("radius_mm", *s.radius_mm);
     number("spacings", s.spacings, 0, kFarthest);
+    number("share", s.share, 0, 1);
     number("neighbours", s.neighbours, 1, kMostNeighbours);
   }
   void operator()(const Sparse& s) const {
@@ -142,7 +143,7 @@ std::string_view kindOf(const Step& step) noexcept {
 std::vector<Step> cleaningSteps() {
   // Strays among strays first, then those near the surface. Standard deviations are no measure
   // here: where there are no strays, mean + 3 leaves out 1 to 2 % of a good scan.
-  return {Lonely{.spacings = 10}, Sparse{}};
+  return {Lonely{.spacings = 6, .share = 0.9}, Sparse{}};
 }
 
 bool isRigid(const Pose& pose) noexcept {

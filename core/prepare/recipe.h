@@ -72,6 +72,8 @@ struct Outliers {
 struct Lonely {
   std::optional<double> radius_mm = std::nullopt;  ///< Nothing: in spacings of the scan.
   double spacings = 4;                             ///< If there is no radius.
+  /// The spacing is the distance within which this share of the places has its nearest other.
+  double share = 0.5;
   int neighbours = 3;
   friend bool operator==(const Lonely&, const Lonely&) = default;
 };

@@ -63,6 +63,7 @@ struct ToJson {
   void operator()(const Lonely& s) const {
     json["radius_mm"] = orNull(s.radius_mm);
     json["spacings"] = s.spacings;
+    json["share"] = s.share;
     json["neighbours"] = s.neighbours;
   }
   void operator()(const Sparse& s) const {
@@ -214,9 +215,10 @@ Step outliersFrom(const Json& json) {
 }
 
 Step lonelyFrom(const Json& json) {
-  requireKeys(json, {"kind", "radius_mm", "spacings", "neighbours"});
+  requireKeys(json, {"kind", "radius_mm", "spacings", "share", "neighbours"});
   return Lonely{.radius_mm = optionalNumber(json, "radius_mm"),
                 .spacings = optionalNumber(json, "spacings").value_or(Lonely{}.spacings),
+                .share = optionalNumber(json, "share").value_or(Lonely{}.share),
                 .neighbours = count(json.at("neighbours"))};
 }
 

@@ -245,7 +245,17 @@ TEST(PrepareAnswer, ThatIsNotConsistentIsNoAnswer) {
   ASSERT_TRUE(isTaken(good, job));
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<std::string, std::function<void(PrepareAnswer&)>>> faults{
-      {"a point that came back", [](auto& a) { a.steps[2].kept = PointBits(1000); }},
+      {"all points came back", [](auto& a) { a.steps[2].kept = PointBits(1000); }},
+      {"a point that came back in place of another",
+       [](auto& a) {
+         PointBits& kept = a.steps[2].kept;
+         std::size_t gone = 0;
+         while (kept[gone]) ++gone;
+         std::size_t there = 0;
+         while (!kept[there]) ++there;
+         kept.clear(there);
+         kept.words()[gone / 64] |= std::uint64_t{1} << (gone % 64);
+       }},
       {"another count", [](auto& a) { ++a.steps[1].after; }},
       {"a count that is none", [](auto& a) { a.steps[1].before = ~std::uint64_t{0}; }},
       {"bits beyond the last point", [](auto& a) { a.steps[0].kept.words().back() = ~0ULL; }},
