@@ -19,6 +19,8 @@ constexpr float kEdgeOn = 0.1F;        // Cosine; flatter discs are lines.
 constexpr float kLeastCosine = 0.15F;  // For tolerances of slopes.
 constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
 constexpr double kRough = 0.3;         // Thickness over width: noise hides the planes.
+constexpr int kSquarePixels = 4;
+constexpr float kLayerSpacings = 6;  // Farther apart, points behind are two layers.
 constexpr std::size_t kFewDiscs = 20'000;
 
 /// One disc as the raster sees it.
@@ -126,6 +128,42 @@ FrontSurface::FrontSurface(const ViewBlocks& points, const ViewBox& box, std::ui
   pieces_.assign(size_.count(), {.z = kNan, .tolerance = 0, .spacing = 0});
   task.report("Finding the front", 0.5);
   draw(discs.discs, task);
+  lookBehind(discs.discs);
+}
+
+void FrontSurface::lookBehind(const std::vector<SurfaceDisc>& discs) {
+  // Squares of two spacings: four points of a layer lie in one.
+  const GridSize squares{.cols = size_.cols / kSquarePixels + 1,
+                         .rows = size_.rows / kSquarePixels + 1};
+  struct Square {
+    bool is_covered = false;
+    float low = -kNone, high = kNone, limit = 0;
+  };
+  std::vector<Square> found(squares.count());
+  for (const SurfaceDisc& disc : discs) {
+    const auto x = static_cast<double>(disc.centre[0]);
+    const auto y = static_cast<double>(disc.centre[1]);
+    const auto z = static_cast<double>(disc.centre[2]);
+    const int col = static_cast<int>(x / pixel_mm_) / kSquarePixels;
+    const int row = static_cast<int>(y / pixel_mm_) / kSquarePixels;
+    if (!squares.contains({.col = col, .row = row})) continue;
+    Square& square = found[squares.index({.col = col, .row = row})];
+    square.is_covered = true;
+    if (sideOf({x, y, z}) != Side::hidden) continue;
+    square.low = std::min(square.low, disc.centre[2]);
+    square.high = std::max(square.high, disc.centre[2]);
+    square.limit = kLayerSpacings * disc.spacing;
+  }
+  double covered = 0;
+  for (const Square& square : found) {
+    covered += square.is_covered ? 1 : 0;
+    if (square.low > square.high) continue;
+    behind_.hidden += 1;
+    behind_.in_layers += square.high - square.low > square.limit ? 1 : 0;
+  }
+  if (covered == 0) return;
+  behind_.hidden /= covered;
+  behind_.in_layers /= covered;
 }
 
 void FrontSurface::draw(const std::vector<SurfaceDisc>& discs, const Task& task) {

@@ -43,6 +43,13 @@ class FrontSurface {
   /// Height of the surface in front at a place, NaN where there is none. [any thread]
   float depthAt(double x_mm, double y_mm) const noexcept;
 
+  /// Shares of the covered area behind which something lies hidden.
+  struct Behind {
+    double hidden = 0;
+    double in_layers = 0;  ///< Of it, where that does not lie in one layer.
+  };
+  const Behind& behind() const noexcept { return behind_; }
+
   double spacingMm() const noexcept { return spacing_mm_; }  ///< Median of the discs.
   double coveredMm2() const noexcept;                        ///< Of the view, by the surface.
 
@@ -52,11 +59,13 @@ class FrontSurface {
   void draw(const std::vector<SurfaceDisc>& discs, const Task& task);
   void drawBand(const std::vector<SurfaceDisc>& discs, int first_row, int end_row,
                 const Task& task);
+  void lookBehind(const std::vector<SurfaceDisc>& discs);
   const FrontPiece* pieceAt(double x_mm, double y_mm) const noexcept;
 
   GridSize size_;
   double pixel_mm_ = 0;
   double spacing_mm_ = 0;
+  Behind behind_;
   std::vector<FrontPiece> pieces_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -132,6 +133,16 @@ std::optional<FrontSurface> frontOf(const ViewBlocks& points, const std::vector<
 CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::uint64_t points) {
   const ViewMm size = box.max - box.min;
   return proposeCells(std::max(size.x, size.y), front.coveredMm2(), points);
+}
+
+void addHidden(const FrontSurface& front, double hidden_points, const OriginCounts& cells,
+               HiddenSurface& hidden) {
+  const std::size_t all = std::accumulate(cells.begin(), cells.end(), std::size_t{0});
+  const auto inside = static_cast<double>(all - cells[static_cast<std::size_t>(Origin::outside)]);
+  hidden.hidden += hidden_points;
+  hidden.all += hidden_points;
+  hidden.cells = static_cast<std::size_t>(std::lround(front.behind().hidden * inside));
+  hidden.cells_in_layers = static_cast<std::size_t>(std::lround(front.behind().in_layers * inside));
 }
 
 void addFront(const FrontSurface& front, const GridFrame& frame, RowRange rows, const float* depths,

@@ -11,6 +11,7 @@
 #include "core/cloud/scan.h"
 #include "core/depth/cell_points.h"
 #include "core/depth/cell_size.h"
+#include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
 #include "core/depth/front_surface.h"
 #include "core/depth/view.h"
@@ -40,6 +41,11 @@ std::optional<FrontSurface> frontOf(const ViewBlocks& points, const std::vector<
 
 /// How fine a grid the points that are seen carry. @param box  of the whole cloud
 CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::uint64_t points);
+
+/// What the search for the front left out, beside what was found in the points of the front.
+/// @param cells  of the finished map
+void addHidden(const FrontSurface& front, double hidden_points, const OriginCounts& cells,
+               HiddenSurface& hidden);
 
 /// Heights of the surface in front for cells without a point, and nothing where it does not reach.
 /// `depths.between` of the engine stays where it agrees with the surface.

@@ -179,7 +179,9 @@ struct DepthSource {
   BandDepths depths;
   GridFrame frame;
   FillSource fill;
-  std::optional<HiddenSurface> hidden = std::nullopt;
+  std::optional<HiddenSurface> hidden = std::nullopt;  ///< Of the points in the tiles.
+  const FrontSurface* front = nullptr;                 ///< Of a cloud that lies behind itself ...
+  LeftOut left_out;                                    ///< ... and what is not on it.
   std::size_t flyers = 0;
 };
 
@@ -188,9 +190,11 @@ void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
   const auto say = [&map](std::vector<std::string> sentences) {
     std::move(sentences.begin(), sentences.end(), std::back_inserter(map.messages));
   };
-  if (source.hidden) {
-    map.losses = lossesOf(*source.hidden, source.flyers, fill.seenThroughPoints(), cells);
+  std::optional<HiddenSurface> hidden = source.hidden;
+  if (hidden && source.front != nullptr) {
+    addHidden(*source.front, static_cast<double>(source.left_out.hidden), cells, *hidden);
   }
+  if (hidden) map.losses = lossesOf(*hidden, source.flyers, fill.seenThroughPoints(), cells);
   say(lossWords(map.losses.value_or(DepthLosses{}), fill.seenThrough(), map.shares));
   if (source.hidden && chosen) say(mixedLayerWords(*chosen, *source.hidden, cells));
 }
@@ -324,6 +328,7 @@ struct StoredDepths {
   bool one_layer = false;
   std::optional<HiddenSurface> hidden;
   std::size_t flyers = 0;
+  LeftOut left_out;
 
   /// Writes rows where there are any; the first ones decide.
   static void keep(std::unique_ptr<RowStore>& store, const DepthRows& rows,
@@ -354,14 +359,6 @@ std::vector<float> betweenOnFront(const FrontSurface& front, const GridFrame& fr
   addFront(front, frame, {.first = rows.first_row, .end = rows.first_row + rows.rows},
            rows.front.data(), between.data());
   return between;
-}
-
-void addLeftOut(const LeftOut& left_out, StoredDepths& depths) {
-  HiddenSurface hidden = depths.hidden.value_or(HiddenSurface{});
-  hidden.hidden += static_cast<double>(left_out.hidden);
-  hidden.all += static_cast<double>(left_out.hidden);
-  depths.hidden = hidden;
-  depths.flyers += left_out.strays;
 }
 
 void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& stream,
@@ -428,7 +425,12 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
         depths->steep.setRows(rows.first_row, rows.steep);
       },
       task);
-  if (front != nullptr) addLeftOut(left_out, *depths);
+  depths->left_out = left_out;
+  depths->flyers += left_out.strays;
+  // Where points are merged as they come, what is behind was never put in.
+  if (front != nullptr && store.merges()) {
+    depths->hidden = HiddenSurface{.hidden = 0, .all = static_cast<double>(left_out.on_front)};
+  }
   return depths;
 }
 
@@ -473,6 +475,8 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
        .frame = placed.frame,
        .fill = {.has_sampling_gaps = true, .gaps_are_known = placed.front.has_value()},
        .hidden = depths->hidden,
+       .front = placed.front ? &*placed.front : nullptr,
+       .left_out = depths->left_out,
        .flyers = depths->flyers},
       options, large, plan.depths_bytes,
       [&](double base_z_mm) {

@@ -267,22 +267,6 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
   takeHoles(surface, std::move(filled.holes), options.holes);
 }
 
-/// What lies behind the front besides what the engine, which saw the front alone, has counted.
-void addHidden(const ClosedCloud& closed, const Scan& scan, const DepthRequest& request,
-               const CapturedDepths& depths, HiddenSurface& hidden, const Task& task) {
-  FrontDepths front = depths.front;
-  for (std::size_t i = 0; i < front.size(); ++i) {
-    if (std::isnan(front[i])) front[i] = depths.between[i];
-  }
-  DepthRequest whole{
-      .scan = scan, .view_from_file = request.view_from_file, .frame = request.frame};
-  const HiddenSurface behind = countHidden(whole, front, task);
-  hidden.hidden += static_cast<double>(closed.hidden);
-  hidden.all += static_cast<double>(closed.hidden);
-  hidden.cells = behind.cells;
-  hidden.cells_in_layers = behind.cells_in_layers;
-}
-
 }  // namespace
 
 Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
@@ -341,13 +325,18 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
     sayDepthBuffer(surface);
   }
   surface.quality = std::move(filled.quality);
+  HiddenSurface hidden = in_front;
+  if (closed) {
+    addHidden(closed->surface, static_cast<double>(closed->hidden), originCounts(surface.map),
+              hidden);
+  }
   surface.losses = lossesOf(hidden, flyers, filled.seen_through_points, originCounts(surface.map));
   for (std::string& words :
        lossWords(*surface.losses, filled.seen_through, originShares(surface.map))) {
     surface.messages.push_back(std::move(words));
   }
   if (scan.triangles.empty() && options.rule) {
-    for (std::string& words : mixedLayerWords(*options.rule, hidden, originCounts(surface.map))) {
+    for (std::string& words : mixedLayerWords(*options.rule, in_front, originCounts(surface.map))) {
       surface.messages.push_back(std::move(words));
     }
   }

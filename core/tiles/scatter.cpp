@@ -52,6 +52,7 @@ class TileFromPoint {
         front_->sideOf({v.x - frame_.first_x_mm, v.y - frame_.first_y_mm, v.z});
     left_out.hidden += side == FrontSurface::Side::hidden ? 1 : 0;
     left_out.strays += side == FrontSurface::Side::stray ? 1 : 0;
+    left_out.on_front += side == FrontSurface::Side::front ? 1 : 0;
     return side == FrontSurface::Side::front;
   }
 
@@ -286,6 +287,7 @@ LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_fro
       store.add(part.points);
       left_out.hidden += part.left_out.hidden;
       left_out.strays += part.left_out.strays;
+      left_out.on_front += part.left_out.on_front;
     }
   }
   return left_out;

@@ -19,9 +19,11 @@ namespace relievo {
 /// Can the rule be computed from CellState alone?
 bool isMergeable(PointRule rule);
 
-/// Points that were not put into tiles, because something is before them or no surface is there.
+/// Points that were not put into tiles, because something is before them or no surface is there;
+/// counted only where there is a front.
 struct LeftOut {
   std::uint64_t hidden = 0, strays = 0;
+  std::uint64_t on_front = 0;  ///< The others.
 };
 
 /// Reads all points and puts each into the tile of its nearest sample; those outside the grid are
