@@ -268,6 +268,11 @@ TEST(Align, WhatCannotBeAlignedIsSaid) {
   Align how{.method = AlignMethod::points};
   EXPECT_THAT(refusalOf(how, {part.scan("one"), part.scan("two")}),
               HasSubstr("two: 0 picked pairs"));
+  how.pairs = {{.scan = 0, .point = {}, .reference = {}}};
+  EXPECT_THAT(refusalOf(how, {part.scan("one"), part.scan("two")}),
+              HasSubstr("names scan 1, which is the reference"));
+  how.pairs = {{.scan = 2, .point = {}, .reference = {}}};
+  EXPECT_THAT(refusalOf(how, {part.scan("one"), part.scan("two")}), HasSubstr("names scan 3"));
 }
 
 std::vector<PickedPair> pairs(const std::vector<FilePoint>& scan,
