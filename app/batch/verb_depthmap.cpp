@@ -110,6 +110,9 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["holes"] = holesJson(surface.holes);
   json["quality"] = qualityJson(surface);
   json["losses"] = lossesJson(surface.losses);
+  json["strays"] = straysJson(surface.strays);
+  json["missing"] = surface.missing;
+  json["likely_nodata"] = suspectJson(surface.suspect_height);
   json["not_done"] = surface.not_done;
   return {
       .json = json.dump(2),

@@ -16,6 +16,7 @@
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
 #include "core/io/unnamed_file.h"
+#include "core/io/worker_sandbox.h"
 
 namespace relievo {
 namespace {
@@ -96,6 +97,7 @@ void WorkerProcess::start(const std::filesystem::path& executable,
   child_.start({.program = executable,
                 .arguments = std::move(arguments),
                 .more_environment = {},
+                .environment = workerEnvironment(),
                 .fds = std::move(fds)});
 }
 

@@ -3,7 +3,6 @@
 #include "core/prepare/worker.h"
 
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -24,6 +23,7 @@
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/worker_process.h"
+#include "core/io/worker_sandbox.h"
 #include "core/prepare/execute.h"
 #include "core/prepare/transport.h"
 
@@ -117,8 +117,12 @@ int runPrepareWorker(int argc, char** argv, const AlignFunction& align) {
     std::fputs("relievo-prepare is started by relievo of the same version, not by hand.\n", stderr);
     return 1;
   }
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() == 1) return 1;  // The parent was gone before the line above.
+  if (!dieWithParent()) return 1;
+  if (!enterWorkerSandbox(kInputFd)) {
+    // Seen only if the work breaks down, as its last words: limits and process still stand.
+    std::fputs("The kernel offers no seccomp filter; the scans were prepared without one.\n",
+               stderr);
+  }
   std::setlocale(LC_ALL, "C");
   try {
     setLimits(*memory, *cpu);
