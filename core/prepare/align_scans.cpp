@@ -64,6 +64,13 @@ class Aligner {
       throw ArgumentError(
           "Aligning needs two scans or more, one of them the reference. Nothing was aligned.");
     }
+    for (const PickedPair& pair : how_.pairs) {
+      if (pair.scan < scans_.size() && pair.scan != reference_) continue;
+      throw ArgumentError("A picked pair names scan " + std::to_string(pair.scan + 1) +
+                          (pair.scan == reference_ ? ", which is the reference" : "") +
+                          "; there are " + std::to_string(scans_.size()) +
+                          ", counted from 1. Nothing was aligned.");
+    }
     for (const AlignScan& scan : scans_) {
       if (scan.mm_per_unit != scans_[reference_].mm_per_unit) {
         throw ArgumentError(scan.name + " has another unit than " + scans_[reference_].name +

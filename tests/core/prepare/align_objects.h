@@ -74,18 +74,6 @@ inline MadeObject gargoyle() {
   return ballsObject("gargoyle", gargoyleBalls());
 }
 
-/// The same with 400 warts of 1 to 3 mm: finer than what far matches can tell apart.
-inline MadeObject wartyGargoyle() {
-  const MadeObject skin = gargoyle();
-  std::vector<Ball> balls = gargoyleBalls();
-  Random random(99);
-  for (int i = 0; i < 400; ++i) {
-    const Place at = skin.sample(random);
-    balls.push_back({at, random.uniform(1, 3)});
-  }
-  return ballsObject("warty gargoyle", std::move(balls));
-}
-
 /// A plate of 100 x 80 mm whose front rises by `height_mm`; 0: flat.
 inline MadeObject relief(double height_mm) {
   MadeObject object{

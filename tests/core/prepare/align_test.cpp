@@ -108,17 +108,6 @@ TEST(Align, TwoPartsFromThreeRoughPicksLieWhereTheyBelong) {
   EXPECT_LT(answer.scans[1].uncertainty_mm, 0.2);
 }
 
-// At three cells points of one wart find those of its neighbour: only the last stage, at one cell,
-// brings the pose below what they leave.
-TEST(Align, TheLastStageMakesItExact) {
-  const MadeObject object = wartyGargoyle();
-  const std::vector<Part> parts = twoHalves(object, 60);
-  const AlignAnswer answer = alignScans(byPicks(object, parts), scansOf(parts), {});
-  const PoseError error = errorOf(answer.scans[1].pose, parts[1], parts[0]);
-  EXPECT_LE(error.deg, 0.03);
-  EXPECT_LE(error.mm, 0.03);
-}
-
 TEST(Align, TwoPartsAreFoundAutomaticallyFromSixtyDegreesAway) {
   const std::vector<Part> parts = twoHalves(gargoyle(), 60, 0.6);
   expectRight(alignScans(automatically(), scansOf(parts), {}), parts);
@@ -268,6 +257,11 @@ TEST(Align, WhatCannotBeAlignedIsSaid) {
   Align how{.method = AlignMethod::points};
   EXPECT_THAT(refusalOf(how, {part.scan("one"), part.scan("two")}),
               HasSubstr("two: 0 picked pairs"));
+  how.pairs = {{.scan = 0, .point = {}, .reference = {}}};
+  EXPECT_THAT(refusalOf(how, {part.scan("one"), part.scan("two")}),
+              HasSubstr("names scan 1, which is the reference"));
+  how.pairs = {{.scan = 2, .point = {}, .reference = {}}};
+  EXPECT_THAT(refusalOf(how, {part.scan("one"), part.scan("two")}), HasSubstr("names scan 3"));
 }
 
 std::vector<PickedPair> pairs(const std::vector<FilePoint>& scan,
@@ -322,6 +316,7 @@ TEST(AlignPicks, ScansOfDifferentSizeAreRefused) {
   EXPECT_THAT(pickRefusal({}), HasSubstr("three or more"));
 }
 
+// Also what finds a ladder of distances without its last step: 0.064 to 0.072 degrees are left.
 TEST(AlignShared, RealObjectsInTwoParts) {
   const std::filesystem::path folder = sharedData();
   if (folder.empty()) GTEST_SKIP() << "The shared scans are not there.";
