@@ -190,12 +190,9 @@ NamedRotation automaticRotation(const Scan& scan, const Task& task) {
     face.is_weak = !found.is_flat;
     return face;
   }
-  if (found.up == FileDirection{.axis = 2, .sign = 1}) return face;
-  const Direction toward{face.rotation[6], face.rotation[7], face.rotation[8]};
-  const bool is_upright_in_picture = toward[static_cast<std::size_t>(found.up.axis)] == 0;
-  if (found.is_flat && !is_upright_in_picture) return face;
-  const Rotation rotation =
-      found.is_flat ? seenFrom(toward, found.up) : standing(scan, found.up, task);
+  // What a relief rests on says nothing: one edge is as straight as the other.
+  if (found.is_flat || found.up == FileDirection{.axis = 2, .sign = 1}) return face;
+  const Rotation rotation = standing(scan, found.up, task);
   return {.name = nameOf(rotation), .rotation = rotation};
 }
 

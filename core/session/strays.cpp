@@ -96,8 +96,9 @@ Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task
   std::optional<AxisBox> limits = strayLimits(view, in_use);
   task.check();
   if (limits && !used.empty() && isPartOfTheObject(scan, view, in_use, *limits)) limits.reset();
-  const PointsView whole{.points = scan.points, .axes = axes};
-  const AxisBox all = used.empty() ? in_use : boxOf(scan, whole);
+  // From the points themselves: the file's own box is not rounded to float.
+  const AxisBox all =
+      used.empty() ? in_use : boxOf(PointsView{.points = scan.points, .axes = axes});
   Found found{.keep = {}, .strays = {.all = scan.points.size()}};
   const bool has_unused_beyond = !used.empty() && (all.min != in_use.min || all.max != in_use.max);
   if (!limits && !has_unused_beyond) return found;

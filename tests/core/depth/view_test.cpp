@@ -178,6 +178,14 @@ TEST(AutomaticRotation, AnObjFileHasYUpAndABallMayStandAnyWay) {
   EXPECT_EQ(view.rotation[4], 1) << "+y is up in the picture";
 }
 
+TEST(AutomaticRotation, AReliefIsNotTurnedByWhicheverEdgeIsStraight) {
+  Scan relief = latticeScan(
+      80, 60, 0.5, [](double x, double y) { return 2 * std::sin(x / 3) * std::cos(y / 4); });
+  std::erase_if(relief.points, [](const auto& p) { return p[1] < 4 + 3 * std::sin(p[0]); });
+  test::finishScan(relief);
+  EXPECT_EQ(automaticRotation(relief).name, "top");
+}
+
 TEST(AutomaticRotation, SurveysAndCamerasKeepTheirAxes) {
   Scan survey = figureOnABase();
   survey.origin = {512'000, 5'403'000, 200};

@@ -44,6 +44,8 @@ Project fullProject() {
   p.options.spacing_mm = 0.1;
   p.options.engine = "depthbuffer";
   p.options.rule = PointRule::median;
+  p.options.strays = StrayRule::keep;
+  p.options.nodata = NodataChoice{.value = -9999};
   p.options.holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 12.5};
   p.options.pyramid.factor = 1.5;
   p.options.pyramid.coarsest_samples = 150;
@@ -95,6 +97,8 @@ TEST(ProjectJson, EveryFieldComesBackBitForBit) {
   EXPECT_EQ(back.sha256, fullProject().sha256);
   EXPECT_EQ(back.measurements, fullProject().measurements);
   EXPECT_EQ(back.options.rule, PointRule::median);
+  EXPECT_EQ(back.options.strays, StrayRule::keep);
+  EXPECT_EQ(back.options.nodata, NodataChoice{.value = -9999});
   // Had a field been forgotten, the text of a full project would share a value with a plain one.
   const std::string plain = projectJson(Project{});
   const std::set<std::string> kSame{"\"relievo_project\"", "\"version\"", "\"commit\"", "\"name\"",
@@ -107,6 +111,23 @@ TEST(ProjectJson, EveryFieldComesBackBitForBit) {
     EXPECT_EQ(json.find(it->str().back() == ',' ? it->str() : it->str() + "\n"), std::string::npos)
         << it->str() << " is as in an empty project";
   }
+}
+
+TEST(ProjectJson, OfAnOlderVersionKeepsStraysAndTheEarlierChoiceOfView) {
+  Project p = fullProject();
+  p.options.strays = StrayRule::drop;
+  p.options.view.reset();
+  const Project now = projectFromJson(projectJson(p), "p.json");
+  EXPECT_EQ(now.options.strays, StrayRule::drop);
+  EXPECT_FALSE(now.options.view.has_value());
+  std::string older = projectJson(p);
+  const std::size_t at = older.find("\"strays\": \"drop\",");
+  ASSERT_NE(at, std::string::npos);
+  older.erase(at, std::string("\"strays\": \"drop\",").size());
+  const Project back = projectFromJson(older, "p.json");
+  EXPECT_EQ(back.options.strays, StrayRule::keep);
+  ASSERT_TRUE(back.options.view.has_value());
+  EXPECT_EQ(back.options.view->name, kEarlierAutomatic);
 }
 
 TEST(ProjectJson, KeysOfALaterVersionAreKept) {
