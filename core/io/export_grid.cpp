@@ -246,8 +246,9 @@ void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
   out << "ply\nformat binary_little_endian 1.0\ncomment unit " << grid.unit << "\nelement vertex "
       << std::to_string(count)
       << "\nproperty double x\nproperty double y\nproperty float z\nproperty uchar origin\n"
-         "element face "
-      << std::to_string(triangles.size())
+      << (grid.colours.empty() ? ""
+                               : "property uchar red\nproperty uchar green\nproperty uchar blue\n")
+      << "element face " << std::to_string(triangles.size())
       << "\nproperty list uchar int vertex_indices\nend_header\n";
   for (int row = 0; row < grid.size.rows; ++row) {
     for (int col = 0; col < grid.size.cols; ++col) {
@@ -257,6 +258,10 @@ void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
       out.bytes(yOf(grid, row));
       out.bytes(grid.heights[i]);
       out.bytes(static_cast<std::uint8_t>(grid.origins[i]));
+      if (grid.colours.empty()) continue;
+      constexpr Rgba kMidGrey{128, 128, 128, 255};
+      const Rgba& colour = grid.colours[i][3] != 0 ? grid.colours[i] : kMidGrey;
+      out.bytes(std::array<std::uint8_t, 3>{colour[0], colour[1], colour[2]});
     }
   }
   for (const Triangle& triangle : triangles) {

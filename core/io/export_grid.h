@@ -23,6 +23,8 @@ struct ExportGrid {
   std::string unit = "mm";
   std::string projection;  ///< Well-known text; empty: none.
   std::string state = {};  ///< As MapFileOptions::state, of a GeoTIFF.
+  /// Of the scan, empty or like `heights`; a PLY mesh carries them, with red, green and blue.
+  std::vector<Rgba> colours = {};
 
   /// Is there a height? Holes on the base plane have one, cells outside the object have none.
   bool holds(std::size_t i) const noexcept { return origins[i] != Origin::outside; }
@@ -50,7 +52,8 @@ struct ExportOptions {
 /// Writes under a temporary name and renames. GeoTIFF: float32, a mask band within, NaN where
 /// there is no height. ESRI ASCII: shortest digits, -9999, projection in NAME.prj. VTI: float32
 /// `height` and uint8 `origin` as raw appended data. PLY: binary, double x and y, float z,
-/// triangles between four neighbours with heights. XYZ: text. STL: a plate for printing, closed on
+/// triangles between four neighbours with heights, the scan's colours if there are any (where a
+/// sample has none: mid grey). XYZ: text. STL: a plate for printing, closed on
 /// all sides, that rises to the map; where there is no height it is at 0, x and y from the first
 /// sample. [worker]
 /// @throw WriteError; ArgumentError  fewer than 2 x 2 samples, no height, or no plate

@@ -18,19 +18,18 @@ namespace {
 /// How much a cell counts, by its alpha.
 using Weights = std::array<float, 256>;
 
-/// Of the finest level: what is interpolated weighs next to nothing, and so decides only alone.
-Weights finestWeights() {
-  constexpr float kNextToNothing = 1.0F / 4096;
-  Weights weights{};
-  weights.fill(kNextToNothing);
-  weights[0] = 0;
-  weights[kStoredAlpha] = 1;
-  return weights;
-}
-
+/// Shares of what comes from the scan.
 Weights coarserWeights() {
   Weights weights{};
   for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = static_cast<float>(i) / 255;
+  return weights;
+}
+
+/// Of the finest level: what is interpolated weighs next to nothing, and so decides only alone.
+Weights finestWeights() {
+  constexpr float kNextToNothing = 1.0F / 4096;
+  Weights weights = coarserWeights();
+  weights[kBetweenAlpha] = kNextToNothing;
   return weights;
 }
 
