@@ -8,6 +8,7 @@
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
+#include "core/io/colour_raster.h"
 #include "core/io/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
@@ -62,6 +63,11 @@ ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
   if (look.kind == ReliefKind::lit) {
     throw ArgumentError("--relief: lit stone has no values. Choose another, or 'relievo render'.");
   }
+  if (showsOwnColours(look.kind)) {
+    throw ArgumentError("--relief: '" + std::string(name(look.kind)) +
+                        "' has no values of the relief. Choose another, or 'relievo render'; "
+                        "colours are written beside a map without --relief.");
+  }
   if (format != ExportFormat::geotiff && format != ExportFormat::ascii_grid) {
     throw ArgumentError("--relief: its values go into .tif or .asc, not into '" + a.out + "'.");
   }
@@ -95,10 +101,13 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
   const std::string unit = grid.unit;
   grid.state = state;
+  const GridColours own = surface.colours.empty() ? GridColours{} : surface.colours.front();
+  grid.colours = own.colours;
   if (look) {
     grid.unit = paint(grid, surface.map, *look, task);
     exportGrid(a.out, grid, *format);
   } else if (*format == ExportFormat::geotiff && !in_file) {
+    writeColours(a.out, surface.map, own);
     writeMap(a.out, surface.map,
              {.view_from_file = surface.view_from_file, .mask_band = true, .state = state});
   } else {
@@ -132,6 +141,7 @@ VerbFiles filesOf(const ConvertArguments& a) {
   VerbFiles files;
   files.reads(a.map.file);
   files.writes(a.out);
+  if (exportFormatOf(a.out) == ExportFormat::geotiff) files.writesColoursOf(a.out);
   return files;
 }
 

@@ -14,6 +14,7 @@
 #include "core/session/choices.h"
 #include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
+#include "core/session/surface_colours.h"
 
 namespace relievo {
 namespace {
@@ -241,7 +242,8 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
   const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
-  requireMemory(frame, availableBytes());
+  requireMemory(frame, availableBytes(),
+                colourBytes(frame.size, hasColours(scan), hasIntensities(scan)));
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
@@ -283,6 +285,8 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   }
   takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);
+  addColours(surface, scan, task);
+  surface.seconds.colours = watch.lap();
   return surface;
 }
 
@@ -303,6 +307,8 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
   }
   surface.seconds.grid = watch.lap();
   finish(surface, options, watch, task);
+  addColours(surface, GridColours(raster.colours), task);
+  surface.seconds.colours = watch.lap();
   return surface;
 }
 
