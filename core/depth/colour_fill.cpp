@@ -156,6 +156,11 @@ void fillColours(std::vector<Pixel<Channels>>& pixels, const DepthMap& map,
   }
 }
 
+void fillColours(GridColours& colours, const DepthMap& map, const Task& task) {
+  fillColours<3>(colours.colours, map, sRgb(), task);
+  fillColours<1>(colours.intensities, map, proportional(), task);
+}
+
 template void fillColours<3>(std::vector<Pixel<3>>&, const DepthMap&, const Transfer&, const Task&);
 template void fillColours<1>(std::vector<Pixel<1>>&, const DepthMap&, const Transfer&, const Task&);
 

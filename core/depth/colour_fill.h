@@ -24,6 +24,10 @@ template <std::size_t Channels>
 void fillColours(std::vector<Pixel<Channels>>& pixels, const DepthMap& map,
                  const Transfer& transfer, const Task& task);
 
+struct GridColours;  // core/depth/colours.h
+/// The same for a finished map some of whose holes were filled since. [worker] @throw Cancelled
+void fillColours(GridColours& colours, const DepthMap& map, const Task& task);
+
 inline constexpr int kBareReach = 8;  ///< Side of the squares one of whose cells must have one.
 
 }  // namespace relievo

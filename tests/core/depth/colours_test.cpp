@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/depth/colour_fill.h"
 #include "core/depth/linear_light.h"
 #include "core/depth/rasterize.h"
 #include "tests/core/scan_fixtures.h"
@@ -193,6 +194,24 @@ TEST(Colours, HolesAndOutsideHaveNoneAndGapsAreBetweenTheirNeighbours) {
   EXPECT_EQ(at(12, 3), kNothing);
   EXPECT_EQ(at(3, 12), (Rgba{10, 200, 30, kBetweenAlpha}));
   EXPECT_EQ(at(4, 5), (Rgba{10, 200, 30, 255}));
+}
+
+TEST(Colours, AHoleThatIsFilledLaterGetsThoseAroundIt) {
+  const GridFrame frame = frameOf(16, 16);
+  DepthMap map = flatMap(frame);
+  Scan scan;
+  for (int row = 0; row < 16; ++row) {
+    for (int col = 0; col < 16; ++col) add(scan, col, row, 0, {10, 200, 30, 255});
+  }
+  const std::size_t hole = frame.size.index({.col = 7, .row = 7});
+  map.origins[hole] = Origin::base_plane;
+  GridColours made = coloursOf(scan, map);
+  ASSERT_EQ(made.colours[hole], kNothing);
+  fillColours(made, map, {});
+  EXPECT_EQ(made.colours[hole], kNothing) << "still a hole";
+  map.origins[hole] = Origin::interpolated;
+  fillColours(made, map, {});
+  EXPECT_EQ(made.colours[hole], (Rgba{10, 200, 30, kBetweenAlpha}));
 }
 
 TEST(Colours, MeasuredCellsFarFromAnyColourStayWithout) {
