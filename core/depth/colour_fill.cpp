@@ -161,6 +161,35 @@ void fillColours(GridColours& colours, const DepthMap& map, const Task& task) {
   fillColours<1>(colours.intensities, map, proportional(), task);
 }
 
+namespace {
+
+template <std::size_t Size>
+void coverRim(std::vector<std::array<std::uint8_t, Size>>& pixels, std::span<const Origin> origins,
+              GridSize size) {
+  if (pixels.empty()) return;
+  for (int row = 0; row < size.rows; ++row) {
+    for (int col = 0; col < size.cols; ++col) {
+      const std::size_t i = size.index({.col = col, .row = row});
+      if (origins[i] != Origin::outside || pixels[i][Size - 1] != 0) continue;
+      for (int k = 0; k < 9; ++k) {
+        const Cell beside{.col = col + k % 3 - 1, .row = row + k / 3 - 1};
+        if (!size.contains(beside)) continue;
+        const std::size_t from = size.index(beside);
+        if (origins[from] == Origin::outside || pixels[from][Size - 1] == 0) continue;
+        pixels[i] = pixels[from];
+        break;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void coverRim(GridColours& colours, std::span<const Origin> origins, GridSize size) {
+  coverRim(colours.colours, origins, size);
+  coverRim(colours.intensities, origins, size);
+}
+
 template void fillColours<3>(std::vector<Pixel<3>>&, const DepthMap&, const Transfer&, const Task&);
 template void fillColours<1>(std::vector<Pixel<1>>&, const DepthMap&, const Transfer&, const Task&);
 

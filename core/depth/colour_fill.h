@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/task.h"
@@ -27,6 +28,10 @@ void fillColours(std::vector<Pixel<Channels>>& pixels, const DepthMap& map,
 struct GridColours;  // core/depth/colours.h
 /// The same for a finished map some of whose holes were filled since. [worker] @throw Cancelled
 void fillColours(GridColours& colours, const DepthMap& map, const Task& task);
+
+/// Gives samples outside the object the colour of one beside them that lies on it: a picture's
+/// outline runs half a sample beyond the object and would be stone. [any thread]
+void coverRim(GridColours& colours, std::span<const Origin> origins, GridSize size);
 
 inline constexpr int kBareReach = 8;  ///< Side of the squares one of whose cells must have one.
 

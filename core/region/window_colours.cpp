@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/depth/colour_fill.h"
 #include "core/depth/linear_light.h"
 
 namespace relievo {
@@ -105,8 +107,11 @@ GridColours windowColours(const std::vector<GridColours>& levels, const GridFram
     throw ArgumentError("The region names a level that the pyramid does not have.");
   }
   const GridColours& from = levels[static_cast<std::size_t>(level)];
-  return {.colours = withRing(sampled(from.colours, nodes, window, sRgb()), ring),
-          .intensities = withRing(sampled(from.intensities, nodes, window, proportional()), ring)};
+  GridColours made{.colours = sampled(from.colours, nodes, window, sRgb()),
+                   .intensities = sampled(from.intensities, nodes, window, proportional())};
+  coverRim(made, window.origins, {.cols = kWindowSamples, .rows = kWindowSamples});
+  return {.colours = withRing(std::move(made.colours), ring),
+          .intensities = withRing(std::move(made.intensities), ring)};
 }
 
 }  // namespace relievo

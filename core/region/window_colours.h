@@ -9,7 +9,8 @@
 namespace relievo {
 
 /// Colours of a window's 200 x 200 samples: between the nodes of its level as its heights are, in
-/// linear light weighted by alpha; none beyond the map and where the nearest cell is a hole. Apart
+/// linear light weighted by alpha; none where the nearest cell is a
+/// hole, and beyond the object but for the samples beside it. Apart
 /// from RegionWindow, which stays small for the loop. [any thread]
 /// @param levels  of colourLevels
 /// @param nodes  frame of the window's level

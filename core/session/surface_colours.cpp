@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/depth/colour_fill.h"
 #include "core/depth/point_rule.h"
 #include "core/pyramid/colour_levels.h"
 #include "core/region/window_colours.h"
@@ -31,10 +32,12 @@ GridColours levelColours(const Surface& surface, Level level, const LevelSamples
     return std::min(static_cast<int>(std::lround(node * step)), count - 1);
   };
   GridColours cut;
+  std::vector<Origin> origins;
   for (int row = samples.bottom; row <= samples.top; ++row) {
     const int r = nearest(row, finest.size.rows);
     for (int col = samples.left; col <= samples.right; ++col) {
       const Origin origin = surface.map.origin({.col = nearest(col, finest.size.cols), .row = r});
+      origins.push_back(origin);
       const bool none = origin == Origin::base_plane || origin == Origin::outside;
       const std::size_t i = f.size.index({.col = col, .row = row});
       if (!from.colours.empty()) cut.colours.push_back(none ? Rgba{} : from.colours[i]);
@@ -43,6 +46,8 @@ GridColours levelColours(const Surface& surface, Level level, const LevelSamples
       }
     }
   }
+  coverRim(cut, origins,
+           {.cols = samples.right - samples.left + 1, .rows = samples.top - samples.bottom + 1});
   return cut;
 }
 

@@ -14,7 +14,8 @@ namespace relievo {
 /// @param ring  as windowMap [any thread]
 GridColours windowColours(const Surface& surface, const RegionWindow& window, int ring = 0);
 
-/// As levelCut; samples whose nearest cell is a hole or outside have none. [any thread]
+/// As levelCut; samples whose nearest cell is a hole have none, and of those outside only the
+/// ones beside the object. [any thread]
 /// @pre within the level
 GridColours levelColours(const Surface& surface, Level level, const LevelSamples& samples);
 GridColours levelColours(const Surface& surface, Level level);

@@ -214,6 +214,16 @@ TEST(Colours, AHoleThatIsFilledLaterGetsThoseAroundIt) {
   EXPECT_EQ(made.colours[hole], (Rgba{10, 200, 30, kBetweenAlpha}));
 }
 
+TEST(Colours, ARimIsCoveredOneSampleWide) {
+  const GridSize size{.cols = 5, .rows = 1};
+  const std::vector<Origin> origins{Origin::measured, Origin::outside, Origin::outside,
+                                    Origin::base_plane, Origin::measured};
+  GridColours colours;
+  colours.colours = {kRed, kNothing, kNothing, kNothing, kBlue};
+  coverRim(colours, origins, size);
+  EXPECT_EQ(colours.colours, (std::vector<Rgba>{kRed, kRed, kNothing, kNothing, kBlue}));
+}
+
 TEST(Colours, MeasuredCellsFarFromAnyColourStayWithout) {
   const GridFrame frame = frameOf(64, 64);
   Scan scan;
