@@ -61,6 +61,7 @@ DepthMapForm::DepthMapForm(SurfaceSource source, const Surface& present,
     : QWidget(parent),
       source_(std::move(source)),
       first_(options),
+      unit_before_(present.unit),
       spacing_mm_(present.map.frame.spacing_mm),
       cells_across_(std::max(present.map.frame.size.cols, present.map.frame.size.rows)) {
   auto* layout = new QFormLayout(this);
@@ -87,10 +88,20 @@ void DepthMapForm::addSource(QFormLayout* layout) {
   size_->setAccessibleName(tr("Size in millimetres"));
   size_->setWordWrap(true);
   layout->addRow(tr("Size"), size_);
+  strays_ = field<QComboBox>(layout, tr("&Far-off points"), "depth_strays",
+                             tr("Few points so far from all others that they stretch the map"));
+  strays_->addItem(tr("Leave out"), static_cast<int>(StrayRule::drop));
+  strays_->addItem(tr("Keep"), static_cast<int>(StrayRule::keep));
   view_ =
       field<QComboBox>(layout, tr("&View"), "depth_view", tr("From which side the object is seen"));
   for (const std::string_view name : kViewNames) {
     const QString word = QString::fromLatin1(name.data(), static_cast<int>(name.size()));
+    view_->addItem(viewText(word), word);
+  }
+  const bool is_other = first_.view && !first_.view->rotation &&
+                        view_->findData(QString::fromStdString(first_.view->name)) < 0;
+  if (is_other) {
+    const QString word = QString::fromStdString(first_.view->name);
     view_->addItem(viewText(word), word);
   }
   if (first_.view && first_.view->rotation) {
@@ -174,6 +185,7 @@ void DepthMapForm::show(const SurfaceOptions& o) {
   view_->setCurrentIndex(std::max(0, view_->findData(QString::fromStdString(view))));
   for (std::size_t i = 0; o.view && i < turn_.size(); ++i) turn_[i]->setValue(o.view->turn_deg[i]);
   engine_->setCurrentIndex(engine_->findData(QString::fromStdString(o.engine)));
+  strays_->setCurrentIndex(strays_->findData(static_cast<int>(o.strays)));
   for (int i = 1; o.rule && i < rule_->count(); ++i) {
     if (pointRule(rule_->itemData(i).toString().toStdString()) == o.rule) rule_->setCurrentIndex(i);
   }
@@ -206,6 +218,7 @@ void DepthMapForm::limit() {
   set(view_, !raster, stored);
   for (QDoubleSpinBox* box : turn_) set(box, !raster, stored);
   set(engine_, !raster, stored);
+  set(strays_, !raster, tr("A height map has none."));
   set(cell_choice_, !raster, stored);
   set(holes_, !own_map, tr("A map of this program has its holes treated already."));
   const bool cpu = engine_->currentData().toString() == QLatin1String("cpu");
@@ -233,8 +246,7 @@ void DepthMapForm::showSize() {
 SurfaceOptions DepthMapForm::options() const {
   SurfaceOptions o = first_;
   const auto unit = static_cast<LengthUnit>(unit_->currentData().toInt());
-  const LengthUnit before = first_.unit.value_or(source_.info().unit.value_or(LengthUnit::mm));
-  if (unit != before) {
+  if (unit != unit_before_) {
     o.unit = unit;
     o.unit_source = UnitSource::given;
   }
@@ -245,6 +257,7 @@ SurfaceOptions DepthMapForm::options() const {
     o.view = chosen;
   }
   o.engine = engine_->currentData().toString().toStdString();
+  o.strays = static_cast<StrayRule>(strays_->currentData().toInt());
   o.rule =
       rule_->isEnabled() ? pointRule(rule_->currentData().toString().toStdString()) : std::nullopt;
   const auto choice = static_cast<CellChoice>(cell_choice_->currentData().toInt());

@@ -39,11 +39,12 @@ class DepthMapForm : public QWidget {
   Widget* field(QFormLayout* layout, const QString& title, const char* name, const QString& tip);
 
   const SurfaceSource source_;
-  const SurfaceOptions first_;  ///< What has no field stays as it was.
-  const double spacing_mm_;     ///< Of the present map: offered when cells are chosen by size.
+  const SurfaceOptions first_;    ///< What has no field stays as it was.
+  const LengthUnit unit_before_;  ///< Of the present map.
+  const double spacing_mm_;       ///< Of the present map: offered when cells are chosen by size.
   const int cells_across_;
   QComboBox *unit_ = nullptr, *view_ = nullptr, *engine_ = nullptr, *rule_ = nullptr;
-  QComboBox *cell_choice_ = nullptr, *holes_ = nullptr;
+  QComboBox *cell_choice_ = nullptr, *holes_ = nullptr, *strays_ = nullptr;
   std::array<QDoubleSpinBox*, 3> turn_{};
   QSpinBox* cells_ = nullptr;
   QDoubleSpinBox *spacing_ = nullptr, *factor_ = nullptr, *hole_area_ = nullptr;

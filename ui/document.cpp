@@ -9,6 +9,7 @@
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
 #include "core/session/tiled_surface.h"
+#include "core/session/unit_guess.h"
 #include "core/tiles/tiled_map.h"
 #include "ui/depth_map_preview.h"
 #include "ui/relief_picture.h"
@@ -138,6 +139,21 @@ void Document::setUnit(LengthUnit unit) {
   remake(options, tr("Unit %1 \u2192 %2").arg(text(state_.surface->unit), text(unit)));
 }
 
+void Document::setStrays(StrayRule rule) {
+  if (!isOpen() || rule == state_.options.strays) return;
+  SurfaceOptions options = state_.options;
+  options.strays = rule;
+  remake(options,
+         rule == StrayRule::keep ? tr("Keep far-off points") : tr("Leave out far-off points"));
+}
+
+void Document::setNodata(const NodataChoice& nodata) {
+  if (!isOpen() || nodata == state_.options.nodata) return;
+  SurfaceOptions options = state_.options;
+  options.nodata = nodata;
+  remake(options, nodata.value ? tr("Take heights as missing") : tr("Keep all heights"));
+}
+
 bool Document::canRemake() {
   if (!isOpen()) return false;
   if (!state_.surface->tiles) return true;
@@ -213,7 +229,7 @@ void Document::read(Work& w, const Task& task) {
     w.options.unit_source = UnitSource::remembered;
   }
   if (info.bounds) {
-    const double mm = mmPer(w.options.unit.value_or(info.unit.value_or(LengthUnit::mm)));
+    const double mm = mmPer(unitInUse(info, w.options.unit, w.options.unit_source).unit);
     const FilePoint size = mm * (info.bounds->max - info.bounds->min);
     Q_EMIT scanRead(w.open.file, size.x, size.y, size.z, info.points);
   }

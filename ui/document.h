@@ -89,6 +89,8 @@ class Document : public QObject {
   void setView(const ViewChoice& view);
   void setEngine(const QString& engine);
   void setUnit(LengthUnit unit);
+  void setStrays(StrayRule rule);
+  void setNodata(const NodataChoice& nodata);
   void remake(const SurfaceOptions& options, const QString& name);
   /// A surface made elsewhere from source() takes the place of the present one.
   void adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,

@@ -22,7 +22,6 @@
 
 #include "core/session/map_facts.h"
 #include "core/session/surface_colours.h"
-#include "core/session/unit_guess.h"
 #include "ui/detail_view.h"
 #include "ui/first_view.h"
 #include "ui/header_row.h"
@@ -210,7 +209,7 @@ void MainWindow::connectParts() {
     const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
     announce(command("forces") == nullptr ? open_now
                                           : tr("%1 Press F5 to switch forces on.").arg(open_now));
-    askUnitIfAssumed();
+    askQuestions();
     showRestored();
     detail_->setFocus();
     replay_->showWaiting();
@@ -257,6 +256,8 @@ void MainWindow::connectParts() {
   connectVideo();
   connectImages();
   connectPackages();
+  connectExports();
+  connectQuestions();
   strip_->setOfferKey(command("answer")->shortcut());
   command("answer")->setEnabled(strip_->hasOffer());
   connect(strip_, &MessageStrip::offerChanged, command("answer"), &QAction::setEnabled);
@@ -374,48 +375,6 @@ void MainWindow::showFailure(const QString& message, const QString& code, const 
   }
   if (!file.isEmpty()) buttons.push_back({tr("&Choose\u2026"), [this] { chooseFile(); }});
   strip_->show(code.isEmpty() ? message : QStringLiteral("%1 (%2)").arg(message, code), buttons);
-}
-
-void MainWindow::askUnitIfAssumed() {
-  if (document_.surface()->unit_source == UnitSource::assumed) askUnit();
-}
-
-void MainWindow::askUnit() {
-  const Surface& surface = *document_.surface();
-  if (!surface.info.bounds) return;
-  const FilePoint size = surface.info.bounds->max - surface.info.bounds->min;
-  const auto number = [](double v) {
-    return QLocale().toString(v, 'g', 4).remove(QLocale().groupSeparator());
-  };
-  const bool assumed = surface.unit_source == UnitSource::assumed;
-  const LengthUnit likely = assumed ? guessedUnit(*surface.info.bounds) : surface.unit;
-  std::vector<MessageStrip::Button> buttons;
-  QStringList sizes;
-  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::cm, LengthUnit::m, LengthUnit::in}) {
-    if (unit == LengthUnit::in && assumed) continue;  // Rare; the panel has every unit.
-    QString text = unitText(unit);
-    text[0] = text[0].toUpper();
-    const MessageStrip::Button button{text, [this, unit] { chooseUnit(unit); }};
-    buttons.insert(unit == likely ? buttons.begin() : buttons.end(), button);  // For Ctrl+Return.
-    const double mm = mmPer(unit);
-    sizes << tr("in %1 %2").arg(unitText(unit), sizeText({mm * size.x, mm * size.y, mm * size.z}));
-  }
-  const QString numbers =
-      tr("%1 \u00d7 %2 \u00d7 %3").arg(number(size.x), number(size.y), number(size.z));
-  if (!assumed) {
-    strip_->show(tr("%1: %2. Which unit?").arg(numbers, sizes.join(QStringLiteral("; "))), buttons);
-    return;
-  }
-  strip_->show(tr("The points carry no unit. %1 \u2013 %2. Most likely %3. Shown as millimetres "
-                  "until you say. (E103)")
-                   .arg(numbers, sizes.join(QStringLiteral("; ")), unitText(likely)),
-               buttons);
-}
-
-void MainWindow::chooseUnit(LengthUnit unit) {
-  settings_.rememberUnit(document_.file(), unit);
-  strip_->close();
-  document_.setUnit(unit);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

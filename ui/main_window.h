@@ -33,6 +33,7 @@ class DetailView;
 class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
+struct MapExport;
 class OverviewInset;
 class PathPreview;
 class PlacesPanel;
@@ -97,6 +98,10 @@ class MainWindow : public QMainWindow {
   /// strip says what went wrong.
   void saveImage(ImageSource source, const QSize& pixels, const QString& file);
   bool savingImage() const { return image_work_.busy(); }
+  /// Writes a part of the map for other programs in the background; the strip says what went wrong
+  /// or had to be left out.
+  void exportMap(const MapExport& choice, const QString& file);
+  bool exporting() const { return export_work_.busy(); }
   /// Who knows what recordings need; without one packages hold the recordings alone.
   void setCompanions(CompanionsOf companions);
   /// Who reads the state that recordings carry; without one only CSV tells what it was made on.
@@ -171,10 +176,20 @@ class MainWindow : public QMainWindow {
   void showWindow();
   void showBusy(bool busy);
   void showFailure(const QString& message, const QString& code, const QString& file);
-  void askUnit();
-  void askUnitIfAssumed();
-  void chooseUnit(LengthUnit unit);
   void useThisView();
+
+  // main_window_questions.cpp
+  void connectQuestions();
+  /// What was found in an opened file and may be meant otherwise, one strip after the other.
+  void askQuestions();
+  void askNext();
+  void askStrays();
+  void askNodata();
+  /// Draws the six faces in a worker and asks for one of them then.
+  void drawFaces();
+  void askFace(const std::vector<std::pair<std::string, QImage>>& faces);
+  void askUnit();
+  void chooseUnit(LengthUnit unit);
 
   // main_window_layout.cpp
   void setFullScreenDetail(bool on);
@@ -210,6 +225,11 @@ class MainWindow : public QMainWindow {
   PictureOrder pictureOrder(ImageSource source, const QSize& pixels, const QString& file);
   /// The window has to wait for pictures, and closes by itself after them.
   bool closesWhenImagesAreSaved();
+
+  // main_window_export.cpp
+  void makeExportCommand();
+  void connectExports();
+  void chooseExport();
 
   // main_window_package.cpp
   void makePackageCommand();
@@ -333,7 +353,9 @@ class MainWindow : public QMainWindow {
   Project project_;  ///< What of the state no other part holds.
   /// How the view looked when the figure's look was chosen; nothing: not chosen yet.
   std::optional<ReliefLook> figure_view_;
-  std::optional<Project> restoring_;  ///< Until its file is open.
+  LatestWorker face_worker_;
+  std::vector<std::function<void()>> questions_;  ///< Not yet asked, the next one first.
+  std::optional<Project> restoring_;              ///< Until its file is open.
   QString project_file_;
   std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.
   bool closes_anyway_ = false;
@@ -349,7 +371,7 @@ class MainWindow : public QMainWindow {
   QStringList figures_made_;  ///< Since the scan was opened; offered for a package.
   CompanionsOf companions_;
   StateReader state_in_;
-  WorkQueue image_work_, package_work_, record_work_;
+  WorkQueue image_work_, package_work_, record_work_, export_work_;
 };
 
 }  // namespace relievo

@@ -68,6 +68,12 @@ Project MainWindow::project() {
   p.picture.reset();
   p.saved_as.clear();
   p.options = document_.state().options;
+  // A later version may choose otherwise.
+  if (document_.source().scan && document_.surface() &&
+      (!p.options.view || p.options.view->name == "auto")) {
+    const std::string& seen = document_.surface()->view_name;
+    if (namedRotation(seen)) p.options.view = ViewChoice{.name = seen, .rotation = std::nullopt};
+  }
   p.region = document_.state().region;
   p.gain = document_.state().gain;
   p.look = detail_->sceneState().look;

@@ -30,7 +30,10 @@ MessageStrip::MessageStrip(QWidget* parent)
   closer_->setAutoRaise(true);
   closer_->setToolTip(tr("Close this message"));
   closer_->setAccessibleName(tr("Close message"));
-  connect(closer_, &QToolButton::clicked, this, &MessageStrip::close);
+  connect(closer_, &QToolButton::clicked, this, [this] {
+    close();
+    Q_EMIT dismissed();
+  });
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 6, 6, 6);
   row->setSpacing(8);
@@ -53,6 +56,11 @@ void MessageStrip::show(const QString& text, const std::vector<Button>& buttons)
     auto* button = new QPushButton(b.text, this);
     button->setAccessibleName(withoutMnemonic(b.text));
     button->setToolTip(button->accessibleName());
+    if (!b.picture.isNull()) {
+      button->setIcon(b.picture);
+      button->setIconSize(b.picture.availableSizes().value(0));
+      button->setText({});
+    }
     connect(button, &QPushButton::clicked, this, [this, action = b.action] {
       close();
       if (action) action();

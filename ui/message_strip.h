@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <QFrame>
+#include <QIcon>
 #include <QKeySequence>
 #include <vector>
 
@@ -21,6 +22,7 @@ class MessageStrip : public QFrame {
   struct Button {
     QString text;
     std::function<void()> action;  ///< Runs after the strip closed.
+    QIcon picture = {};            ///< In place of the text, which then is its name.
   };
 
   explicit MessageStrip(QWidget* parent = nullptr);
@@ -38,6 +40,7 @@ class MessageStrip : public QFrame {
 
  Q_SIGNALS:
   void offerChanged(bool has_offer);
+  void dismissed();  ///< Closed by the user without an answer.
 
  private:
   void showOfferKey();

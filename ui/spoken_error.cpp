@@ -71,6 +71,9 @@ constexpr std::array kSentences{
                       "others."),
     QT_TRANSLATE_NOOP("Core", "The plane does not cut the surface. Choose another plane."),
     QT_TRANSLATE_NOOP("Core", "The plane of '%1' does not cut the surface. Choose another plane."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: every height is the one that stands for none, so there is no surface. "
+                      "Nothing was made. Choose another --nodata."),
     QT_TRANSLATE_NOOP("Core", "Two places, one above the other, give no plane. Choose another."),
     QT_TRANSLATE_NOOP("Core", "Three places on one line give no plane. Choose another."),
     QT_TRANSLATE_NOOP("Core",

@@ -85,6 +85,24 @@ QString viewText(const QString& name) {
   if (name == QLatin1String("top")) return QCoreApplication::translate("Text", "Top");
   if (name == QLatin1String("bottom")) return QCoreApplication::translate("Text", "Bottom");
   if (name.isEmpty()) return {};
+  if (name == QLatin1String("face")) {
+    return QCoreApplication::translate("Text", "Automatic, as in earlier versions");
+  }
+  // One of the six, turned about the line of sight.
+  const int comma = name.indexOf(QLatin1String(", "));
+  if (comma > 0) {
+    const QString face = viewText(name.left(comma));
+    const QString turn = name.mid(comma + 2);
+    if (turn == QLatin1String("turned to the left")) {
+      return QCoreApplication::translate("Text", "%1, turned to the left").arg(face);
+    }
+    if (turn == QLatin1String("turned to the right")) {
+      return QCoreApplication::translate("Text", "%1, turned to the right").arg(face);
+    }
+    if (turn == QLatin1String("upside down")) {
+      return QCoreApplication::translate("Text", "%1, upside down").arg(face);
+    }
+  }
   return name.left(1).toUpper() + name.mid(1);
 }
 

@@ -46,6 +46,18 @@ HoleChoice holeChoice(const std::string& text) {
                       "none.");
 }
 
+StrayRule strayRule(const std::string& text) {
+  if (text == "drop") return StrayRule::drop;
+  if (text == "keep") return StrayRule::keep;
+  throw ArgumentError("--strays: '" + text + "' is neither drop nor keep.");
+}
+
+std::optional<NodataChoice> nodataChoice(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  if (text == "none") return NodataChoice{};
+  return NodataChoice{.value = number("--nodata", text)};
+}
+
 ViewChoice viewChoice(const MapArguments& a) {
   ViewChoice view{.name = a.view.empty() ? "auto" : a.view, .rotation = std::nullopt};
   if (std::find(kViewNames.begin(), kViewNames.end(), view.name) == kViewNames.end()) {
@@ -84,7 +96,7 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
       ->required();
   verb.add_option("--unit", a.unit, "Unit of the file's coordinates: mm cm m in ft us-ft");
   verb.add_option("--view", a.view,
-                  "front back left right top bottom; auto: what shows most; fit: "
+                  "front back left right top bottom; auto: upright, what shows most; fit: "
                   "on the best-fit plane; axes: by the principal axes");
   verb.add_option("--turn", a.turn, "X,Y,Z: then turned about the view's axes by so many degrees");
   verb.add_option("--cells", a.cells, "Samples across the longer side");
@@ -95,6 +107,10 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
                   "quadratic");
   verb.add_option("--holes", a.holes,
                   "base (the paper's), interpolate:MAX_MM2, membrane, membrane:MAX_MM2 or none");
+  verb.add_option("--strays", a.strays,
+                  "Few points far from all others, which stretch the box: drop or keep; drop");
+  verb.add_option("--nodata", a.nodata,
+                  "A height of the file that stands for none, as -9999; none: every height is one");
   verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
   verb.add_flag("--load-incomplete", a.accept_incomplete,
                 "Load the complete records of a cut file (E101)");
@@ -130,6 +146,8 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
   options.spacing_mm = a.spacing_mm;
   options.engine = a.engine;
   options.holes = holeChoice(a.holes);
+  options.strays = strayRule(a.strays);
+  options.nodata = nodataChoice(a.nodata);
   options.pyramid.factor = a.factor;
   return options;
 }

@@ -27,7 +27,9 @@ struct MapArguments {
   std::string engine = "cpu";
   std::string rule;  ///< Empty: from the data.
   std::string holes = "base";
-  double factor = 2;  ///< The paper's M.
+  std::string strays = "drop";
+  std::string nodata;  ///< Empty: as the file says; "none" or a height.
+  double factor = 2;   ///< The paper's M.
   bool accept_incomplete = false;
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);

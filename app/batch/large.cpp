@@ -86,6 +86,8 @@ Json reportOf(const LargeMap& map) {
   json["unit_source"] = name(map.unit_source);
   json["holes"] = holesJson(map.holes);
   json["losses"] = lossesJson(map.losses);
+  json["strays"] = straysJson(map.strays);
+  json["missing"] = map.missing;
   json["not_done"] = map.not_done;
   json["levels"] = levelsJson(map);
   return json;

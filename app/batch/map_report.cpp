@@ -33,6 +33,15 @@ Json lossesJson(const std::optional<DepthLosses>& losses) {
           {"flyers", losses->flyers}};
 }
 
+Json straysJson(const Strays& strays) {
+  return {{"points", strays.points}, {"share_of_box", strays.share_of_box}, {"kept", strays.kept}};
+}
+
+Json suspectJson(const std::optional<SuspectHeight>& suspect) {
+  if (!suspect) return nullptr;
+  return {{"value", suspect->value}, {"count", suspect->count}};
+}
+
 std::string lossesText(const std::optional<DepthLosses>& losses) {
   if (!losses) return "losses: not known";
   const auto percent = [](double share) { return shortNumber(100 * share, 3) + " % "; };

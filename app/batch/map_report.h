@@ -11,6 +11,8 @@
 #include "core/base/origin.h"
 #include "core/depth/fill.h"
 #include "core/depth/quality.h"
+#include "core/session/nodata.h"
+#include "core/session/strays.h"
 
 namespace relievo::batch {
 
@@ -19,6 +21,9 @@ Json sharesJson(const std::array<double, kOriginCount>& shares);
 Json holesJson(const std::vector<Hole>& holes);
 /// null where they are not known.
 Json lossesJson(const std::optional<DepthLosses>& losses);
+Json straysJson(const Strays& strays);
+/// null where there is none.
+Json suspectJson(const std::optional<SuspectHeight>& suspect);
 std::string lossesText(const std::optional<DepthLosses>& losses);
 
 }  // namespace relievo::batch

@@ -117,6 +117,9 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
       own.intensities.empty() ? Json(nullptr) : Json(intensityFileOf(a.out).string());
   json["quality"] = qualityJson(surface);
   json["losses"] = lossesJson(surface.losses);
+  json["strays"] = straysJson(surface.strays);
+  json["missing"] = surface.missing;
+  json["likely_nodata"] = suspectJson(surface.suspect_height);
   json["not_done"] = surface.not_done;
   return {
       .json = json.dump(2),

@@ -4,9 +4,12 @@
 #include <cstdio>
 
 #include "app/batch/json.h"
+#include "app/batch/map_report.h"
 #include "app/batch/verb.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
+#include "core/session/nodata.h"
+#include "core/session/strays.h"
 #include "core/session/unit_guess.h"
 
 namespace relievo::batch {
@@ -17,11 +20,42 @@ struct InfoArguments {
   bool accept_incomplete = false;
 };
 
-ScanInfo readInfo(const InfoArguments& a, const Task& task) {
+struct Found {
+  ScanInfo info;
+  Strays strays;
+  std::optional<SuspectHeight> suspect_height;
+  /// What the unit is guessed from: the box without strays.
+  std::optional<FileBounds> box;
+};
+
+Found look(const InfoArguments& a, const Task& task) {
   ImportOptions options;
   options.accept_incomplete = a.accept_incomplete;
-  if (looksLikeRaster(a.file)) return importRaster(a.file, options, task).info;
-  return importScan(a.file, options, task).info;
+  if (looksLikeRaster(a.file)) {
+    const RasterMap raster = importRaster(a.file, options, task);
+    return {.info = raster.info,
+            .strays = {},
+            .suspect_height = suspectHeight(raster),
+            .box = raster.info.bounds};
+  }
+  const Scan scan = importScan(a.file, options, task);
+  const ScanInUse in_use(scan, StrayRule::drop, std::nullopt, task);
+  return {.info = scan.info,
+          .strays = in_use.strays(),
+          .suspect_height = suspectHeight(scan),
+          .box = in_use.scan().info.bounds};
+}
+
+/// Of a file that is only looked at.
+std::string strayText(const Strays& strays) {
+  std::string words = strayWords(strays);
+  const std::string left_out = strays.points == 1 ? "it was left out." : "they were left out.";
+  if (const auto at = words.find(left_out); at != std::string::npos) {
+    words.replace(at, left_out.size(),
+                  "surfaces are made without " + std::string(strays.points == 1 ? "it" : "them") +
+                      ", unless --strays keep is given.");
+  }
+  return words;
 }
 
 Json jsonOf(const FilePoint& p) {
@@ -43,23 +77,18 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
       throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
     }
   }
-  const ScanInfo info = readInfo(a, task);
-  const LengthUnit unit = given.value_or(info.unit.value_or(LengthUnit::mm));
-  const UnitSource source =
-      given ? UnitSource::given : (info.unit ? UnitSource::file : UnitSource::assumed);
+  const Found found = look(a, task);
+  const ScanInfo& info = found.info;
+  ScanInfo without_strays = info;
+  without_strays.bounds = found.box;
+  const auto [unit, source] = unitInUse(without_strays, given, UnitSource::given);
   for (const std::string& warning : info.warnings) tell(warning);
-  if (source == UnitSource::assumed) {
-    std::string text =
-        "The file states no unit; one file unit is taken as 1 mm. Give --unit if it is another.";
-    if (info.bounds) {
-      const LengthUnit likely = guessedUnit(*info.bounds);
-      text += " From its size " + std::string(name(likely)) + " is likely" +
-              (likely == unit
-                   ? "."
-                   : ": " + sizeText(mmPer(likely) * (info.bounds->max - info.bounds->min)) + ".");
-    }
-    tell(text);
+  if (found.strays.points > 0) tell(strayText(found.strays));
+  if (found.suspect_height) tell(suspectWords(*found.suspect_height));
+  if (const std::string words = unitWords(without_strays, {unit, source}); !words.empty()) {
+    tell(words);
   }
+  const bool nobody_said = source == UnitSource::assumed || source == UnitSource::guessed;
 
   Json json;
   json["file"] = a.file;
@@ -78,8 +107,10 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   json["dropped_faces"] = info.dropped_faces;
   if (info.bounds) {
     json["size_mm"] = jsonOf(mmPer(unit) * (info.bounds->max - info.bounds->min));
-    if (source == UnitSource::assumed) json["likely_unit"] = name(guessedUnit(*info.bounds));
+    if (nobody_said) json["likely_unit"] = name(guessUnit(without_strays).unit);
   }
+  json["strays"] = straysJson(found.strays);
+  json["likely_nodata"] = suspectJson(found.suspect_height);
 
   Outcome outcome{.json = json.dump(2), .lines = {}};
   outcome.lines = {a.file + ": " + info.format,
@@ -91,7 +122,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
                             json["bounds"]["max"].dump());
     const FilePoint size_mm = mmPer(unit) * (info.bounds->max - info.bounds->min);
     outcome.lines.push_back("size " + sizeText(size_mm) +
-                            (source == UnitSource::assumed ? ", if one unit is 1 mm" : ""));
+                            (nobody_said ? ", if one unit is 1 " + std::string(name(unit)) : ""));
   }
   return outcome;
 }

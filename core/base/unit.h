@@ -38,10 +38,12 @@ inline constexpr std::optional<LengthUnit> lengthUnit(std::string_view name) noe
   return std::nullopt;
 }
 
-/// Who said which unit a file has.
-enum class UnitSource { given, file, remembered, assumed };
+/// Who said which unit a file has. guessed: nobody, but it is no millimetre; assumed: nobody, so
+/// one file unit is 1 mm.
+enum class UnitSource { given, file, remembered, assumed, guessed };
 inline constexpr std::string_view name(UnitSource s) noexcept {
-  constexpr std::array<std::string_view, 4> kNames{"given", "file", "remembered", "assumed"};
+  constexpr std::array<std::string_view, 5> kNames{"given", "file", "remembered", "assumed",
+                                                   "guessed"};
   return kNames[static_cast<std::size_t>(s)];
 }
 

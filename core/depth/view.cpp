@@ -11,6 +11,7 @@
 
 #include "core/base/bands.h"
 #include "core/base/wide_vectors.h"
+#include "core/depth/automatic_view.h"
 #include "core/depth/principal_axes.h"
 
 namespace relievo {
@@ -34,77 +35,6 @@ ViewMm rotate(const Rotation& r, const FilePoint& p) noexcept {
 FilePoint localPoint(const Scan& scan, std::size_t i) noexcept {
   const auto& p = scan.points[i];
   return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
-/// A look at the scan from one side on a coarse grid.
-struct Look {
-  double area = 0;     ///< Occupied cells times cell size squared.
-  double visible = 0;  ///< Share of the points that are not hidden behind others.
-};
-
-constexpr std::size_t kMostPoints = 200'000;
-
-Look lookFrom(const Scan& scan, const Rotation& rotation) {
-  const std::size_t stride = std::max<std::size_t>(1, scan.points.size() / kMostPoints);
-  std::vector<ViewMm> points;
-  points.reserve(scan.points.size() / stride + 1);
-  ViewMm low{1e300, 1e300, 1e300};
-  ViewMm high{-1e300, -1e300, -1e300};
-  for (std::size_t i = 0; i < scan.points.size(); i += stride) {
-    const ViewMm p = rotate(rotation, localPoint(scan, i));
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    points.push_back(p);
-  }
-  const double side = std::max(high.x - low.x, high.y - low.y);
-  if (points.empty() || !(side > 0)) return {};
-  const int cells =
-      std::clamp(static_cast<int>(std::sqrt(static_cast<double>(points.size())) / 2), 8, 128);
-  const double cell = side / cells;
-  const auto index = [&](const ViewMm& p) {
-    const int col = std::min(cells - 1, static_cast<int>((p.x - low.x) / cell));
-    const int row = std::min(cells - 1, static_cast<int>((p.y - low.y) / cell));
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cells) +
-           static_cast<std::size_t>(col);
-  };
-  std::vector<double> front(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells),
-                            -std::numeric_limits<double>::infinity());
-  for (const ViewMm& p : points) front[index(p)] = std::max(front[index(p)], p.z);
-  std::size_t visible = 0;
-  for (const ViewMm& p : points) visible += p.z >= front[index(p)] - 2 * cell ? 1 : 0;
-  const auto occupied =
-      std::count_if(front.begin(), front.end(), [](double z) { return z > -1e300; });
-  return {.area = static_cast<double>(occupied) * cell * cell,
-          .visible = static_cast<double>(visible) / static_cast<double>(points.size())};
-}
-
-/// Mean facing of the triangles, -1 (all seen from behind) to 1; 0 for clouds and closed meshes.
-double facing(const Scan& scan, const Rotation& rotation) {
-  double signed_area = 0;
-  double area = 0;
-  for (const auto& t : scan.triangles) {
-    const ViewMm a = rotate(rotation, localPoint(scan, t[0]));
-    const ViewMm b = rotate(rotation, localPoint(scan, t[1]));
-    const ViewMm c = rotate(rotation, localPoint(scan, t[2]));
-    const double twice = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-    signed_area += twice;
-    area += std::abs(twice);
-  }
-  return area > 0 ? signed_area / area : 0;
-}
-
-/// A depth camera stands at the file's origin, well in front of what it sees, and the origin lies
-/// roughly behind the middle of the picture. 1: this view looks from there; -1: from the far side.
-int sensorSide(const Scan& scan, const Rotation& rotation) {
-  if (!scan.triangles.empty() || !scan.info.bounds) return 0;
-  const RotatedBounds box = rotatedBounds(scan, rotation, 1.0);
-  const double width = box.max.x - box.min.x;
-  const double height = box.max.y - box.min.y;
-  const bool behind_middle = box.min.x - width < 0 && box.max.x + width > 0 &&
-                             box.min.y - height < 0 && box.max.y + height > 0;
-  const double distance = std::max(-box.max.z, box.min.z);
-  if (!behind_middle || distance < 0.4 * std::max(width, height)) return 0;
-  return box.max.z < 0 ? 1 : -1;
 }
 
 constexpr double kTrimmedShare = 0.02;  // Flyers and stray points do not tilt the plane.
@@ -148,10 +78,7 @@ Rotation upright(const Axis& toward) {
 Axis showingSide(const Scan& scan, const Axis& normal, const Task& task) {
   const auto score = [&](const Axis& toward) {
     task.check();
-    const Rotation rotation = upright(toward);
-    const Look look = lookFrom(scan, rotation);
-    return look.area * look.visible * (1 + 0.25 * facing(scan, rotation)) *
-           (1 + 0.25 * sensorSide(scan, rotation)) * (toward[2] > 0 ? 1.15 : 1);
+    return shownFrom(scan, upright(toward)) * (toward[2] > 0 ? 1.15 : 1);
   };
   const Axis back = scaled(normal, -1);
   return score(back) > score(normal) ? back : normal;
@@ -184,13 +111,14 @@ NamedRotation principalView(const Scan& scan, const Task& task) {
 
 NamedRotation untouched(const Scan& scan, const ViewChoice& choice, const Task& task) {
   if (choice.name == "auto") return automaticRotation(scan, task);
+  if (choice.name == kEarlierAutomatic) return automaticFace(scan, task);
   if (choice.name == "fit") return bestFit(scan, task);
   if (choice.name == "axes") return principalView(scan, task);
   if (choice.name == "free") {
     if (!choice.rotation) throw ArgumentError("A free view needs its rotation.");
     return {.name = "free", .rotation = *choice.rotation};
   }
-  if (const auto rotation = standardRotation(choice.name)) {
+  if (const auto rotation = namedRotation(choice.name)) {
     return {.name = choice.name, .rotation = *rotation};
   }
   throw ArgumentError("There is no view '" + choice.name +
@@ -206,24 +134,46 @@ std::optional<Rotation> standardRotation(std::string_view name) {
   return std::nullopt;
 }
 
-NamedRotation automaticRotation(const Scan& scan, const Task& task) {
-  NamedRotation best{.name = std::string(kStandardViews[0].first),
-                     .rotation = kStandardViews[0].second};
-  double best_score = -1;
-  // What is seen about equally well from several sides is seen from above: airborne scans differ by
-  // a few flyers only.
-  constexpr double kFromAbove = 1.15;
-  for (const auto& [name, rotation] : kStandardViews) {
-    task.check();
-    const Look look = lookFrom(scan, rotation);
-    const double score = look.area * look.visible * (1 + 0.25 * facing(scan, rotation)) *
-                         (1 + 0.25 * sensorSide(scan, rotation)) * (name == "top" ? kFromAbove : 1);
-    if (score > best_score * 1.02) {
-      best_score = score;
-      best = {.name = std::string(name), .rotation = rotation};
+namespace {
+
+// A view turned about the line of sight. {a, b}: view x and y become a x + b y and -b x + a y.
+struct Turn {
+  std::string_view words;
+  double a, b;
+};
+constexpr std::array<Turn, 4> kTurns{{{"", 1, 0},
+                                      {", turned to the left", 0, -1},
+                                      {", turned to the right", 0, 1},
+                                      {", upside down", -1, 0}}};
+
+Rotation turnedBy(const Rotation& r, const Turn& turn) {
+  Rotation result = r;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = turn.a * r[k] + turn.b * r[3 + k] + 0.0;  // No negative zeros.
+    result[3 + k] = -turn.b * r[k] + turn.a * r[3 + k] + 0.0;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Rotation> namedRotation(std::string_view name) {
+  for (const auto& [view, rotation] : kStandardViews) {
+    if (!name.starts_with(view)) continue;
+    for (const Turn& turn : kTurns) {
+      if (name.substr(view.size()) == turn.words) return turnedBy(rotation, turn);
     }
   }
-  return best;
+  return std::nullopt;
+}
+
+std::string nameOf(const Rotation& wanted) {
+  for (const auto& [view, rotation] : kStandardViews) {
+    for (const Turn& turn : kTurns) {
+      if (turnedBy(rotation, turn) == wanted) return std::string(view).append(turn.words);
+    }
+  }
+  return "free";
 }
 
 Rotation turned(const Rotation& rotation, const std::array<double, 3>& turn_deg) {

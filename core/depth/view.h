@@ -23,9 +23,9 @@ struct ViewChoice {
   std::array<double, 3> turn_deg{};
 };
 
-/// auto: the standard view that shows most. fit: along the normal of the best-fit plane, the file's
-/// axes as upright as they can be. axes: the longest principal axis to the right, the shortest
-/// toward the viewer.
+/// auto: upright, and from where it shows most. fit: along the normal of the best-fit plane, the
+/// file's axes as upright as they can be. axes: the longest principal axis to the right, the
+/// shortest toward the viewer.
 inline constexpr std::array<std::string_view, 9> kViewNames{
     "front", "back", "left", "right", "top", "bottom", "auto", "fit", "axes"};
 
@@ -33,15 +33,25 @@ inline constexpr std::array<std::string_view, 9> kViewNames{
 /// back: -x, z, y. right: y, z, x. left: -y, z, -x. Nothing for other names.
 std::optional<Rotation> standardRotation(std::string_view name);
 
+/// The same of the 24 rotations that lay the file's axes along the view's: the six, and each turned
+/// about the line of sight: "back, turned to the left", "back, turned to the right", "back, upside
+/// down".
+std::optional<Rotation> namedRotation(std::string_view name);
+/// The name that namedRotation knows it by; "free" for others.
+std::string nameOf(const Rotation& rotation);
+
 struct NamedRotation {
   std::string name;
   Rotation rotation;
-  std::string note{};  ///< For people, if the choice was not certain; else empty.
+  std::string note{};    ///< For people, if the choice was not certain; else empty.
+  bool is_weak = false;  ///< Chosen automatically, and another may well be right.
 };
-/// The standard view from which the object shows most of itself: face towards me. [worker]
-/// Chooses the direction along which the scan is thinnest, and of the two sides the one on which
-/// more of the surface is in front.
+/// Of the 24 rotations the one in which the object stands upright and shows most of itself: face
+/// towards me. [worker] (docs/adr/0101-objects-stand-up.md)
 NamedRotation automaticRotation(const Scan& scan, const Task& task = {});
+
+/// What `auto` was before objects stood up: one of the six. Older projects mean it; not offered.
+inline constexpr std::string_view kEarlierAutomatic = "face";
 
 /// The rotation that a choice names, turned as it says: name "fit + 0, 10, 0 degrees". [worker]
 /// @throw ArgumentError  no such view, a free view without a rotation, or a turn that is not finite

@@ -19,7 +19,6 @@
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
 #include "core/io/system_unit.h"
-#include "core/io/unpack_las.h"
 #include "core/io/worker_process.h"
 
 namespace relievo {
@@ -27,25 +26,18 @@ namespace {
 
 constexpr int kRowsAtOnce = 64;  ///< Between two looks at the stop token.
 
-/// What can be seen of a scan in its first bytes.
-struct Foresight {
-  FileFormat format = FileFormat::other;
-  ImportProgram program = ImportProgram::own;
-};
-
 /// What can be refused by the first bytes is refused here, before a process is started.
-Foresight precheck(const std::filesystem::path& file) {
+/// @return  the program that reads the rest
+ImportProgram precheck(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
   checkReadableAsScan(found, file);
   if (found.format == FileFormat::ply) parsePlyHeader(head, file);
-  Foresight foresight{.format = found.format};
-  if (found.format == FileFormat::pcd &&
-      parsePcdHeader(head, file).encoding == PcdEncoding::binary_compressed) {
-    foresight.program = ImportProgram::libraries;
-  }
-  return foresight;
+  const bool needs_libraries =
+      found.format == FileFormat::pcd &&
+      parsePcdHeader(head, file).encoding == PcdEncoding::binary_compressed;
+  return needs_libraries ? ImportProgram::libraries : ImportProgram::own;
 }
 
 [[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
@@ -91,18 +83,11 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
 
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  const Foresight foresight = precheck(file);
-  const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
-    Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
-    scan.info.file = file;
-    if (scan.info.format.starts_with("LAS")) addUnitOfSystem(what, scan.info);
-    return scan;
-  };
-  if (foresight.format != FileFormat::laz) return read(foresight.program, file);
-  UnpackedLas unpacked(file, task);
-  unpacked.waitForAll(task);
-  Scan scan = read(ImportProgram::own, unpacked.file());
-  scan.info.format.replace(0, 3, "LAZ");
+  Scan scan = importInWorker<Scan>(precheck(file), file, ImportKind::scan, options, task);
+  scan.info.file = file;
+  if (scan.info.format.starts_with("LAS") || scan.info.format.starts_with("LAZ")) {
+    addUnitOfSystem(file, scan.info);
+  }
   return scan;
 }
 

@@ -11,8 +11,9 @@ namespace relievo {
 namespace {
 
 constexpr std::array<std::string_view, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
-constexpr std::array<std::string_view, 4> kUnitSourceNames{"given", "file", "remembered",
-                                                           "assumed"};
+constexpr std::array<std::string_view, 5> kUnitSourceNames{"given", "file", "remembered", "assumed",
+                                                           "guessed"};
+constexpr std::array<std::string_view, 2> kStrayRuleNames{"drop", "keep"};
 constexpr std::array<std::string_view, 7> kRuleNames{"front", "second", "topmean",  "median",
                                                      "mean",  "splat",  "quadratic"};
 constexpr double kAny = std::numeric_limits<double>::max();
@@ -60,6 +61,21 @@ std::optional<ViewChoice> viewChoiceFrom(const Json& json) {
   }
   view.turn_deg = stored.at("turn_deg").get<std::array<double, 3>>();
   return view;
+}
+
+/// null: nothing was said; {"value": null}: every height is one.
+Json jsonOf(const std::optional<NodataChoice>& nodata) {
+  if (!nodata) return nullptr;
+  return {{"value", nodata->value ? Json(*nodata->value) : Json(nullptr)}};
+}
+
+std::optional<NodataChoice> nodataFrom(const Json& json) {
+  if (!has(json, "nodata")) return std::nullopt;
+  NodataChoice nodata;
+  if (has(json.at("nodata"), "value")) {
+    nodata.value = number(json.at("nodata"), "value", -kAny, kAny);
+  }
+  return nodata;
 }
 
 Json jsonOf(const StereoOptions& stereo) {
@@ -121,6 +137,8 @@ Json jsonOf(const SurfaceOptions& o) {
   for (const std::string_view rule : kRuleNames) {
     if (o.rule && pointRule(rule) == o.rule) json["rule"] = rule;
   }
+  json["strays"] = kStrayRuleNames.at(static_cast<std::size_t>(o.strays));
+  json["nodata"] = jsonOf(o.nodata);
   json["holes"] = {{"rule", kHoleRuleNames.at(static_cast<std::size_t>(o.holes.rule))}};
   // JSON has no infinity; no limit is written as none.
   if (std::isfinite(o.holes.max_area_mm2)) json["holes"]["max_area_mm2"] = o.holes.max_area_mm2;
@@ -149,6 +167,18 @@ SurfaceOptions optionsFrom(const Json& json) {
     o.rule = pointRule(rule);
     if (!o.rule) throw FileError("'" + rule + "' is not a known 'rule'.");
   }
+  if (json.contains("strays")) {
+    o.strays = word<StrayRule>(json, "strays", kStrayRuleNames);
+  } else {
+    // Older versions left nothing out, and chose among six views.
+    o.strays = StrayRule::keep;
+    if (!o.view || o.view->name == "auto") {
+      o.view = ViewChoice{.name = std::string(kEarlierAutomatic),
+                          .rotation = std::nullopt,
+                          .turn_deg = o.view ? o.view->turn_deg : std::array<double, 3>{}};
+    }
+  }
+  o.nodata = nodataFrom(json);
   const Json& holes = json.at("holes");
   o.holes.rule = word<HoleRule>(holes, "rule", kHoleRuleNames);
   o.holes.max_area_mm2 = has(holes, "max_area_mm2") ? number(holes, "max_area_mm2", 0, kAny)

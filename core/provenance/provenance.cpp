@@ -31,6 +31,10 @@ Json madeJson(const Made& made, const GridFrame& frame, const HeightRange& heigh
   json["engine"] = made.engine;
   json["rule"] = made.rule;
   json["holes"] = made.holes.size();
+  json["strays"] = {{"points", made.strays.points},
+                    {"share_of_box", made.strays.share_of_box},
+                    {"kept", made.strays.kept}};
+  json["missing"] = made.missing;
   for (std::size_t i = 0; i < kOriginCount; ++i) {
     json["shares"][std::string(kOriginNames[i])] = shares[i];
   }
@@ -43,8 +47,9 @@ SurfaceOptions writtenOut(SurfaceOptions out, const Made& made, bool is_raster, 
   out.unit = made.unit;
   out.unit_source = made.unit_source;
   if (is_raster) return out;
-  const bool automatic = !out.view || out.view->name == "auto";
-  if (automatic && standardRotation(made.view_name)) {
+  const bool automatic =
+      !out.view || out.view->name == "auto" || out.view->name == kEarlierAutomatic;
+  if (automatic && namedRotation(made.view_name)) {
     out.view = ViewChoice{.name = made.view_name, .rotation = std::nullopt, .turn_deg = {}};
   }
   out.cells.reset();

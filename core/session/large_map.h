@@ -44,7 +44,9 @@ struct LargeMap {
   HeightRange heights;                        ///< Over cells that are not outside.
   std::vector<Hole> holes;                    ///< Enclosed holes, largest first.
   std::optional<DepthLosses> losses;          ///< Of points that were not merged as they came.
-  std::vector<std::string> not_done;          ///< Steps that were asked for, in sentences.
+  Strays strays;                              ///< Of clouds.
+  std::uint64_t missing = 0;          ///< Points or cells left out because of options.nodata.
+  std::vector<std::string> not_done;  ///< Steps that were asked for, in sentences.
   std::vector<std::string> messages;
   StageSeconds seconds;
   double first_view_s = 0;  ///< From the call to the first on_view; 0: none.

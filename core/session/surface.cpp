@@ -12,9 +12,11 @@
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
 #include "core/session/choices.h"
+#include "core/session/closed_cloud.h"
 #include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
 #include "core/session/surface_colours.h"
+#include "core/session/unit_guess.h"
 
 namespace relievo {
 namespace {
@@ -38,30 +40,22 @@ class Stopwatch {
 }  // namespace
 
 void chooseUnit(Surface& surface, const SurfaceOptions& options) {
-  if (options.unit) {
-    surface.unit = *options.unit;
-    surface.unit_source = options.unit_source;
-  } else if (surface.info.unit) {
-    surface.unit = *surface.info.unit;
-    surface.unit_source = UnitSource::file;
-  } else {
-    surface.unit = LengthUnit::mm;
-    surface.unit_source = UnitSource::assumed;
-    surface.messages.emplace_back(
-        "The points carry no unit; one file unit was taken as 1 mm. Give the unit if it is "
-        "another.");
+  const UnitInUse unit = unitInUse(surface.info, options.unit, options.unit_source);
+  surface.unit = unit.unit;
+  surface.unit_source = unit.source;
+  if (std::string words = unitWords(surface.info, unit); !words.empty()) {
+    surface.messages.push_back(std::move(words));
   }
 }
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
-GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& options,
-                      const Rotation& rotation, const RotatedBounds& box,
-                      std::uint64_t points_in_all) {
+GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const RotatedBounds& box,
+                      const std::function<CellProposal()>& propose) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
   const double side = std::max(width, height);
   if (!(side > 0) || !std::isfinite(side)) {
-    throw FileError(scan.info.file.filename().string() +
+    throw FileError(surface.info.file.filename().string() +
                     ": seen from here all points lie on one spot, so there is no surface. "
                     "Nothing was made. Choose another view or another file.");
   }
@@ -77,7 +71,7 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
   } else {
     int cells = options.cells.value_or(0);
     if (!options.cells) {
-      const CellProposal proposal = proposeCells(scan, rotation, points_in_all);
+      const CellProposal proposal = propose();
       cells = proposal.cells;
       surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
                                  proposal.reason + ").");
@@ -85,8 +79,15 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
     if (cells < 2) throw ArgumentError("The grid needs at least 2 cells across.");
     spacing = side / (cells - 1);
   }
-  const double cols = std::floor(width / spacing + 0.5) + 1;
-  const double rows = std::floor(height / spacing + 0.5) + 1;
+  // A map has two samples each way at least: fewer enclose no square that could be drawn or
+  // touched.
+  const double cols = std::max(2.0, std::floor(width / spacing + 0.5) + 1);
+  const double rows = std::max(2.0, std::floor(height / spacing + 0.5) + 1);
+  if (std::min(width, height) < 0.5 * spacing) {
+    surface.messages.emplace_back(
+        "Seen from here the points lie on one line of cells, so that next to nothing can be seen "
+        "or touched. Choose another view, or more cells.");
+  }
   if (!(cols * rows <= kMostCells)) {
     throw ArgumentError("A grid of " + std::to_string(static_cast<long long>(cols)) + " x " +
                         std::to_string(static_cast<long long>(rows)) +
@@ -158,6 +159,45 @@ void finish(Surface& surface, const SurfaceOptions& options, Stopwatch& watch, c
   surface.seconds.pyramid = watch.lap();
 }
 
+std::optional<double> missingHeight(const SurfaceOptions& options) {
+  return options.nodata ? options.nodata->value : std::nullopt;
+}
+
+/// What of the scan is not in the surface, and what is that should perhaps not be.
+void takeLeftOut(Surface& surface, const ScanInUse& in_use, const Scan& whole,
+                 const SurfaceOptions& options) {
+  surface.strays = in_use.strays();
+  surface.missing = in_use.missing();
+  if (surface.missing > 0) {
+    surface.messages.push_back(missingWords(surface.missing, *options.nodata->value));
+  }
+  if (std::string words = strayWords(surface.strays); !words.empty()) {
+    surface.messages.push_back(std::move(words));
+  }
+  if (!options.nodata) surface.suspect_height = suspectHeight(whole);
+  if (surface.suspect_height) {
+    surface.messages.push_back(suspectWords(*surface.suspect_height));
+  }
+}
+
+/// The raster without the heights that stand for none; nothing: there are none.
+std::optional<RasterMap> withoutMissing(const RasterMap& raster, Surface& surface,
+                                        const SurfaceOptions& options) {
+  const std::optional<double> value = missingHeight(options);
+  if (!value) {
+    if (!options.nodata) surface.suspect_height = suspectHeight(raster);
+    if (surface.suspect_height) {
+      surface.messages.push_back(suspectWords(*surface.suspect_height));
+    }
+    return std::nullopt;
+  }
+  RasterMap cleaned = raster;
+  surface.missing = takeAsMissing(cleaned, *value);
+  if (surface.missing == 0) return std::nullopt;
+  surface.messages.push_back(missingWords(surface.missing, *value));
+  return cleaned;
+}
+
 /// A raster from elsewhere: its samples stay, the lowest lies on the base plane.
 FilledMap fillForeign(const RasterMap& raster, const GridFrame& frame, double mm,
                       const HoleChoice& choice, const Task& task) {
@@ -207,7 +247,8 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
                        const Task& task) {
   chooseUnit(surface, options);
   if (options.view && (options.view->turn_deg != std::array<double, 3>{} ||
-                       (options.view->name != "top" && options.view->name != "auto"))) {
+                       (options.view->name != "top" && options.view->name != "auto" &&
+                        options.view->name != kEarlierAutomatic))) {
     throw ArgumentError("A raster is a height map already and is seen from the top only.");
   }
   const double mm = mmPer(surface.unit);
@@ -227,41 +268,70 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
   takeHoles(surface, std::move(filled.holes), options.holes);
 }
 
+/// What lies behind the front besides what the engine, which saw the front alone, has counted.
+void addHidden(const ClosedCloud& closed, const Scan& scan, const DepthRequest& request,
+               const CapturedDepths& depths, HiddenSurface& hidden, const Task& task) {
+  FrontDepths front = depths.front;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    if (std::isnan(front[i])) front[i] = depths.between[i];
+  }
+  DepthRequest whole{
+      .scan = scan, .view_from_file = request.view_from_file, .frame = request.frame};
+  const HiddenSurface behind = countHidden(whole, front, task);
+  hidden.hidden += static_cast<double>(closed.hidden);
+  hidden.all += static_cast<double>(closed.hidden);
+  hidden.cells = behind.cells;
+  hidden.cells_in_layers = behind.cells_in_layers;
+}
+
 }  // namespace
 
-Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
+Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
                     const Task& task) {
   Surface surface;
-  surface.info = scan.info;
-  surface.messages = scan.info.warnings;
-  chooseUnit(surface, options);
+  surface.messages = whole.info.warnings;
   Stopwatch watch;
-  const NamedRotation view =
-      chosenRotation(scan, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
+  ScanInUse in_use(whole, options.strays, missingHeight(options), task);
+  surface.info = in_use.scan().info;
+  chooseUnit(surface, options);
+  const NamedRotation view = chosenRotation(
+      in_use.scan(), options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
   if (!view.note.empty()) surface.messages.push_back(view.note);
+  surface.view_is_weak = view.is_weak;
+  in_use.dropAlong(view.rotation, task);
+  const Scan& scan = in_use.scan();
+  takeLeftOut(surface, in_use, whole, options);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
-  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
+  const std::optional<ClosedCloud> closed = closedCloud(scan, view.rotation, mm, box, task);
+  const Scan& shown = closed ? closed->visible : scan;
+  const GridFrame frame = chooseFrame(surface, options, box, [&] {
+    return closed ? cellsOf(closed->surface, box, shown.points.size())
+                  : proposeCells(scan, view.rotation);
+  });
   requireMemory(frame, availableBytes(),
                 colourBytes(frame.size, hasColours(scan), hasIntensities(scan)));
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
-  const DepthRequest request{.scan = scan,
+  const DepthRequest request{.scan = shown,
                              .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
                              .frame = frame,
                              .rule = requestedRule(scan, options)};
   CapturedDepths depths = engine(request, task);
   sayRule(surface, scan, depths);
-  const HiddenSurface hidden =
-      depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
-  const std::size_t flyers = depths.flyers;
+  if (closed) addFront(closed->surface, frame, depths);
+  HiddenSurface hidden = depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
+  if (closed) addHidden(*closed, scan, request, depths, hidden, task);
+  const std::size_t flyers = depths.flyers + (closed ? closed->strays : 0);
   surface.depth_buffer = depths.depth_buffer;
   surface.seconds.grid = watch.lap();
 
   task.report("Filling gaps", 0.0);
-  FilledMap filled = fillDepths(std::move(depths), frame,
-                                {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
+  FilledMap filled = fillDepths(
+      std::move(depths), frame,
+      {.has_sampling_gaps = scan.triangles.empty(), .gaps_are_known = closed.has_value()},
+      options.holes, task);
   surface.seconds.fill = watch.lap();
   surface.view_name = view.name;
   surface.engine = options.engine;
@@ -303,7 +373,8 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
           "A map written by this program is taken as it is; its holes were not treated anew.");
     }
   } else {
-    takeForeignRaster(surface, raster, options, task);
+    const std::optional<RasterMap> cleaned = withoutMissing(raster, surface, options);
+    takeForeignRaster(surface, cleaned ? *cleaned : raster, options, task);
   }
   surface.seconds.grid = watch.lap();
   finish(surface, options, watch, task);

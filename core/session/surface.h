@@ -19,18 +19,22 @@
 #include "core/depth/view.h"
 #include "core/pyramid/pyramid.h"
 #include "core/region/region.h"
+#include "core/session/nodata.h"
+#include "core/session/strays.h"
 
 namespace relievo {
 
 /// Everything chosen between a file and its surface; one record for window and command line.
 struct SurfaceOptions {
-  std::optional<LengthUnit> unit;              ///< Nothing: the file's, else one unit is 1 mm.
+  std::optional<LengthUnit> unit;              ///< Nothing: see unitInUse (unit_guess.h).
   UnitSource unit_source = UnitSource::given;  ///< How `unit` was chosen, if it was.
   std::optional<ViewChoice> view;              ///< Nothing: top for rasters, automatic for scans.
   std::optional<int> cells;                    ///< Samples across the longer side, >= 2.
   std::optional<double> spacing_mm;            ///< Or their distance; excludes `cells`.
   std::string engine = "cpu";                  ///< "cpu" or "depthbuffer".
   std::optional<PointRule> rule;               ///< For clouds. Nothing: from the data.
+  StrayRule strays = StrayRule::drop;          ///< Few points far from all others.
+  std::optional<NodataChoice> nodata;          ///< Nothing: as the file says.
   HoleChoice holes;
   PyramidOptions pyramid;
 };
@@ -48,7 +52,8 @@ struct Surface {
   LengthUnit unit = LengthUnit::mm;
   UnitSource unit_source = UnitSource::assumed;
   ViewFromFile view_from_file;
-  std::string view_name;  ///< "top", ..., "free"; what automatic chose.
+  std::string view_name;      ///< "top", ..., "free"; what automatic chose.
+  bool view_is_weak = false;  ///< Chosen automatically, and another may well be right.
   std::string engine;
   std::string rule;  ///< Which rule and why, in words: "1.6 points per cell: local quadratic".
   /// How exact the depth buffer was, its planes above the base plane; nothing from other engines.
@@ -56,6 +61,10 @@ struct Surface {
   DepthMap map;
   QualityMap quality;                 ///< Points and spread per cell; empty if not known.
   std::optional<DepthLosses> losses;  ///< Nothing for rasters: their points are gone.
+  Strays strays;                      ///< Of scans.
+  /// A height that most likely stands for none, and is taken for one all the same.
+  std::optional<SuspectHeight> suspect_height;
+  std::uint64_t missing = 0;  ///< Points or cells left out because of options.nodata.
   Pyramid pyramid;
   std::vector<GridColours> colours;  ///< Per level of it; empty: the scan has none.
   /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
@@ -70,7 +79,7 @@ struct Surface {
 /// Grid, fill and pyramid of a scan that is already in memory. [worker]
 /// @param engine  runs for options.engine; the caller supplies the OpenGL one
 /// @throw ArgumentError, Cancelled, GraphicsError
-Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
+Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const DepthEngine& engine,
                     const Task& task = {});
 
 /// A raster or a map read from a file becomes a surface as it is. [worker]

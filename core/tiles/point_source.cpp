@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/tiles/threads.h"
@@ -45,9 +46,12 @@ void forEachBlock(const PointSource& source, std::uint64_t first, std::uint64_t 
   }
 }
 
-SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
-                      const Task& task) {
-  const int workers = threadCount(threads);
+namespace {
+
+/// Reads everything once. @param also(part, view point)  of every finite point, on any thread
+template <class Also>
+SourceBounds measure(const PointSource& source, const ViewFromFile& view_from_file, int workers,
+                     const Task& task, const Also& also) {
   std::vector<Found> found(static_cast<std::size_t>(workers));
   for (std::uint64_t start = 0; start < source.count; start += kStep) {
     task.check();
@@ -55,13 +59,16 @@ SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_f
                 static_cast<double>(start) / static_cast<double>(source.count));
     const std::uint64_t end = std::min(start + kStep, source.count);
     inParts(start, end, workers, [&](int part, std::uint64_t first, std::uint64_t last) {
-      Found& mine = found[static_cast<std::size_t>(part)];
+      const auto index = static_cast<std::size_t>(part);
+      Found& mine = found[index];
       forEachBlock(source, first, last, [&](std::span<const FilePoint> block) {
         for (const FilePoint& p : block) {
           if (!isFinite(p)) continue;
           ++mine.finite;
           mine.file.add(p);
-          mine.view.add(view_from_file(p));
+          const ViewMm seen = view_from_file(p);
+          mine.view.add(seen);
+          also(index, seen);
         }
       });
     });
@@ -79,6 +86,40 @@ SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_f
           .min = all.view.min,
           .max = all.view.max,
           .file = {all.file.min, all.file.max}};
+}
+
+}  // namespace
+
+SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
+                      const Task& task) {
+  return measure(source, view_from_file, threadCount(threads), task,
+                 [](std::size_t, const ViewMm&) {});
+}
+
+BoundsAndCounts boundsAndCountsOf(const PointSource& source, const ViewFromFile& view_from_file,
+                                  const StrayGrid& grid, int threads, const Task& task) {
+  const int workers = threadCount(threads);
+  std::vector<StrayCounts> counts(static_cast<std::size_t>(workers), StrayCounts(grid));
+  const SourceBounds bounds =
+      measure(source, view_from_file, workers, task, [&counts](std::size_t part, const ViewMm& p) {
+        counts[part].add({p.x, p.y, p.z});
+      });
+  for (std::size_t part = 1; part < counts.size(); ++part) counts[0].add(counts[part]);
+  return {.bounds = bounds, .counts = std::move(counts[0])};
+}
+
+PointSource filtered(PointSource source, std::function<bool(const FilePoint&)> keeps) {
+  const std::uint64_t count = source.count;
+  return {.count = count,
+          .read = [source = std::move(source), keeps = std::move(keeps)](
+                      std::uint64_t first, std::span<FilePoint> block) {
+            const std::size_t got = source.read(first, block);
+            constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+            for (FilePoint& p : block.first(got)) {
+              if (!keeps(p)) p = {kNone, kNone, kNone};
+            }
+            return got;
+          }};
 }
 
 }  // namespace relievo

@@ -9,6 +9,7 @@
 #include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/cloud/scan.h"
+#include "core/cloud/stray_limits.h"
 
 namespace relievo {
 
@@ -35,5 +36,17 @@ struct SourceBounds {
 /// @throw Cancelled, FileError
 SourceBounds boundsOf(const PointSource& source, const ViewFromFile& view_from_file, int threads,
                       const Task& task);
+
+/// The same, and how the points lie in the cubes of `grid`, which is meant in view coordinates. One
+/// look at the file for both. [worker] @throw Cancelled, FileError
+struct BoundsAndCounts {
+  SourceBounds bounds;
+  StrayCounts counts;
+};
+BoundsAndCounts boundsAndCountsOf(const PointSource& source, const ViewFromFile& view_from_file,
+                                  const StrayGrid& grid, int threads, const Task& task);
+
+/// The source with points that `keeps` says no to made not finite.
+PointSource filtered(PointSource source, std::function<bool(const FilePoint&)> keeps);
 
 }  // namespace relievo

@@ -84,6 +84,29 @@ void depthMapAndPyramid800(benchmark::State& state) {
 }
 BENCHMARK(depthMapAndPyramid800)->Unit(benchmark::kMillisecond);
 
+/// What looking for strays costs where there are none, as a share of the map of the same run. Bar:
+/// 0.01.
+void straysOfAMillion(benchmark::State& state) {
+  const Scan& scan = millionPoints();
+  const relievo::SurfaceOptions options = paperGrid();
+  const auto seconds = [](const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  double strays_s = 0;
+  double map_s = 0;
+  for (auto _ : state) {
+    strays_s += seconds([&] { benchmark::DoNotOptimize(relievo::straysOf(scan).points); });
+    map_s += seconds([&] {
+      const relievo::Surface surface = relievo::makeSurface(scan, options, relievo::rasterize);
+      benchmark::DoNotOptimize(surface.map.heights_mm.data());
+    });
+  }
+  state.counters["share_of_map"] = strays_s / map_s;
+}
+BENCHMARK(straysOfAMillion)->Unit(benchmark::kMillisecond);
+
 void windowSwitch800(benchmark::State& state) {
   const relievo::Surface surface =
       relievo::makeSurface(millionPoints(), paperGrid(), relievo::rasterize);

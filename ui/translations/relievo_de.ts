@@ -76,10 +76,6 @@
         <translation>Punkte werden gelesen</translation>
     </message>
     <message>
-        <source>unpacking</source>
-        <translation>wird entpackt</translation>
-    </message>
-    <message>
         <source>front-most point</source>
         <translation>vorderster Punkt</translation>
     </message>
@@ -592,6 +588,10 @@
         <translation>%1 kann nicht gelesen werden: Die Datei enthält die Farben der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
     </message>
     <message>
+        <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
+        <translation>%1: Jede Höhe ist die, die für keine steht; es gibt also keine Oberfläche. Nichts wurde gemacht. Wählen Sie ein anderes --nodata.</translation>
+    </message>
+    <message>
         <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
         <translation>%1 kann nicht gelesen werden: Die Datei enthält die Intensitäten der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
     </message>
@@ -766,6 +766,22 @@
     <message>
         <source>Bottom</source>
         <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Automatic, as in earlier versions</source>
+        <translation>Automatisch, wie in früheren Versionen</translation>
+    </message>
+    <message>
+        <source>%1, turned to the left</source>
+        <translation>%1, nach links gedreht</translation>
+    </message>
+    <message>
+        <source>%1, turned to the right</source>
+        <translation>%1, nach rechts gedreht</translation>
+    </message>
+    <message>
+        <source>%1, upside down</source>
+        <translation>%1, auf dem Kopf</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +1281,26 @@
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
+    <message>
+        <source>&amp;Far-off points</source>
+        <translation>&amp;Weit entfernte Punkte</translation>
+    </message>
+    <message>
+        <source>Few points so far from all others that they stretch the map</source>
+        <translation>Wenige Punkte, die so weit von allen anderen liegen, dass sie die Karte strecken</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>Weglassen</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>A height map has none.</source>
+        <translation>Eine Höhenkarte hat keine.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -1637,6 +1673,149 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>Diese Karte wird in Kacheln gelesen, so wie sie gemacht wurde; nichts wurde geändert. Um sie anders zu machen, rufen Sie relievo depthmap --memory mit ihrem Scan und der gewünschten Auswahl auf.</translation>
+    </message>
+    <message>
+        <source>Keep far-off points</source>
+        <translation>Weit entfernte Punkte behalten</translation>
+    </message>
+    <message>
+        <source>Leave out far-off points</source>
+        <translation>Weit entfernte Punkte weglassen</translation>
+    </message>
+    <message>
+        <source>Take heights as missing</source>
+        <translation>Höhen als fehlend nehmen</translation>
+    </message>
+    <message>
+        <source>Keep all heights</source>
+        <translation>Alle Höhen behalten</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExportDialog</name>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What the other program reads</source>
+        <translation>Was das andere Programm liest</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>How much of the map is written</source>
+        <translation>Wie viel der Karte geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>In which coordinates and unit heights are written</source>
+        <translation>In welchen Koordinaten und welcher Einheit Höhen geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where it is written</source>
+        <translation>Wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>D&amp;urchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>Durchsuchen</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormat</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Cloud-optimised GeoTIFF (.tif)</source>
+        <translation>Cloud-optimiertes GeoTIFF (.tif)</translation>
+    </message>
+    <message>
+        <source>GeoTIFF that relievo opens again (.tif)</source>
+        <translation>GeoTIFF, das relievo wieder öffnet (.tif)</translation>
+    </message>
+    <message>
+        <source>Mesh for web viewers, glTF (.glb)</source>
+        <translation>Netz für Webbetrachter, glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh, PLY (.ply)</source>
+        <translation>Netz, PLY (.ply)</translation>
+    </message>
+    <message>
+        <source>Plate to print, STL (.stl)</source>
+        <translation>Platte zum Drucken, STL (.stl)</translation>
+    </message>
+    <message>
+        <source>Points as text (.xyz)</source>
+        <translation>Punkte als Text (.xyz)</translation>
+    </message>
+    <message>
+        <source>ESRI ASCII grid (.asc)</source>
+        <translation>ESRI-ASCII-Raster (.asc)</translation>
+    </message>
+    <message>
+        <source>VTK image (.vti)</source>
+        <translation>VTK-Bild (.vti)</translation>
+    </message>
+    <message>
+        <source>Whole map</source>
+        <translation>Ganze Karte</translation>
+    </message>
+    <message>
+        <source>Whole map, detail %1 of %2</source>
+        <translation>Ganze Karte, Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>Window, 200 x 200 samples</source>
+        <translation>Ausschnitt, 200 x 200 Stützstellen</translation>
+    </message>
+    <message>
+        <source>Millimetres above the base plane</source>
+        <translation>Millimeter über der Grundebene</translation>
+    </message>
+    <message>
+        <source>Those of the file</source>
+        <translation>Die der Datei</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells, about %3</source>
+        <translation>%1 x %2 Zellen, etwa %3</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>&amp;Koordinaten</translation>
     </message>
 </context>
 <context>
@@ -4306,6 +4485,62 @@
     <message>
         <source>This scan has no intensities; it is shown as lit stone</source>
         <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>A map or mesh for other programs</source>
+        <translation>Karte oder Netz für andere Programme</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>&amp;Weglassen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
+        <translation>%1 von %2 Höhen sind %3, was oft für eine fehlende steht. Sie werden als Höhen gezeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Take as missing</source>
+        <translation>Als &amp;fehlend nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as heights</source>
+        <translation>Als Höhen &amp;behalten</translation>
+    </message>
+    <message>
+        <source>How this object stands is not certain. From where shall it be seen?</source>
+        <translation>Wie dieses Objekt steht, ist nicht sicher. Von wo soll es gesehen werden?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
+        <translation>Die Punkte tragen keine Einheit. %1 – %2. Die Koordinaten sind die einer Kartenprojektion; gezeigt als %3, bis Sie es sagen. (E103)</translation>
+    </message>
+    <message>
+        <source>One of %1 points lies %2 % of the box away from all others.</source>
+        <translation>Einer von %1 Punkten liegt %2 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, and so most of the map is empty.</source>
+        <translation>Sie bleiben, und so ist der größte Teil der Karte leer.</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>Weggelassen.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
     </message>
     <message>
         <source>Shading of colours</source>

@@ -76,10 +76,6 @@
         <translation>बिंदु पढ़े जा रहे हैं</translation>
     </message>
     <message>
-        <source>unpacking</source>
-        <translation>खोला जा रहा है</translation>
-    </message>
-    <message>
         <source>front-most point</source>
         <translation>सबसे आगे का बिंदु</translation>
     </message>
@@ -592,6 +588,10 @@
         <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं के रंग हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
     </message>
     <message>
+        <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
+        <translation>%1: हर ऊँचाई वही है जो &quot;कोई नहीं&quot; के लिए है, इसलिए कोई सतह नहीं है। कुछ नहीं बनाया गया। दूसरा --nodata चुनें।</translation>
+    </message>
+    <message>
         <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
         <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं की तीव्रताएँ हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
     </message>
@@ -766,6 +766,22 @@
     <message>
         <source>Bottom</source>
         <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>Automatic, as in earlier versions</source>
+        <translation>स्वचालित, जैसे पुराने संस्करणों में</translation>
+    </message>
+    <message>
+        <source>%1, turned to the left</source>
+        <translation>%1, बाईं ओर घुमाया हुआ</translation>
+    </message>
+    <message>
+        <source>%1, turned to the right</source>
+        <translation>%1, दाईं ओर घुमाया हुआ</translation>
+    </message>
+    <message>
+        <source>%1, upside down</source>
+        <translation>%1, उल्टा</translation>
     </message>
 </context>
 <context>
@@ -1265,6 +1281,26 @@
         <source>unknown</source>
         <translation>अज्ञात</translation>
     </message>
+    <message>
+        <source>&amp;Far-off points</source>
+        <translation>दूर के बिंदु (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Few points so far from all others that they stretch the map</source>
+        <translation>थोड़े-से बिंदु जो बाकी सबसे इतने दूर हैं कि वे मानचित्र को खींच देते हैं</translation>
+    </message>
+    <message>
+        <source>Leave out</source>
+        <translation>छोड़ दें</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>रखें</translation>
+    </message>
+    <message>
+        <source>A height map has none.</source>
+        <translation>ऊँचाई मानचित्र में ये नहीं होते।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -1637,6 +1673,149 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>यह मानचित्र टाइलों में, जैसा बना था वैसा ही पढ़ा जाता है; कुछ नहीं बदला गया। इसे दूसरे ढंग से बनाने के लिए इसके स्कैन पर अपने विकल्पों के साथ relievo depthmap --memory चलाएँ।</translation>
+    </message>
+    <message>
+        <source>Keep far-off points</source>
+        <translation>दूर के बिंदु रखें</translation>
+    </message>
+    <message>
+        <source>Leave out far-off points</source>
+        <translation>दूर के बिंदु छोड़ दें</translation>
+    </message>
+    <message>
+        <source>Take heights as missing</source>
+        <translation>ऊँचाइयों को अनुपस्थित मानें</translation>
+    </message>
+    <message>
+        <source>Keep all heights</source>
+        <translation>सभी ऊँचाइयाँ रखें</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExportDialog</name>
+    <message>
+        <source>Format</source>
+        <translation>प्रारूप</translation>
+    </message>
+    <message>
+        <source>What the other program reads</source>
+        <translation>दूसरा प्रोग्राम क्या पढ़ता है</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>भाग</translation>
+    </message>
+    <message>
+        <source>How much of the map is written</source>
+        <translation>मानचित्र का कितना भाग लिखा जाए</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>निर्देशांक</translation>
+    </message>
+    <message>
+        <source>In which coordinates and unit heights are written</source>
+        <translation>ऊँचाइयाँ किन निर्देशांकों और किस इकाई में लिखी जाएँ</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>निर्यात</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Where it is written</source>
+        <translation>कहाँ लिखा जाए</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>आकार</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ढूँढें (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>ढूँढें</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>प्रारूप (&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>भाग (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Cloud-optimised GeoTIFF (.tif)</source>
+        <translation>क्लाउड-अनुकूल GeoTIFF (.tif)</translation>
+    </message>
+    <message>
+        <source>GeoTIFF that relievo opens again (.tif)</source>
+        <translation>GeoTIFF जिसे relievo फिर खोलता है (.tif)</translation>
+    </message>
+    <message>
+        <source>Mesh for web viewers, glTF (.glb)</source>
+        <translation>वेब दर्शकों के लिए जाल, glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh, PLY (.ply)</source>
+        <translation>जाल, PLY (.ply)</translation>
+    </message>
+    <message>
+        <source>Plate to print, STL (.stl)</source>
+        <translation>छापने की पट्टिका, STL (.stl)</translation>
+    </message>
+    <message>
+        <source>Points as text (.xyz)</source>
+        <translation>पाठ के रूप में बिंदु (.xyz)</translation>
+    </message>
+    <message>
+        <source>ESRI ASCII grid (.asc)</source>
+        <translation>ESRI ASCII ग्रिड (.asc)</translation>
+    </message>
+    <message>
+        <source>VTK image (.vti)</source>
+        <translation>VTK चित्र (.vti)</translation>
+    </message>
+    <message>
+        <source>Whole map</source>
+        <translation>पूरा मानचित्र</translation>
+    </message>
+    <message>
+        <source>Whole map, detail %1 of %2</source>
+        <translation>पूरा मानचित्र, विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>Window, 200 x 200 samples</source>
+        <translation>विंडो, 200 x 200 नमूने</translation>
+    </message>
+    <message>
+        <source>Millimetres above the base plane</source>
+        <translation>आधार तल से ऊपर मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>Those of the file</source>
+        <translation>फ़ाइल के निर्देशांक</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells, about %3</source>
+        <translation>%1 x %2 कक्ष, लगभग %3</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>निर्देशांक (&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -4306,6 +4485,62 @@
     <message>
         <source>This scan has no intensities; it is shown as lit stone</source>
         <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>निर्यात (&amp;X)…</translation>
+    </message>
+    <message>
+        <source>A map or mesh for other programs</source>
+        <translation>दूसरे प्रोग्रामों के लिए मानचित्र या जाल</translation>
+    </message>
+    <message>
+        <source>&amp;Keep them</source>
+        <translation>उन्हें रखें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave them out</source>
+        <translation>उन्हें छोड़ दें (&amp;L)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 heights are %3, which often stands for a missing one. They are shown as heights.</source>
+        <translation>%2 में से %1 ऊँचाइयाँ %3 हैं, जो अक्सर अनुपस्थित ऊँचाई के लिए लिखा जाता है। वे ऊँचाइयों की तरह दिखाई गई हैं।</translation>
+    </message>
+    <message>
+        <source>&amp;Take as missing</source>
+        <translation>अनुपस्थित मानें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as heights</source>
+        <translation>ऊँचाई मानें (&amp;K)</translation>
+    </message>
+    <message>
+        <source>How this object stands is not certain. From where shall it be seen?</source>
+        <translation>यह वस्तु कैसे खड़ी है, यह निश्चित नहीं है। इसे किधर से देखा जाए?</translation>
+    </message>
+    <message>
+        <source>The points carry no unit. %1 – %2. The coordinates are those of a map projection; shown as %3 until you say. (E103)</source>
+        <translation>बिंदुओं की कोई इकाई नहीं है। %1 – %2। निर्देशांक किसी मानचित्र प्रक्षेप के हैं; जब तक आप न बताएँ, %3 माने गए हैं। (E103)</translation>
+    </message>
+    <message>
+        <source>One of %1 points lies %2 % of the box away from all others.</source>
+        <translation>%1 में से एक बिंदु बाकी सबसे घेरे के %2 % जितना दूर है।</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, and so most of the map is empty.</source>
+        <translation>रखे गए हैं, इसलिए मानचित्र का अधिकांश भाग खाली है।</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>छोड़ दिए गए।</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
     </message>
     <message>
         <source>Shading of colours</source>

@@ -86,6 +86,109 @@ TEST(AutomaticRotation, FiguresThatStandOffTheGroundAreSeenFromTheirSide) {
   EXPECT_EQ(automaticRotation(scan).name, "top");
 }
 
+TEST(NamedRotation, TheTwentyFourHaveNamesAndAreRotations) {
+  std::vector<Rotation> seen;
+  for (const std::string face : {"top", "front", "right", "back", "left", "bottom"}) {
+    for (const std::string turn :
+         {"", ", turned to the left", ", turned to the right", ", upside down"}) {
+      const auto rotation = namedRotation(face + turn);
+      ASSERT_TRUE(rotation) << face << turn;
+      EXPECT_DOUBLE_EQ(determinant(*rotation), 1) << face << turn;
+      EXPECT_EQ(std::find(seen.begin(), seen.end(), *rotation), seen.end()) << face << turn;
+      EXPECT_EQ(nameOf(*rotation), face + turn);
+      if (turn.empty()) {
+        EXPECT_EQ(*rotation, *standardRotation(face));
+      }
+      seen.push_back(*rotation);
+    }
+  }
+  EXPECT_FALSE(namedRotation("top, turned"));
+  EXPECT_FALSE(standardRotation("top, upside down"));
+  EXPECT_EQ(nameOf(relievo::turned(*standardRotation("top"), {10, 0, 0})), "free");
+  // Turned to the left: what was on the right is now above.
+  const Rotation left = *namedRotation("top, turned to the left");
+  EXPECT_EQ(left[3], 1);
+}
+
+/// A figure on a square base: y up, its broad side to +z, a nose in front.
+Scan figureOnABase() {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(-1, 1);
+  Scan scan;
+  for (int i = 0; i < 30'000; ++i) {
+    const float angle = 3.14159265F * uniform(random);
+    const float height = 0.5F * (1 + uniform(random));
+    const float waist = 1 + 0.2F * std::sin(9 * height);
+    scan.points.push_back({8 * waist * std::cos(angle), 4 + 40 * height,
+                           4 * waist * std::sin(angle) + (height > 0.8F ? 2.0F : 0.0F)});
+    if (i % 3 == 0) scan.points.push_back({12 * uniform(random), 0, 10 * uniform(random)});
+    if (i % 5 == 0) scan.points.push_back({12 * uniform(random), 4, 10 * uniform(random)});
+  }
+  test::finishScan(scan);
+  return scan;
+}
+
+TEST(AutomaticRotation, AFigureStandsUprightHoweverItsFileLiesIt) {
+  const Scan figure = figureOnABase();
+  EXPECT_EQ(automaticRotation(figure).name, "top") << "y up, seen from +z";
+  for (const std::string face : {"top", "front", "right", "back", "left", "bottom"}) {
+    for (const std::string turn :
+         {"", ", turned to the left", ", turned to the right", ", upside down"}) {
+      const Rotation stored = *namedRotation(face + turn);
+      Scan scan = figure;
+      for (auto& p : scan.points) {
+        const auto q = p;
+        for (std::size_t k = 0; k < 3; ++k) {
+          p[k] = static_cast<float>(stored[3 * k]) * q[0] +
+                 static_cast<float>(stored[3 * k + 1]) * q[1] +
+                 static_cast<float>(stored[3 * k + 2]) * q[2];
+        }
+      }
+      test::finishScan(scan);
+      const NamedRotation view = automaticRotation(scan);
+      EXPECT_FALSE(view.is_weak) << face << turn;
+      EXPECT_EQ(nameOf(view.rotation), view.name);
+      // Where the figure's own y is in the picture.
+      double up = 0;
+      double deep = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        up += view.rotation[3 + k] * stored[3 * k + 1];
+        deep += view.rotation[6 + k] * stored[3 * k + 1];
+      }
+      EXPECT_EQ(up, 1) << face << turn << ": " << view.name;
+      EXPECT_EQ(deep, 0) << face << turn << ": " << view.name;
+    }
+  }
+}
+
+TEST(AutomaticRotation, AnObjFileHasYUpAndABallMayStandAnyWay) {
+  Scan ball;
+  for (int i = 0; i < 20'000; ++i) {
+    const double z = 1 - 2 * (i + 0.5) / 20'000;
+    const double angle = 2.399963229728653 * i;
+    const double r = std::sqrt(1 - z * z);
+    ball.points.push_back({static_cast<float>(r * std::cos(angle)),
+                           static_cast<float>(r * std::sin(angle)), static_cast<float>(z)});
+  }
+  test::finishScan(ball);
+  EXPECT_TRUE(automaticRotation(ball).is_weak);
+  ball.info.format = "OBJ";
+  const NamedRotation view = automaticRotation(ball);
+  EXPECT_FALSE(view.is_weak);
+  EXPECT_EQ(view.rotation[4], 1) << "+y is up in the picture";
+}
+
+TEST(AutomaticRotation, SurveysAndCamerasKeepTheirAxes) {
+  Scan survey = figureOnABase();
+  survey.origin = {512'000, 5'403'000, 200};
+  test::finishScan(survey);
+  const NamedRotation view = automaticRotation(survey);
+  EXPECT_TRUE(standardRotation(view.name)) << view.name;
+  EXPECT_FALSE(view.is_weak);
+  EXPECT_EQ(chosenRotation(survey, {.name = std::string(kEarlierAutomatic), .rotation = {}}).name,
+            view.name);
+}
+
 TEST(RotatedBounds, ScalesToMillimetresAndKeepsTheOrigin) {
   Scan scan = latticeScan(3, 3, 1, [](double, double) { return 0.0; });
   scan.origin = {1000, 2000, 30};

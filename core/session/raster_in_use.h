@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/io/raster_rows.h"
+#include "core/session/nodata.h"
+#include "core/tiles/band_fill.h"
+
+namespace relievo {
+
+/// The heights of a foreign raster that a map by tiles is made from, as options say of those that
+/// stand for none. Looks at all rows only where it is said or suspected that there are some.
+class RasterInUse {
+ public:
+  /// @param raster  outlives this  @throw FileError  no height is left; Cancelled  [worker]
+  RasterInUse(const RasterRows& raster, const std::optional<NodataChoice>& nodata,
+              const Task& task);
+
+  double lowest() const { return lowest_; }  ///< File unit.
+  std::uint64_t missing() const { return missing_; }
+  /// What to say of heights that stand for none.
+  const std::vector<std::string>& messages() const { return messages_; }
+  /// In millimetres above the lowest; NaN: none. @param mm  in a file unit
+  RowsOf depths(double mm) const;
+
+ private:
+  Heights heights(const Task& task) const;
+
+  const RasterRows& raster_;
+  std::optional<double> value_;  ///< Stands for none.
+  double lowest_ = 0;
+  std::uint64_t missing_ = 0;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace relievo

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/source_in_use.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/file_check.h"
+
+namespace relievo {
+namespace {
+
+/// The cubes of the sample, in view millimetres.
+StrayGrid gridInView(const Scan& sample, const Rotation& rotation, const ViewFromFile& view) {
+  const RotatedBounds box = rotatedBounds(sample, rotation, 1);
+  Scan nowhere;
+  nowhere.points.push_back({0, 0, 0});
+  nowhere.origin = sample.origin;
+  const ViewMm at = rotatedBounds(nowhere, rotation, 1).min;  // The origin along the axes.
+  const PointsView points{.points = sample.points, .axes = &rotation};
+  const StrayGrid local =
+      strayGrid(points, {.min = {box.min.x - at.x, box.min.y - at.y, box.min.z - at.z},
+                         .max = {box.max.x - at.x, box.max.y - at.y, box.max.z - at.z}});
+  const double mm = std::hypot(view.m[0], view.m[4], view.m[8]);
+  return {.centre = {mm * (local.centre[0] + at.x), mm * (local.centre[1] + at.y),
+                     mm * (local.centre[2] + at.z)},
+          .cell = mm * local.cell};
+}
+
+AxisBox boxOf(const SourceBounds& bounds) {
+  return {.min = {bounds.min.x, bounds.min.y, bounds.min.z},
+          .max = {bounds.max.x, bounds.max.y, bounds.max.z}};
+}
+
+double shareOfBox(const AxisBox& all, const AxisBox& kept) {
+  double share = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side = all.max[axis] - all.min[axis];
+    if (side > 0) share = std::max(share, 1 - (kept.max[axis] - kept.min[axis]) / side);
+  }
+  return share;
+}
+
+}  // namespace
+
+SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
+                        const ViewFromFile& view_from_file, const SurfaceOptions& options,
+                        int threads, const Task& task) {
+  SourceInUse in_use{.source = std::move(all), .bounds = {}, .strays = {}};
+  const std::optional<double> missing = options.nodata ? options.nodata->value : std::nullopt;
+  std::uint64_t finite = 0;
+  if (missing) {
+    finite = boundsOf(in_use.source, view_from_file, threads, task).finite_points;
+    in_use.source = filtered(std::move(in_use.source), [value = *missing](const FilePoint& p) {
+      return !isHeight(p.z, value, 0);
+    });
+  }
+  const auto [bounds, counts] = boundsAndCountsOf(
+      in_use.source, view_from_file, gridInView(sample, rotation, view_from_file), threads, task);
+  if (bounds.finite_points == 0) {
+    throw FileError(shownName(sample.info.file) +
+                    ": no point is left to make a surface from. Nothing was made. Choose another "
+                    "--nodata.");
+  }
+  if (missing) in_use.missing = finite - bounds.finite_points;
+  in_use.bounds = bounds;
+  in_use.strays.all = bounds.finite_points;
+  const std::optional<AxisBox> limits = counts.limits(boxOf(bounds));
+  if (!limits) return in_use;
+  PointSource kept = filtered(in_use.source, [view_from_file, box = *limits](const FilePoint& p) {
+    const ViewMm seen = view_from_file(p);
+    return contains(box, {seen.x, seen.y, seen.z});
+  });
+  const SourceBounds within = boundsOf(kept, view_from_file, threads, task);
+  const std::uint64_t strays = bounds.finite_points - within.finite_points;
+  if (strays == 0 || !areFew(strays, bounds.finite_points)) return in_use;
+  in_use.strays.points = strays;
+  in_use.strays.share_of_box = shareOfBox(boxOf(bounds), boxOf(within));
+  in_use.strays.kept = options.strays == StrayRule::keep;
+  if (in_use.strays.kept) return in_use;
+  in_use.source = std::move(kept);
+  in_use.bounds = within;
+  return in_use;
+}
+
+std::optional<SuspectHeight> suspectHeight(const PointSource& source) {
+  return suspectAmong([&source](const std::function<void(double)>& take) {
+    forEachBlock(source, 0, source.count, [&take](std::span<const FilePoint> block) {
+      for (const FilePoint& p : block) {
+        if (isFinite(p)) take(p.z);
+      }
+    });
+  });
+}
+
+}  // namespace relievo

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/depth/view.h"
+#include "core/session/nodata.h"
+#include "core/session/strays.h"
+#include "core/session/surface.h"
+#include "core/tiles/point_source.h"
+
+namespace relievo {
+
+/// The part of a file's points that a map by tiles is made from; what ScanInUse is for points in
+/// memory, by the same rule.
+struct SourceInUse {
+  PointSource source;   ///< Points that are left out are not finite.
+  SourceBounds bounds;  ///< Of these points, in view mm as `view_from_file` gives them.
+  Strays strays;
+  std::uint64_t missing = 0;
+};
+
+/// Strays are decided from all points, seen along the view's axes; where they stretch the box it
+/// takes a second look at the file. [worker]
+/// @param sample          points of the file without strays: where its middle is
+/// @param view_from_file  rotation and scale
+/// @throw FileError  nothing is left; Cancelled
+SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
+                        const ViewFromFile& view_from_file, const SurfaceOptions& options,
+                        int threads, const Task& task);
+
+/// suspectHeight of all points of a file. [worker]
+std::optional<SuspectHeight> suspectHeight(const PointSource& source);
+
+}  // namespace relievo

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/strays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/cloud/part_of_scan.h"
+#include "core/cloud/stray_limits.h"
+#include "core/io/file_check.h"
+#include "core/session/loss_words.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kHuge = std::numeric_limits<double>::infinity();
+constexpr double kSpike = 10;             // Sides of the object: no edge of a model is as long.
+constexpr double kShareOfSurface = 0.01;  // A piece with more of a mesh's surface is no stray.
+
+using Mask = std::vector<std::uint8_t>;  // Per point, 0 or 1.
+
+/// The vertices that triangles use; empty for clouds.
+Mask usedVertices(const Scan& scan) {
+  if (scan.triangles.empty()) return {};
+  Mask used(scan.points.size());
+  for (const auto& triangle : scan.triangles) {
+    for (const std::uint32_t corner : triangle) used[corner] = 1;
+  }
+  return used;
+}
+
+AxisBox boxOf(const PointsView& view) {
+  AxisBox box{.min = {kHuge, kHuge, kHuge}, .max = {-kHuge, -kHuge, -kHuge}};
+  for (std::size_t i = 0; i < view.points.size(); ++i) {
+    if (view.counted != nullptr && (*view.counted)[i] == 0) continue;
+    const Coordinates p = view.at(i);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      box.min[axis] = std::min(box.min[axis], p[axis]);
+      box.max[axis] = std::max(box.max[axis], p[axis]);
+    }
+  }
+  return box;
+}
+
+/// Around all points of a cloud; without a look at them where the file's axes are meant.
+AxisBox boxOf(const Scan& scan, const PointsView& view) {
+  if (view.axes != nullptr || view.counted != nullptr || !scan.info.bounds) return boxOf(view);
+  const FilePoint low = scan.info.bounds->min - scan.origin;
+  const FilePoint high = scan.info.bounds->max - scan.origin;
+  return {.min = {low.x, low.y, low.z}, .max = {high.x, high.y, high.z}};
+}
+
+double areaOf(const Scan& scan, const std::array<std::uint32_t, 3>& t) {
+  const FilePoint a = scan.point(t[0]);
+  const FilePoint u = scan.point(t[1]) - a;
+  const FilePoint v = scan.point(t[2]) - a;
+  return 0.5 * std::hypot(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+}
+
+/// A large plane under a statue has four vertices, a spire one: few, but no strays.
+bool isPartOfTheObject(const Scan& scan, const PointsView& view, const AxisBox& all,
+                       const AxisBox& limits) {
+  double near = 0;
+  double far = 0;
+  bool has_spikes = false;
+  for (const auto& triangle : scan.triangles) {
+    const auto inside = std::count_if(triangle.begin(), triangle.end(), [&](std::uint32_t corner) {
+      return contains(limits, view.at(corner));
+    });
+    has_spikes = has_spikes || (inside > 0 && inside < 3);
+    if (inside == 3) near += areaOf(scan, triangle);
+    if (inside == 0) far += areaOf(scan, triangle);
+  }
+  if (far > kShareOfSurface * near) return true;
+  return has_spikes && longestSide(all) < kSpike * longestSide(limits);
+}
+
+struct Found {
+  Mask keep;  ///< Empty: no strays.
+  Strays strays;
+};
+
+void markOutside(Mask& keep, const PointsView& view, const AxisBox& box) {
+  for (std::size_t i = 0; i < keep.size(); ++i) {
+    if (!contains(box, view.at(i))) keep[i] = 0;
+  }
+}
+
+Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task) {
+  task.check();
+  const Mask used = usedVertices(scan);
+  const PointsView view{
+      .points = scan.points, .axes = axes, .counted = used.empty() ? nullptr : &used};
+  const AxisBox in_use = boxOf(scan, view);
+  std::optional<AxisBox> limits = strayLimits(view, in_use);
+  task.check();
+  if (limits && !used.empty() && isPartOfTheObject(scan, view, in_use, *limits)) limits.reset();
+  const PointsView whole{.points = scan.points, .axes = axes};
+  const AxisBox all = used.empty() ? in_use : boxOf(scan, whole);
+  Found found{.keep = {}, .strays = {.all = scan.points.size()}};
+  const bool has_unused_beyond = !used.empty() && (all.min != in_use.min || all.max != in_use.max);
+  if (!limits && !has_unused_beyond) return found;
+  found.keep.assign(scan.points.size(), 1);
+  if (has_unused_beyond) markOutside(found.keep, view, in_use);
+  if (limits) markOutside(found.keep, view, *limits);
+  const AxisBox kept =
+      boxOf(PointsView{.points = scan.points, .axes = axes, .counted = &found.keep});
+  found.strays.points =
+      static_cast<std::uint64_t>(std::count(found.keep.begin(), found.keep.end(), std::uint8_t{0}));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side = all.max[axis] - all.min[axis];
+    if (!(side > 0)) continue;
+    found.strays.share_of_box =
+        std::max(found.strays.share_of_box, 1 - (kept.max[axis] - kept.min[axis]) / side);
+  }
+  return found;
+}
+
+bool isAxisAligned(const std::array<double, 9>& axes) {
+  return std::all_of(axes.begin(), axes.end(),
+                     [](double c) { return c == 0 || c == 1 || c == -1; });
+}
+
+}  // namespace
+
+bool isHeight(double z, double value, double origin_z) noexcept {
+  return std::abs(z - value) <= 1e-6 * std::max({std::abs(value), std::abs(origin_z), 1e-30});
+}
+
+std::string strayWords(const Strays& strays) {
+  if (strays.points == 0) return {};
+  const bool one = strays.points == 1;
+  // Never "100 %" of what has something left.
+  const double share = std::min(std::floor(1000 * strays.share_of_box) / 1000, 0.999);
+  return grouped(strays.points) + " of " + grouped(strays.all) + " points " +
+         (one ? "lies " : "lie ") + percentText(share) + " of the box away from all others; " +
+         (one ? "it was " : "they were ") + (strays.kept ? "kept." : "left out.");
+}
+
+Strays straysOf(const Scan& scan, const Task& task) {
+  return find(scan, nullptr, task).strays;
+}
+
+ScanInUse::ScanInUse(const Scan& whole, StrayRule rule, std::optional<double> missing_height,
+                     const Task& task)
+    : whole_(whole), rule_(rule) {
+  if (missing_height) {
+    Mask keep(whole.points.size());
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+      keep[i] = isHeight(whole.point(i).z, *missing_height, whole.origin.z) ? 0 : 1;
+    }
+    missing_ = static_cast<std::uint64_t>(std::count(keep.begin(), keep.end(), std::uint8_t{0}));
+    if (missing_ == keep.size()) {
+      throw FileError(shownName(whole.info.file) +
+                      ": every height is the one that stands for none, so there is no surface. "
+                      "Nothing was made. Choose another --nodata.");
+    }
+    if (missing_ > 0) part_ = partOf(whole, keep);
+  }
+  Found found = find(scan(), nullptr, task);
+  strays_ = found.strays;
+  strays_.kept = rule == StrayRule::keep && strays_.points > 0;
+  if (strays_.points > 0 && rule == StrayRule::drop) part_ = partOf(scan(), found.keep);
+}
+
+void ScanInUse::dropAlong(const std::array<double, 9>& axes, const Task& task) {
+  if (isAxisAligned(axes)) return;
+  const Found found = find(scan(), &axes, task);
+  if (found.strays.points == 0) return;
+  // Kept ones that were found along the file's axes are the same points.
+  strays_.points = rule_ == StrayRule::keep ? std::max(strays_.points, found.strays.points)
+                                            : strays_.points + found.strays.points;
+  strays_.share_of_box = std::max(strays_.share_of_box, found.strays.share_of_box);
+  strays_.kept = rule_ == StrayRule::keep;
+  if (rule_ == StrayRule::drop) part_ = partOf(scan(), found.keep);
+}
+
+}  // namespace relievo

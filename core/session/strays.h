@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/task.h"
+#include "core/cloud/scan.h"
+#include "core/tiles/point_source.h"
+
+namespace relievo {
+
+/// What becomes of strays: few points so far away that they stretch the box around a scan to
+/// several times the object (docs/adr/0100-strays.md).
+enum class StrayRule { drop, keep };
+
+/// What was found. Of a mesh its vertices; of those that no face uses all that lie beyond the rest.
+struct Strays {
+  std::uint64_t points = 0;  ///< Strays; 0: none.
+  std::uint64_t all = 0;     ///< Points looked at.
+  double share_of_box = 0;   ///< Of the box's side that they stretch most: how much is theirs.
+  bool kept = false;         ///< They are part of the surface.
+};
+
+/// "12 of 20 000 points lie 99 % of the box away from all others; they were left out." Empty: none.
+std::string strayWords(const Strays& strays);
+
+/// The strays of a scan, along the file's axes. [worker]
+Strays straysOf(const Scan& scan, const Task& task = {});
+
+/// The part of a scan that a surface is made from.
+class ScanInUse {
+ public:
+  /// Leaves out, if `missing_height` says so, points whose height (file z) stands for none, then
+  /// strays along the file's axes unless they are to be kept. [worker]
+  /// @throw FileError  nothing is left; Cancelled
+  ScanInUse(const Scan& whole, StrayRule rule, std::optional<double> missing_height,
+            const Task& task);
+  /// Also strays along the axes (rows) of a view, where they are not the file's. [worker]
+  void dropAlong(const std::array<double, 9>& axes, const Task& task);
+
+  const Scan& scan() const { return part_ ? *part_ : whole_; }
+  const Strays& strays() const { return strays_; }
+  std::uint64_t missing() const { return missing_; }
+
+ private:
+  const Scan& whole_;
+  StrayRule rule_;
+  std::optional<Scan> part_;  ///< Nothing: all of it.
+  Strays strays_;
+  std::uint64_t missing_ = 0;
+};
+
+/// How like numbers name the same height: files keep it in float or as text.
+bool isHeight(double z, double value, double origin_z) noexcept;
+
+}  // namespace relievo

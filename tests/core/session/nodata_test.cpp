@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/nodata.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "core/base/error.h"
+#include "core/io/import.h"
+#include "core/io/raster.h"
+#include "core/session/large_map.h"
+#include "core/session/surface.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+/// 40 x 30 heights of 200 ... 260, every so-manyth of them `missing`.
+RasterMap rasterWith(float missing, std::size_t every) {
+  RasterMap raster;
+  raster.size = {.cols = 40, .rows = 30};
+  float low = 1e38F;
+  float high = -1e38F;
+  for (std::size_t i = 0; i < 1200; ++i) {
+    const float z = every > 0 && i % every == 0 ? missing : 200 + static_cast<float>(i % 61);
+    raster.values.push_back(z);
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  raster.valid.assign(1200, true);
+  raster.info.bounds =
+      FileBounds{{0, 0, static_cast<double>(low)}, {39, 29, static_cast<double>(high)}};
+  return raster;
+}
+
+TEST(SuspectHeight, IsOneThatProgramsWriteForNoneFarFromTheOthers) {
+  for (const float missing : {-9999.0F, -32768.0F, -32767.0F, -99999.0F, -3.4028235e38F,
+                              -3.40282e38F, 1.17549435e-38F, -1e30F, 32767.0F, 1e20F}) {
+    const auto suspect = suspectHeight(rasterWith(missing, 7));
+    ASSERT_TRUE(suspect.has_value()) << missing;
+    EXPECT_FLOAT_EQ(static_cast<float>(suspect->value), missing);
+    EXPECT_EQ(suspect->count, 172U);
+    EXPECT_EQ(suspect->all, 1200U);
+  }
+}
+
+TEST(SuspectHeight, AreNoneOfOrdinaryHeights) {
+  EXPECT_FALSE(suspectHeight(rasterWith(0, 0)).has_value());
+  EXPECT_FALSE(suspectHeight(rasterWith(-20, 7)).has_value()) << "a pit";
+  EXPECT_FALSE(suspectHeight(rasterWith(0, 7)).has_value()) << "the sea";
+  EXPECT_FALSE(suspectHeight(rasterWith(-9999, 1200)).has_value()) << "once is a measurement";
+  RasterMap deep = rasterWith(-9999, 7);
+  for (std::size_t i = 1; i < 1200; i += 7) deep.values[i] = -8000;
+  EXPECT_FALSE(suspectHeight(deep).has_value()) << "other heights lie on the way";
+}
+
+TEST(SuspectHeight, DoesNotDependOnTheOrderOfCells) {
+  RasterMap raster = rasterWith(-9999, 5);
+  const auto first = suspectHeight(raster);
+  std::mt19937 random(1);
+  std::shuffle(raster.values.begin(), raster.values.end(), random);
+  EXPECT_EQ(suspectHeight(raster), first);
+}
+
+TEST(Nodata, OfARasterIsAskedAboutTakenOrKept) {
+  const RasterMap raster = rasterWith(-9999, 7);
+  SurfaceOptions options;
+  options.unit = LengthUnit::m;
+  const Surface asked = makeSurface(raster, options);
+  ASSERT_TRUE(asked.suspect_height.has_value());
+  EXPECT_EQ(heightRange(asked.map).max_mm, 10'259'000.0F);
+  options.nodata = NodataChoice{.value = -9999};
+  const Surface taken = makeSurface(raster, options);
+  EXPECT_EQ(taken.missing, 172U);
+  EXPECT_EQ(heightRange(taken.map).max_mm, 60'000.0F);
+  EXPECT_FALSE(taken.suspect_height.has_value());
+  options.nodata = NodataChoice{};
+  const Surface kept = makeSurface(raster, options);
+  EXPECT_EQ(kept.map.heights_mm, asked.map.heights_mm);
+  EXPECT_FALSE(kept.suspect_height.has_value());
+}
+
+TEST(Nodata, OfAMapByTilesIsThatOfTheMapInMemory) {
+  const test::TemporaryFolder folder;
+  std::string text = "ncols 40\nnrows 30\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 1200; ++i) {
+    text += (i % 7 == 0 ? "-32768" : std::to_string(200 + i % 61)) + (i % 40 == 39 ? "\n" : " ");
+  }
+  const auto file = folder.write("grid.asc", text);
+  SurfaceOptions options;
+  options.unit = LengthUnit::m;
+  const LargeMapOptions large{.file = folder.path() / "map.tif", .on_view = {}};
+  const LargeMap asked = makeLargeMap(file, options, large);
+  EXPECT_NE(std::find_if(asked.messages.begin(), asked.messages.end(),
+                         [](const std::string& m) { return m.find("-32768") != m.npos; }),
+            asked.messages.end());
+  options.nodata = NodataChoice{.value = -32768};
+  const LargeMap map = makeLargeMap(file, options, large);
+  const Surface surface = makeSurface(importRaster(file), options);
+  EXPECT_EQ(map.missing, 172U);
+  EXPECT_EQ(surface.missing, 172U);
+  EXPECT_EQ(map.heights.max_mm, heightRange(surface.map).max_mm);
+  EXPECT_EQ(map.view_from_file, surface.view_from_file);
+}
+
+TEST(Nodata, ThatLeavesNothingIsRefused) {
+  RasterMap raster = rasterWith(-9999, 1);
+  EXPECT_THROW(takeAsMissing(raster, -9999), FileError);
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What an opened file leaves open is asked above the views, and answered by keys.
+#include <cmath>
+#include <QAction>
+#include <QApplication>
+#include <QFile>
+#include <QPushButton>
+#include <QtTest/QTest>
+#include <QUndoStack>
+
+#include "tests/ui/gui_fixture.h"
+#include "ui/message_strip.h"
+
+namespace relievo {
+namespace {
+
+class QuestionsTest : public GuiTest {
+ protected:
+  QList<QPushButton*> buttons() const {
+    QList<QPushButton*> shown;
+    for (QPushButton* button : child<MessageStrip>("message_strip")->findChildren<QPushButton*>()) {
+      if (!button->isHidden()) shown << button;
+    }
+    return shown;
+  }
+  QString written(const QString& name, const QByteArray& text) const {
+    QFile file(path(name));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
+  /// 60 x 50 points, 1 mm apart, and lines of one's own.
+  QString relief(const QByteArray& more, double first_height = 5) const {
+    QByteArray text;
+    for (int y = 0; y < 50; ++y) {
+      for (int x = 0; x < 60; ++x) {
+        const double z = x + y == 0 ? first_height : 5 + 3 * std::sin(x / 7.0) * std::cos(y / 5.0);
+        text += QByteArray::number(x) + ' ' + QByteArray::number(y) + ' ' + QByteArray::number(z) +
+                '\n';
+      }
+    }
+    return written(QStringLiteral("relief.xyz"), text + more);
+  }
+  void openAs(const QString& file, std::optional<LengthUnit> unit) {
+    OpenRequest request;
+    request.file = file;
+    request.unit = unit;
+    window().open(request);
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+    ASSERT_TRUE(waitFor([this] { return !window().message().isEmpty(); }));
+  }
+  /// Presses a button of the strip as the keyboard does: by F6 and Tab, then Space.
+  void pressByKeys(int number) {
+    for (int i = 0; i < 12 && QApplication::focusWidget() != buttons().value(0); ++i) {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_F6, Qt::ShiftModifier);
+    }
+    for (int i = 0; i < number; ++i) QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    ASSERT_EQ(QApplication::focusWidget(), buttons().value(number));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+  }
+};
+
+TEST_F(QuestionsTest, StraysAreToldAndKeptByAKeyAndLeftOutAgainByUndo) {
+  openAs(relief("1000000 20 5\n1000000 21 5\n"), LengthUnit::mm);
+  EXPECT_TRUE(window().message().contains("2 of 3,002 points lie 99.9 % of the box away"))
+      << window().message().toStdString();
+  EXPECT_NEAR(document().surface()->map.widthMm(), 60, 3);
+  ASSERT_EQ(buttons().size(), 2);
+  EXPECT_EQ(buttons()[0]->accessibleName(), "Keep them");
+  QTest::keyClick(&window().detailView(), Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([this] { return document().surface()->strays.kept; }));
+  EXPECT_GT(document().surface()->map.widthMm(), 900'000);
+  document().history().undo();
+  EXPECT_FALSE(document().surface()->strays.kept);
+  EXPECT_NEAR(document().surface()->map.widthMm(), 60, 3);
+  document().history().redo();
+  EXPECT_TRUE(document().surface()->strays.kept);
+}
+
+TEST_F(QuestionsTest, OneQuestionFollowsTheOther) {
+  openAs(relief("1000000 20 5\n"), std::nullopt);
+  EXPECT_TRUE(window().message().contains("One of 3,001 points lies"))
+      << window().message().toStdString();
+  pressByKeys(1);  // Leave them out: as it is.
+  EXPECT_TRUE(window().message().contains("E103")) << window().message().toStdString();
+  QTest::keyClick(&window().detailView(), Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([this] { return document().surface()->unit_source == UnitSource::given; }));
+  EXPECT_TRUE(window().message().isEmpty()) << window().message().toStdString();
+}
+
+TEST_F(QuestionsTest, HeightsThatMayStandForNoneAreTakenAsMissingByAKey) {
+  openAs(relief("70 1 -9999\n70 2 -9999\n70 3 -9999\n71 4 -9999\n"), LengthUnit::mm);
+  while (window().message().contains("% of the box")) pressByKeys(1);
+  ASSERT_TRUE(window().message().contains("-9999")) << window().message().toStdString();
+  EXPECT_EQ(buttons().value(0)->accessibleName(), "Take as missing");
+  QTest::keyClick(&window().detailView(), Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([this] { return document().surface()->missing == 4; }));
+  EXPECT_FALSE(document().surface()->suspect_height.has_value());
+  document().history().undo();
+  EXPECT_EQ(document().surface()->missing, 0U);
+}
+
+TEST_F(QuestionsTest, MapCoordinatesAreShownInMetresAndAskedAbout) {
+  QByteArray text;
+  for (int i = 0; i < 3000; ++i) {
+    text += QByteArray::number(512000 + i % 60) + ' ' + QByteArray::number(5403000 + i / 60) + ' ' +
+            QByteArray::number(220 + 5 * std::sin(i / 400.0)) + '\n';
+  }
+  openAs(written(QStringLiteral("utm.xyz"), text), std::nullopt);
+  EXPECT_EQ(document().surface()->unit, LengthUnit::m);
+  EXPECT_EQ(document().surface()->unit_source, UnitSource::guessed);
+  EXPECT_TRUE(window().message().contains("map projection")) << window().message().toStdString();
+  EXPECT_EQ(buttons().value(0)->accessibleName(), "Metres");
+  EXPECT_EQ(buttons().value(1)->accessibleName(), "Feet");
+}
+
+TEST_F(QuestionsTest, AnObjectThatMayStandAnyWayOffersItsSixFacesAsPictures) {
+  // A ball: nothing says what is up.
+  QByteArray text;
+  for (int i = 0; i < 6000; ++i) {
+    const double z = 1 - 2 * (i + 0.5) / 6000;
+    const double angle = 2.399963229728653 * i;
+    const double r = std::sqrt(1 - z * z);
+    text += QByteArray::number(50 * r * std::cos(angle)) + ' ' +
+            QByteArray::number(50 * r * std::sin(angle)) + ' ' + QByteArray::number(50 * z) + '\n';
+  }
+  openAs(written(QStringLiteral("ball.xyz"), text), LengthUnit::mm);
+  ASSERT_TRUE(waitFor([this] { return buttons().size() == 6; }));
+  EXPECT_TRUE(window().message().contains("From where"));
+  QStringList names;
+  for (const QPushButton* button : buttons()) {
+    names << button->accessibleName();
+    EXPECT_FALSE(button->icon().isNull());
+    EXPECT_TRUE(button->text().isEmpty());
+  }
+  const QString shown = QString::fromStdString(document().surface()->view_name);
+  EXPECT_EQ(names.front().toLower(), shown) << "the present one comes first";
+  names.sort();
+  EXPECT_EQ(names, (QStringList{"Back", "Bottom", "Front", "Left", "Right", "Top"}));
+  const QString chosen = buttons()[3]->accessibleName().toLower();
+  pressByKeys(3);
+  ASSERT_TRUE(waitFor([&] { return document().surface()->view_name == chosen.toStdString(); }));
+  document().history().undo();
+  EXPECT_EQ(document().surface()->view_name, shown.toStdString());
+}
+
+}  // namespace
+}  // namespace relievo
