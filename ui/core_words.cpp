@@ -12,8 +12,8 @@ namespace {
 // For lupdate; core has no Qt. What is missing here is shown in English.
 [[maybe_unused]] constexpr const char* kWords[]{
     // Steps of work.
-    QT_TRANSLATE_NOOP("Core", "Checksum"), QT_TRANSLATE_NOOP("Core", "Depth map"),
-    QT_TRANSLATE_NOOP("Core", "Drawing the depth buffer"),
+    QT_TRANSLATE_NOOP("Core", "Checksum"), QT_TRANSLATE_NOOP("Core", "Colours"),
+    QT_TRANSLATE_NOOP("Core", "Depth map"), QT_TRANSLATE_NOOP("Core", "Drawing the depth buffer"),
     QT_TRANSLATE_NOOP("Core", "Filling gaps"), QT_TRANSLATE_NOOP("Core", "Filling holes"),
     QT_TRANSLATE_NOOP("Core", "Heights of cells"), QT_TRANSLATE_NOOP("Core", "Looking for gaps"),
     QT_TRANSLATE_NOOP("Core", "Looking through gaps"),

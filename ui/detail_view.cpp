@@ -7,6 +7,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include "core/session/surface_colours.h"
+
 namespace relievo {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr double kBallOfSide = 0.017;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 constexpr double kDeg = 3.14159265358979323846 / 180;
 
-std::shared_ptr<const HeldGrid> gridOf(const RegionWindow& window) {
+std::shared_ptr<const HeldGrid> gridOf(const Surface& surface, const RegionWindow& window) {
   auto grid = std::make_shared<HeldGrid>();
   const double step = window.spacingMm();
   grid->frame = {{kWindowSamples, kWindowSamples},
@@ -29,6 +31,7 @@ std::shared_ptr<const HeldGrid> gridOf(const RegionWindow& window) {
                  window.region.y_mm + 0.5 * step};
   grid->heights_mm = window.heights_mm;
   grid->origins = window.origins;
+  grid->own = windowColours(surface, window);
   return grid;
 }
 
@@ -53,7 +56,7 @@ void DetailView::showWindow() {
     setGrid(nullptr);
     return;
   }
-  setGrid(gridOf(*window));
+  setGrid(gridOf(*document_.surface(), *window));
   if (camera_region_ != window->region) fitCamera();
   camera_region_ = window->region;
   clearProbe();

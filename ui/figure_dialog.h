@@ -95,6 +95,7 @@ class FigureDialog : public QDialog {
   QComboBox *layout_ = nullptr, *relief_ = nullptr, *colours_ = nullptr, *stereo_ = nullptr;
   FigureNumber *width_ = nullptr, *dpi_ = nullptr, *scale_ = nullptr, *text_ = nullptr;
   FigureNumber *azimuth_ = nullptr, *elevation_ = nullptr, *radius_ = nullptr, *eye_ = nullptr;
+  FigureNumber* shading_ = nullptr;
   FigureNumber *range_low_ = nullptr, *range_high_ = nullptr, *zero_plane_ = nullptr;
   QCheckBox *to_scale_ = nullptr, *transparent_ = nullptr, *swap_ = nullptr, *comfort_ = nullptr;
   QCheckBox *own_range_ = nullptr, *own_zero_plane_ = nullptr;

@@ -10,7 +10,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScreen>
+#include <QStandardItemModel>
 
+#include "core/session/surface_colours.h"
 #include "ui/core_words.h"
 #include "ui/figure_dialog.h"
 #include "ui/figure_number.h"
@@ -32,7 +34,7 @@ constexpr std::array<Words, 5> kLayouts{
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "As measured and filled")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Several levels")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "With force plots of a recording")}}};
-constexpr std::array<Words, 8> kReliefs{
+constexpr std::array<Words, kReliefKindNames.size()> kReliefs{
     {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "Lit stone")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Height in colour")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Hillshade")},
@@ -40,7 +42,9 @@ constexpr std::array<Words, 8> kReliefs{
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Slope")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Local relief")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Sky-view factor")},
-     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Openness")}}};
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Openness")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Natural colours")},
+     {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Intensity")}}};
 constexpr std::array<Words, 6> kStereos{
     {{QT_TRANSLATE_NOOP("relievo::FigureDialog", "None")},
      {QT_TRANSLATE_NOOP("relievo::FigureDialog", "Anaglyph, grey")},
@@ -208,6 +212,13 @@ void FigureDialog::addPage(QFormLayout* layout) {
 void FigureDialog::addRelief(QFormLayout* layout) {
   relief_ = field<QComboBox>(layout, tr("Rel&ief"), "figure_relief", tr("How heights are painted"));
   fill(relief_, kReliefs);
+  for (std::size_t i = 0; i < kReliefs.size(); ++i) {
+    if (canShow(*surface_, static_cast<ReliefKind>(i))) continue;
+    auto* items = qobject_cast<QStandardItemModel*>(relief_->model());
+    QStandardItem* item = items->item(static_cast<int>(i));
+    item->setEnabled(false);
+    item->setToolTip(tr("This scan has none"));
+  }
   colours_ = field<QComboBox>(layout, tr("Colours"), "figure_colours",
                               tr("Even steps of lightness, also for colour-blind readers"));
   for (const std::string_view name : kColourMapNames) {
@@ -224,6 +235,9 @@ void FigureDialog::addRelief(QFormLayout* layout) {
                                 tr("Of the neighbourhood of local relief, sky view, openness"));
   radius_->setLimits(0, kFarMm, 2, QStringLiteral(" mm"));
   radius_->setSpecialValueText(tr("10 samples"));
+  shading_ = field<FigureNumber>(layout, tr("Shading"), "figure_shading",
+                                 tr("How much relief shading natural colours and intensity get"));
+  shading_->setLimits(0, 100, 0, QStringLiteral(" %"));
 }
 
 void FigureDialog::addRange(QFormLayout* layout) {

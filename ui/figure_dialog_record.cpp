@@ -53,6 +53,7 @@ void FigureDialog::showRequest(const FigureRequest& f) {
   azimuth_->show(f.look.light.azimuth_deg);
   elevation_->show(f.look.light.elevation_deg);
   radius_->show(f.look.radius_mm);
+  shading_->show(100 * f.look.shading);
   own_range_->setChecked(f.look.range.has_value());
   if (f.look.range) {
     range_low_->show((*f.look.range)[0]);
@@ -89,6 +90,7 @@ FigureRequest FigureDialog::request() const {
   f.look.light = {azimuth_->valueOr(f.look.light.azimuth_deg),
                   elevation_->valueOr(f.look.light.elevation_deg)};
   f.look.radius_mm = radius_->valueOr(f.look.radius_mm);
+  f.look.shading = shading_->valueOr(100 * f.look.shading) / 100;
   if (own_range_->isChecked()) {
     const auto before =
         f.look.range.value_or(std::array{range_low_->value(), range_high_->value()});
@@ -158,7 +160,9 @@ void FigureDialog::limit() {
 
 void FigureDialog::limitRelief() {
   const auto kind = static_cast<ReliefKind>(relief_->currentIndex());
-  const QString stone = tr("Stone and hillshades have no colours");
+  const bool own_colours = showsOwnColours(kind);
+  const QString stone = own_colours ? tr("Its colours are the scan's own")
+                                    : tr("Stone and hillshades have no colours");
   setUsable(colours_, hasLegend(kind), stone);
   setUsable(own_range_, hasLegend(kind), stone);
   const bool own = own_range_->isChecked();
@@ -166,12 +170,13 @@ void FigureDialog::limitRelief() {
     setUsable(end, hasLegend(kind) && own,
               hasLegend(kind) ? tr("Turn on \"Own ends of the colours\" first") : stone);
   }
-  const bool lamps = isLit(kind) || kind == ReliefKind::hillshade;
+  const bool lamps = isLit(kind) || kind == ReliefKind::hillshade || own_colours;
   const bool four = kind == ReliefKind::multi_hillshade;
   const QString unlit = tr("No lamp shines on this relief");
   setUsable(azimuth_, lamps, four ? tr("The four lights come from all sides") : unlit);
   setUsable(elevation_, lamps || four, unlit);
   setUsable(radius_, hasRadius(kind), tr("This relief does not depend on one"));
+  setUsable(shading_, own_colours, tr("Only natural colours and intensity are mixed with it"));
 }
 
 void FigureDialog::limitStereo() {

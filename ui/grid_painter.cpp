@@ -14,11 +14,17 @@ bool GridPainter::isSlow(ReliefKind kind) {
          kind == ReliefKind::openness;
 }
 
+bool GridPainter::canPaint(const HeldGrid& plain, ReliefKind kind) {
+  if (kind == ReliefKind::natural) return !plain.own.colours.empty();
+  if (kind == ReliefKind::intensity) return !plain.own.intensities.empty();
+  return kind != ReliefKind::lit;
+}
+
 PaintedGrid GridPainter::paintNow(const HeldGrid& plain, const ReliefLook& look, const Task& task) {
   auto grid = std::make_shared<HeldGrid>(plain);
   const DepthMap map{plain.frame, plain.heights_mm, plain.origins};
   ReliefValues values = reliefValues(map, look, task);
-  grid->colours = reliefColours(values, look);
+  grid->colours = reliefColours(values, look, plain.own);
   grid->lit = isLit(look.kind);
   return {std::move(grid), std::move(values)};
 }

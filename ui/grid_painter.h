@@ -25,7 +25,9 @@ class GridPainter : public QObject {
 
   /// Does this kind of picture look around each sample?
   static bool isSlow(ReliefKind kind);
-  /// @param look  not `lit`, which has no colours @throw Cancelled [any thread]
+  /// False: it has no colours to be painted with, and is shown as stone.
+  static bool canPaint(const HeldGrid& plain, ReliefKind kind);
+  /// @pre canPaint(plain, look.kind) @throw Cancelled [any thread]
   static PaintedGrid paintNow(const HeldGrid& plain, const ReliefLook& look, const Task& task = {});
 
   /// `painted` follows, unless another start or cancel comes before.

@@ -21,6 +21,7 @@
 #include <QUrl>
 
 #include "core/session/map_facts.h"
+#include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
 #include "ui/first_view.h"
 #include "ui/header_row.h"
@@ -296,6 +297,10 @@ void MainWindow::showSurface() {
   const HeightRange heights = mapFacts(surface).heights;
   stereo_panel_->setHeights(heights.min_mm, heights.max_mm);
   view_panel_->showView(QString::fromStdString(surface.view_name));
+  if (const ReliefLook look = detail_->sceneState().look; !canShow(surface, look.kind)) {
+    showLook(look);
+    noted_.look = shownWork().look;  // No step of the user's.
+  }
   detail_->straighten();
   showTitle();
   reference_title_->setText(tr("REFERENCE"));

@@ -254,7 +254,8 @@ class MainWindow : public QMainWindow {
   void showDamaged(const QString& text);
   Project keptWork();  ///< For an automatic copy.
   void showTitle();    ///< Which project or scan, and whether a file holds all of the work.
-  void showLook(const ReliefLook& look);
+  /// As lit stone, and says so, where the open scan lacks what the look shows.
+  void showLook(const ReliefLook& wanted);
   void showStereo(const StereoOptions& stereo);
   void showParallax();
 

@@ -65,7 +65,7 @@ void MainWindow::makeReliefCommands() {
     ReliefKind kind;
     QString text, tip;
   };
-  const std::array<Entry, 8> entries{
+  const std::array<Entry, kReliefKindNames.size()> entries{
       {{ReliefKind::lit, tr("&Lit stone"), tr("Matt stone under lamps")},
        {ReliefKind::height, tr("&Height in colour"), tr("Lit, with a colour for each height")},
        {ReliefKind::hillshade, tr("H&illshade"), tr("Brightness under one light")},
@@ -74,7 +74,10 @@ void MainWindow::makeReliefCommands() {
        {ReliefKind::slope, tr("&Slope"), tr("Steepness in degrees")},
        {ReliefKind::local_relief, tr("Local &relief"), tr("Worn detail without the broad shape")},
        {ReliefKind::sky_view, tr("Sky &view"), tr("How much of the sky each place sees")},
-       {ReliefKind::openness, tr("&Openness"), tr("Hollows dark, ridges bright")}}};
+       {ReliefKind::openness, tr("&Openness"), tr("Hollows dark, ridges bright")},
+       {ReliefKind::natural, tr("&Natural colours"), tr("The colours that the scan has")},
+       {ReliefKind::intensity, tr("In&tensity"),
+        tr("How strongly the scanner's light came back")}}};
   auto* kinds = new QActionGroup(this);
   for (const Entry& e : entries) {
     const std::string name = "relief_" + std::string(relievo::name(e.kind));

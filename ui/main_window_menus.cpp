@@ -13,6 +13,7 @@
 #include <QUndoView>
 #include <QVBoxLayout>
 
+#include "core/session/surface_colours.h"
 #include "ui/depth_map_dialog.h"
 #include "ui/detail_view.h"
 #include "ui/keys_sheet.h"
@@ -233,6 +234,10 @@ void MainWindow::enableCommands() {
     command(name)->setEnabled(is_open && !is_raster);
   }
   command("use_view")->setEnabled(is_open && !is_raster && detail_->isTurned());
+  for (const ReliefKind kind : {ReliefKind::natural, ReliefKind::intensity}) {
+    QAction* const look = command(("relief_" + std::string(name(kind))).c_str());
+    look->setEnabled(is_open && canShow(*document_.surface(), kind));
+  }
   if (!is_open) return;
   if (replay_->showing()) {  // The recording chooses the window.
     for (const char* name : {"finer", "coarser", "whole", "move_left", "move_right", "move_up",

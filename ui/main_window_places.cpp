@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kMostBeacons = 9;
 // Of steps that merge while a slider is dragged; the document's own ids are below.
-constexpr int kMergeStereo = 101, kMergeLight = 102;
+constexpr int kMergeStereo = 101, kMergeLight = 102, kMergeShading = 103;
 constexpr double kSameBeaconMm = 5;  // Of hand: nearer than that is the same beacon.
 
 QString beaconName(int number) {
@@ -102,6 +102,12 @@ void MainWindow::connectPlaces() {
           [this] { noteStep(tr("Stereo"), kMergeStereo); });
   connect(view_panel_, &ViewPanel::lightChanged, this,
           [this] { noteStep(tr("Light"), kMergeLight); });
+  connect(view_panel_, &ViewPanel::shadingChanged, this, [this](double shading) {
+    ReliefLook look = detail_->sceneState().look;
+    look.shading = shading;
+    showLook(look);
+    noteStep(tr("Shading of colours"), kMergeShading);
+  });
   connect(detail_, &DetailView::turned, this, &MainWindow::keepWork);
   connect(&document_.history(), &QUndoStack::indexChanged, this, &MainWindow::keepWork);
   connect(keeper_, &WorkKeeper::failed, this, &MainWindow::showMessage);

@@ -12,6 +12,8 @@
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
 #include "core/project/project_files.h"
+#include "core/relief/relief_image.h"
+#include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
 #include "ui/figure_dialog.h"
 #include "ui/main_window.h"
@@ -21,6 +23,7 @@
 #include "ui/reference_view.h"
 #include "ui/replay_control.h"
 #include "ui/spoken_error.h"
+#include "ui/view_panel.h"
 #include "ui/work_keeper.h"
 
 namespace relievo {
@@ -282,7 +285,15 @@ void MainWindow::chooseFigure() {
   dialog->show();
 }
 
-void MainWindow::showLook(const ReliefLook& look) {
+void MainWindow::showLook(const ReliefLook& wanted) {
+  ReliefLook look = wanted;
+  if (document_.isOpen() && !canShow(*document_.surface(), look.kind)) {
+    announce(look.kind == ReliefKind::natural
+                 ? tr("This scan has no colours; it is shown as lit stone")
+                 : tr("This scan has no intensities; it is shown as lit stone"));
+    look.kind = ReliefKind::lit;
+  }
+  view_panel_->showShading(look.shading, showsOwnColours(look.kind));
   reference_->setLook(look);
   detail_->setLook(look);
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {

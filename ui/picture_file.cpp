@@ -14,7 +14,7 @@ namespace relievo {
 namespace {
 
 RgbImage drawn(SceneState state, const PictureChoice& picture, const Task& task) {
-  if (state.grid && state.look.kind != ReliefKind::lit) {
+  if (state.grid && GridPainter::canPaint(*state.grid, state.look.kind)) {
     state.grid = GridPainter::paintNow(*state.grid, state.look, task).grid;
   }
   ReliefScene scene;

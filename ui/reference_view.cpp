@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/session/level_cut.h"
+#include "core/session/surface_colours.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 
@@ -38,6 +39,7 @@ std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
   grid->frame = map.frame;
   grid->heights_mm = std::move(map.heights_mm);
   grid->origins = std::move(map.origins);
+  grid->own = levelColours(surface, level);
   return grid;
 }
 

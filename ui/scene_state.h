@@ -6,6 +6,7 @@
 #include <QColor>
 #include <vector>
 
+#include "core/depth/colours.h"
 #include "ui/vtk/relief_scene.h"
 
 namespace relievo {
@@ -15,7 +16,8 @@ struct HeldGrid {
   GridFrame frame;
   std::vector<float> heights_mm;
   std::vector<Origin> origins;             ///< Same size.
-  std::vector<std::uint8_t> colours = {};  ///< Three a sample, or none: stone.
+  GridColours own = {};                    ///< What the scan says; empty: nothing.
+  std::vector<std::uint8_t> colours = {};  ///< As painted: three a sample, or none: stone.
   bool lit = true;
 
   SurfaceGrid drawn() const {

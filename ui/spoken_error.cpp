@@ -153,6 +153,19 @@ constexpr std::array kSentences{
                       "The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 "
                       "mm. Nothing was drawn. Choose one among them."),
     QT_TRANSLATE_NOOP("Core", "The colours' upper end must lie above their lower end."),
+    QT_TRANSLATE_NOOP("Core", "The shading of a scan's own colours must lie between 0 and 1."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The relief image 'natural' cannot be drawn: this surface has no colours. "
+                      "Choose another, for example 'lit'."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The relief image 'intensity' cannot be drawn: this surface has no "
+                      "intensities. Choose another, for example 'lit'."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot read %1: it holds the colours of a map's cells, not heights. Open "
+                      "the map beside it."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot read %1: it holds the intensities of a map's cells, not heights. "
+                      "Open the map beside it."),
     QT_TRANSLATE_NOOP("Core", "There is nothing of the object in this region. Choose another."),
     QT_TRANSLATE_NOOP(
         "Core", "Level %1 has more than %2 samples across this region. Choose a coarser level."),

@@ -270,7 +270,7 @@ void SurfaceView::setLight(const LightOptions& light) {
   scene_->setLight(light);
   state_.look.light = light;
   if (state_.look.kind == ReliefKind::hillshade ||
-      state_.look.kind == ReliefKind::multi_hillshade) {
+      state_.look.kind == ReliefKind::multi_hillshade || showsOwnColours(state_.look.kind)) {
     paintGrid();
   }
   requestRender();
@@ -293,7 +293,7 @@ void SurfaceView::setLines(const std::vector<std::vector<ViewMm>>& lines,
 
 void SurfaceView::paintGrid() {
   painter_->cancel();
-  if (!plain_ || state_.look.kind == ReliefKind::lit) {
+  if (!plain_ || !GridPainter::canPaint(*plain_, state_.look.kind)) {
     showPlain();
   } else if (!GridPainter::isSlow(state_.look.kind)) {
     showPainted(GridPainter::paintNow(*plain_, state_.look));

@@ -6,6 +6,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSlider>
 
 #include "ui/mnemonic.h"
@@ -89,8 +90,34 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent), now_(new QLabel) {
   connect(azimuth_, &QSlider::valueChanged, this, tell);
   connect(elevation_, &QSlider::valueChanged, this, tell);
   tell();
+  shading_text_ = new QLabel;
+  shading_text_->setObjectName(QStringLiteral("shading_text"));
+  shading_text_->setAccessibleName(tr("Shading of colours"));
+  shading_ = slider(QStringLiteral("look_shading"), tr("Shading of colours"), QString(), 0, 100, 0);
+  shading_->setPageStep(10);
+  layout->addWidget(shading_text_, 10, 0, 1, 2);
+  layout->addWidget(shading_, 11, 0, 1, 2);
+  connect(shading_, &QSlider::valueChanged, this, [this](int percent) {
+    tellShading();
+    Q_EMIT shadingChanged(percent / 100.0);
+  });
+  showShading(ReliefLook{}.shading, false);
   showView({});
   showTurned(false);
+}
+
+void ViewPanel::showShading(double shading, bool usable) {
+  const QSignalBlocker quiet(shading_);  // A third is not 33 %.
+  shading_->setValue(static_cast<int>(std::lround(100 * shading)));
+  shading_->setEnabled(usable);
+  shading_->setToolTip(
+      usable ? tr("How much relief shading the scan's own colours get: 0 is as photographed")
+             : tr("Only natural colours and intensity are mixed with relief shading"));
+  tellShading();
+}
+
+void ViewPanel::tellShading() {
+  shading_text_->setText(tr("Shading of colours: %1 %").arg(shading_->value()));
 }
 
 LightOptions ViewPanel::light() const {

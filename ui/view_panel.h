@@ -21,18 +21,25 @@ class ViewPanel : public QWidget {
   void showTurned(bool turned);
   LightOptions light() const;
   void showLight(const LightOptions& light);
+  /// @param shading  0 ... 1 (ReliefLook::shading) @param usable  the look is one that has it
+  void showShading(double shading, bool usable);
 
  Q_SIGNALS:
   void viewChosen(const QString& name);  ///< top bottom front back left right auto
   void useThisViewAsked();
   void straightenAsked();
   void lightChanged(const LightOptions& light);
+  void shadingChanged(double shading);  ///< 0 ... 1.
 
  private:
+  void tellShading();
+
   QLabel* now_;
   QPushButton *use_, *straighten_;
   QSlider *azimuth_, *elevation_;
   QLabel* light_text_;
+  QSlider* shading_;
+  QLabel* shading_text_;
 };
 
 }  // namespace relievo

@@ -14,12 +14,15 @@ namespace {
 
 /// As FigureDialog::limitRelief.
 void refuseUseless(const LookArguments& a, ReliefKind kind) {
-  const bool lamps =
-      isLit(kind) || kind == ReliefKind::hillshade || kind == ReliefKind::multi_hillshade;
+  const bool lamps = isLit(kind) || kind == ReliefKind::hillshade ||
+                     kind == ReliefKind::multi_hillshade || showsOwnColours(kind);
   const std::string coloured = "a --relief with colours: height, slope, local, skyview or openness";
   requireUse("--colours", !a.colours.empty(), hasLegend(kind), coloured);
   requireUse("--range", !a.range.empty(), hasLegend(kind), coloured);
-  requireUse("--light", !a.light.empty(), lamps, "--relief lit, height, hillshade or multi");
+  requireUse("--light", !a.light.empty(), lamps,
+             "--relief lit, height, hillshade, multi, natural or intensity");
+  requireUse("--shading", a.shading.has_value(), showsOwnColours(kind),
+             "--relief natural or intensity");
   requireUse("--radius", a.radius_mm.has_value(), hasRadius(kind),
              "--relief local, skyview or openness");
 }
@@ -50,6 +53,8 @@ void addLookOptions(CLI::App& verb, LookArguments& a) {
   addValueOptions(verb, a);
   verb.add_option("--colours", a.colours, listOf(kColourMapNames));
   verb.add_option("--range", a.range, "LOW,HIGH: values at the colours' ends");
+  verb.add_option("--shading", a.shading,
+                  "Of natural and intensity: 0 as photographed ... 1 under the full light; 0.5");
 }
 
 ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
@@ -75,6 +80,10 @@ ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
     throw ArgumentError("--radius: it must be 0 (automatic) or more millimetres.");
   }
   look.radius_mm = a.radius_mm.value_or(look.radius_mm);
+  if (a.shading && !(*a.shading >= 0 && *a.shading <= 1)) {
+    throw ArgumentError("--shading: it must be between 0, as photographed, and 1.");
+  }
+  look.shading = a.shading.value_or(look.shading);
   refuseUseless(a, look.kind);
   return look;
 }

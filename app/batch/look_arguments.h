@@ -19,10 +19,11 @@ struct LookArguments {
   std::string light;            ///< "AZIMUTH,ELEVATION"
   std::string range;            ///< "LOW,HIGH"
   std::optional<double> radius_mm;
+  std::optional<double> shading;  ///< 0 ... 1
 };
 /// --relief, --light and --radius: what decides the values.
 void addValueOptions(CLI::App& verb, LookArguments& arguments);
-/// These, --colours and --range.
+/// These, --colours, --range and --shading.
 void addLookOptions(CLI::App& verb, LookArguments& arguments);
 
 /// An option that could change nothing is refused; in the window its field is off.

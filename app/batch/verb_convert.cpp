@@ -54,6 +54,11 @@ ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
   if (look.kind == ReliefKind::lit) {
     throw ArgumentError("--relief: lit stone has no values. Choose another, or 'relievo render'.");
   }
+  if (showsOwnColours(look.kind)) {
+    throw ArgumentError("--relief: '" + std::string(name(look.kind)) +
+                        "' has no values of the relief. Choose another, or 'relievo render'; "
+                        "colours are written beside a map without --relief.");
+  }
   if (format != ExportFormat::geotiff && format != ExportFormat::ascii_grid) {
     throw ArgumentError("--relief: its values go into .tif or .asc, not into '" + a.out + "'.");
   }
@@ -141,6 +146,7 @@ VerbFiles filesOf(const ConvertArguments& a) {
   VerbFiles files;
   files.reads(a.map.file);
   files.writes(a.out);
+  if (exportFormatOf(a.out) == ExportFormat::geotiff) files.writesColoursOf(a.out);
   return files;
 }
 

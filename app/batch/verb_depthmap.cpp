@@ -7,6 +7,7 @@
 #include "app/batch/map_report.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/project/caption.h"
 
@@ -84,6 +85,8 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   }
   const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   const auto start = std::chrono::steady_clock::now();
+  const GridColours own = surface.colours.empty() ? GridColours{} : surface.colours.front();
+  writeColours(a.out, surface.map, own);
   writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .state = state});
   if (a.quality && !surface.quality.empty()) writeQuality(a.out, surface);
   const double write_s =
@@ -103,11 +106,15 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["seconds"] = {{"read", surface.seconds.read},
                      {"grid", surface.seconds.grid},
                      {"fill", surface.seconds.fill},
+                     {"colours", surface.seconds.colours},
                      {"write", write_s}};
   json["view"] = surface.view_name;
   json["unit"] = name(surface.unit);
   json["unit_source"] = name(surface.unit_source);
   json["holes"] = holesJson(surface.holes);
+  json["colour_file"] = own.colours.empty() ? Json(nullptr) : Json(colourFileOf(a.out).string());
+  json["intensity_file"] =
+      own.intensities.empty() ? Json(nullptr) : Json(intensityFileOf(a.out).string());
   json["quality"] = qualityJson(surface);
   json["losses"] = lossesJson(surface.losses);
   json["strays"] = straysJson(surface.strays);
@@ -144,20 +151,24 @@ VerbFiles filesOf(const DepthmapArguments& a) {
 
 Verb depthmapVerb() {
   auto arguments = std::make_shared<DepthmapArguments>();
-  return {.name = "depthmap",
-          .help = "Make the depth map z = f(x, y) of a scan and write it as a GeoTIFF",
-          .declare =
-              [arguments](CLI::App& verb) {
-                addMapOptions(verb, arguments->map);
-                addMemoryOption(verb, arguments->memory_mb);
-                verb.add_option("-o,--output", arguments->out, "MAP.tif; MAP.origin.tif beside it")
-                    ->required();
-                verb.add_flag("--quality", arguments->quality,
-                              "Also MAP.count.tif and MAP.spread.tif: points of every cell, and "
-                              "their standard deviation in mm");
-              },
-          .files = [arguments] { return filesOf(*arguments); },
-          .run = [arguments](const Task& task) { return runDepthmap(*arguments, task); }};
+  return {
+      .name = "depthmap",
+      .help = "Make the depth map z = f(x, y) of a scan and write it as a GeoTIFF",
+      .declare =
+          [arguments](CLI::App& verb) {
+            addMapOptions(verb, arguments->map);
+            addMemoryOption(verb, arguments->memory_mb);
+            verb.add_option(
+                    "-o,--output", arguments->out,
+                    "MAP.tif; MAP.origin.tif beside it, and MAP.colour.tif, MAP.intensity.tif if "
+                    "the scan has any")
+                ->required();
+            verb.add_flag("--quality", arguments->quality,
+                          "Also MAP.count.tif and MAP.spread.tif: points of every cell, and "
+                          "their standard deviation in mm");
+          },
+      .files = [arguments] { return filesOf(*arguments); },
+      .run = [arguments](const Task& task) { return runDepthmap(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

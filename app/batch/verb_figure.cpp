@@ -148,10 +148,10 @@ Verb figureVerb() {
               if (!arguments->carrier.given()) return;
               refuseBeside(
                   verb, arguments->carrier,
-                  {"layout",     "width-mm",  "dpi",          "scale",   "text-pt",     "relief",
-                   "colours",    "light",     "radius",       "range",   "stereo",      "eye-angle",
-                   "zero-plane", "swap-eyes", "any-parallax", "without", "transparent", "recording",
-                   "measure",    "heights",   "both-eyes"});
+                  {"layout",    "width-mm",   "dpi",       "scale",        "text-pt", "relief",
+                   "colours",   "light",      "radius",    "range",        "shading", "stereo",
+                   "eye-angle", "zero-plane", "swap-eyes", "any-parallax", "without", "transparent",
+                   "recording", "measure",    "heights",   "both-eyes"});
             });
           },
       .files = [arguments] { return filesOf(*arguments); },

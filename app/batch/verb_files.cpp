@@ -3,6 +3,7 @@
 
 #include <system_error>
 
+#include "core/io/colour_raster.h"
 #include "core/project/carried_state.h"
 #include "core/project/project_files.h"
 #include "core/tiles/level_files.h"
@@ -41,7 +42,11 @@ void VerbFiles::reads(const fs::path& scan) {
   if (scan.empty()) return;
   inputs.push_back({.file = scan});
   const std::string part = "a part of the map that is read";
-  if (scan.extension() == ".tif") reads(originFile(scan), part);
+  if (scan.extension() == ".tif") {
+    reads(originFile(scan), part);
+    reads(colourFileOf(scan), part);
+    reads(intensityFileOf(scan), part);
+  }
   // Levels beside other rasters came from them and may come again.
   const bool tiled = isThere(levelFile(scan, 1)) && TiledMap::isOne(scan);
   for (int level = 1; tiled && isThere(levelFile(scan, level)); ++level) {
@@ -77,6 +82,12 @@ void VerbFiles::writesMap(const fs::path& map) {
   if (map.empty()) return;
   writes(map);
   writes(originFile(map));
+  writesColoursOf(map);
+}
+
+void VerbFiles::writesColoursOf(const fs::path& map) {
+  writes(colourFileOf(map));
+  writes(intensityFileOf(map));
 }
 
 void VerbFiles::writesLevels(const fs::path& finest) {

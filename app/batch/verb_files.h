@@ -27,8 +27,10 @@ struct VerbFiles {
 
   /// Empty and "-" are no file.
   void writes(const std::filesystem::path& file);
-  /// A depth map, whose origins lie beside it.
+  /// A depth map, whose origins and colours lie beside it.
   void writesMap(const std::filesystem::path& map);
+  /// What lies beside a map whose scan had colours or intensities; writesMap names it, too.
+  void writesColoursOf(const std::filesystem::path& map);
   /// One map per level of a pyramid.
   void writesLevels(const std::filesystem::path& finest);
 };

@@ -6,7 +6,10 @@
 
 #include "app/batch/json.h"
 #include "app/batch/verb.h"
+#include "core/depth/colour_fill.h"
+#include "core/depth/colours.h"
 #include "core/depth/fill.h"
+#include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 
 namespace relievo::batch {
@@ -47,6 +50,9 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   as_it_is.holes = "base";
   const Surface surface = loadForVerb(as_it_is, task);
   const FilledMap filled = refilled(surface.map, choice, task);
+  GridColours own = surface.colours.empty() ? GridColours{} : surface.colours.front();
+  fillColours(own, filled.map, task);
+  writeColours(a.out, filled.map, own);
   writeMap(a.out, filled.map, {.view_from_file = surface.view_from_file});
 
   Outcome outcome;

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/base/error.h"
+#include "core/io/colour_raster.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/pcd_header.h"
@@ -90,6 +91,87 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
   return scan;
 }
 
+namespace {
+
+/// @throw FileError  nobody but a map's reader wants it
+void refuseColours(const RasterRows& rows, const std::filesystem::path& file) {
+  const std::string& format = rows.head().info.format;
+  if (format != kColourRasterFormat && format != kIntensityRasterFormat) return;
+  throw FileError("Cannot read " + shownName(file) + ": it holds the " + format +
+                  ", not heights. Open the map beside it.");
+}
+
+/// Calls pixel(index, colour, alpha) for every cell of a companion. Nothing, and a warning, if it
+/// does not belong to the map.
+template <class Visit>
+bool readCompanion(const std::filesystem::path& file, std::string_view format, RasterMap& map,
+                   std::uint64_t checksum, const ImportOptions& options, const Task& task,
+                   const Visit& pixel) {
+  std::error_code missing;
+  if (!std::filesystem::exists(file, missing)) return false;
+  const auto drop = [&](const std::string& reason) {
+    map.info.warnings.push_back(shownName(file) + " " + reason + " and was left aside.");
+    return false;
+  };
+  try {
+    const auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster,
+                                                 options, task);
+    const RasterHead& head = rows.head();
+    if (head.info.format != format) return drop("was not written with the map");
+    if (head.size.cols != 2 * map.size.cols || head.size.rows != map.size.rows ||
+        head.projection != std::to_string(checksum)) {
+      return drop("belongs to another map");
+    }
+    const auto cols = static_cast<std::size_t>(map.size.cols);
+    std::vector<float> row(2 * cols);
+    const auto whole = [](float value, float most) {  // What a worker sends may be anything.
+      return value >= 0 && value <= most ? static_cast<std::uint32_t>(value) : 0U;
+    };
+    for (int r = 0; r < map.size.rows; ++r) {
+      if (r % kRowsAtOnce == 0) task.check();
+      rows.read(r, 1, row.data(), nullptr);
+      for (std::size_t i = 0; i < cols; ++i) {
+        const std::size_t cell = map.size.index({.col = static_cast<int>(i), .row = r});
+        const bool none =
+            !map.valid[cell] || (!map.origins.empty() && (map.origins[cell] == Origin::base_plane ||
+                                                          map.origins[cell] == Origin::outside));
+        const std::uint32_t alpha = none ? 0 : whole(row[cols + i], 255);
+        pixel(cell, alpha > 0 ? whole(row[i], 16777215) : 0, static_cast<std::uint8_t>(alpha));
+      }
+    }
+  } catch (const FileError&) {
+    return drop("cannot be read");
+  }
+  return true;
+}
+
+void readColours(RasterMap& map, const ImportOptions& options, const Task& task) {
+  const std::filesystem::path& file = map.info.file;
+  std::error_code missing;
+  const bool colours = std::filesystem::exists(colourFileOf(file), missing);
+  const bool intensities = std::filesystem::exists(intensityFileOf(file), missing);
+  if (!map.is_own_map || (!colours && !intensities)) return;
+  const std::uint64_t checksum = heightsChecksum(map.values);
+  map.colours.colours.resize(colours ? map.size.count() : 0);
+  const bool has_colours =
+      readCompanion(colourFileOf(file), kColourRasterFormat, map, checksum, options, task,
+                    [&](std::size_t cell, std::uint32_t rgb, std::uint8_t alpha) {
+                      map.colours.colours[cell] = {static_cast<std::uint8_t>(rgb >> 16U),
+                                                   static_cast<std::uint8_t>(rgb >> 8U),
+                                                   static_cast<std::uint8_t>(rgb), alpha};
+                    });
+  if (!has_colours) map.colours.colours = {};
+  map.colours.intensities.resize(intensities ? map.size.count() : 0);
+  const bool has_intensities =
+      readCompanion(intensityFileOf(file), kIntensityRasterFormat, map, checksum, options, task,
+                    [&](std::size_t cell, std::uint32_t grey, std::uint8_t alpha) {
+                      map.colours.intensities[cell] = {static_cast<std::uint8_t>(grey), alpha};
+                    });
+  if (!has_intensities) map.colours.intensities = {};
+}
+
+}  // namespace
+
 RasterRows importRasterRows(const std::filesystem::path& file, const std::filesystem::path& folder,
                             const ImportOptions& options, const Task& task) {
   task.check();
@@ -97,6 +179,7 @@ RasterRows importRasterRows(const std::filesystem::path& file, const std::filesy
   auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster_rows,
                                          options, task, folder.empty() ? "." : folder);
   rows.nameFile(file);
+  refuseColours(rows, file);
   return rows;
 }
 
@@ -107,6 +190,7 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
   auto rows =
       importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster, options, task);
   rows.nameFile(file);
+  refuseColours(rows, file);
   RasterMap raster;
   static_cast<RasterHead&>(raster) = rows.head();
   const GridSize size = raster.size;
@@ -120,6 +204,7 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
   }
   raster.valid.reserve(raster.values.size());
   for (const float value : raster.values) raster.valid.push_back(!std::isnan(value));
+  readColours(raster, options, task);
   return raster;
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/unit.h"
 #include "core/io/ascii_grid.h"
+#include "core/io/colour_rows.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/gdal_session.h"
@@ -423,8 +424,9 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
   }
   if (kind.driver == std::string_view("AAIGrid")) checkAsciiGridCells(file, raster.size.count());
   GDALRasterBand& band = *dataset->GetRasterBand(1);
-  checkBand(band, file);
   checkBlocks(*dataset, band, file);
+  if (auto colours = readColourRows(*dataset, raster, sink, task)) return *colours;
+  checkBand(band, file);
   if (dataset->GetRasterCount() > 1) {
     raster.info.warnings.push_back("The raster has " + std::to_string(dataset->GetRasterCount()) +
                                    " bands; the first was read as heights.");

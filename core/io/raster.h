@@ -10,6 +10,7 @@
 #include "core/base/task.h"
 #include "core/base/transform.h"
 #include "core/cloud/scan.h"
+#include "core/depth/colours.h"
 #include "core/depth/depth_map.h"
 
 namespace relievo {
@@ -31,6 +32,7 @@ struct RasterMap : RasterHead {
   std::vector<float> values;    ///< Row-major, row 0 at the lowest y (files have it at the top).
   std::vector<bool> valid;      ///< Not nodata and finite.
   std::vector<Origin> origins;  ///< Of an own map with its origin file beside it; else empty.
+  GridColours colours;          ///< Likewise; of importRaster only (core/io/colour_raster.h).
 };
 
 /// Takes a raster row by row, in the order of its file.

@@ -85,6 +85,9 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
                             shortNumber(look.light.elevation_deg) + "\u00b0 above the plane";
   const std::string colours = " in " + std::string(name(look.colours));
   const std::string around = ", radius " + lengths.text(radiusMm(look, spacing_mm));
+  const std::string shading =
+      look.shading > 0 ? "shaded by " + shortNumber(100 * look.shading, 3) + " % of the " + light
+                       : "without shading";
   switch (look.kind) {
     case ReliefKind::lit:
       return "Lit relief, " + light;
@@ -103,6 +106,10 @@ std::string lookText(const ReliefLook& look, double spacing_mm, const ShownLengt
       return "Sky-view factor" + around + "," + colours;
     case ReliefKind::openness:
       return "Positive openness" + around + "," + colours;
+    case ReliefKind::natural:
+      return "Natural colours of the scan, " + shading;
+    case ReliefKind::intensity:
+      return "Intensity of the scan, " + shading;
   }
   return {};
 }

@@ -196,7 +196,8 @@ Json jsonOf(const ReliefLook& look) {
           {"light_azimuth_deg", look.light.azimuth_deg},
           {"light_elevation_deg", look.light.elevation_deg},
           {"radius_mm", look.radius_mm},
-          {"range", look.range ? Json(*look.range) : Json(nullptr)}};
+          {"range", look.range ? Json(*look.range) : Json(nullptr)},
+          {"shading", look.shading}};
 }
 
 ReliefLook lookFrom(const Json& json) {
@@ -210,6 +211,8 @@ ReliefLook lookFrom(const Json& json) {
     if (json.at("range").size() != 2) throw FileError("'range' has not 2 numbers.");
     look.range = json.at("range").get<std::array<double, 2>>();
   }
+  // Files of versions without natural colours lack it.
+  if (has(json, "shading")) look.shading = number(json, "shading", 0, 1);
   return look;
 }
 

@@ -24,9 +24,12 @@ enum class ReliefKind {
   local_relief,     ///< Height above the smoothed surface, mm.
   sky_view,         ///< Sky-view factor, 0 .. 1 (Zaksek, Ostir, Kokalj 2011).
   openness,         ///< Positive openness, degrees (Yokoyama, Shirasawa, Pike 2002).
+  natural,          ///< The scan's own colours.
+  intensity,        ///< The scan's intensities, grey.
 };
-inline constexpr std::array<std::string_view, 8> kReliefKindNames{
-    "lit", "height", "hillshade", "multi", "slope", "local", "skyview", "openness"};
+inline constexpr std::array<std::string_view, 10> kReliefKindNames{
+    "lit",   "height",  "hillshade", "multi",   "slope",
+    "local", "skyview", "openness",  "natural", "intensity"};
 inline constexpr std::string_view name(ReliefKind kind) noexcept {
   return kReliefKindNames[static_cast<std::size_t>(kind)];
 }
@@ -48,6 +51,9 @@ struct ReliefLook {
   double radius_mm = 0;  ///< Of local relief, sky view and openness; 0: 10 samples.
   /// Values at the colours' ends; nothing: from the data.
   std::optional<std::array<double, 2>> range = std::nullopt;
+  /// Of natural and intensity, 0 ... 1: how much the key light's shading of the relief darkens and
+  /// lightens them. 0: as they were recorded.
+  double shading = 0.5;
   friend bool operator==(const ReliefLook&, const ReliefLook&) = default;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 #include "core/base/bands.h"
 #include "core/base/error.h"
@@ -19,6 +20,8 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kFirstRadiusSamples = 10;
 constexpr double kMostRadiusSamples = 400;
+constexpr double kLeastLevelShade = 0.25;  // Level ground under a lamp near the horizon.
+constexpr Rgb8 kStone{204, 200, 193};      // Where a scan has no colour of its own.
 
 struct Gradient {
   double dx = 0, dy = 0;  ///< Height per length, without unit.
@@ -158,6 +161,14 @@ std::vector<float> compute(const DepthMap& map, const ReliefLook& look, const Ta
       const HorizonSearch search(map, radiusSamples(map, look));
       return forEachInside(map, task, [&](int c, int r) { return search.openness({c, r}); });
     }
+    case ReliefKind::natural:
+    case ReliefKind::intensity: {
+      // Of level ground 1: there the scan's own colours stay as they are.
+      const double level = std::max(std::sin(look.light.elevation_deg * kDegree), kLeastLevelShade);
+      return forEachInside(map, task, [&](int c, int r) {
+        return shade(slopes.at(c, r), look.light.azimuth_deg, look.light.elevation_deg) / level;
+      });
+    }
   }
   return {};
 }
@@ -177,13 +188,27 @@ bool isLit(ReliefKind kind) {
   return kind == ReliefKind::lit || kind == ReliefKind::height;
 }
 
+bool showsOwnColours(ReliefKind kind) {
+  return kind == ReliefKind::natural || kind == ReliefKind::intensity;
+}
+
 bool hasLegend(ReliefKind kind) {
   return kind != ReliefKind::lit && kind != ReliefKind::hillshade &&
-         kind != ReliefKind::multi_hillshade;
+         kind != ReliefKind::multi_hillshade && !showsOwnColours(kind);
+}
+
+bool hasKeyLight(const ReliefLook& look) {
+  return isLit(look.kind) || look.kind == ReliefKind::hillshade ||
+         (showsOwnColours(look.kind) && look.shading > 0);
 }
 
 ColourMap coloursOf(const ReliefLook& look) {
   return hasLegend(look.kind) ? look.colours : ColourMap::grey;
+}
+
+void checkShading(const ReliefLook& look) {
+  if (look.shading >= 0 && look.shading <= 1) return;
+  throw ArgumentError("The shading of a scan's own colours must lie between 0 and 1.");
 }
 
 void checkRange(const ReliefLook& look) {
@@ -199,24 +224,27 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
     throw ArgumentError("The radius of a relief image must be 0 (automatic) or more millimetres.");
   }
   checkRange(look);
+  checkShading(look);
   ReliefValues made;
   made.values = compute(map, look, task);
   struct Kind {
     std::string_view title, unit;
   };
-  constexpr std::array<Kind, 8> kKinds{{{"height", "mm"},
-                                        {"height", "mm"},
-                                        {"hillshade", ""},
-                                        {"hillshade, four lights", ""},
-                                        {"slope", "\u00b0"},
-                                        {"local relief", "mm"},
-                                        {"sky-view factor", ""},
-                                        {"openness", "\u00b0"}}};
+  constexpr std::array<Kind, 10> kKinds{{{"height", "mm"},
+                                         {"height", "mm"},
+                                         {"hillshade", ""},
+                                         {"hillshade, four lights", ""},
+                                         {"slope", "\u00b0"},
+                                         {"local relief", "mm"},
+                                         {"sky-view factor", ""},
+                                         {"openness", "\u00b0"},
+                                         {"natural colours", ""},
+                                         {"intensity", ""}}};
   const Kind& kind = kKinds[static_cast<std::size_t>(look.kind)];
   made.title = kind.title;
   made.unit = kind.unit;
   std::array<double, 2> range{0, 1};
-  if (look.kind != ReliefKind::hillshade && look.kind != ReliefKind::multi_hillshade) {
+  if (look.kind == ReliefKind::lit || hasLegend(look.kind)) {
     range = look.range.value_or(rangeOf(made.values));
   }
   made.low = range[0];
@@ -224,8 +252,45 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
   return made;
 }
 
-std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const ReliefLook& look) {
+namespace {
+
+/// The scan's own colours under the key light, as far as the look wants it.
+std::vector<std::uint8_t> shadedColours(const ReliefValues& values, const ReliefLook& look,
+                                        const GridColours& own) {
+  const std::size_t count = values.values.size();
+  const bool natural = look.kind == ReliefKind::natural;
+  if ((natural ? own.colours.size() : own.intensities.size()) != count) {
+    throw ArgumentError(std::string("This surface has no ") +
+                        (natural ? "colours" : "intensities") +
+                        " of its own. Choose another relief image.");
+  }
+  const auto shading = static_cast<float>(look.shading);
+  std::vector<std::uint8_t> colours;
+  colours.reserve(3 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Rgb8 colour = kStone;
+    if (natural) {
+      const Rgba& c = own.colours[i];
+      if (c[3] != 0) colour = {c[0], c[1], c[2]};
+    } else if (own.intensities[i][1] != 0) {
+      colour.fill(own.intensities[i][0]);
+    }
+    const float shade = values.values[i];
+    const float factor = std::isfinite(shade) ? 1 - shading + shading * shade : 1;
+    for (const std::uint8_t channel : colour) {
+      const float lit = std::min(factor * static_cast<float>(channel) + 0.5F, 255.0F);
+      colours.push_back(static_cast<std::uint8_t>(lit));
+    }
+  }
+  return colours;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const ReliefLook& look,
+                                        const GridColours& own) {
   if (look.kind == ReliefKind::lit) return {};
+  if (showsOwnColours(look.kind)) return shadedColours(values, look, own);
   constexpr int kSteps = 1024;
   std::array<Rgb8, kSteps> table{};
   for (int i = 0; i < kSteps; ++i) {

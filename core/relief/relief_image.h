@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/depth/colours.h"
 #include "core/depth/depth_map.h"
 #include "core/relief/colour_map.h"
 #include "core/relief/look.h"
@@ -29,6 +30,8 @@ ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Tas
 
 /// @throw ArgumentError  the colours' ends are not in order
 void checkRange(const ReliefLook& look);
+/// @throw ArgumentError  not 0 ... 1
+void checkShading(const ReliefLook& look);
 
 /// Does the look depend on a radius?
 bool hasRadius(ReliefKind kind);
@@ -37,12 +40,20 @@ double radiusMm(const ReliefLook& look, double spacing_mm);
 
 /// Is the picture lit by lamps on top of its colours? Otherwise it is drawn as it is.
 bool isLit(ReliefKind kind);
-/// Does a bar of colours explain the picture? Not of stone and of the hillshades.
+/// Does it show what the scan says of colour or intensity? Not every scan does.
+bool showsOwnColours(ReliefKind kind);
+/// Does the picture depend on where the one light stands?
+bool hasKeyLight(const ReliefLook& look);
+/// Does a bar of colours explain the picture? Not of stone, the hillshades and a scan's own
+/// colours.
 bool hasLegend(ReliefKind kind);
 /// The map the picture is coloured by: grey for the hillshades.
 ColourMap coloursOf(const ReliefLook& look);
 
 /// Three bytes per sample, red first. `lit` gives none.
-std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const ReliefLook& look);
+/// @param own  of the same samples, for the looks that show them: stored bytes times the shading,
+///             stone where there is none @throw ArgumentError  the look needs some
+std::vector<std::uint8_t> reliefColours(const ReliefValues& values, const ReliefLook& look,
+                                        const GridColours& own = {});
 
 }  // namespace relievo

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/region/window.h"
 #include "core/session/level_cut.h"
 #include "core/session/memory_guard.h"
+#include "core/session/surface_colours.h"
 #include "core/session/tiled_surface.h"
 
 namespace relievo {
@@ -26,6 +28,18 @@ DepthMap partOf(const Surface& surface, const MapExport& choice) {
   return levelCut(surface, level);
 }
 
+/// Of the same samples; empty where the scan has none. Samples without one are mid grey.
+std::vector<Rgba> coloursOf(const Surface& surface, const MapExport& choice) {
+  constexpr Rgba kMidGrey{128, 128, 128, 255};
+  GridColours own = choice.part == ExportPart::window
+                        ? windowColours(surface, windowOf(surface, choice.region))
+                        : levelColours(surface, levelOf(choice));
+  for (Rgba& colour : own.colours) {
+    colour = colour[3] == 0 ? kMidGrey : Rgba{colour[0], colour[1], colour[2], 255};
+  }
+  return std::move(own.colours);
+}
+
 }  // namespace
 
 GridSize exportedSize(const Surface& surface, const MapExport& choice) {
@@ -35,11 +49,10 @@ GridSize exportedSize(const Surface& surface, const MapExport& choice) {
 
 ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const RasterMap* raster) {
   const DepthMap map = partOf(surface, choice);
-  // Colours of cells, once a map has them, go into ExportGrid::colours here; the writers of meshes
-  // show them.
   if (!choice.in_file_frame) {
     ExportGrid grid = viewGrid(map);
     grid.state = choice.state;
+    grid.colours = coloursOf(surface, choice);
     return grid;
   }
   auto grid = fileGrid(map, surface.view_from_file, surface.unit, raster);
@@ -49,6 +62,7 @@ ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const R
                         "written. Choose --view top or view millimetres.");
   }
   grid->state = choice.state;
+  grid->colours = coloursOf(surface, choice);
   return std::move(*grid);
 }
 
@@ -70,6 +84,8 @@ ExportedMap exportMap(const std::filesystem::path& file, const Surface& surface,
   const bool is_map = choice.format == ExportFormat::geotiff && !choice.in_file_frame &&
                       choice.part == ExportPart::map && !surface.tiles;
   if (is_map) {
+    writeColours(file, surface.map,
+                 surface.colours.empty() ? GridColours{} : surface.colours.front());
     writeMap(file, surface.map,
              {.view_from_file = surface.view_from_file, .mask_band = true, .state = choice.state});
   } else {

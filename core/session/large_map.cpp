@@ -464,6 +464,9 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   sample = {};
   copyFacts(facts, map);
   map.engine = "cpu";
+  map.messages.emplace_back(
+      "Maps by tiles hold heights only; colours and intensities, if the points have any, are left "
+      "out.");
   map.seconds.read = secondsSince(start);
 
   const auto grid_start = Clock::now();

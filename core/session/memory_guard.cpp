@@ -15,6 +15,11 @@ namespace {
 
 // Measured: 23 bytes a cell for maps of 4000 and 8000 cells across; a little for other inputs.
 constexpr std::uint64_t kBytesPerCell = 28;
+// With the coarser levels, a third of the finest, and with what fills the cells in between.
+constexpr std::uint64_t kBytesPerColour = 10;
+constexpr std::uint64_t kBytesPerIntensity = 5;
+constexpr std::uint64_t kBytesOfSums = 16;  // Of the rows that are worked on.
+constexpr std::uint64_t kMostBytesOfSums = std::uint64_t{1} << 28U;
 constexpr double kGigabyte = 1e9;
 
 std::string gigabytes(double bytes) {
@@ -96,6 +101,15 @@ std::uint64_t surfaceBytes(GridSize size) {
   return kBytesPerCell * size.count();
 }
 
+std::uint64_t colourBytes(GridSize size, bool scan_colours, bool scan_intensities) {
+  const std::uint64_t cells = size.count();
+  std::uint64_t bytes = 0;
+  if (scan_colours) bytes += kBytesPerColour * cells;
+  if (scan_intensities) bytes += kBytesPerIntensity * cells;
+  if (bytes > 0) bytes += std::min(kBytesOfSums * cells, kMostBytesOfSums);
+  return bytes;
+}
+
 std::optional<std::uint64_t> availableBytes(const std::filesystem::path& root) {
   std::optional<std::uint64_t> least = freeOnMachine(root);
   std::ifstream groups(root / "proc/self/cgroup");
@@ -114,9 +128,10 @@ std::optional<std::uint64_t> availableBytes(const std::filesystem::path& root) {
   return least;
 }
 
-void requireMemory(const GridFrame& frame, std::optional<std::uint64_t> available) {
+void requireMemory(const GridFrame& frame, std::optional<std::uint64_t> available,
+                   std::uint64_t colour_bytes) {
   if (!available) return;
-  const std::uint64_t needed = surfaceBytes(frame.size);
+  const std::uint64_t needed = surfaceBytes(frame.size) + colour_bytes;
   if (needed <= *available) return;
   // Two thirds of what is free leaves room for the pictures.
   const auto usable = 2.0 / 3 * static_cast<double>(*available);

@@ -15,6 +15,7 @@
 #include "core/session/closed_cloud.h"
 #include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
+#include "core/session/surface_colours.h"
 #include "core/session/unit_guess.h"
 
 namespace relievo {
@@ -292,7 +293,8 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
     return closed ? cellsOf(closed->surface, box, shown.points.size())
                   : proposeCells(scan, view.rotation);
   });
-  requireMemory(frame, availableBytes());
+  requireMemory(frame, availableBytes(),
+                colourBytes(frame.size, hasColours(scan), hasIntensities(scan)));
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
@@ -342,6 +344,8 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   }
   takeHoles(surface, std::move(filled.holes), options.holes);
   finish(surface, options, watch, task);
+  addColours(surface, scan, task);
+  surface.seconds.colours = watch.lap();
   return surface;
 }
 
@@ -363,6 +367,8 @@ Surface makeSurface(const RasterMap& raster, const SurfaceOptions& options, cons
   }
   surface.seconds.grid = watch.lap();
   finish(surface, options, watch, task);
+  addColours(surface, GridColours(raster.colours), task);
+  surface.seconds.colours = watch.lap();
   return surface;
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/transform.h"
 #include "core/base/unit.h"
 #include "core/cloud/scan.h"
+#include "core/depth/colours.h"
 #include "core/depth/depth_map.h"
 #include "core/depth/depth_request.h"
 #include "core/depth/fill.h"
@@ -39,7 +40,7 @@ struct SurfaceOptions {
 };
 
 struct StageSeconds {
-  double read = 0, grid = 0, fill = 0, pyramid = 0;
+  double read = 0, grid = 0, fill = 0, pyramid = 0, colours = 0;
 };
 
 class TiledMap;  // core/tiles/tiled_map.h
@@ -65,6 +66,7 @@ struct Surface {
   std::optional<SuspectHeight> suspect_height;
   std::uint64_t missing = 0;  ///< Points or cells left out because of options.nodata.
   Pyramid pyramid;
+  std::vector<GridColours> colours;  ///< Per level of it; empty: the scan has none.
   /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
   std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;

@@ -45,6 +45,12 @@ TEST_F(OptionUse, OfFiguresAndPicturesIsAsInTheWindow) {
   for (const auto& verb : {std::function(figure), std::function(render)}) {
     verb({"--range", "0,5"}, "--range needs a --relief with colours");
     verb({"--relief", "hillshade", "--colours", "grey"}, "--colours needs a --relief with colours");
+    verb({"--shading", "0.5"}, "--shading needs --relief natural or intensity");
+    verb({"--relief", "natural", "--shading", "2"}, "--shading: it must be between 0");
+    verb({"--relief", "natural"},
+         "The relief image 'natural' cannot be drawn: this surface has no ");
+    verb({"--relief", "intensity"},
+         "The relief image 'intensity' cannot be drawn: this surface has ");
     verb({"--relief", "slope", "--radius", "3"}, "--radius needs --relief local, skyview");
     verb({"--relief", "slope", "--light", "0,45"}, "--light needs --relief lit, height");
     verb({"--eye-angle", "4"}, "--eye-angle needs a kind of --stereo");

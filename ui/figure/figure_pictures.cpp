@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/session/level_cut.h"
+#include "core/session/surface_colours.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -52,9 +53,8 @@ Eyes eyesFor(const DepthMap& map, const FigureRequest& f, double paper_per_mm) {
   return eyes;
 }
 
-}  // namespace
-
-DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int margin, double gain) {
+/// @throw ArgumentError  too many for a picture, or none
+LevelSamples samplesIn(const Surface& surface, Level level, const RectMm& rect, int margin) {
   const GridFrame& f = levelFrame(surface, level);
   const auto range = [&](double low, double high, double first, int count) {
     const int a = static_cast<int>(std::floor((low - first) / f.spacing_mm)) - margin;
@@ -74,8 +74,13 @@ DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int mar
                         std::to_string(kMostSamples) +
                         " samples across this region. Choose a coarser level.");
   }
-  return levelCut(surface, level, {.left = left, .right = right, .bottom = bottom, .top = top},
-                  gain);
+  return {.left = left, .right = right, .bottom = bottom, .top = top};
+}
+
+}  // namespace
+
+DepthMap cutOut(const Surface& surface, Level level, const RectMm& rect, int margin, double gain) {
+  return levelCut(surface, level, samplesIn(surface, level, rect, margin), gain);
 }
 
 PanelPicture drawPanel(const Surface& surface, const Project& project, const FigurePanel& panel,
@@ -85,14 +90,16 @@ PanelPicture drawPanel(const Surface& surface, const Project& project, const Fig
   const double spacing = surface.ladder.spacings_mm[static_cast<std::size_t>(panel.level.value)];
   const int margin =
       static_cast<int>(std::clamp(f.look.radius_mm / spacing, kMarginSamples, 200.0));
-  DepthMap map = cutOut(surface, panel.level, panel.shown, margin, project.gain);
+  requireColours(surface, f.look.kind);
+  const LevelSamples samples = samplesIn(surface, panel.level, panel.shown, margin);
+  DepthMap map = levelCut(surface, panel.level, samples, project.gain);
   task.check();
   applyOrigins(map, panel, f);
   PanelPicture made;
   std::vector<std::uint8_t> colours;
   if (f.look.kind != ReliefKind::lit) {
     made.values = reliefValues(map, f.look, task);
-    colours = reliefColours(made.values, f.look);
+    colours = reliefColours(made.values, f.look, levelColours(surface, panel.level, samples));
     made.values.values.clear();
   }
   ReliefScene scene;

@@ -10,6 +10,7 @@
 #include "core/provenance/embedded.h"
 #include "core/provenance/program.h"
 #include "core/relief/relief_image.h"
+#include "core/session/surface_colours.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 #include "ui/vtk/relief_scene.h"
@@ -38,12 +39,16 @@ Probe probeOf(const DrawnHand& hand) {
   return probe;
 }
 
-RgbImage draw(const RegionWindow& window, const Project& p, const Task& task) {
+RgbImage draw(const Surface& surface, const RegionWindow& window, const Project& p,
+              const Task& task) {
+  constexpr int kRing = 1;
+  requireColours(surface, p.look.kind);
   ReliefScene scene;
-  const DepthMap drawn = windowMap(window, 1);
+  const DepthMap drawn = windowMap(window, kRing);
   std::vector<std::uint8_t> colours;
   if (p.look.kind != ReliefKind::lit) {
-    colours = reliefColours(reliefValues(drawn, p.look, task), p.look);
+    colours = reliefColours(reliefValues(drawn, p.look, task), p.look,
+                            windowColours(surface, window, kRing));
   }
   scene.setSurface({.frame = drawn.frame,
                     .heights_mm = &drawn.heights_mm,
@@ -95,7 +100,7 @@ ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& wi
                         "to get its state back.");
   }
   p.made = madeText(surface);
-  const RgbImage image = draw(window, p, task);
+  const RgbImage image = draw(surface, window, p, task);
   ViewPictureFacts facts{.width_px = image.width,
                          .height_px = image.height,
                          .mm_per_pixel = p.region.side_mm / std::min(image.width, image.height),

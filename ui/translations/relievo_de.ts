@@ -568,8 +568,32 @@
         <translation>Zwischen %1 s und %2 s ist nichts: Der Kameraweg ist %3 s lang. Nichts wurde gemacht.</translation>
     </message>
     <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>The shading of a scan&apos;s own colours must lie between 0 and 1.</source>
+        <translation>Die Schattierung der eigenen Farben eines Scans muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
+        <translation>Das Reliefbild „natürliche Farben“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Farben. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
+        <translation>Das Reliefbild „Intensität“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Intensitäten. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the colours of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält die Farben der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
+    </message>
+    <message>
         <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
         <translation>%1: Jede Höhe ist die, die für keine steht; es gibt also keine Oberfläche. Nichts wurde gemacht. Wählen Sie ein anderes --nodata.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält die Intensitäten der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
     </message>
 </context>
 <context>
@@ -2354,6 +2378,34 @@
     <message>
         <source>Stop the work; no further file is written</source>
         <translation>Die Arbeit anhalten; keine weitere Datei wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>Natürliche Farben</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>This scan has none</source>
+        <translation>Dieser Scan hat keine</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>How much relief shading natural colours and intensity get</source>
+        <translation>Wie stark natürliche Farben und Intensität schattiert werden</translation>
+    </message>
+    <message>
+        <source>Its colours are the scan&apos;s own</source>
+        <translation>Seine Farben sind die des Scans</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with it</source>
+        <translation>Nur natürliche Farben und Intensität werden damit gemischt</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4463,30 @@
         <translation>Anderer &amp;Ordner …</translation>
     </message>
     <message>
+        <source>&amp;Natural colours</source>
+        <translation>N&amp;atürliche Farben</translation>
+    </message>
+    <message>
+        <source>The colours that the scan has</source>
+        <translation>Die Farben, die der Scan hat</translation>
+    </message>
+    <message>
+        <source>In&amp;tensity</source>
+        <translation>In&amp;tensität</translation>
+    </message>
+    <message>
+        <source>How strongly the scanner&apos;s light came back</source>
+        <translation>Wie stark das Licht des Scanners zurückkam</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as lit stone</source>
+        <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as lit stone</source>
+        <translation>Dieser Scan hat keine Intensitäten; er wird als beleuchteter Stein gezeigt</translation>
+    </message>
+    <message>
         <source>E&amp;xport…</source>
         <translation>E&amp;xportieren…</translation>
     </message>
@@ -4419,8 +4495,6 @@
         <translation>Karte oder Netz für andere Programme</translation>
     </message>
     <message>
-        <source>Cancelled. Nothing was exported.</source>
-        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
         <source>&amp;Keep them</source>
         <translation>&amp;Behalten</translation>
     </message>
@@ -4463,6 +4537,14 @@
     <message>
         <source>Left out.</source>
         <translation>Weggelassen.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>Schattierung der Farben</translation>
     </message>
 </context>
 <context>
@@ -6753,6 +6835,22 @@
     <message>
         <source>Seen from: %1</source>
         <translation>Gesehen von: %1</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>Schattierung der Farben</translation>
+    </message>
+    <message>
+        <source>How much relief shading the scan&apos;s own colours get: 0 is as photographed</source>
+        <translation>Wie stark die eigenen Farben des Scans schattiert werden: 0 ist wie fotografiert</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with relief shading</source>
+        <translation>Nur natürliche Farben und Intensität werden mit Schattierung gemischt</translation>
+    </message>
+    <message>
+        <source>Shading of colours: %1 %</source>
+        <translation>Schattierung der Farben: %1 %</translation>
     </message>
 </context>
 <context>

@@ -568,8 +568,32 @@
         <translation>%1 s और %2 s के बीच कुछ नहीं है: कैमरा पथ %3 s लंबा है। कुछ नहीं बनाया गया।</translation>
     </message>
     <message>
+        <source>Colours</source>
+        <translation>रंग</translation>
+    </message>
+    <message>
+        <source>The shading of a scan&apos;s own colours must lie between 0 and 1.</source>
+        <translation>स्कैन के अपने रंगों का छायांकन 0 और 1 के बीच होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
+        <translation>उभार-चित्र “प्राकृतिक रंग” नहीं बनाया जा सकता: इस सतह में रंग नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
+        <translation>उभार-चित्र “तीव्रता” नहीं बनाया जा सकता: इस सतह में तीव्रताएँ नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the colours of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं के रंग हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
+    </message>
+    <message>
         <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
         <translation>%1: हर ऊँचाई वही है जो &quot;कोई नहीं&quot; के लिए है, इसलिए कोई सतह नहीं है। कुछ नहीं बनाया गया। दूसरा --nodata चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं की तीव्रताएँ हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
     </message>
 </context>
 <context>
@@ -2354,6 +2378,34 @@
     <message>
         <source>Stop the work; no further file is written</source>
         <translation>काम रोकें; कोई और फ़ाइल नहीं लिखी जाएगी</translation>
+    </message>
+    <message>
+        <source>Natural colours</source>
+        <translation>प्राकृतिक रंग</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>तीव्रता</translation>
+    </message>
+    <message>
+        <source>This scan has none</source>
+        <translation>इस स्कैन में कोई नहीं है</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>छायांकन</translation>
+    </message>
+    <message>
+        <source>How much relief shading natural colours and intensity get</source>
+        <translation>प्राकृतिक रंग और तीव्रता में उभार का कितना छायांकन मिले</translation>
+    </message>
+    <message>
+        <source>Its colours are the scan&apos;s own</source>
+        <translation>इसके रंग स्कैन के अपने हैं</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with it</source>
+        <translation>केवल प्राकृतिक रंग और तीव्रता इसके साथ मिलाए जाते हैं</translation>
     </message>
 </context>
 <context>
@@ -4411,6 +4463,30 @@
         <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
     </message>
     <message>
+        <source>&amp;Natural colours</source>
+        <translation>प्राकृतिक रंग (&amp;N)</translation>
+    </message>
+    <message>
+        <source>The colours that the scan has</source>
+        <translation>वे रंग जो स्कैन में हैं</translation>
+    </message>
+    <message>
+        <source>In&amp;tensity</source>
+        <translation>तीव्रता (&amp;T)</translation>
+    </message>
+    <message>
+        <source>How strongly the scanner&apos;s light came back</source>
+        <translation>स्कैनर का प्रकाश कितना तेज़ लौटा</translation>
+    </message>
+    <message>
+        <source>This scan has no colours; it is shown as lit stone</source>
+        <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+    </message>
+    <message>
+        <source>This scan has no intensities; it is shown as lit stone</source>
+        <translation>इस स्कैन में तीव्रताएँ नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
+    </message>
+    <message>
         <source>E&amp;xport…</source>
         <translation>निर्यात (&amp;X)…</translation>
     </message>
@@ -4419,8 +4495,6 @@
         <translation>दूसरे प्रोग्रामों के लिए मानचित्र या जाल</translation>
     </message>
     <message>
-        <source>Cancelled. Nothing was exported.</source>
-        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
         <source>&amp;Keep them</source>
         <translation>उन्हें रखें (&amp;K)</translation>
     </message>
@@ -4463,6 +4537,14 @@
     <message>
         <source>Left out.</source>
         <translation>छोड़ दिए गए।</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>रंगों का छायांकन</translation>
     </message>
 </context>
 <context>
@@ -6753,6 +6835,22 @@
     <message>
         <source>Seen from: %1</source>
         <translation>किस ओर से: %1</translation>
+    </message>
+    <message>
+        <source>Shading of colours</source>
+        <translation>रंगों का छायांकन</translation>
+    </message>
+    <message>
+        <source>How much relief shading the scan&apos;s own colours get: 0 is as photographed</source>
+        <translation>स्कैन के अपने रंगों में उभार का कितना छायांकन मिले: 0 फ़ोटो जैसा है</translation>
+    </message>
+    <message>
+        <source>Only natural colours and intensity are mixed with relief shading</source>
+        <translation>केवल प्राकृतिक रंग और तीव्रता उभार के छायांकन के साथ मिलाए जाते हैं</translation>
+    </message>
+    <message>
+        <source>Shading of colours: %1 %</source>
+        <translation>रंगों का छायांकन: %1 %</translation>
     </message>
 </context>
 <context>

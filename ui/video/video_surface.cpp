@@ -6,6 +6,7 @@
 
 #include "core/relief/relief_image.h"
 #include "core/session/level_cut.h"
+#include "core/session/surface_colours.h"
 #include "core/session/tiled_surface.h"
 
 namespace relievo {
@@ -34,25 +35,23 @@ int levelFor(const DetailLadder& ladder, double width_mm) {
   return level;
 }
 
-/// Samples of a level in a rectangle.
-DepthMap cut(const Surface& surface, int level, const RectMm& rect, double gain) {
+LevelSamples samplesIn(const Surface& surface, int level, const RectMm& rect) {
   const GridFrame& f = levelFrame(surface, {level});
   const auto index = [&](double at, double first, int count) {
     return std::clamp(static_cast<int>(std::lround((at - first) / f.spacing_mm)), 0, count - 1);
   };
-  return levelCut(surface, {level},
-                  {.left = index(rect.x_mm, f.first_x_mm, f.size.cols),
-                   .right = index(rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols),
-                   .bottom = index(rect.y_mm, f.first_y_mm, f.size.rows),
-                   .top = index(rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows)},
-                  gain);
+  return {.left = index(rect.x_mm, f.first_x_mm, f.size.cols),
+          .right = index(rect.x_mm + rect.width_mm, f.first_x_mm, f.size.cols),
+          .bottom = index(rect.y_mm, f.first_y_mm, f.size.rows),
+          .top = index(rect.y_mm + rect.height_mm, f.first_y_mm, f.size.rows)};
 }
 
 }  // namespace
 
-void VideoSurface::show(ReliefScene& scene, const DepthMap& map) {
+void VideoSurface::show(ReliefScene& scene, const DepthMap& map, const GridColours& own) {
+  requireColours(surface_, look_.kind);
   std::vector<std::uint8_t> colours;
-  if (look_.kind != ReliefKind::lit) colours = reliefColours(reliefValues(map, look_), look_);
+  if (look_.kind != ReliefKind::lit) colours = reliefColours(reliefValues(map, look_), look_, own);
   scene.setSurface({map.frame, &map.heights_mm, &map.origins, colours.empty() ? nullptr : &colours,
                     isLit(look_.kind)});
   const HeightRange range = heightRange(map);
@@ -64,7 +63,8 @@ void VideoSurface::showWindow(ReliefScene& scene, const Region& region, double g
   window_ = region;
   part_.reset();
   gain_ = gain;
-  show(scene, windowMap(relievo::windowOf(surface_, region, gain)));
+  const RegionWindow window = relievo::windowOf(surface_, region, gain);
+  show(scene, windowMap(window), windowColours(surface_, window));
 }
 
 void VideoSurface::showPart(ReliefScene& scene, const RectMm& rect, double gain) {
@@ -75,7 +75,8 @@ void VideoSurface::showPart(ReliefScene& scene, const RectMm& rect, double gain)
   part_level_ = level;
   gain_ = gain;
   window_.reset();
-  show(scene, cut(surface_, level, *part_, gain));
+  const LevelSamples samples = samplesIn(surface_, level, *part_);
+  show(scene, levelCut(surface_, {level}, samples, gain), levelColours(surface_, {level}, samples));
 }
 
 }  // namespace relievo

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/depth/colours.h"
 #include "core/relief/look.h"
 #include "core/session/surface.h"
 #include "ui/vtk/relief_scene.h"
@@ -18,14 +19,14 @@ class VideoSurface {
   VideoSurface(const Surface& surface, const ReliefLook& look) : surface_(surface), look_(look) {}
 
   /// The 200 x 200 samples of a window: what was under the hand, as the detail view shows it.
-  /// @throw ArgumentError, FileError (tiles)
+  /// @throw ArgumentError  also: the look shows colours that the surface has not; FileError (tiles)
   void showWindow(ReliefScene& scene, const Region& region, double gain);
   /// The map within a rectangle, at the coarsest level that is fine enough for a picture of it.
   void showPart(ReliefScene& scene, const RectMm& rect, double gain);
   double midHeightMm() const { return mid_height_mm_; }
 
  private:
-  void show(ReliefScene& scene, const DepthMap& map);
+  void show(ReliefScene& scene, const DepthMap& map, const GridColours& own);
 
   const Surface& surface_;
   const ReliefLook& look_;

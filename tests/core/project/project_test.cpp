@@ -56,6 +56,7 @@ Project fullProject() {
   p.look.light = {.azimuth_deg = 10, .elevation_deg = 20};
   p.look.radius_mm = 7;
   p.look.range = {{-1, 2}};
+  p.look.shading = 0.3;
   p.stereo = {
       .mode = StereoMode::anaglyph, .eye_angle_deg = 2.5, .zero_plane_mm = 3, .swap_eyes = true};
   p.azimuth_deg = 12;

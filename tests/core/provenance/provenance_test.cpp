@@ -41,7 +41,8 @@ Provenance fullRecord() {
                .colours = ColourMap::cividis,
                .light = {.azimuth_deg = 12, .elevation_deg = 33},
                .radius_mm = 4,
-               .range = std::array{-1.0, 2.0}},
+               .range = std::array{-1.0, 2.0},
+               .shading = 0.75},
       .stereo = {.mode = StereoMode::anaglyph, .eye_angle_deg = 3.3, .zero_plane_mm = 0.25},
       .azimuth_deg = 10,
       .elevation_deg = -20};

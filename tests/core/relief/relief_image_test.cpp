@@ -173,6 +173,61 @@ TEST(ReliefImage, ColoursSpanTheDataAndAChosenRangeIsKept) {
   EXPECT_EQ(colour_at(100), colourOf(ColourMap::viridis, 1));
 }
 
+Rgb8 colourAt(const std::vector<std::uint8_t>& colours, Cell cell = kMiddle) {
+  const std::size_t i =
+      3 * (static_cast<std::size_t>(cell.row) * kSide + static_cast<std::size_t>(cell.col));
+  return {colours[i], colours[i + 1], colours[i + 2]};
+}
+
+GridColours ownColours(const Rgba& colour, const GreyAlpha& intensity) {
+  GridColours own;
+  own.colours.assign(std::size_t{kSide} * kSide, colour);
+  own.intensities.assign(std::size_t{kSide} * kSide, intensity);
+  return own;
+}
+
+TEST(OwnColours, WithoutShadingAreTheBytesOfTheScan) {
+  const DepthMap map = mapOf(plane(30, 100));
+  const GridColours own = ownColours({10, 200, 90, 255}, {77, 255});
+  const ReliefLook natural{.kind = ReliefKind::natural, .shading = 0};
+  EXPECT_EQ(colourAt(reliefColours(reliefValues(map, natural), natural, own)), (Rgb8{10, 200, 90}));
+  const ReliefLook grey{.kind = ReliefKind::intensity, .shading = 0};
+  EXPECT_EQ(colourAt(reliefColours(reliefValues(map, grey), grey, own)), (Rgb8{77, 77, 77}));
+}
+
+TEST(OwnColours, AreDarkenedByTheCosineToTheLightAsFarAsIsWanted) {
+  // 30 degrees up toward 315 degrees, lit from there 45 degrees high: 75 degrees off the normal.
+  const DepthMap map = mapOf(plane(30, 315));
+  const GridColours own = ownColours({100, 200, 40, 255}, {0, 0});
+  const double shade = std::cos(75 * kDegree) / std::sin(45 * kDegree);
+  for (const double shading : {0.25, 0.5, 1.0}) {
+    const ReliefLook look{.kind = ReliefKind::natural, .shading = shading};
+    const Rgb8 made = colourAt(reliefColours(reliefValues(map, look), look, own));
+    const double factor = 1 - shading + shading * shade;
+    EXPECT_NEAR(made[0], 100 * factor, 0.51) << shading;
+    EXPECT_NEAR(made[1], 200 * factor, 0.51) << shading;
+  }
+  const DepthMap level = mapOf(plane(0, 0));
+  const ReliefLook look{.kind = ReliefKind::natural, .shading = 1};
+  EXPECT_EQ(colourAt(reliefColours(reliefValues(level, look), look, own)), (Rgb8{100, 200, 40}));
+}
+
+TEST(OwnColours, SamplesWithoutOneAreStoneAndSurfacesWithoutAnyAreRefused) {
+  const DepthMap map = mapOf(plane(0, 0));
+  const ReliefLook look{.kind = ReliefKind::natural, .shading = 0};
+  const Rgb8 stone =
+      colourAt(reliefColours(reliefValues(map, look), look, ownColours({9, 9, 9, 0}, {0, 0})));
+  EXPECT_GT(stone[0], 150);
+  EXPECT_THROW(reliefColours(reliefValues(map, look), look), ArgumentError);
+  EXPECT_FALSE(hasLegend(ReliefKind::natural));
+  EXPECT_FALSE(isLit(ReliefKind::natural));
+  EXPECT_FALSE(hasKeyLight(look));
+  EXPECT_TRUE(hasKeyLight({.kind = ReliefKind::natural}));
+  for (const double wrong : {-0.1, 1.1, std::nan("")}) {
+    EXPECT_THROW(reliefValues(map, {.kind = ReliefKind::natural, .shading = wrong}), ArgumentError);
+  }
+}
+
 TEST(ReliefImage, WrongNumbersAreRefused) {
   const DepthMap map = mapOf(plane(0, 0));
   EXPECT_THROW(reliefValues(map, {.kind = ReliefKind::sky_view, .radius_mm = -1}), ArgumentError);

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "core/base/bands.h"
+#include "core/depth/colour_fill.h"
+#include "core/depth/grid_points.h"
+#include "core/depth/linear_light.h"
+#include "core/depth/mesh_colours.h"
+
+namespace relievo {
+namespace {
+
+constexpr std::size_t kCellsAtOnce = std::size_t{1} << 24U;  // Their sums take 256 MB.
+constexpr std::size_t kPointsBetweenChecks = std::size_t{1} << 16U;
+
+template <std::size_t Channels>
+using Light = std::array<std::uint16_t, Channels>;
+
+class PointColours {
+ public:
+  static constexpr std::size_t kChannels = 3;
+  explicit PointColours(const Scan& scan) : scan_(scan) {}
+  /// @return  false where the point has none
+  bool at(std::size_t point, Light<3>& out) const {
+    const Rgba& colour = scan_.colours[point];
+    for (std::size_t k = 0; k < 3; ++k) out[k] = transfer_.light[colour[k]];
+    return colour[3] != 0;
+  }
+
+ private:
+  const Scan& scan_;
+  const Transfer& transfer_ = sRgb();
+};
+
+/// The numbers of a scan's intensities that are shown as black and white: its middle 96 %.
+struct Stretch {
+  std::uint32_t low = 0, high = 65535;
+};
+Stretch stretchOf(const Scan& scan) {
+  constexpr double kTail = 0.02;
+  std::vector<std::uint64_t> counts(65536);
+  for (const std::uint16_t intensity : scan.intensities) ++counts[intensity];
+  const auto quantile = [&](double share) {
+    const auto wanted =
+        static_cast<std::uint64_t>(share * static_cast<double>(scan.intensities.size() - 1));
+    std::uint64_t seen = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      seen += counts[i];
+      if (seen > wanted) return static_cast<std::uint32_t>(i);
+    }
+    return std::uint32_t{65535};
+  };
+  const Stretch stretch{.low = quantile(kTail), .high = quantile(1 - kTail)};
+  // All the same: mid grey.
+  return stretch.high > stretch.low
+             ? stretch
+             : Stretch{.low = stretch.low > 0 ? stretch.low - 1 : 0, .high = stretch.low + 1};
+}
+
+class PointIntensities {
+ public:
+  static constexpr std::size_t kChannels = 1;
+  explicit PointIntensities(const Scan& scan) : scan_(scan), light_(65536) {
+    const Stretch stretch = stretchOf(scan);
+    const double range = stretch.high - stretch.low;
+    for (std::size_t i = 0; i < light_.size(); ++i) {
+      const double part = (static_cast<double>(i) - stretch.low) / range;
+      light_[i] =
+          static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * Transfer::kMost));
+    }
+  }
+  bool at(std::size_t point, Light<1>& out) const {
+    out[0] = light_[scan_.intensities[point]];
+    return true;
+  }
+
+ private:
+  const Scan& scan_;
+  std::vector<std::uint16_t> light_;
+};
+
+/// Whole numbers: the same sum in any order, and for any number of threads.
+template <std::size_t Channels>
+struct MeanCell {
+  std::array<std::uint32_t, Channels> sums{};
+  std::uint32_t points = 0;
+
+  void add(const Light<Channels>& light, float /*z*/) {
+    constexpr std::uint32_t kMostPoints = 1U << 20U;  // Sums of 12 bits fit into 32.
+    if (points == kMostPoints) return;
+    for (std::size_t k = 0; k < Channels; ++k) sums[k] += light[k];
+    ++points;
+  }
+  bool any() const { return points > 0; }
+  std::uint32_t light(std::size_t k) const { return (sums[k] + points / 2) / points; }
+};
+
+/// Of points at the same height the lighter one counts, so that their order does not.
+template <std::size_t Channels>
+struct FrontCell {
+  float z_mm = -std::numeric_limits<float>::infinity();
+  Light<Channels> front{};
+
+  void add(const Light<Channels>& light, float z) {
+    if (z < z_mm || (z == z_mm && !(light > front))) return;
+    z_mm = z;
+    front = light;
+  }
+  bool any() const { return z_mm > -std::numeric_limits<float>::infinity(); }
+  std::uint32_t light(std::size_t k) const { return front[k]; }
+};
+
+struct Rows {
+  int first = 0, end = 0;
+};
+
+bool isMeasured(Origin origin) {
+  return origin == Origin::measured || origin == Origin::steep;
+}
+
+/// Adds every point to its cell, if the cell lies in rows first ... end - 1 and has its height from
+/// about there. @param cells  of rows from `start_row` on
+template <class CellSums, class Source>
+void addPoints(const DepthRequest& request, const DepthMap& map, const Source& source, Rows rows,
+               int start_row, std::vector<CellSums>& cells, const Task& task) {
+  const GridSize size = map.frame.size;
+  const GridFromPoint grid_from_point(request);
+  const double depth_mm = kColourDepthCells * map.frame.spacing_mm;
+  const std::size_t start = size.index({.col = 0, .row = start_row});
+  const auto& points = request.scan.points;
+  Light<Source::kChannels> light{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % kPointsBetweenChecks == 0) task.check();
+    const GridPoint p = grid_from_point(points[i]);
+    const int row = nearestIndex(p.v, size.rows);
+    if (row < rows.first || row >= rows.end) continue;
+    const int col = nearestIndex(p.u, size.cols);
+    if (col < 0) continue;
+    const std::size_t cell = size.index({.col = col, .row = row});
+    if (!(std::abs(p.z - static_cast<double>(map.heights_mm[cell])) <= depth_mm)) continue;
+    if (!isMeasured(map.origins[cell]) || !source.at(i, light)) continue;
+    cells[cell - start].add(light, static_cast<float>(p.z));
+  }
+}
+
+/// Every band of rows looks at all points and takes its own: no two threads write the same cell.
+template <template <std::size_t> class CellSums, class Source>
+std::vector<Pixel<Source::kChannels>> pointPixels(const DepthRequest& request, const DepthMap& map,
+                                                  const Source& source, const Transfer& transfer,
+                                                  const Task& task) {
+  constexpr std::size_t kChannels = Source::kChannels;
+  const GridSize size = map.frame.size;
+  std::vector<Pixel<kChannels>> pixels(size.count(), Pixel<kChannels>{});
+  const int rows_at_once = std::max(
+      1, static_cast<int>(kCellsAtOnce / static_cast<std::size_t>(std::max(size.cols, 1))));
+  const int threads = threadsFor(request.scan.points.size(), request.threads);
+  for (int start_row = 0; start_row < size.rows; start_row += rows_at_once) {
+    const int rows = std::min(rows_at_once, size.rows - start_row);
+    std::vector<CellSums<kChannels>> cells(static_cast<std::size_t>(rows) *
+                                           static_cast<std::size_t>(size.cols));
+    Pixel<kChannels>* const out = &pixels[size.index({.col = 0, .row = start_row})];
+    inBands(rows, threads, [&](int first, int end) {
+      addPoints(request, map, source, {.first = start_row + first, .end = start_row + end},
+                start_row, cells, task);
+      const auto at = [&](int row) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(size.cols);
+      };
+      for (std::size_t i = at(first); i < at(end); ++i) {
+        if (!cells[i].any()) continue;
+        for (std::size_t k = 0; k < kChannels; ++k) out[i][k] = transfer.stored[cells[i].light(k)];
+        out[i][kChannels] = kStoredAlpha;
+      }
+    });
+  }
+  return pixels;
+}
+
+template <class Source>
+std::vector<Pixel<Source::kChannels>> pointPixels(const DepthRequest& request, const DepthMap& map,
+                                                  const Source& source, ColourRule rule,
+                                                  const Transfer& transfer, const Task& task) {
+  return rule == ColourRule::winner ? pointPixels<FrontCell>(request, map, source, transfer, task)
+                                    : pointPixels<MeanCell>(request, map, source, transfer, task);
+}
+
+template <std::size_t Channels>
+void finish(std::vector<Pixel<Channels>>& pixels, const DepthMap& map, const Transfer& transfer,
+            const Task& task) {
+  fillColours<Channels>(pixels, map, transfer, task);
+  const bool any = std::any_of(pixels.begin(), pixels.end(),
+                               [](const Pixel<Channels>& pixel) { return pixel[Channels] != 0; });
+  if (!any) pixels = {};
+}
+
+}  // namespace
+
+bool hasColours(const Scan& scan) {
+  const bool on_points = scan.colours.size() == scan.points.size() &&
+                         std::any_of(scan.colours.begin(), scan.colours.end(),
+                                     [](const Rgba& c) { return c[3] != 0; });
+  if (on_points) return true;
+  return scan.texture_of.size() == scan.triangles.size() &&
+         scan.texture_corners.size() == scan.triangles.size() &&
+         std::any_of(scan.texture_of.begin(), scan.texture_of.end(), [&](std::uint16_t texture) {
+           return texture < scan.textures.size() && !scan.textures[texture].texels.empty();
+         });
+}
+
+bool hasIntensities(const Scan& scan) {
+  return !scan.intensities.empty() && scan.intensities.size() == scan.points.size();
+}
+
+IntensityRange shownIntensities(const Scan& scan) {
+  const Stretch stretch = stretchOf(scan);
+  const IntensityRange stored = scan.info.intensity.value_or(IntensityRange{0, 65535});
+  const auto number = [&](std::uint32_t value) {
+    return stored.low + (stored.high - stored.low) * value / 65535;
+  };
+  return {number(stretch.low), number(stretch.high)};
+}
+
+GridColours gridColours(const DepthRequest& request, const DepthMap& map, ColourRule rule,
+                        const Task& task) {
+  const Scan& scan = request.scan;
+  GridColours made;
+  task.report("Colours", 0.0);
+  if (hasColours(scan)) {
+    made.colours = scan.triangles.empty()
+                       ? pointPixels(request, map, PointColours(scan), rule, sRgb(), task)
+                       : meshColours(request, map, task);
+    finish<3>(made.colours, map, sRgb(), task);
+  }
+  if (hasIntensities(scan)) {
+    const PointIntensities source(scan);
+    if (scan.triangles.empty()) {
+      made.intensities = pointPixels(request, map, source, rule, proportional(), task);
+    } else {
+      std::vector<std::uint16_t> light;
+      light.reserve(scan.points.size());
+      for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        Light<1> one{};
+        source.at(i, one);
+        light.push_back(one[0]);
+      }
+      made.intensities = meshIntensities(request, map, light, task);
+    }
+    finish<1>(made.intensities, map, proportional(), task);
+  }
+  return made;
+}
+
+}  // namespace relievo
