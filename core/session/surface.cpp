@@ -305,8 +305,8 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   CapturedDepths depths = engine(request, task);
   sayRule(surface, scan, depths);
   if (closed) addFront(closed->surface, frame, depths);
-  HiddenSurface hidden = depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
-  if (closed) addHidden(*closed, scan, request, depths, hidden, task);
+  const HiddenSurface in_front =
+      depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
   const std::size_t flyers = depths.flyers + (closed ? closed->strays : 0);
   surface.depth_buffer = depths.depth_buffer;
   surface.seconds.grid = watch.lap();
