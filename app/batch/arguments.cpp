@@ -77,6 +77,34 @@ std::vector<double> numberList(const std::string& option, const std::string& tex
   return values;
 }
 
+void addScanOptions(CLI::App& verb, ScanArguments& a) {
+  verb.add_flag("--load-incomplete", a.accept_incomplete,
+                "Load the complete records of a cut file (E101)");
+  verb.add_option("--parts", a.parts, "Which scans of an E57 or PTX file: 1,3; all");
+  verb.add_flag("--keep-withheld", a.keep_withheld,
+                "Of LAS: take points, too, that are marked as not to be used");
+}
+
+ImportOptions importOptions(const ScanArguments& a) {
+  ImportOptions options;
+  options.accept_incomplete = a.accept_incomplete;
+  options.keep_withheld = a.keep_withheld;
+  std::string_view rest = a.parts;
+  while (!rest.empty()) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    int part = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), part);
+    const bool comma_at_end = rest.empty() && a.parts.back() == ',';
+    if (error != std::errc{} || end != word.data() + word.size() || part < 1 || comma_at_end) {
+      throw ArgumentError("--parts: '" + a.parts +
+                          "' is no list of scan numbers from 1, such as 1,3.");
+    }
+    options.parts.push_back(part);
+  }
+  return options;
+}
+
 void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("FILE", a.file,
                   "Scan (PLY PCD OBJ STL 3DS LAS E57 PTX XYZ ASC PTS CSV), TIFF, PNG, ASCII grid "
@@ -96,8 +124,7 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("--holes", a.holes,
                   "base (the paper's), interpolate:MAX_MM2, membrane, membrane:MAX_MM2 or none");
   verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
-  verb.add_flag("--load-incomplete", a.accept_incomplete,
-                "Load the complete records of a cut file (E101)");
+  addScanOptions(verb, a.scan);
 }
 
 SurfaceOptions surfaceOptions(const MapArguments& a) {

@@ -16,6 +16,16 @@ class App;
 
 namespace relievo::batch {
 
+/// What of a scan is read, and how; the same for every verb that reads scans.
+struct ScanArguments {
+  bool accept_incomplete = false;
+  bool keep_withheld = false;
+  std::string parts;  ///< "1,3"; empty: all scans of the file.
+};
+void addScanOptions(CLI::App& verb, ScanArguments& arguments);
+/// @throw ArgumentError  a value that is not of its option's form
+ImportOptions importOptions(const ScanArguments& arguments);
+
 /// Options of every verb that needs a surface; the same as the window's.
 struct MapArguments {
   std::string file;
@@ -28,7 +38,7 @@ struct MapArguments {
   std::string rule;  ///< Empty: from the data.
   std::string holes = "base";
   double factor = 2;  ///< The paper's M.
-  bool accept_incomplete = false;
+  ScanArguments scan;
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);
 /// @throw ArgumentError  a value that is not of its option's form

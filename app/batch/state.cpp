@@ -20,7 +20,7 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
                      const Task& task) {
   const fs::path folder = out.parent_path();
   provenance.input = inputFile(arguments.file, folder.empty() ? fs::path(".") : folder, task);
-  provenance.accept_incomplete = arguments.accept_incomplete;
+  provenance.accept_incomplete = arguments.scan.accept_incomplete;
   return provenance;
 }
 
@@ -76,7 +76,7 @@ Project projectOfVerb(const MapArguments& arguments, const Surface& surface, con
   p.file = arguments.file;
   p.sha256 = sha256OfFile(arguments.file, task);
   p.bytes = fs::file_size(arguments.file);
-  p.accept_incomplete = arguments.accept_incomplete;
+  p.accept_incomplete = arguments.scan.accept_incomplete;
   p.options = resolved(surfaceOptions(arguments), surface);
   p.region = region;
   p.gain = gain;

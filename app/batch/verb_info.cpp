@@ -1,31 +1,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
 #include "app/batch/json.h"
 #include "app/batch/verb.h"
 #include "core/io/import.h"
+#include "core/io/number_text.h"
 #include "core/io/raster.h"
 #include "core/session/unit_guess.h"
 
 namespace relievo::batch {
 namespace {
 
-struct InfoArguments {
-  std::string file, unit;
-  bool accept_incomplete = false;
-};
-
-ScanInfo readInfo(const InfoArguments& a, const Task& task) {
-  ImportOptions options;
-  options.accept_incomplete = a.accept_incomplete;
-  if (looksLikeRaster(a.file)) return importRaster(a.file, options, task).info;
-  return importScan(a.file, options, task).info;
-}
-
 Json jsonOf(const FilePoint& p) {
   return Json{p.x, p.y, p.z};
+}
+
+struct InfoArguments {
+  std::string file, unit;
+  ScanArguments scan;
+};
+
+/// What is told of a file beside its ScanInfo.
+struct FileFacts {
+  ScanInfo info;
+  std::map<int, std::uint64_t> classes;     ///< Points of each class.
+  std::optional<IntensityRange> intensity;  ///< Smallest and largest of the points.
+};
+
+FileFacts factsOf(const Scan& scan) {
+  FileFacts facts{.info = scan.info, .classes = {}, .intensity = std::nullopt};
+  for (const std::uint8_t number : scan.classes) ++facts.classes[number];
+  if (scan.info.intensity && !scan.intensities.empty()) {
+    const auto [least, most] =
+        std::minmax_element(scan.intensities.begin(), scan.intensities.end());
+    const IntensityRange& range = *scan.info.intensity;
+    const auto value = [&range](std::uint16_t stored) {
+      return range.low + (range.high - range.low) * stored / 65535;
+    };
+    facts.intensity = IntensityRange{value(*least), value(*most)};
+  }
+  return facts;
+}
+
+FileFacts readFacts(const InfoArguments& a, const Task& task) {
+  const ImportOptions options = importOptions(a.scan);
+  if (looksLikeRaster(a.file)) {
+    return {
+        .info = importRaster(a.file, options, task).info, .classes = {}, .intensity = std::nullopt};
+  }
+  return factsOf(importScan(a.file, options, task));
+}
+
+/// The keys for what is stored with the points; null or empty where there is none.
+void addValues(const FileFacts& facts, Json& json) {
+  const ScanInfo& info = facts.info;
+  json["reader"] = info.reader;
+  json["reference_system"] = nullptr;
+  if (!info.reference_system.empty()) json["reference_system"] = info.reference_system;
+  json["colour"] = nullptr;
+  if (info.colour) {
+    json["colour"] = {{"source", info.colour->source},
+                      {"bits", info.colour->bits},
+                      {"points", info.colour->points}};
+  }
+  json["intensity"] = nullptr;
+  if (facts.intensity) {
+    json["intensity"] = {{"low", facts.intensity->low}, {"high", facts.intensity->high}};
+  }
+  json["classes"] = Json::object();
+  for (const auto& [number, points] : facts.classes) {
+    json["classes"][std::to_string(number)] = points;
+  }
+  json["withheld"] = info.withheld;
+  json["parts"] = Json::array();
+  for (const ScanPart& part : info.parts) {
+    Json entry{{"name", part.name}, {"points", part.points}, {"viewpoint", nullptr}};
+    if (part.viewpoint) entry["viewpoint"] = jsonOf(*part.viewpoint);
+    json["parts"].push_back(std::move(entry));
+  }
+}
+
+/// The same for people: only what there is.
+void addValueLines(const FileFacts& facts, std::vector<std::string>& lines) {
+  const ScanInfo& info = facts.info;
+  if (!info.reader.empty()) lines.push_back("read by " + info.reader);
+  if (info.colour) {
+    lines.push_back("colours from " + info.colour->source + ", " +
+                    std::to_string(info.colour->bits) + " bits, of " +
+                    std::to_string(info.colour->points) +
+                    (info.colour->source == "texture" ? " corners" : " points"));
+  }
+  if (facts.intensity) {
+    lines.push_back("intensities from " + roundTripText(std::array{facts.intensity->low}) + " to " +
+                    roundTripText(std::array{facts.intensity->high}));
+  }
+  for (const auto& [number, points] : facts.classes) {
+    lines.push_back("class " + std::to_string(number) + ": " + std::to_string(points) + " points");
+  }
+  for (std::size_t i = 0; i < info.parts.size() && info.parts.size() > 1; ++i) {
+    const ScanPart& part = info.parts[i];
+    lines.push_back("scan " + std::to_string(i + 1) +
+                    (part.name.empty() ? "" : " \"" + part.name + "\"") + ": " +
+                    std::to_string(part.points) + " points");
+  }
 }
 
 /// "300 x 200 x 41.3 mm"
@@ -43,7 +124,8 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
       throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
     }
   }
-  const ScanInfo info = readInfo(a, task);
+  const FileFacts facts = readFacts(a, task);
+  const ScanInfo& info = facts.info;
   const LengthUnit unit = given.value_or(info.unit.value_or(LengthUnit::mm));
   const UnitSource source =
       given ? UnitSource::given : (info.unit ? UnitSource::file : UnitSource::assumed);
@@ -81,7 +163,10 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
     if (source == UnitSource::assumed) json["likely_unit"] = name(guessedUnit(*info.bounds));
   }
 
-  Outcome outcome{.json = json.dump(2), .lines = {}};
+  addValues(facts, json);
+
+  // Names of a file's scans need not be UTF-8; JSON must be.
+  Outcome outcome{.json = json.dump(2, ' ', false, Json::error_handler_t::replace), .lines = {}};
   outcome.lines = {a.file + ": " + info.format,
                    std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
                        " finite, " + std::to_string(info.faces) + " faces",
@@ -93,6 +178,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
     outcome.lines.push_back("size " + sizeText(size_mm) +
                             (source == UnitSource::assumed ? ", if one unit is 1 mm" : ""));
   }
+  addValueLines(facts, outcome.lines);
   return outcome;
 }
 
@@ -106,8 +192,7 @@ Verb infoVerb() {
               [arguments](CLI::App& verb) {
                 verb.add_option("FILE", arguments->file, "Scan or raster")->required();
                 verb.add_option("--unit", arguments->unit, "mm cm m in ft us-ft");
-                verb.add_flag("--load-incomplete", arguments->accept_incomplete,
-                              "Count the complete records of a cut file (E101)");
+                addScanOptions(verb, arguments->scan);
               },
           .run = [arguments](const Task& task) { return runInfo(*arguments, task); }};
 }

@@ -81,6 +81,7 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
   if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
   if (auto* wanted = std::get_if<Wanted>(&answer)) return std::move(*wanted);
   if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
+    if (refusal->code == kMisuse) throw ArgumentError(refusal->message);
     throw FileError(refusal->message, refusal->code);
   }
   refuseEnd(file, options, end);
@@ -94,6 +95,7 @@ Scan importScan(const std::filesystem::path& file, const ImportOptions& options,
   const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
     Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
     scan.info.file = file;
+    if (scan.info.reader.empty()) scan.info.reader = "relievo";
     if (scan.info.format.starts_with("LAS")) addUnitOfSystem(what, scan.info);
     return scan;
   };

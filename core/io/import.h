@@ -3,14 +3,21 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 
 namespace relievo {
 
+/// Whose code reads the points: chosen by the file, PCL's, or that of this program.
+enum class ReaderChoice : std::uint8_t { automatic, pcl, own };
+
 struct ImportOptions {
   bool accept_incomplete = false;  ///< E101: load the complete records of a cut file.
+  bool keep_withheld = false;      ///< LAS: take points that are marked as not to be used.
+  ReaderChoice reader = ReaderChoice::automatic;  ///< @throw FileError  PCL, where it reads wrong
+  std::vector<int> parts = {};  ///< E57, PTX: which scans of the file, from 1; empty: all.
   std::uint64_t max_points = 200'000'000;
   std::uint64_t max_memory_bytes = 6ULL << 30;  ///< Address space of the import worker.
   double max_cpu_s = 600;

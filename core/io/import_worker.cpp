@@ -90,6 +90,17 @@ std::optional<WorkerArguments> parseArguments(char** argv) {
   arguments.options.max_points = *max_points;
   arguments.options.max_memory_bytes = *max_memory;
   arguments.options.max_cpu_s = *max_cpu;
+  arguments.options.keep_withheld = std::string_view(argv[8]) == "1";
+  const auto reader = parseWhole<int>(argv[9]);
+  if (!reader || *reader < 0 || *reader > static_cast<int>(ReaderChoice::own)) return std::nullopt;
+  arguments.options.reader = static_cast<ReaderChoice>(*reader);
+  std::string_view parts = argv[10];
+  for (std::string_view word = takeWord(parts); !word.empty() && word != "-";
+       word = takeWord(parts)) {
+    const auto part = parseWhole<int>(word);
+    if (!part) return std::nullopt;
+    arguments.options.parts.push_back(*part);
+  }
   return arguments;
 }
 

@@ -170,7 +170,23 @@ class HeaderParser {
       }
       header_.xyz[axis] = static_cast<std::size_t>(at - list.begin());
     }
+    findValues(vertices->properties);
     findFaces();
+  }
+
+  void findValues(const std::vector<PlyProperty>& list) {
+    std::array<std::optional<std::size_t>, 3> colour;
+    for (std::size_t p = 0; p < list.size(); ++p) {
+      if (list[p].list_length) continue;
+      if (const auto channel = colourChannel(list[p].name)) {
+        if (!colour[*channel]) colour[*channel] = p;
+      } else if (isIntensity(list[p].name) && !header_.intensity) {
+        header_.intensity = p;
+      }
+    }
+    if (colour[0] && colour[1] && colour[2]) {
+      header_.colour = std::array{*colour[0], *colour[1], *colour[2]};
+    }
   }
 
   void findFaces() {
@@ -204,6 +220,25 @@ std::uint64_t PlyElement::leastBytes() const noexcept {
   std::uint64_t sum = 0;
   for (const PlyProperty& p : properties) sum += byteSize(p.list_length.value_or(p.type));
   return sum;
+}
+
+RecordLayout recordLayoutOf(const PlyHeader& header) {
+  const std::vector<PlyProperty>& list = header.vertices().properties;
+  std::vector<StoredNumber> numbers;
+  RecordLayout layout;
+  layout.order = header.byteOrder();
+  for (const PlyProperty& property : list) {
+    numbers.push_back({layout.bytes, property.type});
+    layout.bytes += byteSize(property.type);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) layout.xyz[axis] = numbers[header.xyz[axis]];
+  if (header.colour) {
+    const auto& [red, green, blue] = *header.colour;
+    layout.colour = std::array{numbers[red], numbers[green], numbers[blue]};
+    layout.colour_source = list[red].name + " " + list[green].name + " " + list[blue].name;
+  }
+  if (header.intensity) layout.intensity = numbers[*header.intensity];
+  return layout;
 }
 
 PlyHeader parsePlyHeader(std::string_view head, const std::filesystem::path& file) {

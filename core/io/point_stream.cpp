@@ -15,6 +15,7 @@
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/las_header.h"
+#include "core/io/las_records.h"
 #include "core/io/las_unit.h"
 #include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
@@ -104,6 +105,7 @@ void PointStream::openLas(const std::filesystem::path& las, const ImportOptions&
     coordinates_[axis] = {4 * axis, ScalarType::i32, header.scale[axis], header.offset[axis]};
   }
   stated_bounds_ = header.stated_bounds;
+  if (!options.keep_withheld) withheld_bit_ = lasPlaces(header.point_format).withheld_bit;
   readLasUnit(head, header, info_);
   addUnitOfSystem(head, header, info_);
   if (!unpacked_) return setFound(header.points, options);
@@ -181,8 +183,11 @@ FilePoint PointStream::pointOf(const char* record) const noexcept {
     p[axis] = loadDouble(record + c.offset, c.type, order_) * c.scale + c.shift;
   }
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const bool usable =
-      std::all_of(p.begin(), p.end(), [](double v) { return std::abs(v) <= kFarthestCoordinate; });
+  const bool left_out =
+      withheld_bit_ != 0 && (static_cast<std::uint8_t>(record[kLasFlagsAt]) & withheld_bit_) != 0;
+  const bool usable = !left_out && std::all_of(p.begin(), p.end(), [](double v) {
+    return std::abs(v) <= kFarthestCoordinate;
+  });
   return usable ? FilePoint{p[0], p[1], p[2]} : FilePoint{kNaN, kNaN, kNaN};
 }
 

@@ -46,9 +46,9 @@ class PointStream {
   const std::optional<FileBounds>& statedBounds() const noexcept { return stated_bounds_; }
 
   /// Reads up to block.size() points from the `first` on, file coordinates. A point that importScan
-  /// would leave out (not finite, or beyond 1e38) is three NaN, so that numbers stay those of the
-  /// file. The same for every size of block. Allocates at most 1 MB. Of LAZ and COPC, waits until
-  /// these points are unpacked. [any thread]
+  /// would leave out (not finite, beyond 1e38, or of LAS withheld) is three NaN, so that numbers
+  /// stay those of the file. The same for every size of block. Allocates at most 1 MB. Of LAZ and
+  /// COPC, waits until these points are unpacked. [any thread]
   /// @return  points read; fewer than asked for only at the end
   /// @throw FileError  the file became shorter, its disk failed, or it cannot be unpacked
   /// @throw Cancelled  by the task it was opened with, while it waits
@@ -77,6 +77,7 @@ class PointStream {
   std::size_t record_bytes_ = 1;
   ByteOrder order_ = ByteOrder::little;
   std::array<Coordinate, 3> coordinates_;
+  std::uint8_t withheld_bit_ = 0;  ///< LAS: of byte 15, points that are left out; 0: none are.
 };
 
 }  // namespace relievo

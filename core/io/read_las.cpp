@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LAS 1.0 to 1.4. Every point format starts with the coordinates; the rest of a record is not
-// needed here. Points marked as withheld or noise are loaded as well.
+// LAS 1.0 to 1.4. Points of the classes for noise are loaded as well.
 #include <algorithm>
 #include <string>
 
 #include "core/io/las_header.h"
+#include "core/io/las_records.h"
 #include "core/io/las_unit.h"
 #include "core/io/read_scan.h"
-#include "core/io/scalar.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
@@ -17,18 +16,23 @@ constexpr std::uint64_t kReportEvery = 1 << 16;
 
 void readPoints(const ReadJob& job, const LasHeader& header, std::uint64_t count,
                 ScanBuilder& builder) {
-  const char* at = job.bytes.data() + std::min<std::uint64_t>(header.points_at, job.bytes.size());
-  const auto coordinate = [&](std::size_t axis) {
-    const auto stored = loadAs<std::int32_t>(at + 4 * axis, ByteOrder::little);
-    return static_cast<double>(stored) * header.scale[axis] + header.offset[axis];
-  };
+  const char* const first =
+      job.bytes.data() + std::min<std::uint64_t>(header.points_at, job.bytes.size());
+  LasSurvey survey(header);
+  const char* at = first;
+  for (std::uint64_t i = 0; i < count && survey.look(at); ++i, at += header.record_bytes) {
+    if (i % kReportEvery == 0) job.task.check();
+  }
+  LasRecords records(header, survey, job.options, count, builder);
+  at = first;
   for (std::uint64_t i = 0; i < count; ++i, at += header.record_bytes) {
     if (i % kReportEvery == 0) {
       job.task.check();
       job.task.report("reading points", static_cast<double>(i) / static_cast<double>(count));
     }
-    builder.addPoint(coordinate(0), coordinate(1), coordinate(2));
+    records.add(at);
   }
+  records.finish();
 }
 
 }  // namespace
@@ -51,7 +55,6 @@ Scan readLas(const ReadJob& job) {
         "ignored.");
   }
   readLasUnit(job.bytes, header, info);
-  builder.expectPoints(found);
   readPoints(job, header, found, builder);
   return builder.finish();
 }

@@ -83,7 +83,22 @@ class ObjReader {
       if (!value) refuseLine("does not hold three coordinates");
       coordinate = *value;
     }
-    builder_.addPoint(p[0], p[1], p[2]);
+    if (builder_.addPoint(p[0], p[1], p[2])) readColour(rest);
+  }
+
+  /// `v x y z r g b`. Four numbers are x y z w, seven x y z w and two more: no colours.
+  void readColour(std::string_view rest) {
+    std::array<float, 3> colour{};
+    for (float& channel : colour) {
+      const auto value = parseNumber(takeWord(rest));
+      if (!value) return;
+      channel = static_cast<float>(*value);
+    }
+    const std::string_view more = takeWord(rest);
+    if (!more.empty() && more.front() != '#') return;
+    auto& fact = builder_.info().colour;
+    if (!fact) fact = ColourFact{.source = "v x y z r g b", .bits = 8, .points = 0};
+    builder_.addWideColour(colour);
   }
 
   /// `f a b c`, `f a/t b/t c/t`, `f a/t/n ...`, `f a//n ...`; from 1, or backwards from -1.

@@ -39,6 +39,15 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);
 
+/// Code of the refusal of a choice that the file does not offer; importScan throws an
+/// ArgumentError.
+inline constexpr const char* kMisuse = "misuse";
+
+/// Does ImportOptions::parts name only scans that a file of so many has? @throw FileError  kMisuse
+void checkParts(const ReadJob& job, std::size_t count);
+/// Is the scan of this index (from 0) to be read?
+bool isWantedPart(const ReadJob& job, std::size_t index);
+
 /// A file that ends before what its header promises.
 struct Shortfall {
   std::string_view records = "points";  ///< Or "faces", or "bytes".

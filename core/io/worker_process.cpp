@@ -32,6 +32,13 @@ OwnedFd answerFile(const std::filesystem::path& folder) {
   return OwnedFd(raised(::fcntl(file.get(), F_DUPFD_CLOEXEC, 0)));
 }
 
+/// "1 3 "; "-" for all, because an argument may not be empty.
+std::string partsText(const std::vector<int>& parts) {
+  std::string text;
+  for (const int part : parts) text += std::to_string(part) + " ";
+  return text.empty() ? "-" : text;
+}
+
 std::filesystem::path ownFolder() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -70,7 +77,9 @@ WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path&
                      std::filesystem::absolute(file).string(),
                      std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
                      std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
-                     roundTripText(std::array{options.max_cpu_s})},
+                     roundTripText(std::array{options.max_cpu_s}),
+                     options.keep_withheld ? "1" : "0",
+                     std::to_string(static_cast<int>(options.reader)), partsText(options.parts)},
        .more_environment = {},
        .fds = {{child_words.get(), 1},
                {child_words.get(), 2},

@@ -16,7 +16,7 @@ namespace relievo {
 inline constexpr const char* kWorkerArgument = "import-" RELIEVO_VERSION_STRING;
 inline constexpr int kProgressFd = 3;  ///< Lines "fraction step".
 inline constexpr int kAnswerFd = 4;    ///< scan_transport.h
-inline constexpr int kWorkerArgumentCount = 8;
+inline constexpr int kWorkerArgumentCount = 11;
 
 /// What the worker is to answer with: its third argument.
 enum class ImportKind : char { scan = 's', raster = 'r', raster_rows = 'R' };
