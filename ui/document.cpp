@@ -72,6 +72,7 @@ struct Document::Work {
   ImportOptions import() const {
     ImportOptions import;
     import.accept_incomplete = open.accept_incomplete;
+    import.scan = open.scan;
     return import;
   }
 };

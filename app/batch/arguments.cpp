@@ -81,6 +81,9 @@ void addScanOptions(CLI::App& verb, ScanArguments& a) {
   verb.add_flag("--load-incomplete", a.accept_incomplete,
                 "Load the complete records of a cut file (E101)");
   verb.add_option("--parts", a.parts, "Which scans of an E57 or PTX file: 1,3; all");
+  verb.add_option("--reader", a.reader,
+                  "Whose code reads the points: auto (PCL where it reads right), pcl, own")
+      ->check(CLI::IsMember({"auto", "pcl", "own"}));
   verb.add_flag("--keep-withheld", a.keep_withheld,
                 "Of LAS: take points, too, that are marked as not to be used");
 }
@@ -88,7 +91,9 @@ void addScanOptions(CLI::App& verb, ScanArguments& a) {
 ImportOptions importOptions(const ScanArguments& a) {
   ImportOptions options;
   options.accept_incomplete = a.accept_incomplete;
-  options.keep_withheld = a.keep_withheld;
+  options.scan.keep_withheld = a.keep_withheld;
+  const auto* const reader = std::find(kReaderNames.begin(), kReaderNames.end(), a.reader);
+  options.scan.reader = static_cast<ReaderChoice>(reader - kReaderNames.begin());
   std::string_view rest = a.parts;
   while (!rest.empty()) {
     const std::string_view word = rest.substr(0, rest.find(','));
@@ -100,7 +105,7 @@ ImportOptions importOptions(const ScanArguments& a) {
       throw ArgumentError("--parts: '" + a.parts +
                           "' is no list of scan numbers from 1, such as 1,3.");
     }
-    options.parts.push_back(part);
+    options.scan.parts.push_back(part);
   }
   return options;
 }

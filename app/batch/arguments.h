@@ -21,6 +21,7 @@ struct ScanArguments {
   bool accept_incomplete = false;
   bool keep_withheld = false;
   std::string parts;  ///< "1,3"; empty: all scans of the file.
+  std::string reader = "auto";
 };
 void addScanOptions(CLI::App& verb, ScanArguments& arguments);
 /// @throw ArgumentError  a value that is not of its option's form

@@ -16,6 +16,7 @@
 #include "core/io/raster.h"
 #include "core/io/raster_rows.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_transport.h"
 #include "core/io/system_unit.h"
 #include "core/io/unpack_las.h"
@@ -33,17 +34,21 @@ struct Foresight {
 };
 
 /// What can be refused by the first bytes is refused here, before a process is started.
-Foresight precheck(const std::filesystem::path& file) {
+Foresight precheck(const std::filesystem::path& file, ReaderChoice choice) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
   checkReadableAsScan(found, file);
-  if (found.format == FileFormat::ply) parsePlyHeader(head, file);
-  Foresight foresight{.format = found.format};
-  if (found.format == FileFormat::pcd &&
-      parsePcdHeader(head, file).encoding == PcdEncoding::binary_compressed) {
-    foresight.program = ImportProgram::libraries;
+  std::string why_not;
+  if (found.format == FileFormat::ply) {
+    why_not = whyNotPcl(parsePlyHeader(head, file));
+  } else if (found.format == FileFormat::pcd) {
+    why_not = whyNotPcl(parsePcdHeader(head, file));
+  } else {
+    why_not = whyNotPcl(found.format);
   }
+  Foresight foresight{.format = found.format};
+  if (usesPcl(choice, why_not, file)) foresight.program = ImportProgram::pcl;
   return foresight;
 }
 
@@ -89,14 +94,29 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
 
 }  // namespace
 
+namespace {
+
+void convertHeights(Scan& scan, double factor) {
+  if (factor == 1) return;
+  scan.origin.z *= factor;
+  for (auto& p : scan.points) p[2] = static_cast<float>(static_cast<double>(p[2]) * factor);
+  if (!scan.info.bounds) return;
+  scan.info.bounds->min.z *= factor;
+  scan.info.bounds->max.z *= factor;
+}
+
+}  // namespace
+
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  const Foresight foresight = precheck(file);
+  const Foresight foresight = precheck(file, options.scan.reader);
   const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
     Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
     scan.info.file = file;
     if (scan.info.reader.empty()) scan.info.reader = "relievo";
-    if (scan.info.format.starts_with("LAS")) addUnitOfSystem(what, scan.info);
+    if (scan.info.format.starts_with("LAS")) {
+      convertHeights(scan, addUnitOfSystem(what, scan.info));
+    }
     return scan;
   };
   if (foresight.format != FileFormat::laz) return read(foresight.program, file);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
@@ -81,7 +82,11 @@ class PcdHeaderParser {
     } else if (word == "VIEWPOINT") {
       readViewpoint(rest);
     } else if (word != "VERSION") {
-      refuse("has an unknown entry \"" + std::string(word.substr(0, 40)) + "\"");
+      constexpr std::size_t kMostWarnings = 3;
+      if (header_.warnings.size() >= kMostWarnings) return;
+      header_.warnings.push_back("Header line " + std::to_string(lines_.number()) + " (\"" +
+                                 printable(trimmed(lines_.line()).substr(0, 60)) +
+                                 "\") is not of PCD; it was passed over.");
     }
   }
 
@@ -160,13 +165,21 @@ class PcdHeaderParser {
   void findAxes() {
     constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      int seen = 0;
-      for (std::size_t i = 0; i < header_.fields.size(); ++i) {
-        if (header_.fields[i].name != kAxes[axis] || header_.fields[i].count != 1) continue;
-        header_.xyz[axis] = i;
-        ++seen;
-      }
-      if (seen != 1) refuse("has no single field " + std::string(kAxes[axis]));
+      const auto find = [&](const auto& isNamed) {
+        int seen = 0;
+        for (std::size_t i = 0; i < header_.fields.size(); ++i) {
+          if (!isNamed(header_.fields[i].name) || header_.fields[i].count != 1) continue;
+          header_.xyz[axis] = i;
+          ++seen;
+        }
+        return seen;
+      };
+      const int exact = find([&](const std::string& name) { return name == kAxes[axis]; });
+      // PDAL writes X, Y and Z.
+      const int like = exact != 0 ? exact : find([&](const std::string& name) {
+        return sameLetters(name, kAxes[axis]);
+      });
+      if (like != 1) refuse("has no single field " + std::string(kAxes[axis]));
     }
   }
 

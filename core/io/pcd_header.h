@@ -36,6 +36,7 @@ struct PcdHeader {
   std::optional<std::array<std::size_t, 3>> colour;  ///< Fields red, green and blue.
   std::optional<std::size_t> packed_colour;          ///< The field rgb or rgba, 32 bits.
   std::optional<std::size_t> intensity;
+  std::vector<std::string> warnings;   ///< Of lines that were passed over.
   std::optional<FilePoint> viewpoint;  ///< If it is not 0 0 0, what programs write without knowing.
 };
 

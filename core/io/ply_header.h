@@ -48,6 +48,8 @@ struct PlyHeader {
   std::optional<std::size_t> face_element;
   std::size_t face_corners = 0;  ///< The list property of the face element.
 
+  std::vector<std::string> warnings;  ///< Of lines that were passed over.
+
   const PlyElement& vertices() const noexcept { return elements[vertex_element]; }
   ByteOrder byteOrder() const noexcept {
     return encoding == PlyEncoding::binary_big_endian ? ByteOrder::big : ByteOrder::little;

@@ -66,6 +66,7 @@ bool PointStream::isPacked(const std::filesystem::path& file) {
 PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
                          const Task& task) {
   info_.file = file;
+  info_.reader = "relievo";
   const FileFormat format = formatOf(file);
   if (format == FileFormat::laz) openPacked(options, task);
   const std::filesystem::path& read = unpacked_ ? unpacked_->file() : file;
@@ -105,14 +106,23 @@ void PointStream::openLas(const std::filesystem::path& las, const ImportOptions&
     coordinates_[axis] = {4 * axis, ScalarType::i32, header.scale[axis], header.offset[axis]};
   }
   stated_bounds_ = header.stated_bounds;
-  if (!options.keep_withheld) withheld_bit_ = lasPlaces(header.point_format).withheld_bit;
-  readLasUnit(head, header, info_);
-  addUnitOfSystem(head, header, info_);
+  if (!options.scan.keep_withheld) withheld_bit_ = lasPlaces(header.point_format).withheld_bit;
+  double factor = readLasUnit(head, header, info_);
+  factor *= addUnitOfSystem(head, header, info_);
+  coordinates_[2].scale *= factor;
+  coordinates_[2].shift *= factor;
+  const auto convertBounds = [&] {
+    if (!stated_bounds_) return;
+    stated_bounds_->min.z *= factor;
+    stated_bounds_->max.z *= factor;
+  };
+  convertBounds();
   if (!unpacked_) return setFound(header.points, options);
   // Some programs write counts and bounds last.
   const LasHeader packed = packedLasHeader(info_.file);
   info_.format.replace(0, 3, "LAZ");
   stated_bounds_ = packed.stated_bounds;
+  convertBounds();
   const std::uint64_t promised = std::min(packed.points, kMostPoints);
   file_bytes_ =
       options.accept_incomplete ? checkedFileSize(las) : points_at_ + promised * record_bytes_;
@@ -130,6 +140,7 @@ void PointStream::openPly(const ImportOptions& options) {
   const bool big = header.encoding == PlyEncoding::binary_big_endian;
   info_.format = big ? "PLY binary_big_endian" : "PLY binary_little_endian";
   info_.unit = header.unit;
+  info_.warnings = header.warnings;
   points_at_ = *before;
   record_bytes_ = static_cast<std::size_t>(header.vertices().leastBytes());
   order_ = header.byteOrder();

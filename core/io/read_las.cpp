@@ -40,7 +40,7 @@ void readPoints(const ReadJob& job, const LasHeader& header, std::uint64_t count
 Scan readLas(const ReadJob& job) {
   ScanBuilder builder(job.file, job.options.max_points);
   ScanInfo& info = builder.info();
-  const LasHeader header = parseLasHeader(job.bytes, job.file);
+  LasHeader header = parseLasHeader(job.bytes, job.file);
   info.format = "LAS 1." + std::to_string(header.minor) + " point format " +
                 std::to_string(header.point_format);
   const std::uint64_t size = job.bytes.size();
@@ -54,7 +54,9 @@ Scan readLas(const ReadJob& job) {
         "Bytes after the last of the points that the header promises were "
         "ignored.");
   }
-  readLasUnit(job.bytes, header, info);
+  const double factor = readLasUnit(job.bytes, header, info);
+  header.scale[2] *= factor;
+  header.offset[2] *= factor;
   readPoints(job, header, found, builder);
   return builder.finish();
 }

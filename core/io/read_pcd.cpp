@@ -16,6 +16,7 @@
 #include "core/io/pcd_header.h"
 #include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
@@ -37,6 +38,7 @@ class PcdReader {
     constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary", "binary_compressed"};
     builder_.info().format =
         "PCD " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
+    builder_.info().warnings = header_.warnings;
     if (header_.viewpoint) {
       builder_.beginPart({.name = {}, .points = 0, .viewpoint = header_.viewpoint});
     }
@@ -79,7 +81,29 @@ class PcdReader {
     if (found < header_.points) shortOf(found);
     plantedFault(header_.xyz[0] > header_.xyz[2]);
     expectRecords(layout_, found, hasByteColours(layout_), builder_);
-    addRecords(layout_, body_, found, job_.task, builder_);
+    if (!byPcl()) return addRecords(layout_, body_, found, job_.task, builder_);
+    builder_.info().reader = job_.pcl->name;
+    std::uint64_t done = 0;
+    job_.pcl->pcd_records(header_, body_, found, taker(done));
+  }
+
+  /// The program that called may have none: then ours reads, unless PCL was asked for.
+  bool byPcl() const {
+    if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
+    if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
+      refuseScan(job_.file, "it was changed while it was read. Try again.");
+    }
+    return job_.pcl != nullptr;
+  }
+
+  TakeColumns taker(std::uint64_t& done) {
+    return [this, &done](const PointColumns& columns, std::uint64_t count) {
+      job_.task.check();
+      job_.task.report("reading points",
+                       static_cast<double>(done) / static_cast<double>(header_.points));
+      addColumns(columns, count, builder_);
+      done += count;
+    };
   }
 
   /// Two sizes, then all points' first field, all points' second field ... as one LZF block.
@@ -96,18 +120,22 @@ class PcdReader {
     }
     if (packed > body_.size() - 8) refuseCut();
     if (header_.points == 0) return;
-    // The parent chose this program by the header that it saw.
-    if (job_.unpack_lzf == nullptr) {
-      refuseScan(job_.file, "it was changed while it was read. Try again.");
-    }
     job_.task.report("reading points", 0);
-    const std::vector<char> bytes = job_.unpack_lzf(
-        body_.substr(8, static_cast<std::size_t>(packed)), static_cast<std::size_t>(unpacked));
-    if (bytes.empty()) {
-      refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
-    }
     expectRecords(layout_, header_.points, hasByteColours(layout_), builder_);
+    if (byPcl()) {
+      builder_.info().reader = job_.pcl->name;
+      std::uint64_t done = 0;
+      if (!job_.pcl->pcd_compressed(header_, body_, taker(done))) refuseUndecoded();
+      return;
+    }
+    const std::vector<char> bytes = unpackLzf(body_.substr(8, static_cast<std::size_t>(packed)),
+                                              static_cast<std::size_t>(unpacked));
+    if (bytes.empty()) refuseUndecoded();
     addFields(bytes);
+  }
+
+  [[noreturn]] void refuseUndecoded() const {
+    refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
   }
 
   /// From all points' first field, all points' second field ...

@@ -10,6 +10,7 @@
 #include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
@@ -39,6 +40,7 @@ class PlyReader {
     constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary_little_endian",
                                                          "binary_big_endian"};
     builder_.info().unit = header_.unit;
+    builder_.info().warnings = header_.warnings;
     builder_.info().format =
         "PLY " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
     const bool ascii = header_.encoding == PlyEncoding::ascii;
@@ -144,6 +146,15 @@ class PlyReader {
     return element.count;
   }
 
+  /// The program that called may have none: then ours reads, unless PCL was asked for.
+  bool byPcl() const {
+    if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
+    if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
+      refuseScan(job_.file, "it was changed while it was read. Try again.");
+    }
+    return job_.pcl != nullptr;
+  }
+
   std::uint64_t skipRecords(const PlyElement& element) {
     const std::uint64_t bytes = element.leastBytes();
     const std::uint64_t found = std::min(element.count, (body_.size() - at_) / bytes);
@@ -155,7 +166,18 @@ class PlyReader {
   std::uint64_t readFixedPoints(const PlyElement& element) {
     const std::string_view rest = body_.substr(at_);
     const std::uint64_t found = std::min(element.count, rest.size() / layout_.bytes);
-    addRecords(layout_, rest, found, job_.task, builder_);
+    if (byPcl()) {
+      builder_.info().reader = job_.pcl->name;
+      std::uint64_t done = 0;
+      job_.pcl->ply_records(header_, rest, found,
+                            [&](const PointColumns& columns, std::uint64_t count) {
+                              report(done, element.count);
+                              addColumns(columns, count, builder_);
+                              done += count;
+                            });
+    } else {
+      addRecords(layout_, rest, found, job_.task, builder_);
+    }
     at_ += found * layout_.bytes;
     return found;
   }

@@ -17,7 +17,7 @@ void refuseScan(const std::filesystem::path& file, std::string_view reason) {
 }
 
 void checkParts(const ReadJob& job, std::size_t count) {
-  for (const int part : job.options.parts) {
+  for (const int part : job.options.scan.parts) {
     if (part >= 1 && static_cast<std::size_t>(part) <= count) continue;
     throw FileError(
         "--parts: " + shownName(job.file) + " holds " +
@@ -28,7 +28,7 @@ void checkParts(const ReadJob& job, std::size_t count) {
 }
 
 bool isWantedPart(const ReadJob& job, std::size_t index) {
-  const std::vector<int>& parts = job.options.parts;
+  const std::vector<int>& parts = job.options.scan.parts;
   return parts.empty() ||
          std::find(parts.begin(), parts.end(), static_cast<int>(index) + 1) != parts.end();
 }
@@ -52,9 +52,9 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
 }
 
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  UnpackLzf unpack_lzf) {
+                  const PclLibrary* pcl) {
   const MappedFile mapped(file);
-  const ReadJob job{file, mapped.bytes(), options, task, unpack_lzf};
+  const ReadJob job{file, mapped.bytes(), options, task, pcl};
   const FoundFormat found = findFormat(job.bytes.substr(0, kSniffedBytes), file, job.bytes.size());
   checkReadableAsScan(found, file);
   const bool may_hold_several = found.format == FileFormat::e57 || found.format == FileFormat::ptx;

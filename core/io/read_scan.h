@@ -7,7 +7,7 @@
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
-#include "core/io/lzf.h"
+#include "core/io/pcl_records.h"
 
 namespace relievo {
 
@@ -17,7 +17,7 @@ struct ReadJob {
   std::string_view bytes;
   const ImportOptions& options;
   const Task& task;
-  UnpackLzf unpack_lzf = nullptr;  ///< Null in the program without large libraries.
+  const PclLibrary* pcl = nullptr;  ///< Null in programs without it.
 };
 
 // One function per format, each in its own file; all throw FileError. They run in the worker.
@@ -33,8 +33,9 @@ Scan readPtx(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError
+/// @param pcl  reads where it may and is not unwanted; null: this program has none
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  UnpackLzf unpack_lzf);
+                  const PclLibrary* pcl = nullptr);
 
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);

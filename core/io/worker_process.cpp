@@ -47,8 +47,9 @@ std::filesystem::path ownFolder() {
 }  // namespace
 
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
-  const std::filesystem::path name =
-      program == ImportProgram::own ? "relievo-import" : "relievo-import-libraries";
+  constexpr std::array<const char*, 3> kNames{"relievo-import", "relievo-import-pcl",
+                                              "relievo-import-libraries"};
+  const std::filesystem::path name = kNames[static_cast<std::size_t>(program)];
   // Installed; beside the program in the build folder; beside the build's tests.
   for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
     std::error_code missing;
@@ -78,8 +79,9 @@ WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path&
                      std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
                      std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
                      roundTripText(std::array{options.max_cpu_s}),
-                     options.keep_withheld ? "1" : "0",
-                     std::to_string(static_cast<int>(options.reader)), partsText(options.parts)},
+                     options.scan.keep_withheld ? "1" : "0",
+                     std::to_string(static_cast<int>(options.scan.reader)),
+                     partsText(options.scan.parts)},
        .more_environment = {},
        .fds = {{child_words.get(), 1},
                {child_words.get(), 2},

@@ -22,8 +22,8 @@ inline constexpr int kWorkerArgumentCount = 11;
 enum class ImportKind : char { scan = 's', raster = 'r', raster_rows = 'R' };
 
 /// Which program reads: `own` starts in a few milliseconds, because it loads none of the large
-/// libraries; `libraries` has them all and reads everything.
-enum class ImportProgram { own, libraries };
+/// libraries; `pcl` has PCL, `libraries` GDAL.
+enum class ImportProgram { own, pcl, libraries };
 
 /// Where that program is, seen from the folder of the running one.
 /// @throw FileError  nowhere it should be; there is no other way to read

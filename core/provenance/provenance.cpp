@@ -31,6 +31,7 @@ Json madeJson(const Made& made, const GridFrame& frame, const HeightRange& heigh
   json["engine"] = made.engine;
   json["rule"] = made.rule;
   json["holes"] = made.holes.size();
+  if (!made.info.reader.empty()) json["reader"] = made.info.reader;
   for (std::size_t i = 0; i < kOriginCount; ++i) {
     json["shares"][std::string(kOriginNames[i])] = shares[i];
   }
@@ -72,6 +73,7 @@ Provenance provenanceFrom(const Json& json) {
   p.commit = json.at("program").at("commit").get<std::string>();
   p.input = inputFrom(json.at("input"));
   p.accept_incomplete = json.at("input").value("incomplete", false);
+  p.scan = scanChoicesFrom(json.at("input"));
   p.options = optionsFrom(json.at("depth_map"));
   if (json.contains("view")) p.view = viewFrom(json.at("view"));
   if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
@@ -128,6 +130,7 @@ std::string toJson(const Provenance& p, int indent) {
   json["program"] = {{"name", "relievo"}, {"version", p.version}, {"commit", p.commit}};
   json["input"] = jsonOf(p.input);
   json["input"]["incomplete"] = p.accept_incomplete;
+  putScanChoices(p.scan, json["input"]);
   json["depth_map"] = jsonOf(p.options);
   if (p.view) json["view"] = jsonOf(*p.view);
   if (p.picture) json["picture"] = jsonOf(*p.picture);

@@ -320,7 +320,7 @@ TEST_F(PointValues, WithheldPointsOfLasAreLeftOutUnlessAskedFor) {
     EXPECT_THAT(scan.intensities, ElementsAre(0, 2));
     EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("left out")));
     ImportOptions keep;
-    keep.keep_withheld = true;
+    keep.scan.keep_withheld = true;
     const Scan all = load("a.las", lasFile(las), keep);
     EXPECT_EQ(all.points.size(), 3U);
     EXPECT_EQ(all.info.withheld, 1U);
@@ -356,17 +356,17 @@ TEST_F(PointValues, PtxScansKeepColoursPlacesAndNumbers) {
   EXPECT_THAT(scan.intensities, ElementsAre(0, 65535, 32768));
 
   ImportOptions second;
-  second.parts = {2};
+  second.scan.parts = {2};
   const Scan part = load("a.ptx", file, second);
   EXPECT_EQ(part.info.points, 2U);
   EXPECT_EQ(part.point(0), (FilePoint{-3, 2, 3}));
   EXPECT_EQ(part.info.parts.size(), 1U);
   ImportOptions third;
-  third.parts = {1, 3};
+  third.scan.parts = {1, 3};
   EXPECT_THROW(load("a.ptx", file, third), ArgumentError);
-  third.parts = {2};
+  third.scan.parts = {2};
   EXPECT_THROW(load("a.xyz", "1 2 3\n", third), ArgumentError);
-  third.parts = {1};
+  third.scan.parts = {1};
   EXPECT_EQ(load("a.xyz", "1 2 3\n", third).points.size(), 1U);
 }
 
@@ -466,12 +466,12 @@ TEST_F(PointValues, E57PartsHaveNamesPlacesAndInvalidColoursAreNone) {
   EXPECT_EQ(scan.point(0).x, 101);
 
   ImportOptions options;
-  options.parts = {2};
+  options.scan.parts = {2};
   const Scan south = load("a.e57", sample.file(), options);
   EXPECT_EQ(south.info.points, 2U);
   ASSERT_EQ(south.info.parts.size(), 1U);
   EXPECT_EQ(south.info.parts[0].name, "South");
-  options.parts = {3};
+  options.scan.parts = {3};
   EXPECT_THROW(load("a.e57", sample.file(), options), ArgumentError);
 }
 
