@@ -49,6 +49,10 @@ Foresight precheck(const std::filesystem::path& file, ReaderChoice choice) {
   }
   Foresight foresight{.format = found.format};
   if (usesPcl(choice, why_not, file)) foresight.program = ImportProgram::pcl;
+  // Its pictures need GDAL.
+  const bool may_have_pictures =
+      found.format == FileFormat::obj && head.find("mtllib ") != std::string::npos;
+  if (may_have_pictures) foresight.program = ImportProgram::libraries;
   return foresight;
 }
 

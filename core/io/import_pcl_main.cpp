@@ -5,6 +5,7 @@
 #include "core/io/pcl_records.h"
 
 int main(int argc, char** argv) {
-  return relievo::runImportWorker(argc, argv,
-                                  {.pcl = &relievo::pclLibrary(), .read_raster = nullptr});
+  return relievo::runImportWorker(
+      argc, argv,
+      {.read = {.pcl = &relievo::pclLibrary(), .load_texture = nullptr}, .read_raster = nullptr});
 }

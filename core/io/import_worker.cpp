@@ -124,7 +124,7 @@ void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libr
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
     if (arguments.kind == ImportKind::scan) {
-      sendAnswer(kAnswerFd, readScanHere(arguments.file, arguments.options, task, libraries.pcl));
+      sendAnswer(kAnswerFd, readScanHere(arguments.file, arguments.options, task, libraries.read));
     } else if (libraries.read_raster != nullptr) {
       RasterAnswer answer(kAnswerFd);
       answer.finish(libraries.read_raster(arguments.file, answer.sink(), task));

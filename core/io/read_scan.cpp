@@ -52,9 +52,9 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
 }
 
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  const PclLibrary* pcl) {
+                  const ReadLibraries& libraries) {
   const MappedFile mapped(file);
-  const ReadJob job{file, mapped.bytes(), options, task, pcl};
+  const ReadJob job{file, mapped.bytes(), options, task, libraries.pcl, libraries.load_texture};
   const FoundFormat found = findFormat(job.bytes.substr(0, kSniffedBytes), file, job.bytes.size());
   checkReadableAsScan(found, file);
   const bool may_hold_several = found.format == FileFormat::e57 || found.format == FileFormat::ptx;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/base/task.h"
@@ -11,13 +14,24 @@
 
 namespace relievo {
 
+/// See texture_file.h.
+using LoadTexture = std::optional<Texture> (*)(const std::filesystem::path& file,
+                                               std::uint64_t most_texels, std::string& reason);
+
+/// What a program reads by large libraries; null where it has none.
+struct ReadLibraries {
+  const PclLibrary* pcl = nullptr;  ///< Reads where it may and is not unwanted.
+  LoadTexture load_texture = nullptr;
+};
+
 /// What every reader gets: the file mapped into memory, and what the caller wants of it.
 struct ReadJob {
   const std::filesystem::path& file;
   std::string_view bytes;
   const ImportOptions& options;
   const Task& task;
-  const PclLibrary* pcl = nullptr;  ///< Null in programs without it.
+  const PclLibrary* pcl = nullptr;     ///< Null in programs without it.
+  LoadTexture load_texture = nullptr;  ///< The same.
 };
 
 // One function per format, each in its own file; all throw FileError. They run in the worker.
@@ -33,9 +47,8 @@ Scan readPtx(const ReadJob& job);
 
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError
-/// @param pcl  reads where it may and is not unwanted; null: this program has none
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  const PclLibrary* pcl = nullptr);
+                  const ReadLibraries& libraries = {});
 
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);

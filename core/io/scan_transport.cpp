@@ -329,13 +329,20 @@ void writeHeader(int fd, const AnswerHeader& header, const std::string& text) {
 }
 
 void send(int fd, AnswerKind kind, const std::string& text,
-          std::span<const std::span<const std::byte>> arrays) {
+          std::span<const std::span<const std::byte>> arrays,
+          const std::vector<Texture>& textures = {}) {
   AnswerHeader header;
   header.kind = kind;
   header.text_bytes = text.size();
   for (std::size_t i = 0; i < arrays.size(); ++i) {
     header.array_bytes[i] = arrays[i].size();
     writeAll(fd, arrays[i].data(), arrays[i].size(), header.arrayAt(i));
+  }
+  std::uint64_t& texel_bytes = header.array_bytes[kArrays - 1];
+  for (const Texture& texture : textures) {
+    const auto bytes = std::as_bytes(std::span(texture.texels));
+    writeAll(fd, bytes.data(), bytes.size(), header.arrayAt(kArrays - 1) + texel_bytes);
+    texel_bytes += bytes.size();
   }
   writeHeader(fd, header, text);
 }
@@ -417,15 +424,11 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
 
 void sendAnswer(int fd, const Scan& scan) {
   const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
-  std::vector<Rgba> texels;
-  for (const Texture& texture : scan.textures) {
-    texels.insert(texels.end(), texture.texels.begin(), texture.texels.end());
-  }
-  const std::array<std::span<const std::byte>, kArrays> arrays{
-      bytes(scan.points),          bytes(scan.triangles),  bytes(scan.colours),
-      bytes(scan.intensities),     bytes(scan.classes),    bytes(scan.parts),
-      bytes(scan.texture_corners), bytes(scan.texture_of), bytes(texels)};
-  send(fd, AnswerKind::scan, textOf(scan), arrays);
+  const std::array<std::span<const std::byte>, kArrays - 1> arrays{
+      bytes(scan.points),          bytes(scan.triangles), bytes(scan.colours),
+      bytes(scan.intensities),     bytes(scan.classes),   bytes(scan.parts),
+      bytes(scan.texture_corners), bytes(scan.texture_of)};
+  send(fd, AnswerKind::scan, textOf(scan), arrays, scan.textures);
 }
 
 void sendAnswer(int fd, const WorkerRefusal& refusal) {

@@ -150,7 +150,8 @@ void readBy(benchmark::State& state, const std::string& name, relievo::ReaderCho
   relievo::ImportOptions options;
   options.scan.reader = reader;
   measure(state, file, [&] {
-    const relievo::Scan scan = relievo::readScanHere(file, options, {}, &relievo::pclLibrary());
+    const relievo::Scan scan = relievo::readScanHere(
+        file, options, {}, {.pcl = &relievo::pclLibrary(), .load_texture = nullptr});
     benchmark::DoNotOptimize(scan.points.data());
   });
 }

@@ -37,7 +37,7 @@ Outcome readBy(const std::filesystem::path& file, ReaderChoice choice) {
   options.scan.reader = choice;
   Outcome outcome;
   try {
-    outcome.scan = readScanHere(file, options, {}, &pclLibrary());
+    outcome.scan = readScanHere(file, options, {}, {.pcl = &pclLibrary(), .load_texture = nullptr});
   } catch (const FileError& error) {
     outcome.refusal = error.what();
   }
