@@ -3,7 +3,6 @@
 #include <clocale>
 #include <csignal>
 #include <iostream>
-#include <QApplication>
 #include <QFile>
 #include <QSurfaceFormat>
 
@@ -16,6 +15,7 @@
 #include "app/options.h"
 #include "app/plugin_loader.h"
 #include "core/base/error.h"
+#include "ui/guarded_application.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
 #include "ui/surface_view.h"
@@ -55,7 +55,7 @@ void shareFalconFirmware(relievo::MainWindow& window) {
 int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   using namespace relievo;
   prepareQt();
-  QApplication app(argc, argv);
+  GuardedApplication app(argc, argv);
   // QApplication takes the user's locale; the readers need the dot as decimal sign.
   std::setlocale(LC_NUMERIC, "C");
   installAccessibleViews();
@@ -75,6 +75,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
+  app.tellTo([&window](const QString& sentence) { window.showMessage(sentence); });
   window.show();
   plugins.load();
   for (const QString& problem : plugins.problems()) std::cerr << problem.toStdString() << '\n';
@@ -97,7 +98,9 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
       window.open(request.file);  // A project or a picture brings its own state.
     }
   }
-  return QApplication::exec();
+  const int status = QApplication::exec();
+  app.tellTo({});  // The window goes first.
+  return status;
 }
 
 }  // namespace

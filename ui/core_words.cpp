@@ -22,8 +22,8 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Sorting points into tiles"),
     QT_TRANSLATE_NOOP("Core", "Writing levels"), QT_TRANSLATE_NOOP("Core", "checking pages"),
     QT_TRANSLATE_NOOP("Core", "opening"), QT_TRANSLATE_NOOP("Core", "reading mesh"),
-    QT_TRANSLATE_NOOP("Core", "reading points"), QT_TRANSLATE_NOOP("Core", "unpacking"),
-    QT_TRANSLATE_NOOP("Core", "Video"), QT_TRANSLATE_NOOP("Core", "reading heights"),
+    QT_TRANSLATE_NOOP("Core", "reading points"), QT_TRANSLATE_NOOP("Core", "Video"),
+    QT_TRANSLATE_NOOP("Core", "reading heights"),
     // Rules.
     QT_TRANSLATE_NOOP("Core", "front-most point"),
     QT_TRANSLATE_NOOP("Core", "second point from the front"),

@@ -68,25 +68,32 @@ void LatestWorker::launch(Request request) {
           },
           Qt::QueuedConnection);
     };
-    request.job(task);
+    std::exception_ptr fault;
+    try {
+      request.job(task);
+    } catch (...) {
+      fault = std::current_exception();
+    }
     QMetaObject::invokeMethod(
         this,
-        [this, id = request.id, done = request.done] {
-          turns_.ask(this, [this, id, done] { finish(id, done); });
+        [this, id = request.id, done = request.done, fault] {
+          turns_.ask(this, [this, id, done, fault] { finish(id, done, fault); });
         },
         Qt::QueuedConnection);
   });
 }
 
-void LatestWorker::finish(std::uint64_t id, const Done& done) {
+void LatestWorker::finish(std::uint64_t id, const Done& done, const std::exception_ptr& fault) {
   running_ = false;
   if (pending_) launch(std::move(*std::exchange(pending_, nullptr)));
   if (id == wanted_) {  // Else cancelled, or a newer job took its place.
     wanted_ = 0;
     Q_EMIT busyChanged(false);
-    done();
+    if (!fault) done();
   }
   if (!running_) Q_EMIT left();
+  // Told where everything is told (guarded_application.h); nobody could tell it in the thread.
+  if (fault) std::rethrow_exception(fault);
 }
 
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <QObject>
@@ -19,7 +20,8 @@ namespace relievo {
 class LatestWorker : public QObject {
   Q_OBJECT
  public:
-  using Job = std::function<void(const Task&)>;  ///< [worker] Throws nothing; checks its Task.
+  using Job = std::function<void(const Task&)>;  ///< [worker] Checks its Task; what it throws, the
+                                                 ///< GUI thread throws in place of Done.
   using Done = std::function<void()>;            ///< [GUI thread] After the job, unless stopped.
 
   explicit LatestWorker(QObject* parent = nullptr);
@@ -48,7 +50,7 @@ class LatestWorker : public QObject {
     Done done;
   };
   void launch(Request request);
-  void finish(std::uint64_t id, const Done& done);
+  void finish(std::uint64_t id, const Done& done, const std::exception_ptr& fault);
 
   std::uint64_t last_id_ = 0;
   std::uint64_t wanted_ = 0;  ///< The one whose end is waited for; 0: none.

@@ -256,6 +256,7 @@ void MainWindow::connectParts() {
   connectVideo();
   connectImages();
   connectPackages();
+  connectExports();
   strip_->setOfferKey(command("answer")->shortcut());
   command("answer")->setEnabled(strip_->hasOffer());
   connect(strip_, &MessageStrip::offerChanged, command("answer"), &QAction::setEnabled);

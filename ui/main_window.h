@@ -33,6 +33,7 @@ class DetailView;
 class FirstViewCard;
 class MeasurePanel;
 class MessageStrip;
+struct MapExport;
 class OverviewInset;
 class PathPreview;
 class PlacesPanel;
@@ -97,6 +98,10 @@ class MainWindow : public QMainWindow {
   /// strip says what went wrong.
   void saveImage(ImageSource source, const QSize& pixels, const QString& file);
   bool savingImage() const { return image_work_.busy(); }
+  /// Writes a part of the map for other programs in the background; the strip says what went wrong
+  /// or had to be left out.
+  void exportMap(const MapExport& choice, const QString& file);
+  bool exporting() const { return export_work_.busy(); }
   /// Who knows what recordings need; without one packages hold the recordings alone.
   void setCompanions(CompanionsOf companions);
   /// Who reads the state that recordings carry; without one only CSV tells what it was made on.
@@ -210,6 +215,11 @@ class MainWindow : public QMainWindow {
   PictureOrder pictureOrder(ImageSource source, const QSize& pixels, const QString& file);
   /// The window has to wait for pictures, and closes by itself after them.
   bool closesWhenImagesAreSaved();
+
+  // main_window_export.cpp
+  void makeExportCommand();
+  void connectExports();
+  void chooseExport();
 
   // main_window_package.cpp
   void makePackageCommand();
@@ -348,7 +358,7 @@ class MainWindow : public QMainWindow {
   QStringList figures_made_;  ///< Since the scan was opened; offered for a package.
   CompanionsOf companions_;
   StateReader state_in_;
-  WorkQueue image_work_, package_work_, record_work_;
+  WorkQueue image_work_, package_work_, record_work_, export_work_;
 };
 
 }  // namespace relievo

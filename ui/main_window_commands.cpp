@@ -141,6 +141,7 @@ void MainWindow::makeCommands() {
   makeMeasureCommands();
   makePlaceCommands();
   makePackageCommand();
+  makeExportCommand();
   makeReplayCommands();
   makeVideoCommands();
 }

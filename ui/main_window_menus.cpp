@@ -49,8 +49,8 @@ void MainWindow::makeMenus() {
   recent_menu_ = file->addMenu(tr("Open &recent"));
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
-  add(file,
-      {"save_project", "save_project_as", "-", "figure", "image", "-", "package", "-", "quit"});
+  add(file, {"save_project", "save_project_as", "-", "figure", "image", "export", "-", "package",
+             "-", "quit"});
   add(menu(QStringLiteral("edit"), tr("&Edit")), {"undo", "redo", "history", "-", "copy_view",
                                                   "paste_view", "-", "answer", "-", "preferences"});
   QMenu* view = menu(QStringLiteral("view"), tr("&View"));
@@ -220,11 +220,12 @@ void MainWindow::enableCommands() {
   enableVideo();
   const bool is_open = document_.isOpen();
   const bool is_raster = is_open && document_.surface()->is_raster;
-  for (const char* name : {"image",       "package",    "copy_view",  "paste_view",     "finer",
-                           "coarser",     "whole",      "move_left",  "move_right",     "move_up",
-                           "move_down",   "turn_left",  "turn_right", "turn_up",        "turn_down",
-                           "type_window", "fit",        "stereo",     "full_screen",    "depth_map",
-                           "units",       "name_place", "next_place", "previous_place", "beacon"}) {
+  for (const char* name :
+       {"image",          "export",      "package",   "copy_view",  "paste_view",  "finer",
+        "coarser",        "whole",       "move_left", "move_right", "move_up",     "move_down",
+        "turn_left",      "turn_right",  "turn_up",   "turn_down",  "type_window", "fit",
+        "stereo",         "full_screen", "depth_map", "units",      "name_place",  "next_place",
+        "previous_place", "beacon"}) {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",

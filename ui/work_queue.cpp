@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/work_queue.h"
 
+#include <exception>
+#include <memory>
 #include <utility>
 
 namespace relievo {
@@ -28,14 +30,24 @@ bool WorkQueue::cancel() {
 void WorkQueue::startNext() {
   Work next = std::move(waiting_.front());
   waiting_.pop_front();
-  worker_.start(std::move(next.job), [this, done = std::move(next.done)] {
-    if (waiting_.empty()) {
-      Q_EMIT busyChanged(false);
-    } else {
-      startNext();
-    }
-    done();
-  });
+  const auto fault = std::make_shared<std::exception_ptr>();
+  worker_.start(
+      [job = std::move(next.job), fault](const Task& task) {
+        try {
+          job(task);
+        } catch (...) {
+          *fault = std::current_exception();  // The others go on.
+        }
+      },
+      [this, done = std::move(next.done), fault] {
+        if (waiting_.empty()) {
+          Q_EMIT busyChanged(false);
+        } else {
+          startNext();
+        }
+        if (*fault) std::rethrow_exception(*fault);
+        done();
+      });
 }
 
 }  // namespace relievo

@@ -23,9 +23,9 @@ namespace batch {
 namespace {
 
 std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
-  return {infoVerb(),       depthmapVerb(),    fillVerb(),    pyramidVerb(), convertVerb(),
-          renderVerb(),     figureVerb(),      measureVerb(), projectVerb(), devicesVerb(),
-          touchVerb(words), recordVerb(words), replayVerb(),  videoVerb()};
+  return {infoVerb(),    prepareVerb(),    depthmapVerb(),    fillVerb(),    pyramidVerb(),
+          convertVerb(), renderVerb(),     figureVerb(),      measureVerb(), projectVerb(),
+          devicesVerb(), touchVerb(words), recordVerb(words), replayVerb(),  videoVerb()};
 }
 
 int exitCodeOf(const std::exception& error) {

@@ -36,6 +36,7 @@ Verb depthmapVerb();
 Verb fillVerb();
 Verb convertVerb();
 Verb pyramidVerb();
+Verb prepareVerb();
 Verb renderVerb();
 Verb figureVerb();
 Verb devicesVerb();

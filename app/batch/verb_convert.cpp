@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
@@ -8,11 +7,11 @@
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
-#include "core/io/export_grid.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
 #include "core/project/caption.h"
 #include "core/relief/relief_image.h"
+#include "core/session/export_map.h"
 
 namespace relievo::batch {
 namespace {
@@ -22,6 +21,9 @@ struct ConvertArguments {
   std::string out;
   std::string frame;  ///< Empty: file for rasters of others, view for all else.
   std::optional<double> plate_mm;
+  bool cloud = false;
+  std::optional<int> level;
+  std::string region;
   LookArguments look;
 };
 
@@ -38,16 +40,6 @@ Source load(const ConvertArguments& a, const Task& task) {
   for (const std::string& message : source.surface.messages) tell(message);
   for (const std::string& message : source.surface.not_done) tell(message);
   return source;
-}
-
-ExportGrid gridInFile(const Source& source, const std::string& file) {
-  const Surface& surface = source.surface;
-  auto grid = fileGrid(surface.map, surface.view_from_file, surface.unit,
-                       source.raster ? &*source.raster : nullptr);
-  if (grid) return std::move(*grid);
-  throw ArgumentError("--frame file: " + file +
-                      " was not seen from the top, so heights are no z of the file. Choose --view "
-                      "top or --frame view.");
 }
 
 /// The values of a relief image in place of the heights. @return their unit
@@ -68,12 +60,31 @@ ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
   return look;
 }
 
+/// The whole map, a level of it, or the samples of a window.
+MapExport partAskedFor(const ConvertArguments& a, const Surface& surface) {
+  MapExport choice;
+  if (!a.look.relief.empty() && (a.level || !a.region.empty())) {
+    throw ArgumentError("--relief paints the whole map. Leave out --level and --region.");
+  }
+  if (a.level || !a.region.empty()) {
+    RegionArguments region;
+    region.level = a.level;
+    region.region = a.region;
+    choice.region = chosenRegion(surface, region);
+    choice.part = a.region.empty() ? ExportPart::level : ExportPart::window;
+  }
+  return choice;
+}
+
 Outcome runConvert(const ConvertArguments& a, const Task& task) {
   requireReplaceable(a.out);
-  const auto format = exportFormatOf(a.out);
+  auto format = exportFormatOf(a.out);
   if (!format) {
-    throw ArgumentError(a.out + ": its ending is none of .tif, .asc, .vti, .ply, .xyz and .stl.");
+    throw ArgumentError(a.out +
+                        ": its ending is none of .tif, .asc, .vti, .ply, .xyz, .stl and .glb.");
   }
+  requireUse("--cog", a.cloud, *format == ExportFormat::geotiff, "an OUT.tif");
+  if (a.cloud) format = ExportFormat::cloud_geotiff;
   if (!a.frame.empty() && a.frame != "view" && a.frame != "file") {
     throw ArgumentError("--frame: '" + a.frame + "' is neither view nor file.");
   }
@@ -87,45 +98,43 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   const Source source = load(a, task);
   const Surface& surface = source.surface;
   const bool foreign = source.raster && !source.raster->is_own_map;
-  const bool in_file =
-      a.frame.empty() ? foreign && *format != ExportFormat::stl : a.frame == "file";
+  const bool for_eyes = *format == ExportFormat::stl || *format == ExportFormat::gltf;
+  const bool in_file = a.frame.empty() ? foreign && !for_eyes : a.frame == "file";
   Provenance provenance = provenanceOfVerb(a.map, surface, a.out, task);
   provenance.values = look;
-  const std::string state = toJson(provenance, -1);
-  ExportGrid grid = in_file ? gridInFile(source, a.map.file) : viewGrid(surface.map);
-  const std::string unit = grid.unit;
-  grid.state = state;
+  MapExport choice = partAskedFor(a, surface);
+  choice.format = *format;
+  choice.in_file_frame = in_file;
+  choice.plate_mm = a.plate_mm.value_or(choice.plate_mm);
+  choice.state = toJson(provenance, -1);
+  const RasterMap* const raster = source.raster ? &*source.raster : nullptr;
+  ExportedMap written;
   if (look) {
+    ExportGrid grid = exportedGrid(surface, choice, raster);
+    written = reportOf(grid);
     grid.unit = paint(grid, surface.map, *look, task);
-    exportGrid(a.out, grid, *format);
-  } else if (*format == ExportFormat::geotiff && !in_file) {
-    writeMap(a.out, surface.map,
-             {.view_from_file = surface.view_from_file, .mask_band = true, .state = state});
+    exportGrid(a.out, grid, *format, {}, task);
   } else {
-    ExportOptions how;
-    how.plate_mm = a.plate_mm.value_or(how.plate_mm);
-    exportGrid(a.out, grid, *format, how);
+    written = exportMap(a.out, surface, choice, raster, task);
   }
-
-  const auto heights = static_cast<std::size_t>(
-      std::count_if(grid.origins.begin(), grid.origins.end(),
-                    [](Origin origin) { return origin != Origin::outside; }));
+  for (const std::string& words : written.left_out) tell(words);
   Json json;
   json["file"] = a.out;
-  json["cells"] = {grid.size.cols, grid.size.rows};
-  json["spacing"] = grid.spacing;
-  json["first"] = {grid.first_x, grid.first_y};
-  json["unit"] = unit;
+  json["cells"] = {written.size.cols, written.size.rows};
+  json["spacing"] = written.spacing;
+  json["first"] = {written.first_x, written.first_y};
+  json["unit"] = written.unit;
   if (look) json["relief"] = name(look->kind);
   json["frame"] = in_file ? "file" : "view";
-  json["heights"] = heights;
-  return {.json = json.dump(2),
-          .lines = {a.out + ": " + std::to_string(grid.size.cols) + " x " +
-                    std::to_string(grid.size.rows) + " cells of " + shortNumber(grid.spacing, 9) +
-                    " " + unit + ", " + std::to_string(heights) +
-                    (look ? " with a value, frame " : " with a height, frame ") +
-                    json["frame"].get<std::string>()},
-          .exit_code = exitCodeAfter(surface)};
+  json["heights"] = written.heights;
+  return {
+      .json = json.dump(2),
+      .lines = {a.out + ": " + std::to_string(written.size.cols) + " x " +
+                std::to_string(written.size.rows) + " cells of " + shortNumber(written.spacing, 9) +
+                " " + written.unit + ", " + std::to_string(written.heights) +
+                (look ? " with a value, frame " : " with a height, frame ") +
+                json["frame"].get<std::string>()},
+      .exit_code = exitCodeAfter(surface)};
 }
 
 VerbFiles filesOf(const ConvertArguments& a) {
@@ -139,24 +148,32 @@ VerbFiles filesOf(const ConvertArguments& a) {
 
 Verb convertVerb() {
   auto arguments = std::make_shared<ConvertArguments>();
-  return {.name = "convert",
-          .help = "Write the depth map of a file for other programs: .tif .asc .vti .ply .xyz .stl",
-          .declare =
-              [arguments](CLI::App& verb) {
-                addMapOptions(verb, arguments->map);
-                verb.add_option("OUT", arguments->out,
-                                "GeoTIFF, ESRI ASCII grid, VTK image, mesh, points, or a plate to "
-                                "print, by its ending")
-                    ->required();
-                verb.add_option("--frame", arguments->frame,
-                                "view: mm above the base plane; file: the file's coordinates and "
-                                "unit (the default for rasters)");
-                verb.add_option("--plate", arguments->plate_mm,
-                                "STL: thickness below the lowest height in mm; 3");
-                addValueOptions(verb, arguments->look);
-              },
-          .files = [arguments] { return filesOf(*arguments); },
-          .run = [arguments](const Task& task) { return runConvert(*arguments, task); }};
+  return {
+      .name = "convert",
+      .help =
+          "Write the depth map of a file for other programs: .tif .asc .vti .ply .xyz .stl .glb",
+      .declare =
+          [arguments](CLI::App& verb) {
+            addMapOptions(verb, arguments->map);
+            verb.add_option("OUT", arguments->out,
+                            "GeoTIFF, ESRI ASCII grid, VTK image, mesh (PLY, glTF), points, or a "
+                            "plate to print, by its ending")
+                ->required();
+            verb.add_option("--frame", arguments->frame,
+                            "view: mm above the base plane; file: the file's coordinates and "
+                            "unit (the default for rasters)");
+            verb.add_flag("--cog", arguments->cloud,
+                          "OUT.tif as cloud-optimised GeoTIFF: compressed, with overviews");
+            verb.add_option("--level", arguments->level,
+                            "Only this level of the pyramid, 0 the finest");
+            verb.add_option("--region", arguments->region,
+                            "Only the 200 x 200 samples of this window: X,Y,W,H in view mm");
+            verb.add_option("--plate", arguments->plate_mm,
+                            "STL: thickness below the lowest height in mm; 3");
+            addValueOptions(verb, arguments->look);
+          },
+      .files = [arguments] { return filesOf(*arguments); },
+      .run = [arguments](const Task& task) { return runConvert(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

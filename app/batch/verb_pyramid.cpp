@@ -6,6 +6,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/raster.h"
+#include "core/io/tiff_head.h"
 
 namespace relievo::batch {
 namespace {
@@ -24,8 +25,12 @@ std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t le
 }
 
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
+  requireOwnOrAbsent(levelFile(a.out, 0));
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, levelFile(a.out, 0), task);
   const Surface surface = loadForVerb(a.map, task);
+  for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
+    requireOwnOrAbsent(levelFile(a.out, l));
+  }
   const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   Json levels = Json::array();
   Outcome outcome;

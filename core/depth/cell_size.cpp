@@ -109,7 +109,12 @@ CellProposal proposeCells(const Scan& scan, const Rotation& rotation, std::uint6
       return {.cells = static_cast<int>(across), .reason = "the points lie on a regular grid"};
     }
   }
-  const double area = coveredArea(planar, *left, *bottom, side);
+  return proposeCells(side, coveredArea(planar, *left, *bottom, side),
+                      std::max<std::uint64_t>(scan.points.size(), points_in_all));
+}
+
+CellProposal proposeCells(double side, double area, std::uint64_t points) {
+  const auto count = static_cast<double>(points);
   const double wanted = std::round(side / std::sqrt(kPointsPerCell * area / count)) + 1;
   const int cells = static_cast<int>(std::clamp<double>(wanted, kFewestCells, kMostCells));
   const double spacing = side / (cells - 1);

@@ -21,4 +21,8 @@ struct CellProposal {
 CellProposal proposeCells(const Scan& scan, const Rotation& rotation,
                           std::uint64_t points_in_all = 0);
 
+/// The same for the front of a closed cloud, whose area is known.
+/// @param side_mm  longer side of the grid  @param points  that are seen, in `covered_mm2`
+CellProposal proposeCells(double side_mm, double covered_mm2, std::uint64_t points);
+
 }  // namespace relievo

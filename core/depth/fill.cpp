@@ -150,6 +150,13 @@ std::string squareMm(double area_mm2) {
 
 }  // namespace
 
+Mask withBetween(Mask measured, const FrontDepths& between) {
+  for (std::size_t i = 0; i < between.size(); ++i) {
+    measured[i] |= static_cast<std::uint8_t>(between[i] == between[i] ? 1 : 0);
+  }
+  return measured;
+}
+
 Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame) {
   Mask steep = depths.steep.empty() ? Mask(measured.size(), 0) : depths.steep;
   const auto limit = static_cast<float>(kSteepRise * frame.spacing_mm);
@@ -216,9 +223,10 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
   depths.steep = {};
   FrontDepths filled = std::move(depths.front);
   Mask measured = had_points;
-  int radius = source.has_sampling_gaps ? samplingGapRadius(measured, frame.size) : 0;
+  const bool looks_for_gaps = source.has_sampling_gaps && !source.gaps_are_known;
+  int radius = looks_for_gaps ? samplingGapRadius(measured, frame.size) : 0;
   // A back can hide all gaps: then no cell is empty, and the radius is 0.
-  if (source.has_sampling_gaps && !depths.one_layer) {
+  if (looks_for_gaps && !depths.one_layer) {
     result.seen_through = dropSeenThrough(filled, frame, radius + 1, task);
     for (std::size_t i = 0; i < depths.quality.counts.size(); ++i) {
       if (measured[i] != 0 && std::isnan(filled[i])) {
@@ -230,7 +238,9 @@ FilledMap fillDepths(CapturedDepths&& depths, const GridFrame& frame, const Fill
   }
   task.check();
   result.base_z_mm = baseOf(filled, measured, source.base_quantile);
-  const Mask covered = closed(measured, frame.size, radius);
+  const Mask covered = source.gaps_are_known
+                           ? closed(withBetween(measured, depths.between), frame.size, kCrackRadius)
+                           : closed(measured, frame.size, radius);
   task.check();
   const EmptyAreas areas = emptyAreas(covered, frame.size);
   std::vector<LabelledHole> holes = enclosedHoles(areas, frame);

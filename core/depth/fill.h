@@ -44,6 +44,10 @@ bool isToBeFilled(const Hole& hole, const HoleChoice& choice);
 /// by one. Looks at the four neighbours.
 Mask steepCells(const CapturedDepths& depths, const Mask& measured, const GridFrame& frame);
 
+/// With gaps that are known: cells that are measured, and those with a height between the points.
+Mask withBetween(Mask measured, const FrontDepths& between);
+inline constexpr int kCrackRadius = 1;  ///< Closing radius there, cells.
+
 /// E202: "2 of 3 holes filled. ..." if the choice asked for filling and a hole was left; else
 /// empty.
 std::string holesLeft(const std::vector<Hole>& holes, const HoleChoice& choice);
@@ -61,6 +65,9 @@ struct FilledMap {
 struct FillSource {
   bool has_sampling_gaps = true;  ///< Points leave empty cells between them; triangles do not.
   double base_quantile = 0.001;   ///< Of the measured cells: the base plane. 0 is the lowest.
+  /// `between` has the surface wherever a gap is: nothing shows through, and no others are closed
+  /// but cracks of one cell.
+  bool gaps_are_known = false;
 };
 
 /// From raw front depths to a depth map: sampling gaps (empty cells smaller than the data's own

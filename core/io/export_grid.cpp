@@ -9,70 +9,22 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <string_view>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/io/export_file.h"
 
 namespace relievo {
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "binary exports are written as stored");
-
 constexpr std::string_view kNoHeight = "-9999";  ///< Of ESRI ASCII grids.
-
-/// Buffered text and bytes into a file that replaces the old one when all went well.
-class ExportFile {
- public:
-  explicit ExportFile(const std::filesystem::path& file)
-      : shown_(file), file_(file), stream_(file_.path(), std::ios::binary | std::ios::trunc) {
-    if (!stream_) cannotWrite(shown_, std::strerror(errno));
-  }
-
-  ExportFile& operator<<(std::string_view text) {
-    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
-    return *this;
-  }
-  /// Shortest digits that read back as the same number.
-  template <class Number>
-  void number(Number value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    stream_.write(digits.data(), end - digits.data());
-  }
-  template <class T>
-  void bytes(const T& value) {
-    stream_.write(reinterpret_cast<const char*>(&value), sizeof(T));
-  }
-  template <class T>
-  void array(const std::vector<T>& values) {
-    stream_.write(reinterpret_cast<const char*>(values.data()),
-                  static_cast<std::streamsize>(values.size() * sizeof(T)));
-  }
-  void keep() {
-    stream_.close();
-    if (!stream_) cannotWrite(shown_, "the disk is full or failed");
-    file_.keep();
-  }
-
- private:
-  std::filesystem::path shown_;
-  ReplacedFile file_;
-  std::ofstream stream_;
-};
-
-double xOf(const ExportGrid& grid, int col) {
-  return grid.first_x + col * grid.spacing;
-}
-double yOf(const ExportGrid& grid, int row) {
-  return grid.first_y + row * grid.spacing;
-}
 
 void check(const ExportGrid& grid) {
   const std::size_t count = grid.size.count();
   if (grid.size.cols < 2 || grid.size.rows < 2 || grid.heights.size() != count ||
-      grid.origins.size() != count) {
+      grid.origins.size() != count || (!grid.colours.empty() && grid.colours.size() != count)) {
     throw ArgumentError("A map of " + std::to_string(grid.size.cols) + " x " +
                         std::to_string(grid.size.rows) + " samples cannot be exported.");
   }
@@ -80,36 +32,6 @@ void check(const ExportGrid& grid) {
     if (grid.holds(i)) return;
   }
   throw ArgumentError("The map has no height anywhere, so there is nothing to export.");
-}
-
-/// Of the cells with a height their number among these, else -1.
-std::vector<std::int32_t> vertexNumbers(const ExportGrid& grid, std::uint32_t& count) {
-  std::vector<std::int32_t> numbers(grid.heights.size(), -1);
-  count = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (grid.holds(i)) numbers[i] = static_cast<std::int32_t>(count++);
-  }
-  return numbers;
-}
-
-using Triangle = std::array<std::int32_t, 3>;
-
-/// Two for every four neighbours that all have a height.
-std::vector<Triangle> trianglesBetween(const ExportGrid& grid,
-                                       const std::vector<std::int32_t>& numbers) {
-  std::vector<Triangle> triangles;
-  for (int row = 0; row + 1 < grid.size.rows; ++row) {
-    for (int col = 0; col + 1 < grid.size.cols; ++col) {
-      const std::int32_t a = numbers[grid.size.index({col, row})];
-      const std::int32_t b = numbers[grid.size.index({col + 1, row})];
-      const std::int32_t c = numbers[grid.size.index({col + 1, row + 1})];
-      const std::int32_t d = numbers[grid.size.index({col, row + 1})];
-      if (std::min({a, b, c, d}) < 0) continue;
-      triangles.push_back({a, b, c});
-      triangles.push_back({a, c, d});
-    }
-  }
-  return triangles;
 }
 
 }  // namespace
@@ -122,8 +44,25 @@ ExportGrid viewGrid(const DepthMap& map) {
           .heights = map.heights_mm,
           .origins = map.origins,
           .unit = "mm",
-          .projection = {}};
+          .projection = {},
+          .is_view = true};
 }
+
+namespace {
+
+/// Holes lie on the base plane for the hand; a file's coordinates know no such plane.
+void leaveOutBasePlane(ExportGrid& grid) {
+  const auto cells = std::count(grid.origins.begin(), grid.origins.end(), Origin::base_plane);
+  if (cells == 0) return;
+  std::replace(grid.origins.begin(), grid.origins.end(), Origin::base_plane, Origin::outside);
+  grid.left_out.push_back(
+      std::to_string(cells) +
+      (cells == 1 ? " cell without a height stays" : " cells without a height stay") +
+      " empty: the base plane they rest on is none of the file's. Fill them "
+      "with --holes membrane:MM2 if they are to have one.");
+}
+
+}  // namespace
 
 std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view_from_file,
                                    LengthUnit unit, const RasterMap* raster) {
@@ -133,6 +72,7 @@ std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view
                         m[8] == 0 && m[9] == 0 && m[5] == scale && m[10] == scale;
   if (!from_top) return std::nullopt;
   ExportGrid grid = viewGrid(map);
+  grid.is_view = false;
   grid.unit = name(unit);
   grid.spacing /= scale;
   grid.first_x = (map.frame.first_x_mm - m[3]) / scale;
@@ -140,11 +80,22 @@ std::optional<ExportGrid> fileGrid(const DepthMap& map, const ViewFromFile& view
   for (float& height : grid.heights) {
     height = static_cast<float>((static_cast<double>(height) - m[11]) / scale);
   }
-  if (raster == nullptr || raster->size != grid.size || raster->is_own_map) return grid;
+  leaveOutBasePlane(grid);
+  if (raster == nullptr || raster->is_own_map) return grid;
+  if (raster->projection.empty() || raster->info.unit == unit) {
+    grid.projection = raster->projection;
+  } else {
+    grid.left_out.push_back("The raster's reference system was left out: it is not in " +
+                            grid.unit + ".");
+  }
+  const auto near = [&](double a, double b) { return std::abs(a - b) < 1e-3 * raster->pixel; };
+  if (raster->size != grid.size || !near(raster->first.x, grid.first_x) ||
+      !near(raster->first.y, grid.first_y)) {
+    return grid;  // A part of it, or another level.
+  }
   grid.spacing = raster->pixel;
   grid.first_x = raster->first.x;
   grid.first_y = raster->first.y;
-  grid.projection = raster->projection;
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {
     if (grid.origins[i] == Origin::measured && raster->valid[i]) {
       grid.heights[i] = raster->values[i];
@@ -158,7 +109,7 @@ std::optional<ExportFormat> exportFormatOf(const std::filesystem::path& file) {
   std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
-  constexpr std::array<std::pair<std::string_view, ExportFormat>, 7> kEndings{{
+  constexpr std::array<std::pair<std::string_view, ExportFormat>, 8> kEndings{{
       {".tif", ExportFormat::geotiff},
       {".tiff", ExportFormat::geotiff},
       {".asc", ExportFormat::ascii_grid},
@@ -166,6 +117,7 @@ std::optional<ExportFormat> exportFormatOf(const std::filesystem::path& file) {
       {".ply", ExportFormat::ply},
       {".xyz", ExportFormat::xyz},
       {".stl", ExportFormat::stl},
+      {".glb", ExportFormat::gltf},
   }};
   for (const auto& [known, format] : kEndings) {
     if (known == ending) return format;
@@ -238,26 +190,52 @@ void writeVti(const std::filesystem::path& file, const ExportGrid& grid) {
   out.keep();
 }
 
-void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
-  std::uint32_t count = 0;
-  const std::vector<std::int32_t> numbers = vertexNumbers(grid, count);
-  const std::vector<Triangle> triangles = trianglesBetween(grid, numbers);
-  ExportFile out(file);
-  out << "ply\nformat binary_little_endian 1.0\ncomment unit " << grid.unit << "\nelement vertex "
-      << std::to_string(count)
-      << "\nproperty double x\nproperty double y\nproperty float z\nproperty uchar origin\n"
-         "element face "
-      << std::to_string(triangles.size())
-      << "\nproperty list uchar int vertex_indices\nend_header\n";
+namespace {
+
+/// Do floats tell the samples' places apart to a thousandth of their distance?
+bool fitsFloats(const ExportGrid& grid) {
+  const double farthest =
+      std::max({std::abs(grid.first_x), std::abs(grid.first_y),
+                std::abs(xOf(grid, grid.size.cols - 1)), std::abs(yOf(grid, grid.size.rows - 1))});
+  return farthest * std::numeric_limits<float>::epsilon() <= 1e-3 * grid.spacing;
+}
+
+template <class Real>
+void writePlyVertices(ExportFile& out, const ExportGrid& grid) {
   for (int row = 0; row < grid.size.rows; ++row) {
     for (int col = 0; col < grid.size.cols; ++col) {
       const std::size_t i = grid.size.index({col, row});
       if (!grid.holds(i)) continue;
-      out.bytes(xOf(grid, col));
-      out.bytes(yOf(grid, row));
-      out.bytes(grid.heights[i]);
+      out.bytes(static_cast<Real>(xOf(grid, col)));
+      out.bytes(static_cast<Real>(yOf(grid, row)));
+      out.bytes(static_cast<Real>(grid.heights[i]));
       out.bytes(static_cast<std::uint8_t>(grid.origins[i]));
+      if (!grid.colours.empty()) out.bytes(grid.colours[i]);
     }
+  }
+}
+
+}  // namespace
+
+void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
+  std::uint32_t count = 0;
+  const std::vector<std::int32_t> numbers = vertexNumbers(grid, count);
+  const std::vector<Triangle> triangles = trianglesBetween(grid, numbers);
+  const bool as_floats = fitsFloats(grid);
+  const std::string real = as_floats ? "float" : "double";
+  const std::string colours = grid.colours.empty() ? ""
+                                                   : "property uchar red\nproperty uchar green\n"
+                                                     "property uchar blue\nproperty uchar alpha\n";
+  ExportFile out(file);
+  out << "ply\nformat binary_little_endian 1.0\ncomment unit " << grid.unit << "\nelement vertex "
+      << std::to_string(count) << "\nproperty " << real << " x\nproperty " << real
+      << " y\nproperty " << real << " z\nproperty uchar origin\n"
+      << colours << "element face " << std::to_string(triangles.size())
+      << "\nproperty list uchar int vertex_indices\nend_header\n";
+  if (as_floats) {
+    writePlyVertices<float>(out, grid);
+  } else {
+    writePlyVertices<double>(out, grid);
   }
   for (const Triangle& triangle : triangles) {
     out.bytes(std::uint8_t{3});
@@ -389,12 +367,41 @@ void writeStlPlate(const std::filesystem::path& file, const ExportGrid& grid, do
   out.keep();
 }
 
+double estimatedBytes(GridSize size, ExportFormat format, bool has_colours) {
+  const auto cells = static_cast<double>(size.count());
+  const double colour = has_colours ? 4 : 0;
+  switch (format) {
+    case ExportFormat::geotiff:
+      return 3 * cells;
+    case ExportFormat::cloud_geotiff:
+      return 4 * cells;  // A third more for overviews.
+    case ExportFormat::ascii_grid:
+      return 9 * cells;
+    case ExportFormat::vti:
+      return 5 * cells;
+    case ExportFormat::ply:
+      return (13 + colour + 2 * 13) * cells;
+    case ExportFormat::xyz:
+      return 27 * cells;
+    case ExportFormat::stl:
+      return 2 * 50 * cells;
+    case ExportFormat::gltf:
+      return (24 + 2 * colour + 24) * cells;
+  }
+  return 0;
+}
+
 void exportGrid(const std::filesystem::path& file, const ExportGrid& grid, ExportFormat format,
-                const ExportOptions& options) {
+                const ExportOptions& options, const Task& task) {
   check(grid);
+  task.check();
   switch (format) {
     case ExportFormat::geotiff:
       return writeGeoTiff(file, grid);
+    case ExportFormat::cloud_geotiff:
+      return writeCloudGeoTiff(file, grid, task);
+    case ExportFormat::gltf:
+      return writeGltf(file, grid, task);
     case ExportFormat::ascii_grid:
       return writeAsciiGrid(file, grid);
     case ExportFormat::vti:

@@ -20,6 +20,10 @@ inline constexpr std::string_view kOriginContent =
 /// Holds the state a file was made with (MapFileOptions::state).
 inline constexpr const char* kDescriptionTag = "TIFFTAG_IMAGEDESCRIPTION";
 
+/// The coordinates of maps in view mm, for programs that ask in which unit a raster is.
+inline constexpr const char* kViewSystem =
+    R"(LOCAL_CS["view millimetres",UNIT["millimetre",0.001],AXIS["x",EAST],AXIS["y",NORTH]])";
+
 /// NAME.origin.tif beside NAME.tif.
 inline std::filesystem::path originFileOf(std::filesystem::path map_file) {
   return map_file.replace_extension(".origin.tif");

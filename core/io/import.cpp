@@ -19,7 +19,6 @@
 #include "core/io/reader_choice.h"
 #include "core/io/scan_transport.h"
 #include "core/io/system_unit.h"
-#include "core/io/unpack_las.h"
 #include "core/io/worker_process.h"
 
 namespace relievo {
@@ -27,14 +26,9 @@ namespace {
 
 constexpr int kRowsAtOnce = 64;  ///< Between two looks at the stop token.
 
-/// What can be seen of a scan in its first bytes.
-struct Foresight {
-  FileFormat format = FileFormat::other;
-  ImportProgram program = ImportProgram::own;
-};
-
 /// What can be refused by the first bytes is refused here, before a process is started.
-Foresight precheck(const std::filesystem::path& file, ReaderChoice choice) {
+/// @return  the program that reads the rest
+ImportProgram precheck(const std::filesystem::path& file, ReaderChoice choice) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
@@ -47,13 +41,11 @@ Foresight precheck(const std::filesystem::path& file, ReaderChoice choice) {
   } else {
     why_not = whyNotPcl(found.format);
   }
-  Foresight foresight{.format = found.format};
-  if (usesPcl(choice, why_not, file)) foresight.program = ImportProgram::pcl;
+  if (usesPcl(choice, why_not, file)) return ImportProgram::pcl;
   // Its pictures need GDAL.
   const bool may_have_pictures =
       found.format == FileFormat::obj && head.find("mtllib ") != std::string::npos;
-  if (may_have_pictures) foresight.program = ImportProgram::libraries;
-  return foresight;
+  return may_have_pictures ? ImportProgram::libraries : ImportProgram::own;
 }
 
 [[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
@@ -113,21 +105,13 @@ void convertHeights(Scan& scan, double factor) {
 
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  const Foresight foresight = precheck(file, options.scan.reader);
-  const auto read = [&](ImportProgram program, const std::filesystem::path& what) {
-    Scan scan = importInWorker<Scan>(program, what, ImportKind::scan, options, task);
-    scan.info.file = file;
-    if (scan.info.reader.empty()) scan.info.reader = "relievo";
-    if (scan.info.format.starts_with("LAS")) {
-      convertHeights(scan, addUnitOfSystem(what, scan.info));
-    }
-    return scan;
-  };
-  if (foresight.format != FileFormat::laz) return read(foresight.program, file);
-  UnpackedLas unpacked(file, task);
-  unpacked.waitForAll(task);
-  Scan scan = read(ImportProgram::own, unpacked.file());
-  scan.info.format.replace(0, 3, "LAZ");
+  Scan scan = importInWorker<Scan>(precheck(file, options.scan.reader), file, ImportKind::scan,
+                                   options, task);
+  scan.info.file = file;
+  if (scan.info.reader.empty()) scan.info.reader = "relievo";
+  if (scan.info.format.starts_with("LAS") || scan.info.format.starts_with("LAZ")) {
+    convertHeights(scan, addUnitOfSystem(file, scan.info));
+  }
   return scan;
 }
 

@@ -93,7 +93,10 @@ LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& fi
   }
   header.points_at = fieldAt<std::uint32_t>(bytes, 96);
   header.variable_records = fieldAt<std::uint32_t>(bytes, 100);
-  header.point_format = fieldAt<std::uint8_t>(bytes, 104);
+  constexpr unsigned kFormatBits = 0x3F;  // The others say that it is packed.
+  const unsigned format = fieldAt<std::uint8_t>(bytes, 104);
+  header.point_format = static_cast<int>(format & kFormatBits);
+  header.packed = format > kFormatBits;
   header.record_bytes = fieldAt<std::uint16_t>(bytes, 105);
   checkRecords(header, file);
   header.points = pointCount(bytes, header);

@@ -16,6 +16,7 @@ namespace relievo {
 struct LasHeader {
   int minor = 0;         ///< Version 1.minor.
   int point_format = 0;  ///< 0 to 10; all start with x, y, z as 32-bit whole numbers.
+  bool packed = false;   ///< LAZ or COPC.
   std::size_t header_bytes = 0;
   std::uint64_t points_at = 0;  ///< Byte of the first record; may lie beyond a cut file.
   std::size_t record_bytes = 0;
@@ -26,7 +27,7 @@ struct LasHeader {
 };
 
 /// @param bytes  the file, or at least its first 375 bytes
-/// @throw FileError  too short, another version, compressed, or numbers that cannot be
+/// @throw FileError  too short, another version, or numbers that cannot be
 LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace relievo

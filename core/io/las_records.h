@@ -1,69 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include "core/io/import.h"
 #include "core/io/las_header.h"
+#include "core/io/laz_file.h"
+#include "core/io/read_scan.h"
 
 namespace relievo {
 
-class ScanBuilder;
-
-/// Where the records of a point format keep what is read beside coordinates.
-struct LasPlaces {
-  std::optional<std::size_t> colour;  ///< Three 16-bit numbers.
-  std::size_t classification = 15;
-  std::uint8_t class_bits = 0x1F;    ///< Of the byte there.
-  std::uint8_t withheld_bit = 0x80;  ///< Of byte kLasFlagsAt.
-};
-LasPlaces lasPlaces(int point_format) noexcept;
-
-inline constexpr std::size_t kLasFlagsAt = 15;
-
-/// Marked as not to be used?
-inline bool isWithheld(const char* record, const LasPlaces& places) noexcept {
-  return (static_cast<std::uint8_t>(record[kLasFlagsAt]) & places.withheld_bit) != 0;
-}
-
-/// What the records of one file hold, found before the first is read: whether colours have 8 or 16
-/// bits can only be said over all of them, and files with room for values often hold none.
-class LasSurvey {
- public:
-  explicit LasSurvey(const LasHeader& header) : places_(lasPlaces(header.point_format)) {}
-
-  /// @return  false once no further record can change anything
-  bool look(const char* record) noexcept;
-
-  bool hasColours() const noexcept { return most_colour_ > 0; }
-  bool hasWords() const noexcept { return most_colour_ > 255; }  ///< 16 bits.
-  bool hasIntensities() const noexcept { return intensities_; }
-  bool hasClasses() const noexcept { return classes_; }
-
- private:
-  LasPlaces places_;
-  std::uint16_t most_colour_ = 0;
-  bool intensities_ = false, classes_ = false;
-};
-
-/// Turns records into points of `builder`, with the values that the survey found.
+/// The records of a LAS, LAZ or COPC file in memory, as LAS stores them, in the file's order.
 class LasRecords {
  public:
-  LasRecords(const LasHeader& header, const LasSurvey& survey, const ImportOptions& options,
-             std::uint64_t count, ScanBuilder& builder);
+  /// @param wanted   fields that need not be unpacked keep the value of a chunk's first point
+  /// @param threads  that unpack; 0: one for each core. The records are the same for any number.
+  /// @throw FileError  a packed file is cut or damaged
+  explicit LasRecords(const ReadJob& job, const LasHeader& header, const LazWanted& wanted = {},
+                      int threads = 0);
 
-  void add(const char* record);
-  /// Counts and a warning for people, after the last record.
-  void finish();
+  /// Complete records; fewer than the header promises only where a file that is not packed is cut.
+  std::uint64_t count() const noexcept { return count_; }
+
+  /// Bytes of a file that is not packed, behind the records.
+  std::uint64_t bytesBehind() const noexcept { return bytes_behind_; }
+
+  using Take = std::function<void(const char* records, std::size_t count)>;
+  /// Calls take() on this thread for all records in blocks. [worker]
+  /// @throw FileError  packed points are damaged; Cancelled
+  void forEachBlock(const Take& take);
+
+  /// What points to damage in a packed file that was unpacked without contradiction, in sentences:
+  /// such files hold no checksum. To be asked after the records were given.
+  std::vector<std::string> doubts() const;
 
  private:
+  /// What is seen of records while they are unpacked.
+  struct Seen {
+    std::array<std::int32_t, 3> least, most;
+    std::array<std::uint64_t, 16> by_return;
+    bool has_unused_bytes;
+  };
+  /// A chunk's records.
+  struct Piece {
+    std::size_t chunk;
+    std::vector<char> records;
+    Seen seen;
+    std::optional<LazDamage> damage;
+  };
+  using Batch = std::vector<Piece>;
+
+  void giveMapped(const Take& take) const;
+  void givePacked(const Take& take);
+  void giveLong(std::size_t chunk, const Take& take);
+  std::size_t planBatch(std::size_t from, Batch& batch) const;
+  void unpackOnAllThreads(Batch& batch, const std::function<void()>& meanwhile) const;
+  void unpack(Piece& piece) const;
+  void give(const Batch& batch, const Take& take);
+  std::string_view bytesOf(const LazChunk& chunk) const;
+  void look(const char* records, std::size_t count, Seen& seen) const;
+  void add(const Seen& seen);
+  void report(std::uint64_t done) const;
+
+  const ReadJob& job_;
   const LasHeader& header_;
-  LasPlaces places_;
-  ScanBuilder& builder_;
-  bool keep_withheld_ = false, colours_ = false, intensities_ = false, classes_ = false;
-  unsigned colour_shift_ = 0;
-  std::uint64_t withheld_ = 0;
+  LazWanted wanted_;
+  std::size_t threads_;
+  std::uint64_t count_ = 0, bytes_behind_ = 0;
+  LazFile laz_;
+  Seen seen_;
 };
 
 }  // namespace relievo

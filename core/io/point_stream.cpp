@@ -15,24 +15,36 @@
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/las_header.h"
-#include "core/io/las_records.h"
 #include "core/io/las_unit.h"
+#include "core/io/las_values.h"
 #include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
 #include "core/io/system_unit.h"
-#include "core/io/unpack_las.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
-constexpr std::uint64_t kMostPoints = 1'000'000'000'000;  // A packed header may say anything.
+/// Coordinates and flags, at the beginning of each record of LAS.
+constexpr std::size_t kPointBytes = kLasFlagsAt + 1;
 
 FileFormat formatOf(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
   return findFormat(readHead(file, kSniffedBytes), file, size).format;
+}
+
+void readAll(int fd, std::uint64_t at, std::span<char> bytes, const std::filesystem::path& file) {
+  while (!bytes.empty()) {
+    const ssize_t got = ::pread(fd, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) {
+      refuseScan(file, "it became shorter while it was read, or its disk failed. Try again.");
+    }
+    at += static_cast<std::uint64_t>(got);
+    bytes = bytes.subspan(static_cast<std::size_t>(got));
+  }
 }
 
 /// Bytes before the points, if points and all that comes before them have records of fixed size.
@@ -59,22 +71,16 @@ bool PointStream::canStream(const std::filesystem::path& file) {
   return bytesBeforePoints(parsePlyHeader(readHead(file, kMaxHeaderBytes), file)).has_value();
 }
 
-bool PointStream::isPacked(const std::filesystem::path& file) {
-  return formatOf(file) == FileFormat::laz;
-}
-
 PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
                          const Task& task) {
   info_.file = file;
   info_.reader = "relievo";
   const FileFormat format = formatOf(file);
-  if (format == FileFormat::laz) openPacked(options, task);
-  const std::filesystem::path& read = unpacked_ ? unpacked_->file() : file;
-  fd_.reset(::open(read.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd_.get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
-  if (!unpacked_) file_bytes_ = checkedFileSize(file);
-  if (format == FileFormat::las || unpacked_) {
-    openLas(read, options);
+  fd_ = std::make_shared<OwnedFd>(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (fd_->get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
+  file_bytes_ = checkedFileSize(file);
+  if (format == FileFormat::las || format == FileFormat::laz) {
+    openLas(options, task);
   } else if (format == FileFormat::ply) {
     openPly(options);
   } else {
@@ -83,23 +89,11 @@ PointStream::PointStream(const std::filesystem::path& file, const ImportOptions&
   }
 }
 
-void PointStream::openPacked(const ImportOptions& options, const Task& task) {
-  unpacked_ = std::make_shared<UnpackedLas>(info_.file, task);
-  if (options.accept_incomplete) {
-    unpacked_->waitForAll(task);  // How many there are is to be known first.
-  } else {
-    unpacked_->waitFor(kLasHeadBytes);
-  }
-  if (formatOf(unpacked_->file()) != FileFormat::las) {
-    refuseScan(info_.file, "what it was unpacked to is no LAS file.");
-  }
-}
-
-void PointStream::openLas(const std::filesystem::path& las, const ImportOptions& options) {
-  const std::string head = readHead(las, kLasHeadBytes);
+void PointStream::openLas(const ImportOptions& options, const Task& task) {
+  const std::string head = readHead(info_.file, kLasHeadBytes);
   const LasHeader header = parseLasHeader(head, info_.file);
-  info_.format = "LAS 1." + std::to_string(header.minor) + " point format " +
-                 std::to_string(header.point_format);
+  info_.format = (header.packed ? "LAZ 1." : "LAS 1.") + std::to_string(header.minor) +
+                 " point format " + std::to_string(header.point_format);
   points_at_ = header.points_at;
   record_bytes_ = header.record_bytes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -111,22 +105,22 @@ void PointStream::openLas(const std::filesystem::path& las, const ImportOptions&
   factor *= addUnitOfSystem(head, header, info_);
   coordinates_[2].scale *= factor;
   coordinates_[2].shift *= factor;
-  const auto convertBounds = [&] {
-    if (!stated_bounds_) return;
+  if (stated_bounds_) {
     stated_bounds_->min.z *= factor;
     stated_bounds_->max.z *= factor;
-  };
-  convertBounds();
-  if (!unpacked_) return setFound(header.points, options);
-  // Some programs write counts and bounds last.
-  const LasHeader packed = packedLasHeader(info_.file);
-  info_.format.replace(0, 3, "LAZ");
-  stated_bounds_ = packed.stated_bounds;
-  convertBounds();
-  const std::uint64_t promised = std::min(packed.points, kMostPoints);
-  file_bytes_ =
-      options.accept_incomplete ? checkedFileSize(las) : points_at_ + promised * record_bytes_;
-  setFound(promised, options);
+  }
+  if (!header.packed) return setFound(header.points, options);
+  const LazBytesSource source{
+      .size = file_bytes_,
+      .read = [fd = fd_, file = info_.file](std::uint64_t at, std::uint64_t bytes) {
+        std::string read(static_cast<std::size_t>(bytes), '\0');
+        readAll(fd->get(), at, read, file);
+        return read;
+      }};
+  record_bytes_ = kPointBytes;
+  info_.points = header.points;
+  packed_ = std::make_shared<LazPoints>(source, readLazFile(source, header, info_.file), info_.file,
+                                        record_bytes_, task);
 }
 
 void PointStream::openPly(const ImportOptions& options) {
@@ -170,21 +164,11 @@ void PointStream::setFound(std::uint64_t promised, const ImportOptions& options)
   }
 }
 
-void PointStream::readBytes(std::uint64_t at, std::span<char> bytes) const {
-  if (unpacked_ && !unpacked_->waitFor(at + bytes.size())) {
-    refuseScan(info_.file,
-               "unpacked it has fewer points than its header says. The file is probably damaged; "
-               "copy or export it again.");
-  }
-  while (!bytes.empty()) {
-    const ssize_t got = ::pread(fd_.get(), bytes.data(), bytes.size(), static_cast<off_t>(at));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) {
-      refuseScan(info_.file, "it became shorter while it was read, or its disk failed. Try again.");
-    }
-    at += static_cast<std::uint64_t>(got);
-    bytes = bytes.subspan(static_cast<std::size_t>(got));
-  }
+void PointStream::readRecords(std::uint64_t first, std::size_t count,
+                              std::vector<char>& buffer) const {
+  if (packed_) return packed_->read(first, count, buffer.data());
+  readAll(fd_->get(), points_at_ + first * record_bytes_,
+          std::span(buffer).first(count * record_bytes_), info_.file);
 }
 
 FilePoint PointStream::pointOf(const char* record) const noexcept {
@@ -210,14 +194,17 @@ std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block) c
   std::vector<char> buffer(std::min(wanted, at_once) * record_bytes_);
   for (std::size_t done = 0; done < wanted;) {
     const std::size_t count = std::min(wanted - done, at_once);
-    readBytes(points_at_ + (first + done) * record_bytes_,
-              std::span(buffer).first(count * record_bytes_));
+    readRecords(first + done, count, buffer);
     for (std::size_t i = 0; i < count; ++i) {
       block[done + i] = pointOf(buffer.data() + i * record_bytes_);
     }
     done += count;
   }
   return wanted;
+}
+
+std::vector<PointRange> PointStream::cheapSample(std::uint64_t points) const {
+  return packed_ ? packed_->cheapSample(points) : std::vector<PointRange>{};
 }
 
 }  // namespace relievo

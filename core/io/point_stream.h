@@ -7,34 +7,29 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
+#include "core/io/laz_points.h"
 #include "core/io/owned_fd.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
 
-class UnpackedLas;
-
-/// The points of a large file, block by block, without the file or the points in memory: LAS, and
-/// binary PLY whose points have fixed places; LAZ and COPC while they are unpacked to the disk.
+/// The points of a large file, block by block, without the file or the points in memory: LAS, LAZ
+/// and COPC, and binary PLY whose points have fixed places.
 /// importScan reads the same points of the same files at once, and everything else.
 class PointStream {
  public:
   /// Can these files' points be read in blocks? By content. @throw FileError  missing, empty ...
   static bool canStream(const std::filesystem::path& file);
 
-  /// Is this a LAZ or COPC file, whose points are to be had only as fast as it is unpacked?
-  /// @throw FileError  missing, empty ...
-  static bool isPacked(const std::filesystem::path& file);
-
-  /// Reads the header only; starts an installed program that unpacks LAZ and COPC to where TMPDIR
-  /// says, until this object ends (core/io/unpack_las.h). Of `options` max_points does not apply.
-  /// [worker]
-  /// @param task  also stops what `read` waits for
-  /// @throw FileError  malformed, or incomplete (E101) unless accepted; Cancelled
+  /// Reads the header only, and the list of chunks of LAZ and COPC. Of `options` max_points does
+  /// not apply. [worker]
+  /// @param task  also stops `read` of LAZ and COPC
+  /// @throw FileError  malformed, or incomplete (E101) unless accepted; LAZ that is cut
   explicit PointStream(const std::filesystem::path& file, const ImportOptions& options = {},
                        const Task& task = {});
 
@@ -46,13 +41,17 @@ class PointStream {
   const std::optional<FileBounds>& statedBounds() const noexcept { return stated_bounds_; }
 
   /// Reads up to block.size() points from the `first` on, file coordinates. A point that importScan
-  /// would leave out (not finite, beyond 1e38, or of LAS withheld) is three NaN, so that numbers
-  /// stay those of the file. The same for every size of block. Allocates at most 1 MB. Of LAZ and
-  /// COPC, waits until these points are unpacked. [any thread]
+  /// would leave out (not finite, beyond 1e38, of LAS withheld) is three NaN: numbers stay those of
+  /// the file. The same for every size of block. Allocates at most 1 MB, of LAZ and COPC 32 MB (or
+  /// one chunk) for each thread that reads, kept for its next block. [any thread]
   /// @return  points read; fewer than asked for only at the end
-  /// @throw FileError  the file became shorter, its disk failed, or it cannot be unpacked
-  /// @throw Cancelled  by the task it was opened with, while it waits
+  /// @throw FileError  the file became shorter, its disk failed, or packed points are damaged
+  /// @throw Cancelled  by the task it was opened with (LAZ and COPC)
   std::size_t read(std::uint64_t first, std::span<FilePoint> block) const;
+
+  /// About `points` points all over a packed file that cost the least to read: of COPC the coarsest
+  /// levels, of LAZ the beginning of each chunk. Empty where all points cost the same.
+  std::vector<PointRange> cheapSample(std::uint64_t points) const;
 
  private:
   struct Coordinate {
@@ -61,20 +60,19 @@ class PointStream {
     double scale = 1, shift = 0;
   };
 
-  void openLas(const std::filesystem::path& las, const ImportOptions& options);
-  void openPacked(const ImportOptions& options, const Task& task);
+  void openLas(const ImportOptions& options, const Task& task);
   void openPly(const ImportOptions& options);
   void setFound(std::uint64_t promised, const ImportOptions& options);
-  void readBytes(std::uint64_t at, std::span<char> bytes) const;
+  void readRecords(std::uint64_t first, std::size_t count, std::vector<char>& buffer) const;
   FilePoint pointOf(const char* record) const noexcept;
 
   ScanInfo info_;
   std::optional<FileBounds> stated_bounds_;
-  std::shared_ptr<UnpackedLas> unpacked_;  ///< Of LAZ and COPC.
-  OwnedFd fd_;
+  std::shared_ptr<const LazPoints> packed_;  ///< Of LAZ and COPC.
+  std::shared_ptr<const OwnedFd> fd_;
   std::uint64_t file_bytes_ = 0;
   std::uint64_t points_at_ = 0;
-  std::size_t record_bytes_ = 1;
+  std::size_t record_bytes_ = 1;  ///< Those that are read.
   ByteOrder order_ = ByteOrder::little;
   std::array<Coordinate, 3> coordinates_;
   std::uint8_t withheld_bit_ = 0;  ///< LAS: of byte 15, points that are left out; 0: none are.

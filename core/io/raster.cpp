@@ -17,6 +17,7 @@
 #include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
 #include "core/io/planted_fault.h"
+#include "core/io/tiff_head.h"
 #include "core/io/unit_text.h"
 
 namespace relievo {
@@ -83,8 +84,55 @@ Placement placementOf(GDALDataset& dataset, RasterHead& raster) {
   return placement;
 }
 
+/// "NAVD88 height (ftUS)" without what is in the last parentheses.
+std::string withoutUnit(const std::string& name) {
+  const std::size_t at = name.ends_with(')') ? name.rfind(" (") : std::string::npos;
+  return at == std::string::npos ? name : name.substr(0, at);
+}
+
+/// The same system, its heights above the same datum, but in another unit. Codes of registers
+/// name a unit as well, so that they go. Empty: it cannot be said so.
+std::string withHeightsIn(const OGRSpatialReference& system, LengthUnit unit) {
+  OGRSpatialReference changed(system);
+  OGR_SRSNode* const vertical = changed.GetAttrNode("VERT_CS");
+  OGR_SRSNode* const all = changed.GetRoot();
+  if (vertical == nullptr || all == nullptr) return {};
+  for (OGR_SRSNode* node : {vertical, all}) {
+    if (const int code = node->FindChild("AUTHORITY"); code >= 0) node->DestroyChild(code);
+    if (node->GetChildCount() > 0) {
+      OGR_SRSNode* const name = node->GetChild(0);
+      name->SetValue(withoutUnit(name->GetValue()).c_str());
+    }
+  }
+  const double metres = mmPer(unit) / 1000;
+  changed.SetTargetLinearUnits("VERT_CS", std::string(projectionName(unit)).c_str(), metres);
+  char* text = nullptr;
+  if (changed.exportToWkt(&text) != OGRERR_NONE) return {};
+  const std::string wkt = text;
+  CPLFree(text);
+  const OGRSpatialReference back(wkt.c_str());
+  const bool holds =
+      back.IsCompound() != 0 && unitOfMetres(back.GetTargetLinearUnits("VERT_CS", nullptr)) == unit;
+  return holds ? wkt : std::string();
+}
+
+/// What the reference system says of heights must be true of those that are handed on.
+void sayHeightsIn(const OGRSpatialReference& system, LengthUnit unit, RasterHead& raster) {
+  if (system.IsCompound() == 0) return;
+  raster.projection = withHeightsIn(system, unit);
+  if (!raster.projection.empty()) return;
+  OGRSpatialReference flat(system);
+  flat.StripVertical();
+  char* text = nullptr;
+  if (flat.exportToWkt(&text) == OGRERR_NONE) raster.projection = text;
+  CPLFree(text);
+  raster.info.warnings.emplace_back(
+      "The reference system of the heights was left out: it does not hold for another unit.");
+}
+
 /// Horizontal unit into info.unit. @return  factor from stored heights to that unit.
-double readUnits(GDALDataset& dataset, ScanInfo& info) {
+double readUnits(GDALDataset& dataset, RasterHead& raster) {
+  ScanInfo& info = raster.info;
   const OGRSpatialReference* srs = dataset.GetSpatialRef();
   if (srs == nullptr || srs->IsEmpty()) return 1;
   if (srs->IsGeographic()) {
@@ -114,6 +162,7 @@ double readUnits(GDALDataset& dataset, ScanInfo& info) {
   plantedFault(*vertical == LengthUnit::ft);
   info.warnings.push_back("Heights in " + std::string(name(*vertical)) + " were converted to " +
                           std::string(name(*info.unit)) + ", the unit of the coordinates.");
+  sayHeightsIn(*srs, *info.unit, raster);
   return mmPer(*vertical) / mmPer(*info.unit);
 }
 
@@ -383,7 +432,7 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
   raster.projection = projectionOf(*dataset);
   raster.info.format = std::string(kind.name) + " " + GDALGetDataTypeName(band.GetRasterDataType());
   const bool own = dataset->GetMetadataItem("RELIEVO_VIEW_FROM_FILE") != nullptr;
-  const double unit_factor = own ? 1 : readUnits(*dataset, raster.info);
+  const double unit_factor = own ? 1 : readUnits(*dataset, raster);
   const Placement placement = placementOf(*dataset, raster);
   raster.pixel = placement.pixel;
   raster.first = placement.first;
@@ -422,11 +471,11 @@ RasterMap readRaster(const std::filesystem::path& file) {
 }
 
 std::optional<std::string> rasterState(const std::filesystem::path& file) {
-  const GdalErrors errors;
-  const Dataset dataset = openRaster(file, {.driver = "GTiff", .name = "TIFF"}, errors);
-  const char* state = dataset->GetMetadataItem(kDescriptionTag);
-  if (state == nullptr) return std::nullopt;
-  return state;
+  const auto head = readTiffHead(file);
+  if (!head) refuse(file, "it is not a readable TIFF. Copy or export it again.");
+  const auto state = head->facts.find(kDescriptionTag);
+  if (state == head->facts.end()) return std::nullopt;
+  return state->second;
 }
 
 }  // namespace relievo

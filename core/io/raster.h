@@ -23,7 +23,7 @@ struct RasterHead {
   FilePoint first;          ///< File position of sample (0, 0), z = 0.
   bool is_own_map = false;  ///< Written by writeMap.
   std::optional<ViewFromFile> view_from_file;  ///< Of an own map.
-  std::string projection;  ///< Well-known text of the coordinates; empty if none is stated.
+  std::string projection;  ///< Well-known text, true of these heights; empty if none is stated.
 };
 
 /// A height raster in memory.

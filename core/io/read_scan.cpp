@@ -71,13 +71,12 @@ Scan readScanHere(const std::filesystem::path& file, const ImportOptions& option
     case FileFormat::three_ds:
       return read3ds(job);
     case FileFormat::las:
+    case FileFormat::laz:
       return readLas(job);
     case FileFormat::e57:
       return readE57(job);
     case FileFormat::ptx:
       return readPtx(job);
-    case FileFormat::laz:
-      refuseScan(file, "it is compressed and was not unpacked before. Convert it to LAS.");
     default:
       return readText(job);
   }

@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/replaced_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -10,18 +18,59 @@
 #include "core/base/replaceable.h"
 
 namespace relievo {
+namespace {
+
+constexpr std::string_view kMark = ".relievo-";
+constexpr std::string_view kEnd = ".tmp";
+
+/// ".NAME.relievo-123.tmp.tif": the number of the process that writes it; nothing for other names.
+std::optional<pid_t> writerOf(std::string_view name) {
+  const std::size_t mark = name.rfind(kMark);
+  if (!name.starts_with('.') || mark == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = name.substr(mark + kMark.size());
+  pid_t writer = 0;
+  const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), writer);
+  const std::string_view after(end, static_cast<std::size_t>(rest.data() + rest.size() - end));
+  if (error != std::errc{} || writer <= 0 || !after.starts_with(kEnd)) return std::nullopt;
+  return writer;
+}
+
+/// A process that lives may be seen from here or, in another container, only by its lock.
+bool isLeft(const std::filesystem::path& file, pid_t writer) {
+  if (writer == ::getpid() || ::kill(writer, 0) == 0 || errno != ESRCH) return false;
+  const OwnedFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+  return fd.get() >= 0 && ::flock(fd.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+}  // namespace
 
 void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
   throw WriteError("Cannot write " + file.string() + ": " + reason +
                    ". Check the folder, its permissions and the free space.");
 }
 
+void removeLeftFiles(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::directory_iterator entries(folder.empty() ? "." : folder, error);
+  for (; !error && entries != std::filesystem::directory_iterator(); entries.increment(error)) {
+    const std::filesystem::path& file = entries->path();
+    const auto writer = writerOf(file.filename().string());
+    std::error_code ignored;
+    if (!writer || !std::filesystem::is_regular_file(entries->symlink_status(ignored))) continue;
+    if (isLeft(file, *writer)) std::filesystem::remove(file, ignored);
+  }
+}
+
 ReplacedFile::ReplacedFile(std::filesystem::path final_name)
     : final_(std::move(final_name)),
       temporary_(final_.parent_path() /
-                 ("." + final_.stem().string() + "." + std::to_string(::getpid()) + ".tmp" +
-                  final_.extension().string())) {
+                 ("." + final_.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
+                  std::string(kEnd) + final_.extension().string())) {
   requireReplaceable(final_);
+  removeLeftFiles(final_.parent_path());
+  // Whoever opens it for writing says what is wrong, if this fails.
+  lock_.reset(::open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+  if (lock_.get() >= 0) ::flock(lock_.get(), LOCK_EX | LOCK_NB);
 }
 
 ReplacedFile::~ReplacedFile() {

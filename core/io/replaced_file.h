@@ -4,13 +4,20 @@
 #include <filesystem>
 #include <string>
 
+#include "core/io/owned_fd.h"
+
 namespace relievo {
 
 /// "Cannot write FILE: <reason>." with what to look at. @throw WriteError
 [[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason);
 
+/// Removes temporary files of ours whose writer was killed: known by their name, by the number of a
+/// process that is no more, and by nobody's holding their lock. Anything else stays. [any thread]
+void removeLeftFiles(const std::filesystem::path& folder);
+
 /// A file under a temporary name beside its final one; removed unless `keep` was called. So a
-/// failure leaves nothing half done, and what was there before.
+/// failure leaves nothing half done, and what was there before. What a killed process left in the
+/// folder goes when the next one begins to write there.
 class ReplacedFile {
  public:
   /// @throw WriteError  what is there must not be replaced
@@ -24,6 +31,7 @@ class ReplacedFile {
 
  private:
   std::filesystem::path final_, temporary_;
+  OwnedFd lock_;  ///< Of the temporary file, while it is written.
   bool kept_ = false;
 };
 

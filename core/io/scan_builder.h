@@ -80,7 +80,12 @@ class ScanBuilder {
   /// part, without a viewpoint, needs none.
   void beginPart(ScanPart part);
 
-  /// Colours turned out to be none.
+  // These turned out to be none.
+  void dropIntensities() {
+    scan_.intensities = {};
+    wide_intensities_ = {};
+  }
+  void dropClasses() { scan_.classes = {}; }
   void dropColours() {
     scan_.colours = {};
     wide_colours_ = {};

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/io/lines.h"
@@ -51,6 +52,16 @@ void setSignals(posix_spawnattr_t& attributes) {
   ::posix_spawnattr_setpgroup(&attributes, 0);
   ::posix_spawnattr_setflags(
       &attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+}
+
+/// In the C locale, for libraries that set the locale as they load.
+std::vector<std::string> ours() {
+  std::vector<std::string> environment;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.emplace_back(*entry);
+  }
+  environment.emplace_back("LC_ALL=C");
+  return environment;
 }
 
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
@@ -122,11 +133,7 @@ void ChildProcess::start(ProgramStart how) {
     ::posix_spawn_file_actions_adddup2(&settings.actions, fd.fd, fd.as);
   }
   setSignals(settings.attributes);
-  std::vector<std::string> environment;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.emplace_back(*entry);
-  }
-  environment.emplace_back("LC_ALL=C");  // For libraries that set the locale as they load.
+  std::vector<std::string> environment = how.environment ? std::move(*how.environment) : ours();
   environment.insert(environment.end(), how.more_environment.begin(), how.more_environment.end());
   const std::vector<char*> argument_pointers = pointersTo(how.arguments);
   const std::vector<char*> environment_pointers = pointersTo(environment);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,8 @@ struct ProgramStart {
   std::filesystem::path program;       ///< No search, no shell.
   std::vector<std::string> arguments;  ///< With the name it is called by.
   std::vector<std::string> more_environment;
+  /// Nothing: ours in the C locale. More is added in both cases.
+  std::optional<std::vector<std::string>> environment = std::nullopt;
   std::vector<FdForChild> fds;
 };
 

@@ -19,9 +19,16 @@ inline std::optional<LengthUnit> unitOfMetres(double metres) {
   return std::nullopt;
 }
 
+/// The name by which projections call a unit.
+inline constexpr std::string_view projectionName(LengthUnit unit) noexcept {
+  constexpr std::array<std::string_view, 6> kNames{"millimetre", "centimetre", "metre",
+                                                   "inch",       "foot",       "US survey foot"};
+  return kNames[static_cast<std::size_t>(unit)];
+}
+
 /// By one of the names that rasters and projections use.
 inline std::optional<LengthUnit> unitOfName(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, LengthUnit>, 12> kNames{{
+  constexpr std::array<std::pair<std::string_view, LengthUnit>, 13> kNames{{
       {"m", LengthUnit::m},
       {"metre", LengthUnit::m},
       {"meter", LengthUnit::m},
@@ -29,6 +36,7 @@ inline std::optional<LengthUnit> unitOfName(std::string_view text) {
       {"meters", LengthUnit::m},
       {"mm", LengthUnit::mm},
       {"cm", LengthUnit::cm},
+      {"in", LengthUnit::in},
       {"ft", LengthUnit::ft},
       {"foot", LengthUnit::ft},
       {"sfoot", LengthUnit::us_ft},

@@ -9,12 +9,14 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
 #include "core/io/unnamed_file.h"
+#include "core/io/worker_sandbox.h"
 
 namespace relievo {
 namespace {
@@ -44,49 +46,67 @@ std::filesystem::path ownFolder() {
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-}  // namespace
-
-std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
-  constexpr std::array<const char*, 3> kNames{"relievo-import", "relievo-import-pcl",
-                                              "relievo-import-libraries"};
-  const std::filesystem::path name = kNames[static_cast<std::size_t>(program)];
+/// @param does  what is not possible without it
+std::filesystem::path workerProgram(const std::filesystem::path& name, const std::string& does,
+                                    const std::filesystem::path& folder) {
   // Installed; beside the program in the build folder; beside the build's tests.
   for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
     std::error_code missing;
     std::filesystem::path found = (folder / place / name).lexically_normal();
     if (std::filesystem::is_regular_file(found, missing)) return found;
   }
-  throw FileError("Files cannot be read: the program " + name.string() +
-                  ", which reads them, is not where it was installed with relievo (" +
+  throw FileError(does + " the program " + name.string() +
+                  ", which does it, is not where it was installed with relievo (" +
                   printable((folder / RELIEVO_LIBEXECDIR "/relievo").lexically_normal().string()) +
                   "). Install relievo again.");
+}
+
+}  // namespace
+
+std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
+  constexpr std::array<const char*, 3> kNames{"relievo-import", "relievo-import-pcl",
+                                              "relievo-import-libraries"};
+  return workerProgram(kNames[static_cast<std::size_t>(program)], "Files cannot be read:", folder);
 }
 
 WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path& file,
                              ImportKind kind, const ImportOptions& options,
                              const std::filesystem::path& answer_folder) {
-  const std::filesystem::path executable = importProgram(program, ownFolder());
-  OwnedFd child_answer = answerFile(answer_folder);
+  start(importProgram(program, ownFolder()),
+        {kWorkerArgument, std::filesystem::absolute(file).string(),
+         std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
+         std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
+         roundTripText(std::array{options.max_cpu_s}), options.scan.keep_withheld ? "1" : "0",
+         std::to_string(static_cast<int>(options.scan.reader)), partsText(options.scan.parts)},
+        answerFile(answer_folder), nullptr);
+}
+
+WorkerProcess::WorkerProcess(const WorkerStart& how) {
+  OwnedFd child_input(raised(::fcntl(how.input, F_DUPFD_CLOEXEC, 0)));
+  const FdForChild input{child_input.get(), kInputFd};
+  start(workerProgram(how.program, "The scans cannot be prepared:", ownFolder()), how.arguments,
+        answerFile({}), &input);
+}
+
+void WorkerProcess::start(const std::filesystem::path& executable,
+                          std::vector<std::string> arguments, OwnedFd child_answer,
+                          const FdForChild* input) {
   answer_.reset(raised(::fcntl(child_answer.get(), F_DUPFD_CLOEXEC, 0)));
   OwnedFd child_progress;
   OwnedFd child_words;
   makePipe(progress_, child_progress);
   makePipe(words_, child_words);
-  child_.start(
-      {.program = executable,
-       .arguments = {executable.filename().string(), kWorkerArgument,
-                     std::filesystem::absolute(file).string(),
-                     std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
-                     std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
-                     roundTripText(std::array{options.max_cpu_s}),
-                     options.scan.keep_withheld ? "1" : "0",
-                     std::to_string(static_cast<int>(options.scan.reader)),
-                     partsText(options.scan.parts)},
-       .more_environment = {},
-       .fds = {{child_words.get(), 1},
-               {child_words.get(), 2},
-               {child_progress.get(), kProgressFd},
-               {child_answer.get(), kAnswerFd}}});
+  arguments.insert(arguments.begin(), executable.filename().string());
+  std::vector<FdForChild> fds{{child_words.get(), 1},
+                              {child_words.get(), 2},
+                              {child_progress.get(), kProgressFd},
+                              {child_answer.get(), kAnswerFd}};
+  if (input != nullptr) fds.push_back(*input);
+  child_.start({.program = executable,
+                .arguments = std::move(arguments),
+                .more_environment = {},
+                .environment = workerEnvironment(),
+                .fds = std::move(fds)});
 }
 
 void WorkerProcess::passProgress(const Task& task) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/io/import.h"
@@ -16,6 +17,7 @@ namespace relievo {
 inline constexpr const char* kWorkerArgument = "import-" RELIEVO_VERSION_STRING;
 inline constexpr int kProgressFd = 3;  ///< Lines "fraction step".
 inline constexpr int kAnswerFd = 4;    ///< scan_transport.h
+inline constexpr int kInputFd = 5;     ///< What a worker without a file works on.
 inline constexpr int kWorkerArgumentCount = 11;
 
 /// What the worker is to answer with: its third argument.
@@ -28,6 +30,13 @@ enum class ImportProgram { own, pcl, libraries };
 /// Where that program is, seen from the folder of the running one.
 /// @throw FileError  nowhere it should be; there is no other way to read
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder);
+
+/// A worker that is handed its input as an open file, not by name.
+struct WorkerStart {
+  std::string program;                 ///< Its name alone; it lies where the import programs do.
+  std::vector<std::string> arguments;  ///< After its name.
+  int input = -1;                      ///< Ours; kInputFd in the child.
+};
 
 /// How the child came to its end.
 struct WorkerEnd {
@@ -44,6 +53,8 @@ class WorkerProcess {
   /// @param answer_folder  where the answer is a file without a name; empty: it is in memory
   WorkerProcess(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
                 const ImportOptions& options, const std::filesystem::path& answer_folder);
+  /// Its answer is in memory. @throw FileError  as above
+  explicit WorkerProcess(const WorkerStart& start);
   WorkerProcess(const WorkerProcess&) = delete;
   WorkerProcess& operator=(const WorkerProcess&) = delete;
 
@@ -54,6 +65,8 @@ class WorkerProcess {
   int answerFd() const noexcept { return answer_.get(); }
 
  private:
+  void start(const std::filesystem::path& executable, std::vector<std::string> arguments,
+             OwnedFd child_answer, const FdForChild* input);
   void drain(const Task& task);
   void passProgress(const Task& task);
 

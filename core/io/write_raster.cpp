@@ -13,6 +13,7 @@
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
 #include "core/io/replaced_file.h"
+#include "core/io/tiff_head.h"
 
 namespace relievo {
 namespace {
@@ -32,10 +33,11 @@ struct RasterPlace {
   GridSize size;
   double first_x = 0, first_y = 0, spacing = 1;
   const char* projection = "";
+  std::string unit = {};  ///< Of the heights, as programs that read GeoTIFF expect it; or empty.
 };
 
 RasterPlace placeOf(const GridFrame& frame) {
-  return {frame.size, frame.first_x_mm, frame.first_y_mm, frame.spacing_mm};
+  return {frame.size, frame.first_x_mm, frame.first_y_mm, frame.spacing_mm, kViewSystem};
 }
 
 /// @return  false once GDAL complains
@@ -54,6 +56,16 @@ bool writeRows(GDALRasterBand& band, GridSize size, GDALDataType type, const voi
   return true;
 }
 
+void describe(GDALDataset& dataset, const RasterPlace& place, const CPLStringList& metadata) {
+  const double s = place.spacing;
+  std::array<double, 6> transform{
+      place.first_x - 0.5 * s, s, 0, place.first_y + (place.size.rows - 1) * s + 0.5 * s, 0, -s};
+  dataset.SetGeoTransform(transform.data());
+  if (*place.projection != '\0') dataset.SetProjection(place.projection);
+  dataset.SetMetadata(const_cast<char**>(metadata.List()));
+  if (!place.unit.empty()) dataset.GetRasterBand(1)->SetUnitType(place.unit.c_str());
+}
+
 void writeBand(const std::filesystem::path& file, const std::filesystem::path& shown,
                const RasterPlace& place, const BandToWrite& band, const CPLStringList& metadata) {
   GdalErrors errors;
@@ -63,12 +75,7 @@ void writeBand(const std::filesystem::path& file, const std::filesystem::path& s
   Dataset dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
       file.c_str(), size.cols, size.rows, 1, band.type, const_cast<char**>(options)));
   if (!dataset) cannotWrite(shown, errors.first());
-  const double s = place.spacing;
-  std::array<double, 6> transform{
-      place.first_x - 0.5 * s, s, 0, place.first_y + (size.rows - 1) * s + 0.5 * s, 0, -s};
-  dataset->SetGeoTransform(transform.data());
-  if (*place.projection != '\0') dataset->SetProjection(place.projection);
-  dataset->SetMetadata(const_cast<char**>(metadata.List()));
+  describe(*dataset, place, metadata);
   GDALRasterBand& cells = *dataset->GetRasterBand(1);
   if (band.type == GDT_Float32) cells.SetNoDataValue(kNaN);
   bool good = writeRows(cells, size, band.type, band.cells, band.cell_bytes);
@@ -101,6 +108,8 @@ void registerRasterDrivers() {
     GDALRegister_GTiff();
     GDALRegister_PNG();
     GDALRegister_AAIGrid();
+    GDALRegister_MEM();
+    GDALRegister_COG();
   });
 }
 
@@ -127,22 +136,53 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
   metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
   if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
 
+  const std::filesystem::path origin_name = originFileOf(file);
+  if (options.write_origins) requireOwnOrAbsent(origin_name);
   ReplacedFile map_file(file);
   writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},
             metadata);
-  const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) {
     ReplacedFile origin_file(origin_name);
     metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
     writeBand(origin_file.path(), origin_name, placeOf(map.frame), {GDT_Byte, codes.data(), 1},
               metadata);
     origin_file.keep();
-  } else {
-    std::error_code ignored;  // An older map's origins would lie about this one.
-    std::filesystem::remove(origin_name, ignored);
+  } else if (isOwnTiff(origin_name)) {
+    std::error_code ignored;
+    std::filesystem::remove(origin_name, ignored);  // An older map's would lie about this one.
   }
   map_file.keep();
 }
+
+namespace {
+
+CPLStringList factsOf(const ExportGrid& grid) {
+  CPLStringList metadata;
+  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
+  metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
+  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
+  if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
+  return metadata;
+}
+
+RasterPlace placeOf(const ExportGrid& grid) {
+  return {grid.size,
+          grid.first_x,
+          grid.first_y,
+          grid.spacing,
+          grid.is_view ? kViewSystem : grid.projection.c_str(),
+          grid.unit};
+}
+
+/// Passes GDAL's progress on and stops it.
+int passProgress(double fraction, const char* /*words*/, void* data) {
+  const auto& task = *static_cast<const Task*>(data);
+  if (task.stop.stop_requested()) return 0;
+  task.report("Writing", fraction);
+  return 1;
+}
+
+}  // namespace
 
 void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
   std::vector<float> heights = grid.heights;
@@ -152,15 +192,43 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
     heights[i] = kNaN;
     mask[i] = 0;
   }
-  CPLStringList metadata;
-  metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
-  metadata.SetNameValue("HEIGHT_UNIT", grid.unit.c_str());
-  metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
-  if (!grid.state.empty()) metadata.SetNameValue(kDescriptionTag, grid.state.c_str());
   ReplacedFile written(file);
-  writeBand(written.path(), file,
-            {grid.size, grid.first_x, grid.first_y, grid.spacing, grid.projection.c_str()},
-            {GDT_Float32, heights.data(), sizeof(float), &mask}, metadata);
+  writeBand(written.path(), file, placeOf(grid),
+            {GDT_Float32, heights.data(), sizeof(float), &mask}, factsOf(grid));
+  written.keep();
+}
+
+void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid,
+                       const Task& task) {
+  GdalErrors errors;
+  registerRasterDrivers();
+  ReplacedFile written(file);
+  // The driver copies what is complete: its first bytes say where everything is.
+  Dataset whole(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
+      "", grid.size.cols, grid.size.rows, 1, GDT_Float32, nullptr));
+  if (!whole) cannotWrite(file, errors.first());
+  std::vector<float> heights = grid.heights;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (!grid.holds(i)) heights[i] = kNaN;
+  }
+  describe(*whole, placeOf(grid), factsOf(grid));
+  whole->GetRasterBand(1)->SetNoDataValue(kNaN);
+  bool good =
+      writeRows(*whole->GetRasterBand(1), grid.size, GDT_Float32, heights.data(), sizeof(float));
+  std::vector<float>().swap(heights);
+  const char* const options[] = {
+      "COMPRESS=DEFLATE",   "PREDICTOR=YES",    "BLOCKSIZE=512", "OVERVIEWS=AUTO",
+      "RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER", nullptr};
+  Dataset made;
+  if (good) {
+    made.reset(GetGDALDriverManager()->GetDriverByName("COG")->CreateCopy(
+        written.path().c_str(), whole.get(), 0, const_cast<char**>(options), passProgress,
+        const_cast<Task*>(&task)));
+  }
+  task.check();
+  good = made != nullptr;
+  made.reset();
+  if (!good || errors.any()) cannotWrite(file, errors.first());
   written.keep();
 }
 

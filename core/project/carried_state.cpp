@@ -3,6 +3,7 @@
 
 #include "core/io/file_check.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/prepared_state.h"
 #include "core/provenance/provenance.h"
 
 namespace relievo {
@@ -18,6 +19,7 @@ bool isProject(std::string_view state) {
 
 std::optional<Project> projectFromState(std::string_view state, const std::string& source) {
   if (isProject(state)) return projectFromJson(state, source);
+  if (isPreparedState(state)) return std::nullopt;  // A cloud shows no view.
   const Provenance made = provenanceFromJson(state, source);
   if (!made.view) return std::nullopt;
   Project project;

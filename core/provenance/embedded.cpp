@@ -13,7 +13,10 @@
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
+#include "core/io/lines.h"
+#include "core/io/ply_header.h"
 #include "core/io/raster.h"
+#include "core/io/write_cloud.h"
 
 namespace relievo {
 namespace {
@@ -88,6 +91,20 @@ std::optional<std::string> commentState(const std::filesystem::path& file) {
     if (line.starts_with(start)) return line.substr(start.size());
   }
   return std::nullopt;
+}
+
+/// Of a cloud: the pieces that its header's comments hold.
+std::optional<std::string> cloudState(const std::filesystem::path& file) {
+  const std::string head = readHead(file, kMaxHeaderBytes);
+  std::string state;
+  Lines lines(head);
+  while (lines.next() && trimmed(lines.line()) != "end_header") {
+    if (lines.line().starts_with(kCloudStateWords)) {
+      state += lines.line().substr(kCloudStateWords.size());
+    }
+  }
+  if (state.empty()) return std::nullopt;
+  return state;
 }
 
 /// Reads on to the end of `mark`. @return what stood before it; nothing: it does not come, or only
@@ -179,6 +196,7 @@ std::optional<std::string> embeddedState(const std::filesystem::path& file) {
       head.starts_with(std::string_view("MM\0", 3))) {
     return tiffState(file);
   }
+  if (head.starts_with("ply\n")) return cloudState(file);
   if (head.starts_with('#')) return commentState(file);
   if (head.starts_with("%PDF-") || head.starts_with("<?xml") || head.starts_with("<svg")) {
     return markupState(file);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
+#include <functional>
 
 #include "core/cloud/scan.h"
+#include "core/depth/cell_size.h"
 #include "core/depth/view.h"
 #include "core/session/surface.h"
 
@@ -16,11 +17,10 @@ namespace relievo {
 void chooseUnit(Surface& surface, const SurfaceOptions& options);
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
-/// @param points_in_all  if `scan` is a sample of so many points; 0: it is all of them
+/// @param propose  how many cells the points carry, asked if the options leave it open
 /// @throw ArgumentError, FileError
-GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& options,
-                      const Rotation& rotation, const RotatedBounds& box,
-                      std::uint64_t points_in_all);
+GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const RotatedBounds& box,
+                      const std::function<CellProposal()>& propose);
 
 /// Rotation, scaling to millimetres, then a shift.
 ViewFromFile viewFromFile(const Rotation& rotation, double mm_per_unit, double dx, double dy,

@@ -43,7 +43,7 @@ void makeFirstViews(const std::filesystem::path& file, const SurfaceOptions& opt
   try {
     if (TiledMap::isOne(file)) {
       views.on_view(viewOfTiles(file));
-    } else if (PointStream::canStream(file) && !PointStream::isPacked(file)) {
+    } else if (PointStream::canStream(file)) {
       viewsOfPoints(file, options, import, views, task);
     }
   } catch (const Cancelled&) {

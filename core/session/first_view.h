@@ -26,7 +26,7 @@ struct FirstViewOptions {
 
 /// Calls `on_view` with a surface from some 250 000 points, then, if the file has 20 000 000 or
 /// more, with one from 2 000 000; for a map by tiles with a coarse level. Not at all for small
-/// files, meshes, other rasters and formats that must be read from their beginning or unpacked.
+/// files, meshes, other rasters and formats that must be read from their beginning.
 /// What is wrong with a file is left for its reader to say. [worker]
 /// @throw Cancelled
 void makeFirstViews(const std::filesystem::path& file, const SurfaceOptions& options,

@@ -20,6 +20,7 @@
 #include "core/io/raster_rows.h"
 #include "core/io/scan_builder.h"
 #include "core/session/choices.h"
+#include "core/session/closed_cloud.h"
 #include "core/session/large_memory.h"
 #include "core/session/loss_words.h"
 #include "core/tiles/band_fill.h"
@@ -70,19 +71,38 @@ PointSource sourceOf(const PointStream& stream) {
 
 /// About `wanted` points in short runs at even distances: scans are often stored line by line, and
 /// single points would each cost a page of the disk.
-Scan sampleOf(const PointStream& stream, std::uint64_t wanted, const Task& task) {
+std::vector<PointRange> evenRuns(const PointStream& stream, std::uint64_t wanted) {
   constexpr std::uint64_t kRun = 256;
   const std::uint64_t count = stream.info().points;
   const std::uint64_t runs = std::max<std::uint64_t>(1, wanted / kRun);
-  ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
-  std::vector<FilePoint> block(kRun);
+  std::vector<PointRange> ranges;
   std::uint64_t next = 0;  // Overlapping runs in small files are read once.
-  for (std::uint64_t i = 0; i < runs; ++i) {
-    if (i % 256 == 0) task.check();
+  for (std::uint64_t i = 0; i < runs && next < count; ++i) {
     const std::uint64_t start = std::max(next, count / runs * i + count % runs * i / runs);
-    const std::size_t got = stream.read(start, block);
-    for (std::size_t k = 0; k < got; ++k) builder.addPoint(block[k].x, block[k].y, block[k].z);
-    next = start + got;
+    next = std::min(start + kRun, count);
+    ranges.push_back({start, next - start});
+  }
+  return ranges;
+}
+
+/// Points for a look, as soon as they can be had: packed files cost where they are opened.
+std::vector<PointRange> firstRuns(const PointStream& stream, std::uint64_t wanted) {
+  const std::vector<PointRange> cheap = stream.cheapSample(wanted);
+  return cheap.empty() ? evenRuns(stream, wanted) : cheap;
+}
+
+Scan sampleOf(const PointStream& stream, const std::vector<PointRange>& ranges, const Task& task) {
+  constexpr std::uint64_t kAtOnce = 4096;
+  ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
+  std::vector<FilePoint> block(kAtOnce);
+  std::size_t looked = 0;
+  for (const PointRange& range : ranges) {
+    if (looked++ % 256 == 0 || range.count > kAtOnce) task.check();
+    for (std::uint64_t done = 0; done < range.count; done += kAtOnce) {
+      const auto wanted = static_cast<std::size_t>(std::min(kAtOnce, range.count - done));
+      const std::size_t got = stream.read(range.first + done, std::span(block).first(wanted));
+      for (std::size_t k = 0; k < got; ++k) builder.addPoint(block[k].x, block[k].y, block[k].z);
+    }
   }
   ScanInfo info = stream.info();
   Scan scan = builder.finish();
@@ -211,7 +231,46 @@ struct Placed {
   ViewFromFile view_from_file;
   NamedRotation rotation;
   double lowest_mm = 0, range_mm = 0;
+  std::optional<FrontSurface> front;  ///< Of a cloud that lies behind itself.
 };
+
+/// The points of a stream in the view, from the lower corner of their box.
+ViewBlocks blocksOf(const PointStream& stream, const ViewFromFile& view_from_file,
+                    const ViewMm& corner) {
+  return [&stream, view_from_file, corner](const auto& take) {
+    std::vector<ViewMm> moved;
+    forEachBlock(sourceOf(stream), 0, stream.info().points, [&](std::span<const FilePoint> block) {
+      moved.clear();
+      for (const FilePoint& p : block) moved.push_back(view_from_file(p) - corner);
+      take(moved);
+    });
+  };
+}
+
+/// Decides in 3-D what is seen, as for clouds in memory.
+void findFront(Placed& placed, const PointStream& stream, const Scan& sample,
+               const ViewFromFile& view_from_file, const SourceBounds& bounds, const Task& task) {
+  std::vector<ViewMm> seen;
+  const ViewBox box{.min = {}, .max = bounds.max - bounds.min};
+  for (std::size_t i = 0; i < sample.points.size(); ++i) {
+    seen.push_back(view_from_file(sample.point(i)) - bounds.min);
+  }
+  placed.front =
+      frontOf(blocksOf(stream, view_from_file, bounds.min), seen, box, bounds.finite_points, task);
+}
+
+/// How many points of all are on the front, by a sample of them.
+std::uint64_t pointsOnFront(const FrontSurface& front, const Scan& sample,
+                            const ViewFromFile& view_from_file, const SourceBounds& bounds) {
+  std::size_t on_front = 0;
+  for (std::size_t i = 0; i < sample.points.size(); ++i) {
+    const ViewMm p = view_from_file(sample.point(i)) - bounds.min;
+    on_front += front.sideOf(p) == FrontSurface::Side::front ? 1 : 0;
+  }
+  const double share = static_cast<double>(on_front) /
+                       static_cast<double>(std::max<std::size_t>(sample.points.size(), 1));
+  return static_cast<std::uint64_t>(share * static_cast<double>(bounds.finite_points));
+}
 
 Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
              const SurfaceOptions& options, const LargeMapOptions& large, const Task& task) {
@@ -220,12 +279,17 @@ Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
       sample, options.view.value_or(ViewChoice{.name = "auto", .rotation = {}}), task);
   if (!placed.rotation.note.empty()) facts.messages.push_back(placed.rotation.note);
   const double mm = mmPer(facts.unit);
-  const SourceBounds bounds = boundsOf(
-      sourceOf(stream), viewFromFile(placed.rotation.rotation, mm, 0, 0, 0), large.threads, task);
+  const ViewFromFile turned = viewFromFile(placed.rotation.rotation, mm, 0, 0, 0);
+  const SourceBounds bounds = boundsOf(sourceOf(stream), turned, large.threads, task);
   facts.info.finite_points = bounds.finite_points;
   facts.info.bounds = bounds.file;
-  placed.frame = chooseFrame(facts, sample, options, placed.rotation.rotation,
-                             {.min = bounds.min, .max = bounds.max}, bounds.finite_points);
+  const RotatedBounds box{.min = bounds.min, .max = bounds.max};
+  findFront(placed, stream, sample, turned, bounds, task);
+  placed.frame = chooseFrame(facts, options, box, [&] {
+    return placed.front
+               ? cellsOf(*placed.front, box, pointsOnFront(*placed.front, sample, turned, bounds))
+               : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
+  });
   placed.lowest_mm = bounds.min.z;
   placed.range_mm = bounds.max.z - bounds.min.z;
   placed.view_from_file =
@@ -273,20 +337,45 @@ struct StoredDepths {
   }
 };
 
+/// Heights between the points of a band of rows.
+std::vector<float> betweenOnFront(const FrontSurface& front, const GridFrame& frame,
+                                  const DepthRows& rows) {
+  std::vector<float> between = rows.between;
+  between.resize(rows.front.size(), std::numeric_limits<float>::quiet_NaN());
+  addFront(front, frame, {.first = rows.first_row, .end = rows.first_row + rows.rows},
+           rows.front.data(), between.data());
+  return between;
+}
+
+void addLeftOut(const LeftOut& left_out, StoredDepths& depths) {
+  HiddenSurface hidden = depths.hidden.value_or(HiddenSurface{});
+  hidden.hidden += static_cast<double>(left_out.hidden);
+  hidden.all += static_cast<double>(left_out.hidden);
+  depths.hidden = hidden;
+  depths.flyers += left_out.strays;
+}
+
 std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& stream,
                                          const Placed& placed, const SurfaceOptions& options,
-                                         const LargeMapOptions& large, std::size_t memory_bytes,
+                                         const LargeMapOptions& large, const MemoryPlan& plan,
                                          const Task& task) {
   TileStore store(placed.frame.size, {.merges = options.rule && isMergeable(*options.rule),
-                                      .memory_bytes = memory_bytes,
+                                      .memory_bytes = plan.points_bytes,
                                       .spill_folder = spillFolder(large),
                                       .sum_unit_mm = sumUnit(stream.info().points, placed.range_mm),
                                       .threads = large.threads});
-  scatterIntoTiles(sourceOf(stream), placed.view_from_file, placed.frame, store, task);
+  const FrontSurface* front = placed.front ? &*placed.front : nullptr;
+  const LeftOut left_out =
+      scatterIntoTiles(sourceOf(stream), placed.view_from_file, placed.frame, store, task, front);
   const RuleProposal rule = options.rule
                                 ? RuleProposal{.rule = *options.rule, .reason = "as chosen"}
                                 : proposeRule(store, placed.frame.spacing_mm, task);
   sayRule(map, rule, store.merges());
+  if (!store.merges()) {
+    store.keepWithin(
+        storeBytes(plan, placed.frame, large, store.bytesOfRows(3),
+                   store.bytesOfRows(1) / static_cast<std::size_t>(store.layout().across())));
+  }
   map.spilled_bytes = store.spilledBytes();
   // The store has its memory; depths go to the disk.
   const GridSize size = placed.frame.size;
@@ -300,7 +389,12 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
       store, rule.rule, placed.frame.spacing_mm,
       [&](const DepthRows& rows) {
         depths->front.write(rows.first_row, rows.rows, rows.front.data());
-        StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
+        if (front != nullptr) {
+          StoredDepths::keep(depths->between, rows, betweenOnFront(*front, placed.frame, rows),
+                             size, spillFolder(large));
+        } else {
+          StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
+        }
         // What shows through gaps is looked for in clouds of several layers only.
         if (!depths->one_layer) {
           StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
@@ -310,6 +404,7 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
         depths->steep.setRows(rows.first_row, rows.steep);
       },
       task);
+  if (front != nullptr) addLeftOut(left_out, *depths);
   return depths;
 }
 
@@ -323,7 +418,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   const PointStream stream(file, import, task);
   LargeMap map;
   if (large.on_view) {
-    const Scan sample = sampleOf(stream, kFirstSample, task);
+    const Scan sample = sampleOf(stream, firstRuns(stream, kFirstSample), task);
     const Surface view = viewOf(sample, options, kFirstViewCells, task);
     map.first_view_s = secondsSince(start);
     large.on_view(view);
@@ -332,7 +427,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   facts.info = stream.info();
   facts.messages = stream.info().warnings;
   chooseUnit(facts, options);
-  Scan sample = sampleOf(stream, kSecondSample, task);
+  Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
   const Placed placed = place(facts, stream, sample, options, large, task);
   const MemoryPlan plan = planMemory(placed.frame, large);
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
@@ -342,13 +437,13 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   map.seconds.read = secondsSince(start);
 
   const auto grid_start = Clock::now();
-  const auto depths = gridPoints(map, stream, placed, options, large, plan.points_bytes, task);
+  const auto depths = gridPoints(map, stream, placed, options, large, plan, task);
   map.seconds.grid = secondsSince(grid_start);
   fillAndWrite(
       map,
       {.depths = depths->rows(),
        .frame = placed.frame,
-       .fill = {.has_sampling_gaps = true},
+       .fill = {.has_sampling_gaps = true, .gaps_are_known = placed.front.has_value()},
        .hidden = depths->hidden,
        .flyers = depths->flyers},
       options, large, plan.depths_bytes,
@@ -471,7 +566,7 @@ Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& o
                       std::uint64_t points, const ImportOptions& import, const Task& task) {
   requireStreamable(file);
   const PointStream stream(file, import, task);
-  return viewOf(sampleOf(stream, points, task), options, kSecondViewCells, task);
+  return viewOf(sampleOf(stream, firstRuns(stream, points), task), options, kSecondViewCells, task);
 }
 
 }  // namespace relievo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 
 #include "core/base/grid.h"
@@ -12,8 +13,12 @@ namespace relievo {
 /// making; the scan itself is in memory already.
 std::uint64_t surfaceBytes(GridSize size);
 
-/// Bytes that can be had without swapping; nothing where the system does not say.
-std::optional<std::uint64_t> availableBytes();
+/// Bytes that can be had without swapping: of the machine, or of the control group that the process
+/// is in (a container, a batch job, a limited desktop session) where that leaves less; nothing
+/// where the system does not say. What a group keeps only to read files faster counts as free. [any
+/// thread]
+/// @param root  where /proc and /sys are found
+std::optional<std::uint64_t> availableBytes(const std::filesystem::path& root = "/");
 
 /// To be asked before the work.
 /// @throw ArgumentError  E102, with the spacing that would fit

@@ -12,6 +12,7 @@
 #include "core/depth/point_rule.h"
 #include "core/io/raster.h"
 #include "core/session/choices.h"
+#include "core/session/closed_cloud.h"
 #include "core/session/loss_words.h"
 #include "core/session/memory_guard.h"
 
@@ -53,14 +54,13 @@ void chooseUnit(Surface& surface, const SurfaceOptions& options) {
 }
 
 /// Samples so that the first and last lie on the box; the map's lower left edge becomes (0, 0).
-GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& options,
-                      const Rotation& rotation, const RotatedBounds& box,
-                      std::uint64_t points_in_all) {
+GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const RotatedBounds& box,
+                      const std::function<CellProposal()>& propose) {
   const double width = box.max.x - box.min.x;
   const double height = box.max.y - box.min.y;
   const double side = std::max(width, height);
   if (!(side > 0) || !std::isfinite(side)) {
-    throw FileError(scan.info.file.filename().string() +
+    throw FileError(surface.info.file.filename().string() +
                     ": seen from here all points lie on one spot, so there is no surface. "
                     "Nothing was made. Choose another view or another file.");
   }
@@ -76,7 +76,7 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
   } else {
     int cells = options.cells.value_or(0);
     if (!options.cells) {
-      const CellProposal proposal = proposeCells(scan, rotation, points_in_all);
+      const CellProposal proposal = propose();
       cells = proposal.cells;
       surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
                                  proposal.reason + ").");
@@ -84,8 +84,15 @@ GridFrame chooseFrame(Surface& surface, const Scan& scan, const SurfaceOptions& 
     if (cells < 2) throw ArgumentError("The grid needs at least 2 cells across.");
     spacing = side / (cells - 1);
   }
-  const double cols = std::floor(width / spacing + 0.5) + 1;
-  const double rows = std::floor(height / spacing + 0.5) + 1;
+  // A map has two samples each way at least: fewer enclose no square that could be drawn or
+  // touched.
+  const double cols = std::max(2.0, std::floor(width / spacing + 0.5) + 1);
+  const double rows = std::max(2.0, std::floor(height / spacing + 0.5) + 1);
+  if (std::min(width, height) < 0.5 * spacing) {
+    surface.messages.emplace_back(
+        "Seen from here the points lie on one line of cells, so that next to nothing can be seen "
+        "or touched. Choose another view, or more cells.");
+  }
   if (!(cols * rows <= kMostCells)) {
     throw ArgumentError("A grid of " + std::to_string(static_cast<long long>(cols)) + " x " +
                         std::to_string(static_cast<long long>(rows)) +
@@ -226,6 +233,22 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
   takeHoles(surface, std::move(filled.holes), options.holes);
 }
 
+/// What lies behind the front besides what the engine, which saw the front alone, has counted.
+void addHidden(const ClosedCloud& closed, const Scan& scan, const DepthRequest& request,
+               const CapturedDepths& depths, HiddenSurface& hidden, const Task& task) {
+  FrontDepths front = depths.front;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    if (std::isnan(front[i])) front[i] = depths.between[i];
+  }
+  DepthRequest whole{
+      .scan = scan, .view_from_file = request.view_from_file, .frame = request.frame};
+  const HiddenSurface behind = countHidden(whole, front, task);
+  hidden.hidden += static_cast<double>(closed.hidden);
+  hidden.all += static_cast<double>(closed.hidden);
+  hidden.cells = behind.cells;
+  hidden.cells_in_layers = behind.cells_in_layers;
+}
+
 }  // namespace
 
 Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const DepthEngine& engine,
@@ -240,26 +263,34 @@ Surface makeSurface(const Scan& scan, const SurfaceOptions& options, const Depth
   if (!view.note.empty()) surface.messages.push_back(view.note);
   const double mm = mmPer(surface.unit);
   const RotatedBounds box = rotatedBounds(scan, view.rotation, mm);
-  const GridFrame frame = chooseFrame(surface, scan, options, view.rotation, box, 0);
+  const std::optional<ClosedCloud> closed = closedCloud(scan, view.rotation, mm, box, task);
+  const Scan& shown = closed ? closed->visible : scan;
+  const GridFrame frame = chooseFrame(surface, options, box, [&] {
+    return closed ? cellsOf(closed->surface, box, shown.points.size())
+                  : proposeCells(scan, view.rotation);
+  });
   requireMemory(frame, availableBytes());
   const double dx = frame.first_x_mm - box.min.x;
   const double dy = frame.first_y_mm - box.min.y;
   // Depths relative to the box's lowest z, so that float holds them well whatever the elevation.
-  const DepthRequest request{.scan = scan,
+  const DepthRequest request{.scan = shown,
                              .view_from_file = viewFromFile(view.rotation, mm, dx, dy, -box.min.z),
                              .frame = frame,
                              .rule = requestedRule(scan, options)};
   CapturedDepths depths = engine(request, task);
   sayRule(surface, scan, depths);
-  const HiddenSurface hidden =
-      depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
-  const std::size_t flyers = depths.flyers;
+  if (closed) addFront(closed->surface, frame, depths);
+  HiddenSurface hidden = depths.hidden ? *depths.hidden : countHidden(request, depths.front, task);
+  if (closed) addHidden(*closed, scan, request, depths, hidden, task);
+  const std::size_t flyers = depths.flyers + (closed ? closed->strays : 0);
   surface.depth_buffer = depths.depth_buffer;
   surface.seconds.grid = watch.lap();
 
   task.report("Filling gaps", 0.0);
-  FilledMap filled = fillDepths(std::move(depths), frame,
-                                {.has_sampling_gaps = scan.triangles.empty()}, options.holes, task);
+  FilledMap filled = fillDepths(
+      std::move(depths), frame,
+      {.has_sampling_gaps = scan.triangles.empty(), .gaps_are_known = closed.has_value()},
+      options.holes, task);
   surface.seconds.fill = watch.lap();
   surface.view_name = view.name;
   surface.engine = options.engine;

@@ -93,12 +93,13 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
         "treatment of holes, or leave out --memory.");
   }
   markMeasured(task);
-  int radius = source_.has_sampling_gaps ? gapRadius() : 0;
-  if (source_.has_sampling_gaps && !given_.one_layer) {
+  const bool looks_for_gaps = source_.has_sampling_gaps && !source_.gaps_are_known;
+  int radius = looks_for_gaps ? gapRadius() : 0;
+  if (looks_for_gaps && !given_.one_layer) {
     dropSeenThroughBands(radius + 1, task);
     radius = gapRadius();
   }
-  findHoles(radius, task);
+  findHoles(source_.gaps_are_known ? kCrackRadius : radius, task);
   pullAll(task);
 }
 
@@ -241,8 +242,11 @@ void BandFill::findHoles(int radius, const Task& task) {
         task.check();
         const Band band = bandOf(number, 2 * radius, 1);
         const GridSize size{.cols = frame_.size.cols, .rows = band.to - band.from};
-        bands[static_cast<std::size_t>(place)] =
-            closed(measured_.bytes(band.from, size.rows), size, radius);
+        Mask mask = measured_.bytes(band.from, size.rows);
+        if (source_.gaps_are_known && given_.between) {
+          mask = withBetween(std::move(mask), read(given_.between, band));
+        }
+        bands[static_cast<std::size_t>(place)] = closed(mask, size, radius);
       },
       [&](int place, int number) {
         const Band band = bandOf(number, 2 * radius, 1);

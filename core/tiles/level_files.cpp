@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "core/io/number_text.h"
+#include "core/io/tiff_head.h"
 #include "core/tiles/tile_raster.h"
 
 namespace relievo {
@@ -26,6 +27,17 @@ std::filesystem::path originFile(const std::filesystem::path& level) {
   std::filesystem::path file = level;
   return file.replace_extension(".origin.tif");
 }
+
+namespace {
+
+/// Is this a level's file that we wrote? Anything else of that name is left alone.
+bool isLevel(const std::filesystem::path& file, int level) {
+  const RasterFacts facts = rasterFacts(file);
+  const auto number = facts.find("RELIEVO_LEVEL");
+  return number != facts.end() && number->second == std::to_string(level);
+}
+
+}  // namespace
 
 struct LevelFiles::Level {
   Level(const std::filesystem::path& file, const GridFrame& frame, int number)
@@ -49,6 +61,12 @@ LevelFiles::LevelFiles(const std::filesystem::path& finest, const GridFrame& map
       options_(options),
       frames_(PyramidRows::frames(map, options)),
       pyramid_(map, options, [this](const LevelRow& row) { take(row); }) {
+  // Nobody named these files; what is there under their names may be anybody's.
+  for (int level = 0; level < static_cast<int>(frames_.size()); ++level) {
+    const std::filesystem::path file = levelFile(finest, level);
+    if (level > 0) requireOwnOrAbsent(file);
+    requireOwnOrAbsent(originFile(file));
+  }
   for (int level = 0; level < static_cast<int>(frames_.size()); ++level) {
     levels_.push_back(std::make_unique<Level>(levelFile(finest, level),
                                               frames_[static_cast<std::size_t>(level)], level));
@@ -121,10 +139,10 @@ void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& s
     levels_[l]->heights.keep();
   }
   std::error_code ignored;
-  for (int l = static_cast<int>(levels_.size());; ++l) {
+  for (int l = static_cast<int>(levels_.size()); isLevel(levelFile(finest_, l), l); ++l) {
     const std::filesystem::path stale = levelFile(finest_, l);
-    if (!std::filesystem::remove(stale, ignored)) break;
-    std::filesystem::remove(originFile(stale), ignored);
+    std::filesystem::remove(stale, ignored);
+    if (isLevel(originFile(stale), l)) std::filesystem::remove(originFile(stale), ignored);
   }
 }
 

@@ -28,7 +28,9 @@ std::filesystem::path originFile(const std::filesystem::path& level);
 /// object are NaN in the finest level and masked in the others. docs/adr/0037.
 class LevelFiles {
  public:
-  /// @param finest  file of level 0 @throw WriteError, ArgumentError
+  /// @param finest  file of level 0
+  /// @throw WriteError  also if a level or its origins would replace a file that is not ours;
+  ///                    ArgumentError
   LevelFiles(const std::filesystem::path& finest, const GridFrame& map,
              const PyramidOptions& options);
   ~LevelFiles();
@@ -39,7 +41,7 @@ class LevelFiles {
   void add(const float* heights_mm, const Origin* origins);
 
   /// After the last row: all files get their names; before, nothing is changed on disk but files
-  /// with temporary names. Levels of an older map that go further are removed.
+  /// with temporary names. Levels of an older map of ours that go further are removed.
   /// @param state  becomes every file's image description, as MapFileOptions::state; empty: none
   /// @throw WriteError
   void finish(const ViewFromFile& view_from_file, const std::string& state = {});

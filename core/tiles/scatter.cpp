@@ -19,12 +19,14 @@ namespace {
 /// were never rounded to float.
 class TileFromPoint {
  public:
-  TileFromPoint(const ViewFromFile& view_from_file, const GridFrame& frame)
-      : view_from_file_(view_from_file), frame_(frame), layout_{frame.size} {}
+  TileFromPoint(const ViewFromFile& view_from_file, const GridFrame& frame,
+                const FrontSurface* front)
+      : view_from_file_(view_from_file), frame_(frame), layout_{frame.size}, front_(front) {}
 
-  /// @return  false if the point is not on the grid
-  bool operator()(const FilePoint& p, TilePoint& out) const noexcept {
+  /// @return  false if the point is not on the grid, or not on the front
+  bool operator()(const FilePoint& p, TilePoint& out, LeftOut& left_out) const noexcept {
     const ViewMm v = view_from_file_(p);
+    if (front_ != nullptr && !isFront(v, left_out)) return false;
     const double x = (v.x - frame_.first_x_mm) / frame_.spacing_mm;
     const double y = (v.y - frame_.first_y_mm) / frame_.spacing_mm;
     const int col = nearestIndex(x, frame_.size.cols);
@@ -43,22 +45,39 @@ class TileFromPoint {
   }
 
  private:
+  /// The grid's first sample and the lowest point are the front's corner.
+  bool isFront(const ViewMm& v, LeftOut& left_out) const noexcept {
+    if (!isFinite(v)) return false;
+    const FrontSurface::Side side =
+        front_->sideOf({v.x - frame_.first_x_mm, v.y - frame_.first_y_mm, v.z});
+    left_out.hidden += side == FrontSurface::Side::hidden ? 1 : 0;
+    left_out.strays += side == FrontSurface::Side::stray ? 1 : 0;
+    return side == FrontSurface::Side::front;
+  }
+
   ViewFromFile view_from_file_;
   GridFrame frame_;
   TileLayout layout_;
+  const FrontSurface* front_;
 };
 
-std::vector<TilePoint> readPart(const PointSource& source, const TileFromPoint& tile_from_point,
-                                std::uint64_t first, std::uint64_t end) {
+/// What one thread makes of its share of the points.
+struct TilePart {
   std::vector<TilePoint> points;
-  points.reserve(end - first);
+  LeftOut left_out;
+};
+
+TilePart readPart(const PointSource& source, const TileFromPoint& tile_from_point,
+                  std::uint64_t first, std::uint64_t end) {
+  TilePart part;
+  part.points.reserve(end - first);
   forEachBlock(source, first, end, [&](std::span<const FilePoint> block) {
     for (const FilePoint& p : block) {
       TilePoint point;
-      if (tile_from_point(p, point)) points.push_back(point);
+      if (tile_from_point(p, point, part.left_out)) part.points.push_back(point);
     }
   });
-  return points;
+  return part;
 }
 
 using Points = std::vector<CellPoint>;
@@ -247,22 +266,29 @@ bool isMergeable(PointRule rule) {
   return rule == PointRule::front || rule == PointRule::second || rule == PointRule::mean;
 }
 
-void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
-                      const GridFrame& frame, TileStore& store, const Task& task) {
-  const TileFromPoint tile_from_point(view_from_file, frame);
+LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
+                         const GridFrame& frame, TileStore& store, const Task& task,
+                         const FrontSurface* front) {
+  const TileFromPoint tile_from_point(view_from_file, frame, front);
   const std::uint64_t step = store.pointsAtOnce();
-  std::vector<std::vector<TilePoint>> parts(static_cast<std::size_t>(store.threads()));
+  std::vector<TilePart> parts(static_cast<std::size_t>(store.threads()));
+  LeftOut left_out;
   for (std::uint64_t start = 0; start < source.count; start += step) {
     task.check();
     task.report("Sorting points into tiles",
                 static_cast<double>(start) / static_cast<double>(source.count));
     const std::uint64_t end = std::min(start + step, source.count);
-    for (auto& part : parts) part.clear();
+    for (TilePart& part : parts) part = {};
     inParts(start, end, store.threads(), [&](int part, std::uint64_t first, std::uint64_t last) {
       parts[static_cast<std::size_t>(part)] = readPart(source, tile_from_point, first, last);
     });
-    for (const auto& part : parts) store.add(part);
+    for (const TilePart& part : parts) {
+      store.add(part.points);
+      left_out.hidden += part.left_out.hidden;
+      left_out.strays += part.left_out.strays;
+    }
   }
+  return left_out;
 }
 
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task) {

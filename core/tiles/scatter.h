@@ -9,6 +9,7 @@
 #include "core/base/grid.h"
 #include "core/base/task.h"
 #include "core/depth/depth_request.h"
+#include "core/depth/front_surface.h"
 #include "core/depth/point_rule.h"
 #include "core/tiles/point_source.h"
 #include "core/tiles/tile_store.h"
@@ -18,11 +19,18 @@ namespace relievo {
 /// Can the rule be computed from CellState alone?
 bool isMergeable(PointRule rule);
 
+/// Points that were not put into tiles, because something is before them or no surface is there.
+struct LeftOut {
+  std::uint64_t hidden = 0, strays = 0;
+};
+
 /// Reads all points and puts each into the tile of its nearest sample; those outside the grid are
 /// left out. [worker]
+/// @param front  of a cloud that lies behind itself: only points on it count; null: all do
 /// @throw Cancelled, FileError, WriteError
-void scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
-                      const GridFrame& frame, TileStore& store, const Task& task);
+LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
+                         const GridFrame& frame, TileStore& store, const Task& task,
+                         const FrontSurface* front = nullptr);
 
 /// proposeRule of core/depth: the same rows of the map are looked at. Only if the store does not
 /// merge. [worker] @throw Cancelled

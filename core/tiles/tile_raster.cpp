@@ -10,12 +10,14 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
-#include <system_error>
+#include <optional>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
+#include "core/io/replaced_file.h"
+#include "core/io/tiff_head.h"
 #include "core/tiles/tile_layout.h"
 
 namespace relievo {
@@ -31,38 +33,18 @@ GDALDriver& geoTiffDriver() {
   return *GetGDALDriverManager()->GetDriverByName("GTiff");
 }
 
-Dataset openGeoTiff(const std::filesystem::path& file) {
-  geoTiffDriver();
-  const char* const drivers[] = {"GTiff", nullptr};
-  return Dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
-}
-
-RasterFacts factsOf(GDALDataset& dataset) {
-  RasterFacts facts;
-  char** const metadata = dataset.GetMetadata();
-  for (int i = 0; i < CSLCount(metadata); ++i) {
-    const std::string entry = metadata[i];
-    const std::size_t equals = entry.find('=');
-    if (equals != std::string::npos) facts[entry.substr(0, equals)] = entry.substr(equals + 1);
-  }
-  return facts;
-}
-
-[[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
-  throw WriteError("Cannot write " + file.string() + ": " + reason +
-                   ". Check the folder, its permissions and the free space.");
-}
-
 }  // namespace
 
 struct TileRasterWriter::Impl {
-  std::filesystem::path file, temporary;
+  explicit Impl(const std::filesystem::path& name) : file(name), written(name) {}
+
+  std::filesystem::path file;
+  ReplacedFile written;
   GridFrame frame;
   Layout layout;
   Dataset dataset;
   std::vector<std::vector<std::byte>> rows;  ///< Per band: the rows of one row of tiles.
   int next_row = 0;                          ///< From the lowest.
-  bool kept = false;
 
   GDALDataType type() const { return layout.cell_bytes == 4 ? GDT_Float32 : GDT_Byte; }
   std::size_t lineBytes() const {
@@ -80,13 +62,14 @@ void TileRasterWriter::Impl::create() {
       "TILED=YES",        "BLOCKXSIZE=256", "BLOCKYSIZE=256",    "INTERLEAVE=BAND",
       "BIGTIFF=IF_SAFER", "COMPRESS=NONE",  "ENDIANNESS=LITTLE", nullptr};
   const GridSize size = frame.size;
-  dataset.reset(geoTiffDriver().Create(temporary.c_str(), size.cols, size.rows, layout.bands,
+  dataset.reset(geoTiffDriver().Create(written.path().c_str(), size.cols, size.rows, layout.bands,
                                        type(), const_cast<char**>(options)));
   if (!dataset) cannotWrite(file, errors.first());
   const double s = frame.spacing_mm;
   std::array<double, 6> transform{frame.first_x_mm - 0.5 * s,         s, 0,
                                   frame.yMm(size.rows - 1) + 0.5 * s, 0, -s};
   dataset->SetGeoTransform(transform.data());
+  dataset->SetProjection(kViewSystem);
   if (layout.nan_is_nodata) {
     dataset->GetRasterBand(1)->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
   }
@@ -138,21 +121,15 @@ void TileRasterWriter::Impl::writeMask(const BitRows& mask, const GdalErrors& er
 
 TileRasterWriter::TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame,
                                    const Layout& layout)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->file = file;
-  impl_->temporary = file.parent_path() /
-                     ("." + file.stem().string() + "." + std::to_string(::getpid()) + ".tmp.tif");
+    : impl_(std::make_unique<Impl>(file)) {
   impl_->frame = frame;
   impl_->layout = layout;
   impl_->create();
 }
 
 TileRasterWriter::~TileRasterWriter() {
-  if (impl_->kept) return;
   const GdalErrors silent;
   impl_->dataset.reset();
-  std::error_code ignored;
-  std::filesystem::remove(impl_->temporary, ignored);
 }
 
 void TileRasterWriter::add(std::span<const void* const> bands) {
@@ -179,10 +156,7 @@ void TileRasterWriter::close(const RasterFacts& facts, const BitRows* mask) {
 }
 
 void TileRasterWriter::keep() {
-  std::error_code error;
-  std::filesystem::rename(impl_->temporary, impl_->file, error);
-  if (error) cannotWrite(impl_->file, error.message());
-  impl_->kept = true;
+  impl_->written.keep();
 }
 
 namespace {
@@ -192,34 +166,19 @@ namespace {
                   ". Make the levels again with relievo pyramid --memory.");
 }
 
-void checkLayout(GDALDataset& dataset, const std::filesystem::path& file, std::size_t cell_bytes,
+void checkLayout(const TiffHead& head, const std::filesystem::path& file, std::size_t cell_bytes,
                  int bands) {
-  if (dataset.GetRasterCount() != bands) refuse(file, "it has another number of bands");
-  const char* const compression = dataset.GetMetadataItem("COMPRESSION", "IMAGE_STRUCTURE");
-  const char* const interleave = dataset.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
-  if (compression != nullptr) refuse(file, "it is compressed");
-  if (bands > 1 && (interleave == nullptr || std::strcmp(interleave, "BAND") != 0)) {
-    refuse(file, "its bands are mixed");
+  if (head.bands != static_cast<std::uint32_t>(bands))
+    refuse(file, "it has another number of bands");
+  if (head.compression != 1) refuse(file, "it is compressed");
+  if (bands > 1 && head.planes != 2) refuse(file, "its bands are mixed");
+  if (head.tile_cols != kTileSide || head.tile_rows != kTileSide) {
+    refuse(file, "its tiles have another size");
   }
-  GDALRasterBand& band = *dataset.GetRasterBand(1);
-  int width = 0;
-  int height = 0;
-  band.GetBlockSize(&width, &height);
-  if (width != kTileSide || height != kTileSide) refuse(file, "its tiles have another size");
-  if (band.GetRasterDataType() != (cell_bytes == 4 ? GDT_Float32 : GDT_Byte)) {
+  if (head.bits != 8 * cell_bytes || head.sample_format != (cell_bytes == 4 ? 3U : 1U)) {
     refuse(file, "its cells are of another type");
   }
-  const std::string head = readHead(file, 2);
-  if (head != "II") refuse(file, "its bytes are in another order");
-}
-
-std::uint64_t tileOffset(GDALDataset& dataset, const std::filesystem::path& file, int band, int x,
-                         int y, std::uint64_t last) {
-  const std::string name = "BLOCK_OFFSET_" + std::to_string(x) + "_" + std::to_string(y);
-  const char* const text = dataset.GetRasterBand(band)->GetMetadataItem(name.c_str(), "TIFF");
-  const std::uint64_t offset = text == nullptr ? 0 : std::strtoull(text, nullptr, 10);
-  if (offset == 0 || offset > last) refuse(file, "a tile is missing");
-  return offset;
+  if (!head.little_endian) refuse(file, "its bytes are in another order");
 }
 
 }  // namespace
@@ -227,21 +186,19 @@ std::uint64_t tileOffset(GDALDataset& dataset, const std::filesystem::path& file
 TileRaster::TileRaster(const std::filesystem::path& file, std::size_t cell_bytes, int bands)
     : file_(file), cell_bytes_(cell_bytes) {
   const std::uint64_t bytes = checkedFileSize(file);
-  const GdalErrors errors;
-  const Dataset dataset = openGeoTiff(file);
-  if (!dataset) refuse(file, "it is no readable GeoTIFF");
-  checkLayout(*dataset, file, cell_bytes, bands);
-  size_ = {.cols = dataset->GetRasterXSize(), .rows = dataset->GetRasterYSize()};
-  facts_ = factsOf(*dataset);
-  if (bytes < tileBytes()) refuse(file, "a tile is missing");
-  const TileLayout layout{size_};
-  for (int band = 1; band <= bands; ++band) {
-    for (int y = 0; y < layout.down(); ++y) {
-      for (int x = 0; x < layout.across(); ++x) {
-        offsets_.push_back(tileOffset(*dataset, file, band, x, y, bytes - tileBytes()));
-      }
-    }
-  }
+  std::optional<TiffHead> head = readTiffHead(file);
+  if (!head) refuse(file, "it is no readable GeoTIFF");
+  checkLayout(*head, file, cell_bytes, bands);
+  size_ = {.cols = static_cast<int>(head->cols), .rows = static_cast<int>(head->rows)};
+  facts_ = std::move(head->facts);
+  offsets_ = std::move(head->tile_offsets);
+  const auto tiles = static_cast<std::uint64_t>(TileLayout{size_}.count());
+  const bool all_there = bytes >= tileBytes() &&
+                         offsets_.size() == tiles * static_cast<std::uint64_t>(bands) &&
+                         std::all_of(offsets_.begin(), offsets_.end(), [&](std::uint64_t offset) {
+                           return offset != 0 && offset <= bytes - tileBytes();
+                         });
+  if (!all_there) refuse(file, "a tile is missing");
   fd_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (fd_ < 0) refuse(file, std::strerror(errno));
 }
@@ -272,9 +229,12 @@ void TileRaster::read(int band, int tile, std::span<std::byte> out) const {
 }
 
 RasterFacts rasterFacts(const std::filesystem::path& file) {
-  const GdalErrors silent;
-  const Dataset dataset = openGeoTiff(file);
-  return dataset ? factsOf(*dataset) : RasterFacts{};
+  try {
+    auto head = readTiffHead(file);
+    return head ? std::move(head->facts) : RasterFacts{};
+  } catch (const FileError&) {  // Whoever reads it says so.
+    return {};
+  }
 }
 
 }  // namespace relievo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/tiles/tile_store.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -129,6 +131,33 @@ void TileStore::makeRoom(std::size_t needed) {
   }
 }
 
+std::size_t TileStore::bytesOfRows(int rows) const {
+  std::vector<std::size_t> points(static_cast<std::size_t>(layout_.down()), 0);
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    std::size_t& row = points[i / static_cast<std::size_t>(layout_.across())];
+    row += tiles_[i].points;
+    for (const Run& run : tiles_[i].runs) row += run.states ? 0 : run.count;
+  }
+  std::size_t most = 0;
+  for (std::size_t first = 0; first < points.size(); ++first) {
+    std::size_t sum = 0;
+    for (std::size_t row = first;
+         row < points.size() && row < first + static_cast<std::size_t>(rows); ++row) {
+      sum += points[row];
+    }
+    most = std::max(most, sum);
+  }
+  return most * sizeof(CellPoint);
+}
+
+void TileStore::keepWithin(std::size_t bytes) {
+  options_.memory_bytes = std::min(options_.memory_bytes, bytes);
+  if (resident_bytes_ > options_.memory_bytes) makeRoom(0);
+  std::vector<std::unique_ptr<Block>>().swap(free_blocks_);
+  std::vector<TilePoint>().swap(sorted_);
+  ::malloc_trim(0);  // Blocks are small, so that the C library would keep them.
+}
+
 std::unique_ptr<TileStore::Block> TileStore::takeBlock() {
   resident_bytes_ += sizeof(Block);
   if (free_blocks_.empty()) return std::make_unique<Block>();
@@ -239,6 +268,9 @@ std::vector<CellPoint> TileStore::points(int tile_number) const {
   assert(!options_.merges);
   const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
   std::vector<CellPoint> points;
+  std::size_t count = tile.points;
+  for (const Run& run : tile.runs) count += run.count;
+  points.reserve(count);  // Grown step by step it would take up to twice the room.
   for (const Run& run : tile.runs) {
     const std::size_t start = points.size();
     points.resize(start + run.count);

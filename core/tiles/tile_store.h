@@ -57,6 +57,13 @@ class TileStore {
   /// merge. [any thread, after the last add] @throw WriteError
   std::vector<CellPoint> points(int tile) const;
 
+  /// Bytes of the points of the fullest `rows` rows of tiles that follow each other. [owner]
+  std::size_t bytesOfRows(int rows) const;
+
+  /// Gives memory back: from now on at most `bytes` are kept, the rest goes to the spill file. To
+  /// be asked after the last add. [owner] @throw WriteError
+  void keepWithin(std::size_t bytes);
+
   std::uint64_t pointCount() const noexcept { return point_count_; }
   std::size_t residentBytes() const noexcept { return resident_bytes_; }
   std::uint64_t spilledBytes() const noexcept { return spill_.size(); }

@@ -84,6 +84,8 @@ class Pages : public testing::Test {
     fs::create_symlink(samples / "panel.ply", here("panel.ply"));
     fs::create_symlink(samples / "panel.ply", here("scan.ply"));
     fs::create_symlink(samples / "coin.ply", here("survey.ply"));
+    fs::create_symlink(samples / "coin.ply", here("left.ply"));
+    fs::create_symlink(samples / "coin.ply", here("right.ply"));
     fs::create_directories(here("scans"));
     fs::create_directories(here("build/release/figures"));
     std::ofstream(here("stroke.csv")) << "t_s,x_mm,y_mm,z_mm\n0,120,85,60\n0.2,120,85,30\n";

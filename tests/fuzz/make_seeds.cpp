@@ -18,6 +18,7 @@
 #include "core/io/scan_transport.h"
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/laz_sample.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/emulator/made_image.h"
 
@@ -143,6 +144,27 @@ void addLas(const Seeds& seeds) {
       R"(COMPD_CS["d",PROJCS["a",GEOGCS["b",UNIT["degree",0.017]],UNIT["metre",1]],VERT_CS["e",UNIT["US survey foot",0.3048006096012192]]])";
   las.variable_records = variableRecord(2112, text);
   both("wkt");
+}
+
+void addLaz(const Seeds& seeds) {
+  for (const int format : {0, 1, 3, 6, 7, 8}) {
+    Laz laz;
+    laz.how = {.format = format, .extra_bytes = format == 3 || format == 8 ? 2U : 0U};
+    laz.records = wanderingRecords(laz.how, 40, format == 8 ? 3 : 1);
+    laz.chunk_points = 25;
+    const std::string bytes = lazFile(laz).bytes;
+    seeds.add("laz", "format_" + std::to_string(format), bytes);
+    seeds.add("stream", "laz_" + std::to_string(format), bytes);
+    if (format < 6) continue;
+    laz.chunk_points = ~std::uint32_t{0};
+    laz.chunks = {10, 5, 12, 13};
+    laz.levels = {0, 1, 2, 2};
+    seeds.add("copc", "format_" + std::to_string(format), lazFile(laz).bytes);
+  }
+  Laz stream;
+  stream.records = wanderingRecords(stream.how, 20);
+  stream.one_stream = true;
+  seeds.add("laz", "one_stream", lazFile(stream).bytes);
 }
 
 void addE57(const Seeds& seeds) {
@@ -308,6 +330,7 @@ int main(int argc, char** argv) {
   addText(seeds);
   addThreeDs(seeds);
   addLas(seeds);
+  addLaz(seeds);
   addE57(seeds);
   addRasters(seeds, folder);
   addAnswers(seeds);

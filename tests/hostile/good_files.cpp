@@ -6,6 +6,7 @@
 
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/laz_sample.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/hostile/hostile_files.h"
 
@@ -84,6 +85,16 @@ std::vector<HostileFile> goodFiles() {
   const std::string le = "binary_little_endian";
   PcdWords binary;
   binary.data = "binary";
+  Laz packed;
+  packed.how.format = 1;
+  packed.records = wanderingRecords(packed.how, 30);
+  packed.chunk_points = 20;
+  Laz copc;
+  copc.how.format = 8;
+  copc.records = wanderingRecords(copc.how, 30, 2);
+  copc.chunk_points = 0xFFFFFFFFU;
+  copc.chunks = {10, 20};
+  copc.levels = {0, 1};
   Las las14;
   las14.minor = 4;
   las14.format = 6;
@@ -111,6 +122,8 @@ std::vector<HostileFile> goodFiles() {
            10),
       good("old.las", lasFile({}), 10),
       good("new.las", lasFile(las14), 10),
+      good("packed.laz", lazFile(packed).bytes, 30),
+      good("packed.copc.laz", lazFile(copc).bytes, 30),
       good("scan.e57", e57(), 10),
       good("heights.tif", raster("GTiff", GDT_Float32), 16),
       good("heights.png", raster("PNG", GDT_UInt16), 16),

@@ -8,6 +8,7 @@
 
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/laz_sample.h"
 #include "tests/core/io/sample_files.h"
 
 namespace relievo::test {
@@ -185,6 +186,42 @@ void addLies(std::vector<HostileFile>& files) {
   }
 }
 
+/// LAZ and COPC that promise too much, or lead astray.
+void addLaz(std::vector<HostileFile>& files) {
+  const auto refused = [&](const std::string& name, const std::string& bytes) {
+    files.push_back({name, bytes, Outcome::refused, 0, 0});
+  };
+  Laz laz;
+  laz.how.format = 3;
+  laz.records = wanderingRecords(laz.how, 20);
+  laz.chunk_points = 0xFFFFFFFEU;
+  const LazBytes one = lazFile(laz);
+  refused("bomb.laz", patched(one.bytes, 107, bytesOf(0xFFFFFFFDU)));
+  refused("table_0.laz", patched(one.bytes, one.points_at, bytesOf(std::uint64_t{0})));
+  refused("table_far.laz", patched(one.bytes, one.points_at, bytesOf(~std::uint64_t{1})));
+  refused("table_end.laz", patched(one.bytes, one.points_at, bytesOf(~std::uint64_t{0})));
+  refused("chunks.laz", patched(one.bytes, one.table_at + 4, bytesOf(0xFFFFFFFFU)));
+  refused("items.laz", patched(one.bytes, one.packing_at + 32, bytesOf(std::uint16_t{0xFFFF})));
+  laz.one_stream = true;
+  const LazBytes stream = lazFile(laz);
+  refused("stream_bomb.laz", patched(stream.bytes, 107, bytesOf(0xFFFFFFFFU)));
+  laz.one_stream = false;
+  laz.how.format = 7;
+  laz.records = wanderingRecords(laz.how, 20);
+  laz.chunk_points = 0xFFFFFFFFU;
+  laz.chunks = {5, 15};
+  laz.levels = {0, 2};
+  const LazBytes copc = lazFile(laz);
+  refused("points_64.copc.laz", patched(copc.bytes, 247, bytesOf(std::uint64_t{1} << 63U)));
+  refused("layers.copc.laz", patched(copc.bytes, copc.chunks_at[0] + 40, bytesOf(0xFFFFFFFFU)));
+  refused("circle.copc.laz",
+          patched(copc.bytes, copc.child_at + 16,
+                  bytesOf(std::uint64_t{copc.child_at}) + bytesOf(32) + bytesOf(-1)));
+  refused("page_far.copc.laz",
+          patched(copc.bytes, copc.root_at + 48, bytesOf(std::uint64_t{1} << 60U)));
+  refused("page_huge.copc.laz", patched(copc.bytes, copc.root_at + 56, bytesOf(0x7FFFFFE0)));
+}
+
 /// LAS, E57, 3DS and rasters by changed bytes of good ones.
 void addBinaryLies(const std::vector<HostileFile>& good, std::vector<HostileFile>& files) {
   const auto of = [&](const std::string& name) {
@@ -207,7 +244,8 @@ void addBinaryLies(const std::vector<HostileFile>& good, std::vector<HostileFile
   }
   refused("count_64.las", patched(las14, 247, bytesOf(std::uint64_t{1} << 63U)));
   refused("format_127.las", patched(las, 104, "\x3F"));
-  refused("packed.laz", patched(las, 104, "\x80"));
+  refused("not_packed.laz", patched(las, 104, "\x80"));
+  addLaz(files);
   refused("record_0.las", patched(las, 105, bytesOf(std::uint16_t{0})));
   refused("points_at_end.las", patched(las, 96, bytesOf(0xFFFFFFFFU)));
   refused("scale_nan.las", patched(las, 131, bytesOf(std::nan(""))));

@@ -3,10 +3,10 @@
 #include <QVTKOpenGLNativeWidget.h>
 #include <clocale>
 #include <iostream>
-#include <QApplication>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 
+#include "ui/guarded_application.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/offscreen.h"
 
@@ -17,7 +17,9 @@ int main(int argc, char** argv) {
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
   qputenv("QT_QPA_PLATFORM", "xcb");
-  QApplication app(argc, argv);
+  relievo::GuardedApplication app(argc, argv);
+  // What the program would survive fails here, unless a test asks for it.
+  app.tellTo([](const QString& sentence) { ADD_FAILURE() << sentence.toStdString(); });
   std::setlocale(LC_NUMERIC, "C");
   QLocale::setDefault(QLocale(QLocale::English));
   relievo::installAccessibleViews();

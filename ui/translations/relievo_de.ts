@@ -76,10 +76,6 @@
         <translation>Punkte werden gelesen</translation>
     </message>
     <message>
-        <source>unpacking</source>
-        <translation>wird entpackt</translation>
-    </message>
-    <message>
         <source>front-most point</source>
         <translation>vorderster Punkt</translation>
     </message>
@@ -1613,6 +1609,133 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>Diese Karte wird in Kacheln gelesen, so wie sie gemacht wurde; nichts wurde geändert. Um sie anders zu machen, rufen Sie relievo depthmap --memory mit ihrem Scan und der gewünschten Auswahl auf.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExportDialog</name>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>What the other program reads</source>
+        <translation>Was das andere Programm liest</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>How much of the map is written</source>
+        <translation>Wie viel der Karte geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>In which coordinates and unit heights are written</source>
+        <translation>In welchen Koordinaten und welcher Einheit Höhen geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where it is written</source>
+        <translation>Wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>D&amp;urchsuchen…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>Durchsuchen</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>Einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>F&amp;ormat</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>&amp;Teil</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Cloud-optimised GeoTIFF (.tif)</source>
+        <translation>Cloud-optimiertes GeoTIFF (.tif)</translation>
+    </message>
+    <message>
+        <source>GeoTIFF that relievo opens again (.tif)</source>
+        <translation>GeoTIFF, das relievo wieder öffnet (.tif)</translation>
+    </message>
+    <message>
+        <source>Mesh for web viewers, glTF (.glb)</source>
+        <translation>Netz für Webbetrachter, glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh, PLY (.ply)</source>
+        <translation>Netz, PLY (.ply)</translation>
+    </message>
+    <message>
+        <source>Plate to print, STL (.stl)</source>
+        <translation>Platte zum Drucken, STL (.stl)</translation>
+    </message>
+    <message>
+        <source>Points as text (.xyz)</source>
+        <translation>Punkte als Text (.xyz)</translation>
+    </message>
+    <message>
+        <source>ESRI ASCII grid (.asc)</source>
+        <translation>ESRI-ASCII-Raster (.asc)</translation>
+    </message>
+    <message>
+        <source>VTK image (.vti)</source>
+        <translation>VTK-Bild (.vti)</translation>
+    </message>
+    <message>
+        <source>Whole map</source>
+        <translation>Ganze Karte</translation>
+    </message>
+    <message>
+        <source>Whole map, detail %1 of %2</source>
+        <translation>Ganze Karte, Detail %1 von %2</translation>
+    </message>
+    <message>
+        <source>Window, 200 x 200 samples</source>
+        <translation>Ausschnitt, 200 x 200 Stützstellen</translation>
+    </message>
+    <message>
+        <source>Millimetres above the base plane</source>
+        <translation>Millimeter über der Grundebene</translation>
+    </message>
+    <message>
+        <source>Those of the file</source>
+        <translation>Die der Datei</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells, about %3</source>
+        <translation>%1 x %2 Zellen, etwa %3</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>&amp;Koordinaten</translation>
     </message>
 </context>
 <context>
@@ -4230,6 +4353,18 @@
     <message>
         <source>Another &amp;folder…</source>
         <translation>Anderer &amp;Ordner …</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>A map or mesh for other programs</source>
+        <translation>Karte oder Netz für andere Programme</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>Abgebrochen. Nichts wurde exportiert.</translation>
     </message>
 </context>
 <context>

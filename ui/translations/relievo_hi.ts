@@ -76,10 +76,6 @@
         <translation>बिंदु पढ़े जा रहे हैं</translation>
     </message>
     <message>
-        <source>unpacking</source>
-        <translation>खोला जा रहा है</translation>
-    </message>
-    <message>
         <source>front-most point</source>
         <translation>सबसे आगे का बिंदु</translation>
     </message>
@@ -1613,6 +1609,133 @@
     <message>
         <source>This map is read by tiles, as it was made; nothing was changed. To make it otherwise, run relievo depthmap --memory on its scan, with the choices you want.</source>
         <translation>यह मानचित्र टाइलों में, जैसा बना था वैसा ही पढ़ा जाता है; कुछ नहीं बदला गया। इसे दूसरे ढंग से बनाने के लिए इसके स्कैन पर अपने विकल्पों के साथ relievo depthmap --memory चलाएँ।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::ExportDialog</name>
+    <message>
+        <source>Format</source>
+        <translation>प्रारूप</translation>
+    </message>
+    <message>
+        <source>What the other program reads</source>
+        <translation>दूसरा प्रोग्राम क्या पढ़ता है</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>भाग</translation>
+    </message>
+    <message>
+        <source>How much of the map is written</source>
+        <translation>मानचित्र का कितना भाग लिखा जाए</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>निर्देशांक</translation>
+    </message>
+    <message>
+        <source>In which coordinates and unit heights are written</source>
+        <translation>ऊँचाइयाँ किन निर्देशांकों और किस इकाई में लिखी जाएँ</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>निर्यात</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>फ़ाइल</translation>
+    </message>
+    <message>
+        <source>Where it is written</source>
+        <translation>कहाँ लिखा जाए</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>आकार</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>ढूँढें (&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Browse</source>
+        <translation>ढूँढें</translation>
+    </message>
+    <message>
+        <source>Choose another place</source>
+        <translation>दूसरी जगह चुनें</translation>
+    </message>
+    <message>
+        <source>F&amp;ormat</source>
+        <translation>प्रारूप (&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Part</source>
+        <translation>भाग (&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>फ़ाइल (&amp;F)</translation>
+    </message>
+    <message>
+        <source>Cloud-optimised GeoTIFF (.tif)</source>
+        <translation>क्लाउड-अनुकूल GeoTIFF (.tif)</translation>
+    </message>
+    <message>
+        <source>GeoTIFF that relievo opens again (.tif)</source>
+        <translation>GeoTIFF जिसे relievo फिर खोलता है (.tif)</translation>
+    </message>
+    <message>
+        <source>Mesh for web viewers, glTF (.glb)</source>
+        <translation>वेब दर्शकों के लिए जाल, glTF (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh, PLY (.ply)</source>
+        <translation>जाल, PLY (.ply)</translation>
+    </message>
+    <message>
+        <source>Plate to print, STL (.stl)</source>
+        <translation>छापने की पट्टिका, STL (.stl)</translation>
+    </message>
+    <message>
+        <source>Points as text (.xyz)</source>
+        <translation>पाठ के रूप में बिंदु (.xyz)</translation>
+    </message>
+    <message>
+        <source>ESRI ASCII grid (.asc)</source>
+        <translation>ESRI ASCII ग्रिड (.asc)</translation>
+    </message>
+    <message>
+        <source>VTK image (.vti)</source>
+        <translation>VTK चित्र (.vti)</translation>
+    </message>
+    <message>
+        <source>Whole map</source>
+        <translation>पूरा मानचित्र</translation>
+    </message>
+    <message>
+        <source>Whole map, detail %1 of %2</source>
+        <translation>पूरा मानचित्र, विवरण %2 में से %1</translation>
+    </message>
+    <message>
+        <source>Window, 200 x 200 samples</source>
+        <translation>विंडो, 200 x 200 नमूने</translation>
+    </message>
+    <message>
+        <source>Millimetres above the base plane</source>
+        <translation>आधार तल से ऊपर मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>Those of the file</source>
+        <translation>फ़ाइल के निर्देशांक</translation>
+    </message>
+    <message>
+        <source>%1 x %2 cells, about %3</source>
+        <translation>%1 x %2 कक्ष, लगभग %3</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>निर्देशांक (&amp;D)</translation>
     </message>
 </context>
 <context>
@@ -4230,6 +4353,18 @@
     <message>
         <source>Another &amp;folder…</source>
         <translation>दूसरा फ़ोल्डर… (&amp;F)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>निर्यात (&amp;X)…</translation>
+    </message>
+    <message>
+        <source>A map or mesh for other programs</source>
+        <translation>दूसरे प्रोग्रामों के लिए मानचित्र या जाल</translation>
+    </message>
+    <message>
+        <source>Cancelled. Nothing was exported.</source>
+        <translation>रद्द किया गया। कुछ निर्यात नहीं किया गया।</translation>
     </message>
 </context>
 <context>

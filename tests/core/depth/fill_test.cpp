@@ -319,5 +319,52 @@ TEST(FillDepths, WhatTheRuleFoundBetweenThePointsFillsTheGaps) {
   EXPECT_FLOAT_EQ(filled.map.heights_mm[gap], 0.25F);
 }
 
+/// A wall is what rises or falls on both sides of a cell; a step has level ground on one.
+TEST(SteepCells, WallsThatRiseOrFallAreSteepAndStepsAreNot) {
+  const GridFrame frame{.size = {.cols = 9, .rows = 3}, .spacing_mm = 0.5};
+  const auto steep = [&](std::vector<float> line, bool along_rows) {
+    GridFrame f = frame;
+    if (!along_rows) std::swap(f.size.cols, f.size.rows);
+    CapturedDepths depths;
+    for (std::size_t i = 0; i < f.size.count(); ++i) {
+      const std::size_t cols = static_cast<std::size_t>(f.size.cols);
+      depths.front.push_back(line[along_rows ? i % cols : i / cols]);
+    }
+    const Mask cells = steepCells(depths, Mask(f.size.count(), 1), f);
+    std::vector<int> found;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      found.push_back(cells[f.size.index(along_rows ? Cell{.col = static_cast<int>(k), .row = 1}
+                                                    : Cell{.col = 1, .row = static_cast<int>(k)})]);
+    }
+    return found;
+  };
+  const std::vector<int> none(9, 0);
+  for (const bool along_rows : {true, false}) {
+    SCOPED_TRACE(along_rows);
+    EXPECT_EQ(steep({0, 0, 0, 10, 20, 30, 30, 30, 30}, along_rows),
+              (std::vector<int>{0, 0, 0, 1, 1, 0, 0, 0, 0}));
+    EXPECT_EQ(steep({30, 30, 30, 20, 10, 0, 0, 0, 0}, along_rows),
+              (std::vector<int>{0, 0, 0, 1, 1, 0, 0, 0, 0}));
+    EXPECT_EQ(steep({30, 30, 30, 30, 0, 0, 0, 0, 0}, along_rows), none) << "a step down";
+    EXPECT_EQ(steep({0, 0, 0, 0, 30, 30, 30, 30, 30}, along_rows), none) << "a step up";
+    EXPECT_EQ(steep({0, 0, 0, 0, 30, 0, 0, 0, 0}, along_rows), none) << "a ridge";
+  }
+}
+
+/// Where a square of (2r + 1)^2 cells is empty by chance once in ten thousand.
+TEST(SamplingGapRadius, IsTheSmallestThatTheDensityAllows) {
+  const GridSize size{.cols = 800, .rows = 800};
+  for (int percent = 5; percent < 99; ++percent) {
+    const double share = 0.01 * percent;
+    const int radius = samplingGapRadius(std::vector<double>(64, share), size);
+    const double density = -std::log(1 - share);
+    const auto by_chance = [density](int r) { return std::exp(-density * std::pow(2 * r + 1, 2)); };
+    EXPECT_LE(by_chance(radius), 1.02e-4) << share;
+    if (radius > 0) {
+      EXPECT_GT(by_chance(radius - 1), 1e-4) << share;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace relievo

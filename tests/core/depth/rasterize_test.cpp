@@ -113,5 +113,39 @@ TEST(Rasterize, StopsWhenAsked) {
                Cancelled);
 }
 
+/// A needle just above a row of samples, whose plane would pass far above its corners there.
+TEST(Rasterize, ANeedleBesideARowOfSamplesStaysWithinItsCorners) {
+  constexpr float kAbove = 5e-10F;
+  Scan mesh;
+  mesh.points = {{0, kAbove, 0}, {10, kAbove, 10}, {5, kAbove + 1e-11F, 3}};
+  mesh.triangles = {{0, 1, 2}};
+  test::finishScan(mesh);
+  const FrontDepths depths =
+      rasterize({.scan = mesh, .view_from_file = {}, .frame = frameOf(11, 3, 1)}).front;
+  int hit = 0;
+  for (const float z : depths) {
+    if (std::isnan(z)) continue;
+    ++hit;
+    EXPECT_GE(z, 0);
+    EXPECT_LE(z, 10);
+  }
+  EXPECT_EQ(hit, 11);
+}
+
+/// Steep is a matter of the slope in millimetres, whatever the distance of the samples.
+TEST(Rasterize, AWallIsSteepAtAnySpacing) {
+  for (const double spacing : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+    for (const double share : {0.8, 1.25}) {
+      SCOPED_TRACE(spacing);
+      const Scan mesh = test::latticeMesh(
+          9, 9, spacing, [share](double x, double) { return share * kSteepRise * x; });
+      const CapturedDepths depths =
+          rasterize({.scan = mesh, .view_from_file = {}, .frame = frameOf(9, 9, spacing)});
+      ASSERT_EQ(depths.steep.size(), 81U);
+      for (const std::uint8_t steep : depths.steep) ASSERT_EQ(steep, share > 1 ? 1 : 0);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace relievo

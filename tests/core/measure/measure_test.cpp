@@ -138,5 +138,46 @@ TEST(Measure, PlacesBesideTheObjectAreRefused) {
                ArgumentError);
 }
 
+/// Cells outside the object hold 0, which is no height: beside the outline it must not be mixed in.
+TEST(Measure, BesideTheOutlineOnlyTheObjectCounts) {
+  DepthMap map = mapOf([](double, double) { return 10; });
+  for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
+    if (i % 200 < 100) continue;
+    map.heights_mm[i] = 0;
+    map.origins[i] = Origin::outside;
+  }
+  // Between the last cell on the object, at 49.75 mm, and the first beyond, at 50.25.
+  const auto beside = surfacePoint(map, {49.9, 30});
+  ASSERT_TRUE(beside);
+  EXPECT_NEAR(beside->at.z, 10, 1e-6);
+  EXPECT_LT(beside->height_uncertainty_mm, 0.01) << "half the range of what is on the object";
+}
+
+/// The +- is the sum of what each coordinate's half cell does: errors of neighbouring cells go
+/// together, so that they may not be added as squares.
+TEST(Measure, UncertaintiesAddUp) {
+  const DepthMap flat = mapOf([](double, double) { return 1; });
+  const auto off = [&](MeasureKind kind, std::vector<PlaceMm> places) {
+    const Reading reading = read(flat, {.kind = kind, .places = std::move(places)});
+    return reading.quantities.front().uncertainty;
+  };
+  const double side = std::hypot(40, 0.25) - 40;
+  EXPECT_NEAR(off(MeasureKind::distance, {{30, 50}, {70, 50}}), 2 * 0.25 + 2 * side, 2e-3);
+  const double turn = std::atan(0.25 / 20) * 180 / std::numbers::pi;
+  EXPECT_NEAR(off(MeasureKind::angle, {{30, 50}, {50, 50}, {50, 70}}), 4 * turn, 0.02);
+}
+
+/// Of cells that the outline cuts only the part inside counts, measured or not.
+TEST(Measure, CutCellsCountByTheirPart) {
+  DepthMap map = mapOf([](double, double) { return 1; });
+  for (std::size_t i = 0; i < map.origins.size(); ++i) {
+    if (i % 200 == 40) map.origins[i] = Origin::interpolated;  // From 20 to 20.5 mm.
+  }
+  const Reading reading = read(
+      map, {.kind = MeasureKind::area, .places = {{10, 10}, {20.25, 10}, {20.25, 20}, {10, 20}}});
+  EXPECT_NEAR(reading.quantities.front().value, 10.25 * 10, 1e-6);
+  EXPECT_NEAR(reading.not_measured, 0.25 / 10.25, 1e-6);
+}
+
 }  // namespace
 }  // namespace relievo

@@ -331,5 +331,30 @@ TEST(PyramidOfAnyFactor, RefusesFactorsThatMakeNoPyramid) {
   EXPECT_THROW(buildPyramid(mapOf(3000, 3000, 1), {.factor = 1.0001}), ArgumentError);
 }
 
+/// Maps from elsewhere may hold anything where they have no height.
+TEST(BuildPyramid, CellsOnTheBasePlaneAndOutsideTakePartAsNought) {
+  DepthMap map;
+  map.frame = {.size = {.cols = 300, .rows = 250}, .spacing_mm = 1};
+  map.heights_mm.assign(map.frame.size.count(), 7.0F);
+  map.origins.assign(map.heights_mm.size(), Origin::measured);
+  DepthMap clean = map;
+  for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
+    if (i % 300 < 100) map.origins[i] = clean.origins[i] = Origin::base_plane;
+    if (i % 300 > 200) map.origins[i] = clean.origins[i] = Origin::outside;
+    if (map.origins[i] == Origin::measured) continue;
+    map.heights_mm[i] = 1000;
+    clean.heights_mm[i] = 0;
+  }
+  const Pyramid made = buildPyramid(map);
+  const Pyramid expected = buildPyramid(clean);
+  ASSERT_GE(made.levels.size(), 2U);
+  for (std::size_t l = 0; l < made.levels.size(); ++l) {
+    EXPECT_TRUE(std::ranges::equal(made.levels[l].heights_mm, expected.levels[l].heights_mm)) << l;
+  }
+  EXPECT_EQ(made.levels[0].heights_mm[50], 0);
+  EXPECT_EQ(made.levels[0].heights_mm[250], 0);
+  EXPECT_EQ(made.levels[0].heights_mm[150], 7);
+}
+
 }  // namespace
 }  // namespace relievo

@@ -173,5 +173,59 @@ TEST(HandOver, FloatsAboveTheSurfaceAndPressesIntoIt) {
   EXPECT_NEAR(handOver(window, 40, 30, true, 2).z, surface - 2 * 1.25, 1e-5);
 }
 
+/// Each sample's origin is that of the cell it lies in, cell by cell.
+TEST(SampleWindow, OriginsAreThoseOfTheCellsUnderTheSamples) {
+  DepthMap map = planeMap();
+  for (std::size_t i = 0; i < map.origins.size(); ++i) {
+    const std::size_t col = i % 400;
+    const std::size_t row = i / 400;
+    map.origins[i] = (col + row) % 2 == 0 ? Origin::measured : Origin::interpolated;
+  }
+  const Pyramid pyramid = buildPyramid(map);
+  for (const double side_mm : {20.0, 57.3, 99.9}) {
+    const Region region{.x_mm = 31.37, .y_mm = 22.71, .side_mm = side_mm, .level = {0}};
+    const RegionWindow window = sampleWindow(map, pyramid, region);
+    std::size_t wrong = 0;
+    for (int row = 0; row < kWindowSamples; ++row) {
+      for (int col = 0; col < kWindowSamples; ++col) {
+        const double x = region.x_mm + (col + 0.5) * side_mm / kWindowSamples;
+        const double y = region.y_mm + (row + 0.5) * side_mm / kWindowSamples;
+        const Cell cell{.col = static_cast<int>(std::floor(x / 0.5)),
+                        .row = static_cast<int>(std::floor(y / 0.5))};
+        const std::size_t i =
+            static_cast<std::size_t>(row) * kWindowSamples + static_cast<std::size_t>(col);
+        wrong += window.origins[i] != map.origin(cell);
+      }
+    }
+    EXPECT_EQ(wrong, 0U) << side_mm;
+  }
+}
+
+/// Beyond each of the four sides there is neither height nor origin, up to the map there are both.
+TEST(SampleWindow, EndsWithTheMapOnAllFourSides) {
+  const DepthMap map = planeMap();  // 200 x 150 mm.
+  const Pyramid pyramid = buildPyramid(map);
+  const Region region{.x_mm = -20.3, .y_mm = -40.7, .side_mm = 240.5, .level = {0}};
+  const RegionWindow window = sampleWindow(map, pyramid, region);
+  std::size_t inside = 0;
+  for (int row = 0; row < kWindowSamples; ++row) {
+    for (int col = 0; col < kWindowSamples; ++col) {
+      const double x = region.x_mm + (col + 0.5) * region.side_mm / kWindowSamples;
+      const double y = region.y_mm + (row + 0.5) * region.side_mm / kWindowSamples;
+      const std::size_t i =
+          static_cast<std::size_t>(row) * kWindowSamples + static_cast<std::size_t>(col);
+      const bool on_map = x >= 0 && x <= 200 && y >= 0 && y <= 150;
+      inside += on_map;
+      ASSERT_EQ(window.origins[i], on_map ? Origin::measured : Origin::outside) << x << ' ' << y;
+      if (on_map) {
+        ASSERT_GE(window.heights_mm[i], 1) << x << ' ' << y;
+      } else {
+        ASSERT_EQ(window.heights_mm[i], 0) << x << ' ' << y;
+      }
+    }
+  }
+  EXPECT_GT(inside, 10'000U);
+}
+
 }  // namespace
 }  // namespace relievo

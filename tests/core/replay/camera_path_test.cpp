@@ -83,5 +83,16 @@ TEST(CameraPath, SaysWhyItCannotBeFollowed) {
   EXPECT_THROW(check(path), ArgumentError);
 }
 
+/// Keys at unequal times: the speed at a key is the harmonic mean of the speeds on both sides, the
+/// nearer key's side weighing more (Fritsch and Butland 1984).
+TEST(CameraPath, TheSpeedAtAKeyMindsHowFarItsNeighboursAre) {
+  const CameraPath path{"walk", {key(0, 0, 0, 50), key(1, 10, 0, 50), key(4, 100, 0, 50)}};
+  const auto x = [&](double t) { return viewAt(path, ladder(), t).region.centreX(); };
+  constexpr double kStepS = 1e-5;
+  const double speed = (x(1 + kStepS) - x(1 - kStepS)) / (2 * kStepS);
+  const double left = 10, right = 30;  // mm/s over 1 s and 3 s.
+  EXPECT_NEAR(speed, 12 / (7 / left + 5 / right), 1e-3);
+}
+
 }  // namespace
 }  // namespace relievo

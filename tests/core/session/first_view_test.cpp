@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/session/large_map.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/laz_sample.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -73,19 +73,49 @@ TEST(FirstView, IsNotMadeOfWhatIsReadSoonerOrCannotBeReadInParts) {
   EXPECT_TRUE(viewsOf(mesh, 1).empty());
 }
 
-TEST(FirstView, DoesNotUnpackAFileThatItsReaderUnpacksNext) {
+/// The same plate, packed.
+test::Laz packedPlate(int format) {
+  test::Laz laz;
+  laz.how.format = format;
+  const test::Las plain = plate();
+  for (const auto& point : plain.raw) {
+    std::string record;
+    for (const std::int32_t stored : point) record += test::bytesOf(stored);
+    record.resize(format == 6 ? 30 : 20, '\0');
+    record[14] = '\x11';
+    laz.records.push_back(record);
+  }
+  laz.scale = plain.scale[0];
+  return laz;
+}
+
+TEST(FirstView, OfALazFileIsTheBeginningOfEachChunk) {
   const test::TemporaryFolder folder;
-  std::string packed = test::lasFile(plate());
-  packed[104] = static_cast<char>(packed[104] | '\x80');
-  const auto file = folder.write("packed.laz", packed);
-  const auto called = folder.path() / "called";
-  const auto program = folder.write("laszip", "#!/bin/sh\n: > " + called.string() + "\n");
-  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-  const std::string path = std::getenv("PATH");
-  ::setenv("PATH", folder.path().c_str(), 1);
-  EXPECT_TRUE(viewsOf(file, 1).empty());
-  ::setenv("PATH", path.c_str(), 1);
-  EXPECT_FALSE(std::filesystem::exists(called));
+  test::Laz laz = packedPlate(0);
+  laz.chunk_points = 1000;
+  const auto views = viewsOf(folder.write("cloud.laz", test::lazFile(laz).bytes), 1);
+  ASSERT_EQ(views.size(), 1U);
+  EXPECT_EQ(views[0].all, laz.records.size());
+  EXPECT_EQ(views[0].used, 360U * (250'000 / 360));
+  EXPECT_NEAR(views[0].surface.map.widthMm(), (kSide - 1) * 0.25, 2);
+}
+
+TEST(FirstView, OfACopcFileIsItsCoarsestLevels) {
+  const test::TemporaryFolder folder;
+  test::Laz laz = packedPlate(6);
+  const test::Records fine = laz.records;
+  test::Records coarse;
+  for (std::size_t i = 0; i < fine.size(); i += 7) coarse.push_back(fine[i]);
+  laz.records = coarse;
+  laz.records.insert(laz.records.end(), fine.begin(), fine.end());
+  laz.chunks = {coarse.size(), fine.size()};
+  laz.levels = {0, 1};
+  laz.chunk_points = ~std::uint32_t{0};
+  const auto views = viewsOf(folder.write("cloud.copc.laz", test::lazFile(laz).bytes), 1);
+  ASSERT_EQ(views.size(), 1U);
+  EXPECT_EQ(views[0].used, coarse.size());
+  EXPECT_EQ(views[0].all, laz.records.size());
+  EXPECT_FALSE(views[0].surface.map.heights_mm.empty());
 }
 
 TEST(FirstView, LeavesFaultsForTheReaderToSay) {

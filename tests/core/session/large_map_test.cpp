@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -21,6 +23,7 @@
 #include "core/tiles/tile_raster.h"
 #include "core/tiles/tiled_map.h"
 #include "tests/core/io/las_sample.h"
+#include "tests/core/io/laz_sample.h"
 #include "tests/core/scan_fixtures.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
@@ -195,6 +198,33 @@ TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {
   }
 }
 
+TEST(LargeMap, GivesTheBytesOfTheLasForALazOfTheSamePoints) {
+  const test::TileFolder folder;
+  const test::Las las = bigLas(60'000);
+  test::Laz laz;
+  for (const auto& point : las.raw) {
+    std::string record;
+    for (const std::int32_t stored : point) record += test::bytesOf(stored);
+    laz.records.push_back(record + std::string(8, '\x11'));
+  }
+  laz.scale = kScale;
+  laz.chunk_points = 5000;
+  writeLas(folder / "plain.las", las);
+  std::ofstream(folder / "packed.laz", std::ios::binary) << test::lazFile(laz).bytes;
+  SurfaceOptions options = gridOptions(PointRule::mean);
+  options.spacing_mm = 2;
+  for (const char* const name : {"plain.las", "packed.laz"}) {
+    makeLargeMap(folder / name, options,
+                 {.file = folder / (std::string(name) + ".tif"),
+                  .memory_bytes = 400'000'000,
+                  .threads = 3,
+                  .on_view = {}});
+  }
+  const std::string bytes = bytesOfFile(folder / "plain.las.tif");
+  EXPECT_GT(bytes.size(), 10'000U);
+  EXPECT_TRUE(bytes == bytesOfFile(folder / "packed.laz.tif"));
+}
+
 TEST(LargeMap, TakesRastersWithHoles) {
   const test::TileFolder folder;
   DepthMap map;
@@ -290,6 +320,53 @@ TEST(LargeMap, RefusesABudgetThatIsTooSmallBeforeTheWork) {
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "map.tif"));
 }
+
+/// The most memory that this process had, in bytes; 0 if the system does not say.
+std::uint64_t peakBytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::uint64_t kilobytes = 0;
+    if (word == "VmHWM:" && status >> kilobytes) return 1024 * kilobytes;
+  }
+  return 0;
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+/// Many points in few rows of tiles: three rows of tiles are all of them. In a process of its own,
+/// whose peak is that of the map alone.
+TEST(LargeMap, StaysWithinItsBudgetWherePointsLieDense) {
+  constexpr std::uint64_t kBudget = 330'000'000;
+  if (const char* const file = std::getenv("RELIEVO_TEST_DENSE_SCAN"); file != nullptr) {
+    const std::filesystem::path map = std::string(file) + ".tif";
+    makeLargeMap(file, gridOptions(PointRule::median),
+                 {.file = map, .memory_bytes = kBudget, .threads = 2, .on_view = {}});
+    EXPECT_GT(peakBytes(), 0U);
+    EXPECT_LE(peakBytes(), kBudget);
+    std::printf("peak: %.0f of %.0f MB\n", 1e-6 * static_cast<double>(peakBytes()),
+                1e-6 * static_cast<double>(kBudget));
+    return;
+  }
+  const test::TileFolder folder;
+  {
+    test::Las las = bigLas(6'000'000);
+    for (auto& raw : las.raw) raw = {raw[0] / 4, raw[1] / 4, raw[2]};  // 500 x 500 cells.
+    writeLas(folder / "scan.las", las);
+  }
+  const std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command = "RELIEVO_TEST_DENSE_SCAN='" + (folder / "scan.las").string() + "' '" +
+                              self + "' --gtest_filter=*StaysWithinItsBudgetWherePointsLieDense";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  // With less than what it takes it is refused, not exceeded.
+  try {
+    makeLargeMap(
+        folder / "scan.las", gridOptions(PointRule::median),
+        {.file = folder / "b.tif", .memory_bytes = 250'000'000, .threads = 2, .on_view = {}});
+    FAIL() << "was accepted";
+  } catch (const ArgumentError& error) {
+    EXPECT_EQ(error.code, "E102");
+  }
+}
+#endif
 
 TEST(LargeMap, LeavesNothingWhenCancelled) {
   const test::TileFolder folder;

@@ -14,6 +14,7 @@
 #include "core/io/raster.h"
 #include "core/region/window.h"
 #include "data/generate/relief_f.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/core/scan_fixtures.h"
 
 namespace relievo {
@@ -208,6 +209,42 @@ TEST(MakeSurface, SaysThatARuleForOneLayerMixesTheFrontWithTheBack) {
   EXPECT_FALSE(warned(two, PointRule::top_mean));
   EXPECT_FALSE(warned(two, PointRule::front));
   EXPECT_FALSE(warned(two, std::nullopt));
+}
+
+/// Points on a line, whatever line: two samples each way, which can be drawn, written and read
+/// back.
+TEST(MakeSurface, PointsOnALineGiveAMapThatCanBeDrawnAndReadBack) {
+  const test::TemporaryFolder folder;
+  for (const int axis : {0, 1}) {
+    for (const bool single : {false, true}) {
+      Scan scan;
+      for (int i = 0; i < (single ? 2 : 500); ++i) {
+        const auto along = static_cast<float>(i);
+        scan.points.push_back(axis == 0 ? std::array{along, 3.0F, 0.01F * along}
+                                        : std::array{3.0F, along, 0.01F * along});
+      }
+      test::finishScan(scan);
+      SurfaceOptions options;
+      options.view = ViewChoice{.name = "top", .rotation = {}};
+      const Surface surface = makeSurface(scan, options, rasterize);
+      const GridSize size = surface.map.frame.size;
+      EXPECT_GE(size.cols, 2);
+      EXPECT_GE(size.rows, 2);
+      EXPECT_EQ(std::min(size.cols, size.rows), 2);
+      EXPECT_TRUE(std::any_of(surface.messages.begin(), surface.messages.end(), [](const auto& m) {
+        return m.find("lie on one line of cells") != std::string::npos;
+      }));
+      writeMap(folder.path() / "map.tif", surface.map, {.view_from_file = surface.view_from_file});
+      const RasterMap back = readRaster(folder.path() / "map.tif");
+      EXPECT_EQ(back.size, size);
+      EXPECT_EQ(makeSurface(back, {}).map.heights_mm, surface.map.heights_mm);
+    }
+  }
+  // Cells much larger than the object.
+  SurfaceOptions coarse;
+  coarse.spacing_mm = 1000;
+  const Scan square = test::latticeScan(5, 5, 1, [](double, double) { return 1; });
+  EXPECT_EQ(makeSurface(square, coarse, rasterize).map.frame.size, (GridSize{2, 2}));
 }
 
 TEST(MakeSurface, StopsAtWhicheverStepItIsAskedTo) {

@@ -8,10 +8,12 @@
 #include <atomic>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <random>
 #include <thread>
 
+#include "core/base/error.h"
 #include "core/io/raster.h"
 #include "core/tiles/level_files.h"
 #include "tests/core/tiles/tile_fixtures.h"
@@ -223,6 +225,37 @@ TEST(LevelFiles, RemoveLevelsThatAnOlderMapHad) {
   EXPECT_FALSE(std::filesystem::exists(folder / "map.L2.tif"));
   EXPECT_FALSE(std::filesystem::exists(folder / "map.L3.origin.tif"));
   EXPECT_EQ(TiledMap(folder / "map.tif").frames().size(), 2U);
+}
+
+std::string textIn(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// map.L1.tif may be anybody's: a project of a neighbour, a picture, a note.
+TEST(LevelFiles, NeverReplaceOrRemoveWhatIsNotOurs) {
+  const test::TileFolder folder;
+  const DepthMap map = someMap({.cols = 300, .rows = 300});  // Two levels.
+  for (const char* const name : {"map.L1.tif", "map.origin.tif", "map.L1.origin.tif"}) {
+    SCOPED_TRACE(name);
+    std::ofstream(folder / name) << "somebody's";
+    EXPECT_THROW(writeLevels(folder / "map.tif", map), WriteError);
+    EXPECT_EQ(textIn(folder / name), "somebody's");
+    EXPECT_FALSE(std::filesystem::exists(folder / "map.tif")) << "nothing is half done";
+    std::filesystem::remove(folder / name);
+  }
+  // Behind the coarsest level lies what could be an older map's, and is not.
+  std::ofstream(folder / "map.L2.tif") << "somebody's";
+  writeLevels(folder / "map.tif", map);
+  EXPECT_EQ(textIn(folder / "map.L2.tif"), "somebody's");
+  EXPECT_EQ(TiledMap(folder / "map.tif").frames().size(), 2U);
+  // Also a raster that another program wrote.
+  std::filesystem::remove(folder / "map.L2.tif");
+  Dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create((folder / "map.L2.tif").c_str(),
+                                                                   5, 5, 1, GDT_Float32, nullptr))
+      .reset();
+  writeLevels(folder / "map.tif", map);
+  EXPECT_TRUE(std::filesystem::exists(folder / "map.L2.tif"));
 }
 
 TEST(TiledMap, KnowsItsOwnFiles) {

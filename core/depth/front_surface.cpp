@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/depth/front_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/bands.h"
+#include "core/depth/front_voids.h"
+
+namespace relievo {
+namespace {
+
+constexpr float kNone = -std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr double kPixelShare = 0.5;    // Of the spacing of the discs.
+constexpr double kMostPixels = 2048;   // Across the longer side.
+constexpr float kEdgeOn = 0.1F;        // Cosine; flatter discs are lines.
+constexpr float kLeastCosine = 0.15F;  // For tolerances of slopes.
+constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
+constexpr double kRough = 0.3;         // Thickness over width: noise hides the planes.
+constexpr std::size_t kFewDiscs = 20'000;
+
+/// One disc as the raster sees it.
+class DrawnDisc {
+ public:
+  DrawnDisc(const SurfaceDisc& disc, float pixel) : disc_(disc), pixel_(pixel) {
+    const float cosine = std::max(disc.normal[2], kLeastCosine);
+    const float sine = std::sqrt(std::max(0.0F, 1 - cosine * cosine));
+    tolerance_ = (kOnSurface * disc.spacing + sine * pixel / 2) / cosine;
+    half_width_ = disc.radius * std::sqrt(std::max(0.0F, 1 - disc.normal[0] * disc.normal[0]));
+    half_height_ = disc.radius * std::sqrt(std::max(0.0F, 1 - disc.normal[1] * disc.normal[1]));
+  }
+
+  float tolerance() const { return tolerance_; }
+  float spacing() const { return disc_.spacing; }
+  int firstRow() const { return pixelOf(disc_.centre[1] - half_height_); }
+  int lastRow() const { return pixelOf(disc_.centre[1] + half_height_); }
+  int firstCol() const { return pixelOf(disc_.centre[0] - half_width_); }
+  int lastCol() const { return pixelOf(disc_.centre[0] + half_width_); }
+
+  /// z of the disc in the middle of a pixel, and its weight there; z is kNone beside the disc.
+  float depth(int col, int row, float& weight) const {
+    const float x = (static_cast<float>(col) + 0.5F) * pixel_ - disc_.centre[0];
+    const float y = (static_cast<float>(row) + 0.5F) * pixel_ - disc_.centre[1];
+    const bool is_middle = std::abs(x) <= pixel_ / 2 && std::abs(y) <= pixel_ / 2;
+    weight = 1;
+    const auto& n = disc_.normal;
+    if (n[2] <= kEdgeOn) return is_middle || isOnLine(x, y) ? disc_.centre[2] : kNone;
+    const float z = -(n[0] * x + n[1] * y) / n[2];
+    const float a = disc_.right[0] * x + disc_.right[1] * y + disc_.right[2] * z;
+    const float b = disc_.up[0] * x + disc_.up[1] * y + disc_.up[2] * z;
+    const float squared = a * a + b * b;
+    const float c = (a + b) * 0.70710678F;
+    const float e = (a - b) * 0.70710678F;
+    const auto& reach = disc_.reach;
+    const bool is_in = squared <= disc_.radius * disc_.radius && a <= reach[0] && -a <= reach[1] &&
+                       b <= reach[2] && -b <= reach[3] && c <= reach[4] && -c <= reach[5] &&
+                       e <= reach[6] && -e <= reach[7];
+    if (!is_in) return is_middle ? disc_.centre[2] : kNone;
+    // A Gaussian of half the radius: near pieces know best.
+    weight = std::exp(-2 * squared / (disc_.radius * disc_.radius));
+    return disc_.centre[2] + z;
+  }
+
+ private:
+  /// Seen edge-on, a disc is a line as long as it reaches.
+  bool isOnLine(float x, float y) const {
+    const auto& n = disc_.normal;
+    if (std::abs(n[0] * x + n[1] * y) > 0.71F * pixel_) return false;
+    const float a = disc_.right[0] * x + disc_.right[1] * y;
+    const float b = disc_.up[0] * x + disc_.up[1] * y;
+    const auto& reach = disc_.reach;
+    return a <= reach[0] && -a <= reach[1] && b <= reach[2] && -b <= reach[3] &&
+           x * x + y * y <= disc_.radius * disc_.radius;
+  }
+
+  int pixelOf(float mm) const { return static_cast<int>(std::floor(mm / pixel_)); }
+
+  const SurfaceDisc& disc_;
+  float pixel_;
+  float tolerance_ = 0;
+  float half_width_ = 0, half_height_ = 0;
+};
+
+/// visit(pixel, z, weight, disc) for all pixels of a band that discs cover.
+template <class Visit>
+void forPixels(const std::vector<SurfaceDisc>& discs, GridSize size, float pixel, int first_row,
+               int end_row, const Task& task, Visit&& visit) {
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    if (i % 4096 == 0) task.check();
+    const DrawnDisc disc(discs[i], pixel);
+    const int last_row = std::min(disc.lastRow(), end_row - 1);
+    const int last_col = std::min(disc.lastCol(), size.cols - 1);
+    for (int row = std::max(disc.firstRow(), first_row); row <= last_row; ++row) {
+      for (int col = std::max(disc.firstCol(), 0); col <= last_col; ++col) {
+        float weight = 0;
+        const float z = disc.depth(col, row, weight);
+        if (z != kNone) {
+          visit(size.index({.col = col, .row = row}), z, weight, disc);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+FrontSurface::FrontSurface(const ViewBlocks& points, const ViewBox& box, std::uint64_t count,
+                           const Task& task) {
+  task.report("Finding the front", 0);
+  std::size_t wanted = kMostDiscs;
+  SurfaceDiscs discs = surfaceDiscs(evenPoints(points, box, count, wanted, task), task);
+  // Where the noise is as large as the spacing, planes need points farther apart.
+  while (discs.roughness > kRough && wanted > kFewDiscs && count > wanted / 4) {
+    wanted /= 4;
+    discs = surfaceDiscs(evenPoints(points, box, count, wanted, task), task);
+  }
+  spacing_mm_ = discs.spacing;
+  const double width = box.max.x - box.min.x;
+  const double height = box.max.y - box.min.y;
+  pixel_mm_ = std::max(kPixelShare * spacing_mm_, std::max(width, height) / kMostPixels);
+  if (!(pixel_mm_ > 0)) pixel_mm_ = std::max({width, height, 1.0});
+  size_ = {.cols = static_cast<int>(width / pixel_mm_) + 1,
+           .rows = static_cast<int>(height / pixel_mm_) + 1};
+  pieces_.assign(size_.count(), {.z = kNan, .tolerance = 0, .spacing = 0});
+  task.report("Finding the front", 0.5);
+  draw(discs.discs, task);
+}
+
+void FrontSurface::draw(const std::vector<SurfaceDisc>& discs, const Task& task) {
+  const int threads = threadsFor(20 * discs.size(), 0);
+  inBands(size_.rows, threads, [&](int first, int end) { drawBand(discs, first, end, task); });
+  closeVoids(pieces_, size_, pixel_mm_, discs, task);
+}
+
+void FrontSurface::drawBand(const std::vector<SurfaceDisc>& discs, int first_row, int end_row,
+                            const Task& task) {
+  struct Sum {
+    float front = kNone, tolerance = 0, spacing = 0;
+    float weight = 0, z = 0;  // z from the front, so that the sum keeps its digits.
+  };
+  const std::size_t offset = size_.index({.col = 0, .row = first_row});
+  std::vector<Sum> sums(size_.index({.col = 0, .row = end_row}) - offset);
+  const auto pixel = static_cast<float>(pixel_mm_);
+  forPixels(discs, size_, pixel, first_row, end_row, task,
+            [&](std::size_t at, float z, float, const DrawnDisc& disc) {
+              Sum& sum = sums[at - offset];
+              if (!(z > sum.front)) return;
+              sum.front = z;
+              sum.tolerance = disc.tolerance();
+              sum.spacing = disc.spacing();
+            });
+  // Pieces as near as the front's own tolerance are the same surface.
+  forPixels(discs, size_, pixel, first_row, end_row, task,
+            [&](std::size_t at, float z, float weight, const DrawnDisc&) {
+              Sum& sum = sums[at - offset];
+              if (z < sum.front - sum.tolerance) return;
+              sum.weight += weight;
+              sum.z += weight * (z - sum.front);
+            });
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (sums[i].front == kNone) continue;
+    pieces_[offset + i] = {.z = sums[i].front + sums[i].z / sums[i].weight,
+                           .tolerance = sums[i].tolerance,
+                           .spacing = sums[i].spacing};
+  }
+}
+
+double FrontSurface::coveredMm2() const noexcept {
+  const auto pixels = std::count_if(pieces_.begin(), pieces_.end(),
+                                    [](const FrontPiece& piece) { return piece.z == piece.z; });
+  return static_cast<double>(pixels) * pixel_mm_ * pixel_mm_;
+}
+
+const FrontPiece* FrontSurface::pieceAt(double x_mm, double y_mm) const noexcept {
+  // Rounding may carry a point of the border out by a hair.
+  const double col = x_mm / pixel_mm_ + 1e-6;
+  const double row = y_mm / pixel_mm_ + 1e-6;
+  if (!(col >= 0 && row >= 0 && col < size_.cols && row < size_.rows)) return nullptr;
+  return &pieces_[size_.index({.col = static_cast<int>(col), .row = static_cast<int>(row)})];
+}
+
+FrontSurface::Side FrontSurface::sideOf(const ViewMm& p) const noexcept {
+  const FrontPiece* piece = pieceAt(p.x, p.y);
+  if (piece == nullptr || std::isnan(piece->z)) return Side::stray;
+  const double above = p.z - static_cast<double>(piece->z);
+  if (above > static_cast<double>(piece->tolerance)) return Side::stray;
+  return above < -static_cast<double>(piece->tolerance) ? Side::hidden : Side::front;
+}
+
+float FrontSurface::depthAt(double x_mm, double y_mm) const noexcept {
+  const FrontPiece* own = pieceAt(x_mm, y_mm);
+  if (own == nullptr || std::isnan(own->z)) return kNan;
+  // Bilinear between the middles of the pixels around, of the same surface as the own one.
+  const double u = x_mm / pixel_mm_ - 0.5;
+  const double v = y_mm / pixel_mm_ - 0.5;
+  const double u0 = std::floor(u);
+  const double v0 = std::floor(v);
+  double sum = 0;
+  double weights = 0;
+  for (int k = 0; k < 4; ++k) {
+    const int col = static_cast<int>(u0) + k % 2;
+    const int row = static_cast<int>(v0) + k / 2;
+    if (!size_.contains({.col = col, .row = row})) continue;
+    const FrontPiece& piece = pieces_[size_.index({.col = col, .row = row})];
+    if (!(std::abs(piece.z - own->z) <= own->tolerance)) continue;
+    const double weight = (1 - std::abs(u - col)) * (1 - std::abs(v - row));
+    sum += weight * static_cast<double>(piece.z);
+    weights += weight;
+  }
+  return weights > 0 ? static_cast<float>(sum / weights) : own->z;
+}
+
+}  // namespace relievo

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace relievo {
+
+/// What the first directory of a TIFF or BigTIFF says: enough to know our own files again and to
+/// find their tiles. Read without a library, so that no foreign file is parsed by GDAL outside the
+/// import worker.
+struct TiffHead {
+  std::uint64_t cols = 0, rows = 0;
+  std::uint32_t bands = 1;
+  std::uint32_t bits = 1;                      ///< Of one cell of one band.
+  std::uint32_t sample_format = 1;             ///< 1: whole numbers, 3: floating point.
+  std::uint32_t compression = 1;               ///< 1: none.
+  std::uint32_t planes = 1;                    ///< 2: one band after the other.
+  std::uint32_t tile_cols = 0, tile_rows = 0;  ///< 0: strips.
+  bool little_endian = true;
+  std::vector<std::uint64_t> tile_offsets;   ///< Band by band if planes is 2; of tiles only.
+  std::map<std::string, std::string> facts;  ///< GDAL's entries; TIFFTAG_IMAGEDESCRIPTION.
+};
+
+/// @return  nothing if the file is no TIFF, or its first directory is damaged. [any thread]
+/// @throw FileError  as checkedFileSize
+std::optional<TiffHead> readTiffHead(const std::filesystem::path& file);
+
+/// Was the file written by this program, as a TIFF? False for all else. [any thread]
+bool isOwnTiff(const std::filesystem::path& file);
+
+/// To be asked before the work, of files that people did not name themselves but that lie beside
+/// the one they named (levels, origins): what is not ours is never replaced. [any thread]
+/// @throw WriteError  a file is there that this program did not write
+void requireOwnOrAbsent(const std::filesystem::path& file);
+
+}  // namespace relievo

@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/prepare/execute.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/prepare/base_plane.h"
+#include "core/prepare/crop.h"
+#include "core/prepare/normals.h"
+#include "core/prepare/outliers.h"
+#include "core/prepare/poses.h"
+#include "core/prepare/thin.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kSpacingsOfBase = 2;
+constexpr double kManyOutliers = 0.05;
+constexpr double kLittlePlane = 0.05;
+constexpr std::size_t kCheckEvery = 1U << 18U;
+
+/// The points of one scan, or of all once they are one, that the steps before have left.
+struct Group {
+  std::size_t first_scan = 0, end_scan = 0;
+  FilePoint centre;  ///< Added to every point.
+  std::vector<Point3f> points;
+  std::vector<std::uint32_t> numbers;  ///< Among the points of all scans.
+};
+
+std::string percent(double share) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
+  return text.data();
+}
+
+class Executor {
+ public:
+  Executor(const PrepareJob& job, const AlignFunction& align, const Task& task)
+      : job_(job), align_(align), task_(task), kept_(job.points()) {
+    answer_.poses.resize(job.scans.size());
+    std::uint32_t first = 0;
+    for (const PrepareScan& scan : job.scans) {
+      firsts_.push_back(first);
+      first += static_cast<std::uint32_t>(scan.points.size());
+    }
+    firsts_.push_back(first);
+  }
+
+  PrepareAnswer run() {
+    for (std::size_t i = 0; i < job_.steps.size(); ++i) {
+      task_.check();
+      task_.report(kindOf(job_.steps[i]),
+                   static_cast<double>(i) / static_cast<double>(job_.steps.size()));
+      const auto start = std::chrono::steady_clock::now();
+      StepResult result;
+      result.before = kept_.count();
+      result_ = &result;
+      std::visit(*this, job_.steps[i]);
+      result.after = kept_.count();
+      result.seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      result.kept = kept_;
+      answer_.steps.push_back(std::move(result));
+    }
+    takeNormals();
+    answer_.pcl = pclVersion();
+    answer_.flann = flannVersion();
+    return std::move(answer_);
+  }
+
+  void operator()(const CropBox& step) { keepPlaces(step); }
+  void operator()(const CropOutline& step) { keepPlaces(step); }
+
+  void operator()(const Classes& step) {
+    for (std::size_t s = 0; s < job_.scans.size(); ++s) {
+      const PrepareScan& scan = job_.scans[s];
+      if (scan.classes.empty()) {
+        notDone(scan.name + " states no classes; all its points stay.");
+        continue;
+      }
+      keepIf(s, [&](std::size_t i) { return keeps(step, scan.classes[i]); });
+    }
+  }
+
+  void operator()(const Intensities& step) {
+    for (std::size_t s = 0; s < job_.scans.size(); ++s) {
+      const PrepareScan& scan = job_.scans[s];
+      if (scan.intensities.empty() || !scan.intensity) {
+        notDone(scan.name + " states no intensities; all its points stay.");
+        continue;
+      }
+      const auto [low, high] = *scan.intensity;
+      const double per_step = (high - low) / 65535;
+      keepIf(s, [&](std::size_t i) {
+        const double stored = low + per_step * scan.intensities[i];
+        return stored >= step.low && stored <= step.high;
+      });
+    }
+  }
+
+  void operator()(const Duplicates&) {
+    forGroups([&](const Group& group) { keepOnly(group, withoutDuplicates(group.points, task_)); });
+  }
+
+  void operator()(const Outliers& step) {
+    forGroups([&](const Group& group) {
+      const PointNeighbours neighbours(group.points, task_);
+      const auto kept = withoutOutliers(neighbours, group.points.size(), step, task_);
+      const double share =
+          1 - static_cast<double>(kept.size()) /
+                  static_cast<double>(std::max<std::size_t>(1, group.points.size()));
+      if (share > kManyOutliers) {
+        addNote(percent(share) + " of the points of " + nameOf(group) +
+                " left as outliers; that is more than strays. Look at the result.");
+      }
+      keepOnly(group, kept);
+    });
+  }
+
+  void operator()(const Lonely& step) {
+    forGroups([&](const Group& group) {
+      const PointNeighbours neighbours(group.points, task_);
+      const double radius = step.radius_mm ? *step.radius_mm / mmPerUnit(group)
+                                           : step.spacings * spacingOf(neighbours, task_);
+      if (!(radius > 0)) {
+        notDone("All points of " + nameOf(group) + " are one place, which has no spacing.");
+        return;
+      }
+      keepOnly(group,
+               withoutLonely(neighbours, group.points.size(), radius, step.neighbours, task_));
+    });
+  }
+
+  void operator()(const Sparse& step) {
+    forGroups([&](const Group& group) {
+      const PointNeighbours neighbours(group.points, task_);
+      keepOnly(group, withoutSparse(neighbours, group.points.size(), step, task_));
+    });
+  }
+
+  void operator()(const Thin& step) {
+    forGroups([&](const Group& group) {
+      keepOnly(group,
+               thinned(group.points, group.centre, step.spacing_mm / mmPerUnit(group), task_));
+    });
+  }
+
+  void operator()(const Base& step) {
+    forGroups([&](const Group& group) { base(step, group); });
+  }
+
+  void operator()(const Normals& step) {
+    normals_.assign(kept_.size(), {});
+    std::size_t without = 0;
+    forGroups([&](const Group& group) {
+      const PointNeighbours neighbours(group.points, task_);
+      const auto normals =
+          normalsOf(neighbours, group.points.size(), step.neighbours, viewpointOf(group), task_);
+      for (std::size_t i = 0; i < normals.size(); ++i) {
+        normals_[group.numbers[i]] = normals[i];
+        if (normals[i] == Point3f{}) ++without;
+      }
+    });
+    if (without > 0)
+      addNote(std::to_string(without) + " points have no normal: too few neighbours.");
+  }
+
+  void operator()(const Align& step);
+
+ private:
+  const PrepareScan& scanOf(const Group& group) const { return job_.scans[group.first_scan]; }
+  double mmPerUnit(const Group& group) const { return scanOf(group).mm_per_unit; }
+  std::string nameOf(const Group& group) const {
+    return group.end_scan - group.first_scan == 1 ? scanOf(group).name : "the joined scans";
+  }
+
+  void addNote(const std::string& words) {
+    if (!result_->note.empty()) result_->note += " ";
+    result_->note += words;
+    answer_.warnings.push_back(words);
+  }
+  void notDone(const std::string& words) {
+    addNote(words);
+    result_->done = false;
+  }
+
+  /// Clears the bits of those points of a scan that are not to be kept.
+  template <class Keep>
+  void keepIf(std::size_t scan, const Keep& keep) {
+    for (std::uint32_t i = firsts_[scan]; i < firsts_[scan + 1]; ++i) {
+      if ((i - firsts_[scan]) % kCheckEvery == 0) task_.check();
+      if (kept_[i] && !keep(i - firsts_[scan])) kept_.clear(i);
+    }
+  }
+
+  template <class Crop>
+  void keepPlaces(const Crop& step) {
+    for (std::size_t s = 0; s < job_.scans.size(); ++s) {
+      keepIf(s, [&](std::size_t i) { return keeps(step, placeOf(s, i)); });
+    }
+  }
+
+  FilePoint placeOf(std::size_t scan, std::size_t point) const {
+    const PrepareScan& from = job_.scans[scan];
+    const Point3f& p = from.points[point];
+    const FilePoint stored{from.origin.x + static_cast<double>(p[0]),
+                           from.origin.y + static_cast<double>(p[1]),
+                           from.origin.z + static_cast<double>(p[2])};
+    return answer_.poses[scan] == Pose{} ? stored : answer_.poses[scan](stored);
+  }
+
+  /// What is left of some scans. A scan where it is stored gives its own floats; others are
+  /// centred first, in double, because far from the middle a float has no room for differences.
+  Group gathered(std::size_t first_scan, std::size_t end_scan) const {
+    Group group{
+        .first_scan = first_scan, .end_scan = end_scan, .centre = {}, .points = {}, .numbers = {}};
+    const bool as_stored = end_scan - first_scan == 1 && answer_.poses[first_scan] == Pose{};
+    group.centre = as_stored ? job_.scans[first_scan].origin : middleOf(first_scan, end_scan);
+    for (std::size_t s = first_scan; s < end_scan; ++s) {
+      for (std::uint32_t i = firsts_[s]; i < firsts_[s + 1]; ++i) {
+        if ((i - firsts_[s]) % kCheckEvery == 0) task_.check();
+        if (!kept_[i]) continue;
+        group.numbers.push_back(i);
+        if (as_stored) {
+          group.points.push_back(job_.scans[s].points[i - firsts_[s]]);
+        } else {
+          const FilePoint p = placeOf(s, i - firsts_[s]) - group.centre;
+          group.points.push_back(
+              {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+        }
+      }
+    }
+    return group;
+  }
+
+  FilePoint middleOf(std::size_t first_scan, std::size_t end_scan) const {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    FilePoint low{kInfinite, kInfinite, kInfinite};
+    FilePoint high{-kInfinite, -kInfinite, -kInfinite};
+    for (std::size_t s = first_scan; s < end_scan; ++s) {
+      for (std::uint32_t i = firsts_[s]; i < firsts_[s + 1]; ++i) {
+        if (!kept_[i]) continue;
+        const FilePoint p = placeOf(s, i - firsts_[s]);
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+    }
+    return low.x > high.x ? FilePoint{} : 0.5 * (low + high);
+  }
+
+  template <class Do>
+  void forGroups(const Do& work) {
+    const std::size_t scans = job_.scans.size();
+    const std::size_t at_once = joined_ ? scans : 1;
+    for (std::size_t s = 0; s < scans; s += at_once) {
+      const Group group = gathered(s, s + at_once);
+      if (!group.points.empty()) work(group);
+    }
+  }
+
+  /// @param stays  numbers within the group, rising
+  void keepOnly(const Group& group, const std::vector<std::uint32_t>& stays) {
+    auto next = stays.begin();
+    for (std::uint32_t i = 0; i < group.numbers.size(); ++i) {
+      if (next != stays.end() && *next == i) {
+        ++next;
+      } else {
+        kept_.clear(group.numbers[i]);
+      }
+    }
+  }
+
+  void base(const Base& step, const Group& group) {
+    double distance = step.distance_mm ? *step.distance_mm / mmPerUnit(group) : 0;
+    if (!step.distance_mm) {
+      distance = kSpacingsOfBase * spacingOf(PointNeighbours(group.points, task_), task_);
+    }
+    const auto plane = basePlane(group.points, distance, step.seed, task_);
+    if (!plane) {
+      notDone("No three points of " + nameOf(group) + " span a plane; they stay as they are.");
+      return;
+    }
+    const double share =
+        static_cast<double>(plane->on_it.size()) / static_cast<double>(group.points.size());
+    addNote("One plane holds " + percent(share) + " of the points of " + nameOf(group) +
+            (share < kLittlePlane ? "; that is hardly a base. Look at the result." : "."));
+    if (step.lay) {
+      const Pose laid = layingFlat(*plane, group.centre);
+      for (std::size_t s = group.first_scan; s < group.end_scan; ++s) move(s, laid);
+    } else {
+      for (const std::uint32_t i : plane->on_it) kept_.clear(group.numbers[i]);
+    }
+  }
+
+  void move(std::size_t scan, const Pose& pose) {
+    answer_.poses[scan] = after(pose, answer_.poses[scan]);
+    if (normals_.empty()) return;
+    const auto& m = pose.m;
+    for (std::uint32_t i = firsts_[scan]; i < firsts_[scan + 1]; ++i) {
+      const Point3f n = normals_[i];
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double turned = 0;
+        for (std::size_t k = 0; k < 3; ++k) turned += m[4 * axis + k] * static_cast<double>(n[k]);
+        normals_[i][axis] = static_cast<float>(turned);
+      }
+    }
+  }
+
+  /// Relative to the group's centre, where the scan stands now.
+  std::optional<Point3f> viewpointOf(const Group& group) const {
+    const auto& stored = scanOf(group).viewpoint;
+    if (!stored || group.end_scan - group.first_scan != 1) return std::nullopt;
+    const FilePoint p = answer_.poses[group.first_scan](*stored) - group.centre;
+    return Point3f{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  }
+
+  void takeNormals() {
+    for (std::uint32_t i = 0; i < normals_.size(); ++i) {
+      if (kept_[i]) answer_.normals.push_back(normals_[i]);
+    }
+  }
+
+  const PrepareJob& job_;
+  const AlignFunction& align_;
+  const Task& task_;
+  PointBits kept_;
+  std::vector<std::uint32_t> firsts_;  ///< Per scan its first point; and the end.
+  bool joined_ = false;
+  std::vector<Point3f> normals_;  ///< Of all points; empty: none are known.
+  StepResult* result_ = nullptr;
+  PrepareAnswer answer_;
+};
+
+void Executor::operator()(const Align& step) {
+  const std::size_t scans = job_.scans.size();
+  AlignAnswer found;
+  if (!step.poses.empty()) {
+    for (const Pose& pose : step.poses) {
+      AlignVerdict& verdict = found.scans.emplace_back();
+      verdict.pose = verdict.start = pose;
+      verdict.words = "The pose that was found before was used.";
+    }
+  } else if (step.method == AlignMethod::stored) {
+    found.scans.resize(scans);
+    for (AlignVerdict& verdict : found.scans) verdict.words = "As stored.";
+  } else if (!align_) {
+    notDone(
+        "This program aligns no scans. They stay where their files have them; give their poses in "
+        "a recipe, or leave the step out.");
+    found.scans.resize(scans);
+  } else {
+    std::vector<Group> groups;
+    std::vector<AlignScan> parts;
+    for (std::size_t s = 0; s < scans; ++s) groups.push_back(gathered(s, s + 1));
+    for (std::size_t s = 0; s < scans; ++s) {
+      const PrepareScan& scan = job_.scans[s];
+      std::optional<FilePoint> viewpoint = scan.viewpoint;
+      if (viewpoint) viewpoint = answer_.poses[s](*viewpoint);
+      parts.push_back({.name = scan.name,
+                       .origin = groups[s].centre,
+                       .points = groups[s].points,
+                       .viewpoint = viewpoint,
+                       .mm_per_unit = scan.mm_per_unit});
+    }
+    found = align_(step, parts, task_);
+  }
+  if (found.scans.size() != scans) {
+    throw ArgumentError("The recipe has poses for " + std::to_string(found.scans.size()) +
+                        " scans, but there are " + std::to_string(scans) +
+                        ". Nothing was done. Give the scans that it was made for.");
+  }
+  for (std::size_t s = 0; s < scans; ++s) {
+    const AlignVerdict& verdict = found.scans[s];
+    if (verdict.holds) {
+      move(s, verdict.pose);
+      continue;
+    }
+    notDone(job_.scans[s].name + " was left out: " + verdict.words);
+    for (std::uint32_t i = firsts_[s]; i < firsts_[s + 1]; ++i) kept_.clear(i);
+  }
+  answer_.align = std::move(found);
+  joined_ = true;
+}
+
+}  // namespace
+
+PrepareAnswer execute(const PrepareJob& job, const AlignFunction& align, const Task& task) {
+  return Executor(job, align, task).run();
+}
+
+}  // namespace relievo

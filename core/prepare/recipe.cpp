@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/prepare/recipe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+
+namespace relievo {
+namespace {
+
+constexpr double kRigid = 1e-9;  ///< How far from a rotation a matrix may be.
+constexpr double kFarthest = 1e38;
+constexpr double kMostDeviations = 1000;
+
+/// Rows of unit length at right angles, right-handed, to 1e-9.
+bool isRotation(const Rotation& r) {
+  const auto row = [&r](std::size_t a, std::size_t b) {
+    return r[3 * a] * r[3 * b] + r[3 * a + 1] * r[3 * b + 1] + r[3 * a + 2] * r[3 * b + 2];
+  };
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = a; b < 3; ++b) {
+      // Written so that NaN fails.
+      if (!(std::abs(row(a, b) - (a == b ? 1 : 0)) <= kRigid)) return false;
+    }
+  }
+  const double determinant = r[0] * (r[4] * r[8] - r[5] * r[7]) -
+                             r[1] * (r[3] * r[8] - r[5] * r[6]) +
+                             r[2] * (r[3] * r[7] - r[4] * r[6]);
+  return determinant > 0;
+}
+
+class Checker {
+ public:
+  explicit Checker(std::string source) : source_(std::move(source)) {}
+
+  void operator()(const CropBox& s) const {
+    point("min", s.min);
+    point("max", s.max);
+    if (!(s.min.x <= s.max.x) || !(s.min.y <= s.max.y) || !(s.min.z <= s.max.z)) {
+      refuse("the box ends before it begins; its first corner must be the lower one");
+    }
+    rotation("axes", s.axes);
+  }
+  void operator()(const CropOutline& s) const {
+    rotation("view", s.view);
+    const std::size_t corners = s.outline.size();
+    if (corners < 3 || corners > kMostOutlineCorners) {
+      refuse("the outline has " + std::to_string(corners) + " corners; it takes 3 to " +
+             std::to_string(kMostOutlineCorners));
+    }
+    for (const auto& corner : s.outline) {
+      number("outline", corner[0], -kFarthest, kFarthest);
+      number("outline", corner[1], -kFarthest, kFarthest);
+    }
+  }
+  void operator()(const Classes&) const {}
+  void operator()(const Intensities& s) const {
+    number("low", s.low, -kFarthest, kFarthest);
+    number("high", s.high, -kFarthest, kFarthest);
+    if (s.low > s.high) refuse("the highest intensity is below the lowest");
+  }
+  void operator()(const Duplicates&) const {}
+  void operator()(const Outliers& s) const {
+    number("neighbours", s.neighbours, 1, kMostNeighbours);
+    number("deviations", s.deviations, 0, kMostDeviations);
+  }
+  void operator()(const Lonely& s) const {
+    if (s.radius_mm) length("radius_mm", *s.radius_mm);
+    number("spacings", s.spacings, 0, kFarthest);
+    number("neighbours", s.neighbours, 1, kMostNeighbours);
+  }
+  void operator()(const Sparse& s) const {
+    number("neighbours", s.neighbours, 1, kMostNeighbours);
+    number("factor", s.factor, 1, kMostDeviations);
+  }
+  void operator()(const Thin& s) const { length("spacing_mm", s.spacing_mm); }
+  void operator()(const Base& s) const {
+    if (s.distance_mm) length("distance_mm", *s.distance_mm);
+  }
+  void operator()(const Normals& s) const {
+    number("neighbours", s.neighbours, 3, kMostNeighbours);
+  }
+  void operator()(const Align& s) const {
+    if (s.reference >= kMostScans) refuse("'reference' is beyond the scans there can be");
+    if (s.pairs.size() > kMostPairs) {
+      refuse("it has more than " + std::to_string(kMostPairs) + " pairs");
+    }
+    for (const PickedPair& pair : s.pairs) {
+      if (pair.scan >= kMostScans) refuse("a pair names a scan beyond those there can be");
+      point("pairs", pair.point);
+      point("pairs", pair.reference);
+    }
+    if (s.poses.size() > kMostScans) refuse("it has more poses than there can be scans");
+    for (const Pose& pose : s.poses) {
+      if (!isRigid(pose)) refuse("a pose is no rotation and translation");
+    }
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw ArgumentError(source_ + ": " + why + ".");
+  }
+  void number(const char* key, double value, double low, double high) const {
+    if (value >= low && value <= high) return;
+    std::string text = std::isfinite(value) ? std::to_string(value) : "not finite";
+    refuse("'" + std::string(key) + "' is " + text + "; it takes " + shown(low) + " to " +
+           shown(high));
+  }
+  void length(const char* key, double value) const {
+    if (value > 0 && value <= kFarthest) return;
+    refuse("'" + std::string(key) + "' must be above 0 mm");
+  }
+  void point(const char* key, const FilePoint& p) const {
+    for (const double c : {p.x, p.y, p.z}) number(key, c, -kFarthest, kFarthest);
+  }
+  void rotation(const char* key, const Rotation& r) const {
+    if (!isRotation(r)) {
+      refuse("'" + std::string(key) +
+             "' is no rotation: 9 numbers, rows of length 1 at right "
+             "angles, right-handed");
+    }
+  }
+  static std::string shown(double value) {
+    if (std::abs(value) >= kFarthest) return value < 0 ? "-1e38" : "1e38";
+    return std::to_string(static_cast<int>(value));
+  }
+
+  std::string source_;
+};
+
+}  // namespace
+
+std::string_view kindOf(const Step& step) noexcept {
+  constexpr std::array<std::string_view, std::variant_size_v<Step>> kKinds{
+      "crop_box", "crop_outline", "classes", "intensities", "duplicates", "outliers",
+      "lonely",   "sparse",       "thin",    "base",        "normals",    "align"};
+  return kKinds[step.index()];
+}
+
+std::vector<Step> cleaningSteps() {
+  // Strays among strays first, then those near the surface. Standard deviations are no measure
+  // here: where there are no strays, mean + 3 leaves out 1 to 2 % of a good scan.
+  return {Lonely{.spacings = 10}, Sparse{}};
+}
+
+bool isRigid(const Pose& pose) noexcept {
+  const auto& m = pose.m;
+  const auto is_usable = [](double v) { return std::isfinite(v) && std::abs(v) <= kFarthest; };
+  return std::all_of(m.begin(), m.end(), is_usable) && m[12] == 0 && m[13] == 0 && m[14] == 0 &&
+         m[15] == 1 && isRotation({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
+}
+
+void check(const Step& step, const std::string& source) {
+  std::visit(Checker(source), step);
+}
+
+void check(const Recipe& recipe) {
+  if (recipe.scans.size() > kMostScans) {
+    throw ArgumentError("The recipe names " + std::to_string(recipe.scans.size()) +
+                        " scans; at most " + std::to_string(kMostScans) +
+                        " can be prepared at once.");
+  }
+  if (recipe.steps.size() > kMostSteps) {
+    throw ArgumentError("The recipe has " + std::to_string(recipe.steps.size()) +
+                        " steps; at most " + std::to_string(kMostSteps) + " can be done at once.");
+  }
+  int joins = 0;
+  for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
+    const Step& step = recipe.steps[i];
+    check(step, "Step " + std::to_string(i + 1) + " (" + std::string(kindOf(step)) + ")");
+    if (std::holds_alternative<Align>(step)) ++joins;
+  }
+  if (joins > 1) throw ArgumentError("The recipe aligns its scans twice. Leave one step out.");
+}
+
+}  // namespace relievo

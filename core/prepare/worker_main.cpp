@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// relievo-prepare: cleans, aligns, joins and thins scans, by FLANN and PCL.
+#include "core/prepare/align_scans.h"
+#include "core/prepare/worker.h"
+
+int main(int argc, char** argv) {
+  return relievo::runPrepareWorker(argc, argv, relievo::alignScans);
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/export_map.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/io/raster.h"
+#include "core/region/window.h"
+#include "core/session/level_cut.h"
+#include "core/session/memory_guard.h"
+#include "core/session/tiled_surface.h"
+
+namespace relievo {
+namespace {
+
+Level levelOf(const MapExport& choice) {
+  return choice.part == ExportPart::level ? choice.region.level : Level{0};
+}
+
+DepthMap partOf(const Surface& surface, const MapExport& choice) {
+  if (choice.part == ExportPart::window) return windowMap(windowOf(surface, choice.region));
+  const Level level = levelOf(choice);
+  if (level.value == 0 && !surface.tiles) return surface.map;
+  if (surface.tiles) requireMemory(levelFrame(surface, level), availableBytes());
+  return levelCut(surface, level);
+}
+
+}  // namespace
+
+GridSize exportedSize(const Surface& surface, const MapExport& choice) {
+  if (choice.part == ExportPart::window) return {.cols = kWindowSamples, .rows = kWindowSamples};
+  return levelFrame(surface, levelOf(choice)).size;
+}
+
+ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const RasterMap* raster) {
+  const DepthMap map = partOf(surface, choice);
+  // Colours of cells, once a map has them, go into ExportGrid::colours here; the writers of meshes
+  // show them.
+  if (!choice.in_file_frame) {
+    ExportGrid grid = viewGrid(map);
+    grid.state = choice.state;
+    return grid;
+  }
+  auto grid = fileGrid(map, surface.view_from_file, surface.unit, raster);
+  if (!grid) {
+    throw ArgumentError(surface.info.file.filename().string() +
+                        " was not seen from the top, so heights are no z of the file. Nothing was "
+                        "written. Choose --view top or view millimetres.");
+  }
+  grid->state = choice.state;
+  return std::move(*grid);
+}
+
+ExportedMap reportOf(const ExportGrid& grid) {
+  const auto empty = std::count(grid.origins.begin(), grid.origins.end(), Origin::outside);
+  return {.size = grid.size,
+          .spacing = grid.spacing,
+          .first_x = grid.first_x,
+          .first_y = grid.first_y,
+          .unit = grid.unit,
+          .heights = grid.origins.size() - static_cast<std::size_t>(empty),
+          .left_out = grid.left_out};
+}
+
+ExportedMap exportMap(const std::filesystem::path& file, const Surface& surface,
+                      const MapExport& choice, const RasterMap* raster, const Task& task) {
+  task.check();
+  const ExportGrid grid = exportedGrid(surface, choice, raster);
+  const bool is_map = choice.format == ExportFormat::geotiff && !choice.in_file_frame &&
+                      choice.part == ExportPart::map && !surface.tiles;
+  if (is_map) {
+    writeMap(file, surface.map,
+             {.view_from_file = surface.view_from_file, .mask_band = true, .state = choice.state});
+  } else {
+    exportGrid(file, grid, choice.format, {.plate_mm = choice.plate_mm}, task);
+  }
+  return reportOf(grid);
+}
+
+}  // namespace relievo

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/io/replaced_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "tests/core/io/temporary_folder.h"
+
+namespace relievo {
+namespace {
+
+std::set<std::string> namesIn(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+/// A child that begins to write a file and waits; killed by the caller.
+pid_t writerOf(const std::filesystem::path& file) {
+  std::array<int, 2> ready{};
+  EXPECT_EQ(::pipe(ready.data()), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const ReplacedFile written(file);
+    std::ofstream(written.path()) << "half";
+    [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1);
+    for (;;) ::pause();
+  }
+  char told = 0;
+  EXPECT_EQ(::read(ready[0], &told, 1), 1);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  return child;
+}
+
+TEST(ReplacedFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
+  const test::TemporaryFolder folder;
+  const auto somebodys = folder.write(".map.99999999.tmp.tif", "not of our form");
+  folder.write(".map.relievo-x.tmp.tif", "no number");
+  folder.write("map.relievo-99999999.tmp.tif", "not hidden");
+  const pid_t child = writerOf(folder.path() / "map.tif");
+  const std::string left = ".map.relievo-" + std::to_string(child) + ".tmp.tif";
+  EXPECT_TRUE(namesIn(folder.path()).contains(left));
+  {
+    // While it lives nobody touches it.
+    const ReplacedFile other(folder.path() / "other.tif");
+    EXPECT_TRUE(namesIn(folder.path()).contains(left));
+  }
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_TRUE(namesIn(folder.path()).contains(left)) << "nobody could remove it so far";
+  { const ReplacedFile other(folder.path() / "other.tif"); }
+  EXPECT_EQ(namesIn(folder.path()),
+            (std::set<std::string>{".map.99999999.tmp.tif", ".map.relievo-x.tmp.tif",
+                                   "map.relievo-99999999.tmp.tif"}));
+}
+
+/// A writer in another container has a number that means nothing here, but holds its lock.
+TEST(ReplacedFile, AFileThatSomebodyHoldsIsLeftAlone) {
+  const test::TemporaryFolder folder;
+  const pid_t child = writerOf(folder.path() / "map.tif");
+  const auto as_if_elsewhere = folder.path() / ".map.relievo-99999999.tmp.tif";
+  std::filesystem::rename(folder.path() / (".map.relievo-" + std::to_string(child) + ".tmp.tif"),
+                          as_if_elsewhere);
+  removeLeftFiles(folder.path());
+  EXPECT_TRUE(std::filesystem::exists(as_if_elsewhere));
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  removeLeftFiles(folder.path());
+  EXPECT_FALSE(std::filesystem::exists(as_if_elsewhere));
+}
+
+TEST(ReplacedFile, KeepsWhatWasWrittenAndElseNothing) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("a.txt", "old");
+  { std::ofstream(ReplacedFile(file).path()) << "half"; }
+  EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
+  {
+    ReplacedFile written(file);
+    std::ofstream(written.path()) << "new";
+    written.keep();
+  }
+  std::ifstream in(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "new");
+  EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
+}
+
+}  // namespace
+}  // namespace relievo

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/session/closed_cloud.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "core/depth/rasterize.h"
+#include "core/session/large_map.h"
+#include "core/session/surface.h"
+#include "core/tiles/tiled_map.h"
+#include "tests/core/io/las_sample.h"
+#include "tests/core/scan_fixtures.h"
+#include "tests/core/sphere_figure.h"
+#include "tests/core/tiles/tile_fixtures.h"
+
+namespace relievo {
+namespace {
+
+using test::FigureFront;
+using test::FigureSampling;
+using test::sampledFigure;
+using test::sphereFigure;
+
+SurfaceOptions seenFrom(const std::string& view) {
+  SurfaceOptions options;
+  options.unit = LengthUnit::mm;
+  options.view = ViewChoice{.name = view, .rotation = {}};
+  return options;
+}
+
+/// Shares of the cells that the figure covers with two cells around them.
+struct Found {
+  double pits = 0, bumps = 0, lost = 0, beyond = 0;
+  double rms_spacings = 0;
+  int cells = 0;
+};
+
+Found heldAgainst(const Surface& surface, const std::string& view) {
+  const FigureFront truth(sphereFigure(), *standardRotation(view));
+  const GridFrame& frame = surface.map.frame;
+  const auto& m = surface.view_from_file.m;
+  // The view's own frame is the rotation plus a shift.
+  const auto at = [&](int col, int row) {
+    const auto z = truth.at(frame.xMm(col) - m[3], frame.yMm(row) - m[7]);
+    return z ? std::optional(*z + m[11]) : std::nullopt;
+  };
+  const double size = frame.spacing_mm * std::max(frame.size.cols, frame.size.rows);
+  Found found;
+  double squares = 0;
+  int compared = 0;
+  for (int row = 0; row < frame.size.rows; ++row) {
+    for (int col = 0; col < frame.size.cols; ++col) {
+      const std::size_t i = frame.size.index({.col = col, .row = row});
+      const Origin origin = surface.map.origins[i];
+      const bool is_there = origin != Origin::outside && origin != Origin::base_plane;
+      double low = 1e300;
+      double high = -1e300;
+      bool inside = true;
+      bool is_near = false;
+      for (int r = row - 2; r <= row + 2; ++r) {
+        for (int c = col - 2; c <= col + 2; ++c) {
+          const auto z = at(c, r);
+          inside = inside && z.has_value();
+          is_near = is_near || z.has_value();
+          low = std::min(low, z.value_or(low));
+          high = std::max(high, z.value_or(high));
+        }
+      }
+      found.beyond += is_there && !is_near ? 1 : 0;
+      if (!inside) continue;
+      ++found.cells;
+      found.lost += is_there ? 0 : 1;
+      if (!is_there) continue;
+      const auto height = static_cast<double>(surface.map.heights_mm[i]);
+      const bool is_pit = height < low - 0.03 * size;
+      const bool is_bump = height > high + 0.03 * size;
+      found.pits += is_pit ? 1 : 0;
+      found.bumps += is_bump ? 1 : 0;
+      if (is_pit || is_bump || high - low > 8 * frame.spacing_mm) continue;
+      squares += (height - *at(col, row)) * (height - *at(col, row));
+      ++compared;
+    }
+  }
+  found.rms_spacings = std::sqrt(squares / compared) / frame.spacing_mm;
+  return found;
+}
+
+void expectWhole(const Surface& surface, const std::string& view, const std::string& what) {
+  const Found found = heldAgainst(surface, view);
+  SCOPED_TRACE(what + " from the " + view);
+  ASSERT_GT(found.cells, 1000);
+  EXPECT_LE(found.pits, 0.001 * found.cells);
+  EXPECT_LE(found.bumps, 0.002 * found.cells);
+  EXPECT_LE(found.lost, 0.005 * found.cells);
+  EXPECT_LE(found.rms_spacings, 0.6);
+}
+
+TEST(ClosedCloud, HasNoPitsSeenFromAnySide) {
+  const Scan scan = sampledFigure(sphereFigure(), {}, 1);
+  for (const char* view : {"front", "back", "left", "right", "top", "bottom"}) {
+    const Surface surface = makeSurface(scan, seenFrom(view), rasterize);
+    expectWhole(surface, view, "Even");
+    EXPECT_LE(heldAgainst(surface, view).beyond, 2) << view;
+    // Half of a closed body and more is behind.
+    EXPECT_GT(surface.losses->hidden_share, 0.45) << view;
+  }
+}
+
+TEST(ClosedCloud, BearsNoiseUnevenDensityAndStrays) {
+  const auto spheres = sphereFigure();
+  expectWhole(
+      makeSurface(sampledFigure(spheres, {.noise_mm = 0.12}, 2), seenFrom("front"), rasterize),
+      "front", "Noisy");
+  expectWhole(
+      makeSurface(sampledFigure(spheres, {.unevenness = 10}, 3), seenFrom("right"), rasterize),
+      "right", "Uneven");
+  const Surface strayed =
+      makeSurface(sampledFigure(spheres, {.strays = 0.01}, 4), seenFrom("front"), rasterize);
+  expectWhole(strayed, "front", "With strays");
+  EXPECT_GT(strayed.losses->flyers, 0U);
+}
+
+TEST(ClosedCloud, TheGridIsThatOfThePointsThatAreSeen) {
+  const Scan scan = sampledFigure(sphereFigure(), {}, 1);
+  const Surface surface = makeSurface(scan, seenFrom("front"), rasterize);
+  std::size_t points = 0;
+  std::size_t cells = 0;
+  for (std::size_t i = 0; i < surface.map.origins.size(); ++i) {
+    points += surface.quality.counts[i];
+    cells += surface.map.origins[i] == Origin::outside ? 0 : 1;
+  }
+  // 2.5 points a cell are wanted; the back, too, would make 5 and more of it.
+  EXPECT_NEAR(static_cast<double>(points) / static_cast<double>(cells), 2.5, 0.5);
+}
+
+TEST(ClosedCloud, PointsAreSeenHiddenOrStray) {
+  const auto spheres = sphereFigure();
+  Scan scan = sampledFigure(spheres, {}, 5);
+  const Rotation front = *standardRotation("front");
+  scan.points.push_back({0, -75, 0});  // Alone before the trunk.
+  const RotatedBounds box = rotatedBounds(scan, front, 1);
+  const auto closed = closedCloud(scan, front, 1, box, {});
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(closed->visible.points.size() + closed->hidden + closed->strays, scan.points.size());
+  EXPECT_GE(closed->strays, 1U);
+  EXPECT_LE(closed->strays, 150U);  // Half a per cent of good points at most.
+  const FigureFront truth(spheres, front);
+  std::size_t wrong = 0;
+  for (const auto& p : closed->visible.points) {
+    const auto x = static_cast<double>(p[0]);
+    const auto z = truth.at(x, static_cast<double>(p[2]));
+    // Behind by more than a few spacings is behind; at a silhouette the front falls steeply.
+    wrong += !z || -static_cast<double>(p[1]) < *z - 12 ? 1 : 0;
+  }
+  EXPECT_LE(wrong, closed->visible.points.size() / 50);
+}
+
+TEST(ClosedCloud, AMeshAndAReliefOfOneLayerAreNone) {
+  Scan relief;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> place(0, 100);
+  for (int i = 0; i < 20'000; ++i) {
+    const float x = place(random);
+    const float y = place(random);
+    // A terrace: steps of 20 mm, whose groups lie side by side.
+    relief.points.push_back({x, y, 20 * std::floor(x / 25) + std::sin(y / 5)});
+  }
+  const Rotation top = *standardRotation("top");
+  EXPECT_FALSE(closedCloud(relief, top, 1, rotatedBounds(relief, top, 1), {}));
+  Scan mesh = sampledFigure(sphereFigure(), {.points = 1000}, 7);
+  mesh.triangles.push_back({0, 1, 2});
+  EXPECT_FALSE(closedCloud(mesh, top, 1, rotatedBounds(mesh, top, 1), {}));
+}
+
+TEST(ClosedCloud, AMapByTilesMakesTheSameDecisionToTheBit) {
+  // Whole numbers of 1/512 mm: the sums of both ways are exact.
+  constexpr double kScale = 1.0 / 512;
+  test::Las las;
+  las.scale = {kScale, kScale, kScale};
+  Scan scan;
+  for (const auto& p :
+       sampledFigure(sphereFigure(), {.points = 60'000, .strays = 0.002}, 9).points) {
+    std::array<std::int32_t, 3> raw{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      raw[k] = static_cast<std::int32_t>(std::lround(static_cast<double>(p[k]) / kScale));
+    }
+    las.raw.push_back(raw);
+    scan.points.push_back({static_cast<float>(raw[0] * kScale), static_cast<float>(raw[1] * kScale),
+                           static_cast<float>(raw[2] * kScale)});
+  }
+  las.promised = las.legacy_promised = static_cast<std::uint32_t>(las.raw.size());
+  test::finishScan(scan);
+  const test::TileFolder folder;
+  std::ofstream(folder / "figure.las", std::ios::binary) << test::lasFile(las);
+  SurfaceOptions options = seenFrom("front");
+  options.spacing_mm = 0.25;
+  options.rule = PointRule::median;
+  const LargeMap large = makeLargeMap(
+      folder / "figure.las", options,
+      {.file = folder / "map.tif", .memory_bytes = 165'000'000, .threads = 2, .on_view = {}});
+  const Surface whole = makeSurface(scan, options, rasterize);
+  EXPECT_EQ(large.frames[0], whole.map.frame);
+  EXPECT_EQ(large.losses->hidden_share, whole.losses->hidden_share);
+  EXPECT_EQ(large.losses->flyers, whole.losses->flyers);
+  const TiledMap tiled(folder / "map.tif");
+  EXPECT_TRUE(std::ranges::equal(tiled.levelMap({0}).heights_mm, whole.map.heights_mm));
+  EXPECT_EQ(tiled.levelMap({0}).origins, whole.map.origins);
+}
+
+TEST(ClosedCloud, AStopRequestEndsTheSearchForTheFront) {
+  const Scan scan = sampledFigure(sphereFigure(), {}, 8);
+  const Rotation front = *standardRotation("front");
+  std::stop_source source;
+  Task task;
+  task.stop = source.get_token();
+  task.progress = [&](std::string_view, double) { source.request_stop(); };
+  EXPECT_THROW(closedCloud(scan, front, 1, rotatedBounds(scan, front, 1), task), Cancelled);
+}
+
+}  // namespace
+}  // namespace relievo
