@@ -73,6 +73,7 @@ struct Document::Work {
   ImportOptions import() const {
     ImportOptions import;
     import.accept_incomplete = open.accept_incomplete;
+    import.scan = open.scan;
     return import;
   }
 };

@@ -31,6 +31,7 @@ struct OpenRequest {
   std::optional<RectMm> region;  ///< First window, view mm.
   std::optional<int> detail;     ///< First detail, 1 = whole.
   bool accept_incomplete = false;
+  ScanChoices scan = {};  ///< What of the file is read.
   // A state that comes back, in place of the choices above.
   std::optional<SurfaceOptions> options;
   std::optional<Region> exact_region;

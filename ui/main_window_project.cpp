@@ -114,6 +114,7 @@ void MainWindow::restore(const Project& project, const QString& from) {
   request.history = project.history;
   request.undo = project.undo;
   request.accept_incomplete = project.accept_incomplete;
+  request.scan = project.scan;
   if (!QFileInfo::exists(request.file) && !from.isEmpty()) {
     try {  // Moved together with what carries the state, or in a package.
       request.file = QFile::decodeName(foundInput(pathOf(from), project.file).c_str());

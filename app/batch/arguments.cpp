@@ -89,6 +89,39 @@ std::vector<double> numberList(const std::string& option, const std::string& tex
   return values;
 }
 
+void addScanOptions(CLI::App& verb, ScanArguments& a) {
+  verb.add_flag("--load-incomplete", a.accept_incomplete,
+                "Load the complete records of a cut file (E101)");
+  verb.add_option("--parts", a.parts, "Which scans of an E57 or PTX file: 1,3; all");
+  verb.add_option("--reader", a.reader,
+                  "Whose code reads the points: auto (PCL where it reads right), pcl, own")
+      ->check(CLI::IsMember({"auto", "pcl", "own"}));
+  verb.add_flag("--keep-withheld", a.keep_withheld,
+                "Of LAS: take points, too, that are marked as not to be used");
+}
+
+ImportOptions importOptions(const ScanArguments& a) {
+  ImportOptions options;
+  options.accept_incomplete = a.accept_incomplete;
+  options.scan.keep_withheld = a.keep_withheld;
+  const auto* const reader = std::find(kReaderNames.begin(), kReaderNames.end(), a.reader);
+  options.scan.reader = static_cast<ReaderChoice>(reader - kReaderNames.begin());
+  std::string_view rest = a.parts;
+  while (!rest.empty()) {
+    const std::string_view word = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    int part = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), part);
+    const bool comma_at_end = rest.empty() && a.parts.back() == ',';
+    if (error != std::errc{} || end != word.data() + word.size() || part < 1 || comma_at_end) {
+      throw ArgumentError("--parts: '" + a.parts +
+                          "' is no list of scan numbers from 1, such as 1,3.");
+    }
+    options.scan.parts.push_back(part);
+  }
+  return options;
+}
+
 void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("FILE", a.file,
                   "Scan (PLY PCD OBJ STL 3DS LAS E57 PTX XYZ ASC PTS CSV), TIFF, PNG, ASCII grid "
@@ -112,8 +145,7 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("--nodata", a.nodata,
                   "A height of the file that stands for none, as -9999; none: every height is one");
   verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
-  verb.add_flag("--load-incomplete", a.accept_incomplete,
-                "Load the complete records of a cut file (E101)");
+  addScanOptions(verb, a.scan);
 }
 
 SurfaceOptions surfaceOptions(const MapArguments& a) {

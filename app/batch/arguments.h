@@ -16,6 +16,17 @@ class App;
 
 namespace relievo::batch {
 
+/// What of a scan is read, and how; the same for every verb that reads scans.
+struct ScanArguments {
+  bool accept_incomplete = false;
+  bool keep_withheld = false;
+  std::string parts;  ///< "1,3"; empty: all scans of the file.
+  std::string reader = "auto";
+};
+void addScanOptions(CLI::App& verb, ScanArguments& arguments);
+/// @throw ArgumentError  a value that is not of its option's form
+ImportOptions importOptions(const ScanArguments& arguments);
+
 /// Options of every verb that needs a surface; the same as the window's.
 struct MapArguments {
   std::string file;
@@ -30,7 +41,7 @@ struct MapArguments {
   std::string strays = "drop";
   std::string nodata;  ///< Empty: as the file says; "none" or a height.
   double factor = 2;   ///< The paper's M.
-  bool accept_incomplete = false;
+  ScanArguments scan;
 };
 void addMapOptions(CLI::App& verb, MapArguments& arguments);
 /// @throw ArgumentError  a value that is not of its option's form

@@ -83,9 +83,8 @@ void tell(const std::string& message) {
 }
 
 Surface loadForVerb(const MapArguments& arguments, const Task& task) {
-  ImportOptions import;
-  import.accept_incomplete = arguments.accept_incomplete;
-  return loadForVerb(arguments.file, surfaceOptions(arguments), import, task);
+  return loadForVerb(arguments.file, surfaceOptions(arguments), importOptions(arguments.scan),
+                     task);
 }
 
 Surface loadForVerb(const std::string& file, const SurfaceOptions& options,

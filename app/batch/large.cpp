@@ -106,8 +106,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
   if (!(memory_mb > 0) || !(memory_mb < 1e9)) {
     throw ArgumentError("--memory must be a number of megabytes above 0.");
   }
-  ImportOptions import;
-  import.accept_incomplete = arguments.accept_incomplete;
+  const ImportOptions import = importOptions(arguments.scan);
   ProgressLine line(::isatty(STDERR_FILENO) != 0);
   const Task shown{.stop = task.stop, .progress = [&](std::string_view step, double fraction) {
                      line.show(step, fraction);

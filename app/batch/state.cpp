@@ -20,7 +20,8 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
                      const Task& task) {
   const fs::path folder = out.parent_path();
   provenance.input = inputFile(arguments.file, folder.empty() ? fs::path(".") : folder, task);
-  provenance.accept_incomplete = arguments.accept_incomplete;
+  provenance.accept_incomplete = arguments.scan.accept_incomplete;
+  provenance.scan = importOptions(arguments.scan).scan;
   return provenance;
 }
 
@@ -57,6 +58,7 @@ Surface surfaceOf(const Project& project, const Task& task) {
   if (TiledMap::isOne(project.file)) return openTiledSurface(project.file);
   ImportOptions import;
   import.accept_incomplete = project.accept_incomplete;
+  import.scan = project.scan;
   return loadForVerb(project.file, project.options, import, task);
 }
 
@@ -76,7 +78,8 @@ Project projectOfVerb(const MapArguments& arguments, const Surface& surface, con
   p.file = arguments.file;
   p.sha256 = sha256OfFile(arguments.file, task);
   p.bytes = fs::file_size(arguments.file);
-  p.accept_incomplete = arguments.accept_incomplete;
+  p.accept_incomplete = arguments.scan.accept_incomplete;
+  p.scan = importOptions(arguments.scan).scan;
   p.options = resolved(surfaceOptions(arguments), surface);
   p.region = region;
   p.gain = gain;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 
 #include "app/batch/json.h"
 #include "app/batch/map_report.h"
 #include "app/batch/verb.h"
 #include "core/io/import.h"
+#include "core/io/number_text.h"
 #include "core/io/raster.h"
 #include "core/session/nodata.h"
 #include "core/session/strays.h"
@@ -14,37 +17,6 @@
 
 namespace relievo::batch {
 namespace {
-
-struct InfoArguments {
-  std::string file, unit;
-  bool accept_incomplete = false;
-};
-
-struct Found {
-  ScanInfo info;
-  Strays strays;
-  std::optional<SuspectHeight> suspect_height;
-  /// What the unit is guessed from: the box without strays.
-  std::optional<FileBounds> box;
-};
-
-Found look(const InfoArguments& a, const Task& task) {
-  ImportOptions options;
-  options.accept_incomplete = a.accept_incomplete;
-  if (looksLikeRaster(a.file)) {
-    const RasterMap raster = importRaster(a.file, options, task);
-    return {.info = raster.info,
-            .strays = {},
-            .suspect_height = suspectHeight(raster),
-            .box = raster.info.bounds};
-  }
-  const Scan scan = importScan(a.file, options, task);
-  const ScanInUse in_use(scan, StrayRule::drop, std::nullopt, task);
-  return {.info = scan.info,
-          .strays = in_use.strays(),
-          .suspect_height = suspectHeight(scan),
-          .box = in_use.scan().info.bounds};
-}
 
 /// Of a file that is only looked at.
 std::string strayText(const Strays& strays) {
@@ -62,6 +34,110 @@ Json jsonOf(const FilePoint& p) {
   return Json{p.x, p.y, p.z};
 }
 
+struct InfoArguments {
+  std::string file, unit;
+  ScanArguments scan;
+};
+
+/// What is told of a file beside its ScanInfo.
+struct FileFacts {
+  ScanInfo info;
+  std::map<int, std::uint64_t> classes;     ///< Points of each class.
+  std::optional<IntensityRange> intensity;  ///< Smallest and largest of the points.
+  Strays strays;
+  std::optional<SuspectHeight> suspect_height;
+  std::optional<FileBounds> box;  ///< What the unit is guessed from: the box without strays.
+};
+
+FileFacts factsOf(const Scan& scan, const Task& task) {
+  const ScanInUse in_use(scan, StrayRule::drop, std::nullopt, task);
+  FileFacts facts{.info = scan.info,
+                  .classes = {},
+                  .intensity = std::nullopt,
+                  .strays = in_use.strays(),
+                  .suspect_height = suspectHeight(scan),
+                  .box = in_use.scan().info.bounds};
+  for (const std::uint8_t number : scan.classes) ++facts.classes[number];
+  if (scan.info.intensity && !scan.intensities.empty()) {
+    const auto [least, most] =
+        std::minmax_element(scan.intensities.begin(), scan.intensities.end());
+    const IntensityRange& range = *scan.info.intensity;
+    const auto value = [&range](std::uint16_t stored) {
+      return range.low + (range.high - range.low) * stored / 65535;
+    };
+    facts.intensity = IntensityRange{value(*least), value(*most)};
+  }
+  return facts;
+}
+
+FileFacts readFacts(const InfoArguments& a, const Task& task) {
+  const ImportOptions options = importOptions(a.scan);
+  if (looksLikeRaster(a.file)) {
+    const RasterMap raster = importRaster(a.file, options, task);
+    return {.info = raster.info,
+            .classes = {},
+            .intensity = std::nullopt,
+            .strays = {},
+            .suspect_height = suspectHeight(raster),
+            .box = raster.info.bounds};
+  }
+  return factsOf(importScan(a.file, options, task), task);
+}
+
+/// The keys for what is stored with the points; null or empty where there is none.
+void addValues(const FileFacts& facts, Json& json) {
+  const ScanInfo& info = facts.info;
+  json["reader"] = info.reader;
+  json["reference_system"] = nullptr;
+  if (!info.reference_system.empty()) json["reference_system"] = info.reference_system;
+  json["colour"] = nullptr;
+  if (info.colour) {
+    json["colour"] = {{"source", info.colour->source},
+                      {"bits", info.colour->bits},
+                      {"points", info.colour->points}};
+  }
+  json["intensity"] = nullptr;
+  if (facts.intensity) {
+    json["intensity"] = {{"low", facts.intensity->low}, {"high", facts.intensity->high}};
+  }
+  json["classes"] = Json::object();
+  for (const auto& [number, points] : facts.classes) {
+    json["classes"][std::to_string(number)] = points;
+  }
+  json["withheld"] = info.withheld;
+  json["parts"] = Json::array();
+  for (const ScanPart& part : info.parts) {
+    Json entry{{"name", part.name}, {"points", part.points}, {"viewpoint", nullptr}};
+    if (part.viewpoint) entry["viewpoint"] = jsonOf(*part.viewpoint);
+    json["parts"].push_back(std::move(entry));
+  }
+}
+
+/// The same for people: only what there is.
+void addValueLines(const FileFacts& facts, std::vector<std::string>& lines) {
+  const ScanInfo& info = facts.info;
+  if (!info.reader.empty()) lines.push_back("read by " + info.reader);
+  if (info.colour) {
+    lines.push_back("colours from " + info.colour->source + ", " +
+                    std::to_string(info.colour->bits) + " bits, of " +
+                    std::to_string(info.colour->points) +
+                    (info.colour->source == "texture" ? " corners" : " points"));
+  }
+  if (facts.intensity) {
+    lines.push_back("intensities from " + roundTripText(std::array{facts.intensity->low}) + " to " +
+                    roundTripText(std::array{facts.intensity->high}));
+  }
+  for (const auto& [number, points] : facts.classes) {
+    lines.push_back("class " + std::to_string(number) + ": " + std::to_string(points) + " points");
+  }
+  for (std::size_t i = 0; i < info.parts.size() && info.parts.size() > 1; ++i) {
+    const ScanPart& part = info.parts[i];
+    lines.push_back("scan " + std::to_string(i + 1) +
+                    (part.name.empty() ? "" : " \"" + part.name + "\"") + ": " +
+                    std::to_string(part.points) + " points");
+  }
+}
+
 /// "300 x 200 x 41.3 mm"
 std::string sizeText(const FilePoint& size_mm) {
   std::array<char, 96> text{};
@@ -77,7 +153,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
       throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
     }
   }
-  const Found found = look(a, task);
+  const FileFacts found = readFacts(a, task);
   const ScanInfo& info = found.info;
   ScanInfo without_strays = info;
   without_strays.bounds = found.box;
@@ -112,7 +188,10 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   json["strays"] = straysJson(found.strays);
   json["likely_nodata"] = suspectJson(found.suspect_height);
 
-  Outcome outcome{.json = json.dump(2), .lines = {}};
+  addValues(found, json);
+
+  // Names of a file's scans need not be UTF-8; JSON must be.
+  Outcome outcome{.json = json.dump(2, ' ', false, Json::error_handler_t::replace), .lines = {}};
   outcome.lines = {a.file + ": " + info.format,
                    std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
                        " finite, " + std::to_string(info.faces) + " faces",
@@ -124,6 +203,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
     outcome.lines.push_back("size " + sizeText(size_mm) +
                             (nobody_said ? ", if one unit is 1 " + std::string(name(unit)) : ""));
   }
+  addValueLines(found, outcome.lines);
   return outcome;
 }
 
@@ -137,8 +217,7 @@ Verb infoVerb() {
               [arguments](CLI::App& verb) {
                 verb.add_option("FILE", arguments->file, "Scan or raster")->required();
                 verb.add_option("--unit", arguments->unit, "mm cm m in ft us-ft");
-                verb.add_flag("--load-incomplete", arguments->accept_incomplete,
-                              "Count the complete records of a cut file (E101)");
+                addScanOptions(verb, arguments->scan);
               },
           .run = [arguments](const Task& task) { return runInfo(*arguments, task); }};
 }

@@ -71,6 +71,7 @@ struct Recorded {
 Recorded recordedOf(Stored stored, const VideoArguments& a, const Task& task) {
   Provenance made = provenanceOf(stored.surface, stored.project.options);
   made.accept_incomplete = stored.project.accept_incomplete;
+  made.scan = stored.project.scan;
   made.input = inputFile(stored.project.file, fs::absolute(a.out).parent_path(), task);
   return {.surface = std::move(stored.surface), .provenance = std::move(made)};
 }

@@ -29,6 +29,13 @@ struct ScanPart {
   std::optional<FilePoint> viewpoint;  ///< Where the scanner stood; turns normals outward.
 };
 
+/// What a file stores as colours of its points or faces.
+struct ColourFact {
+  std::string source;        ///< Where they stood: "red green blue", "rgb", "texture".
+  int bits = 8;              ///< Of a stored channel that hold colour: 8 or 16; 32: float.
+  std::uint64_t points = 0;  ///< Points loaded that have one; of a texture, corners of faces.
+};
+
 /// Which stored intensities the whole numbers of Scan::intensities stand for.
 struct IntensityRange {
   double low = 0, high = 0;  ///< Of 0 and of 65535.
@@ -39,7 +46,7 @@ struct ScanInfo {
   std::filesystem::path file;
   std::string format;               ///< "PLY binary_little_endian", "PCD ascii", "STL binary", ...
   std::uint64_t points = 0;         ///< Records stored (STL: 3 per triangle; raster: cells).
-  std::uint64_t finite_points = 0;  ///< Of these, with three finite coordinates.
+  std::uint64_t finite_points = 0;  ///< Of these, finite and not left out: those in the scan.
   std::uint64_t faces = 0;          ///< Polygons stored.
   std::uint64_t dropped_faces = 0;  ///< Faces left out: index out of range, or a non-finite corner.
   std::optional<FileBounds> bounds;  ///< Over finite points, double; nothing if there are none.
@@ -47,8 +54,11 @@ struct ScanInfo {
   double height_step = 0;  ///< Rasters of whole numbers: of their heights, file unit; 0: others.
   std::string reader;      ///< "PCL 1.13.0", "relievo": which library read the points.
   std::vector<ScanPart> parts;              ///< Empty: one.
+  std::optional<ColourFact> colour;         ///< If the scan has colours.
   std::optional<IntensityRange> intensity;  ///< If the scan has intensities.
-  std::vector<std::string> warnings;        ///< For people; each one sentence.
+  std::uint64_t withheld = 0;    ///< LAS points marked "not to be used"; left out unless asked for.
+  std::string reference_system;  ///< Of LAS: well-known text, "EPSG:n" or GeoTIFF keys; else empty.
+  std::vector<std::string> warnings;  ///< For people; each one sentence.
 };
 
 /// A picture on a mesh. Texels row by row from the top, sRGB.

@@ -61,6 +61,14 @@ void checkCodecs(const XmlElement& points) {
   }
 }
 
+/// Nothing unless both are finite numbers: a scan without them can be read all the same.
+std::optional<std::array<double, 2>> limitsOf(std::string_view low, std::string_view high) {
+  const auto least = parseNumber(withoutSpace(low));
+  const auto most = parseNumber(withoutSpace(high));
+  if (!least || !most || !std::isfinite(*least) || !std::isfinite(*most)) return std::nullopt;
+  return std::array{*least, *most};
+}
+
 E57Field fieldOf(const XmlElement& element) {
   E57Field field;
   field.name = element.name;
@@ -69,6 +77,7 @@ E57Field fieldOf(const XmlElement& element) {
     const bool single = element.attribute("precision") == "single";
     field.kind = single ? E57Field::Kind::f32 : E57Field::Kind::f64;
     field.bits = single ? 32 : 64;
+    field.limits = limitsOf(element.attribute("minimum"), element.attribute("maximum"));
   } else if (type == "Integer" || type == "ScaledInteger") {
     using Limits = std::numeric_limits<std::int64_t>;
     field.kind = E57Field::Kind::whole;
@@ -80,6 +89,12 @@ E57Field fieldOf(const XmlElement& element) {
     if (type == "ScaledInteger") {
       field.scale = numberOf(element.attribute("scale"), 1.0);
       field.offset = numberOf(element.attribute("offset"), 0.0);
+    }
+    if (!element.attribute("maximum").empty()) {
+      const auto value = [&field](std::int64_t whole) {
+        return static_cast<double>(whole) * field.scale + field.offset;
+      };
+      field.limits = std::array{value(field.minimum), value(maximum)};
     }
   }
   return field;
@@ -118,6 +133,23 @@ E57Pose poseOf(const XmlElement& element) {
   return pose;
 }
 
+void readColourLimits(const XmlElement& element, E57Scan& scan) {
+  const XmlElement* const limits = element.child("colorLimits");
+  if (limits == nullptr) return;
+  constexpr std::array<std::string_view, 3> kNames{"colorRed", "colorGreen", "colorBlue"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const XmlElement* const low = limits->child(std::string(kNames[k]) + "Minimum");
+    const XmlElement* const high = limits->child(std::string(kNames[k]) + "Maximum");
+    // An element without text is the number 0.
+    const auto text = [](const XmlElement* stated) {
+      return withoutSpace(stated->text).empty() ? std::string_view("0") : stated->text;
+    };
+    if (low != nullptr && high != nullptr) {
+      scan.colour_limits[k] = limitsOf(text(low), text(high));
+    }
+  }
+}
+
 E57Scan scanOf(const XmlElement& element) {
   const XmlElement& points = *element.child("points");
   if (points.attribute("type") != "CompressedVector") refuse("has points of an unknown kind");
@@ -128,7 +160,11 @@ E57Scan scanOf(const XmlElement& element) {
   const XmlElement* const prototype = points.child("prototype");
   if (prototype == nullptr) refuse("does not say what a point consists of");
   addFields(*prototype, scan.fields);
-  if (const XmlElement* const pose = element.child("pose")) scan.pose = poseOf(*pose);
+  if (const XmlElement* const pose = element.child("pose")) {
+    scan.pose = poseOf(*pose);
+    scan.has_pose = true;
+  }
+  readColourLimits(element, scan);
   return scan;
 }
 

@@ -18,6 +18,7 @@ struct E57Field {
   unsigned bits = 0;         ///< Of each number; 0: all records have the minimum.
   std::int64_t minimum = 0;  ///< Added to the stored bits.
   double scale = 1, offset = 0;
+  std::optional<std::array<double, 2>> limits = {};  ///< Smallest and largest value, if stated.
 };
 
 /// From the scanner's axes to those of the file.
@@ -42,6 +43,9 @@ struct E57Scan {
   std::uint64_t section_at = 0;  ///< Physical place of its binary section.
   std::vector<E57Field> fields;  ///< In the order of their byte streams.
   E57Pose pose;
+  bool has_pose = false;
+  /// Of red, green and blue, if stated beside the points' own list of fields.
+  std::array<std::optional<std::array<double, 2>>, 3> colour_limits;
 
   std::optional<std::size_t> find(std::string_view field_name) const noexcept;
 };

@@ -17,6 +17,7 @@
 #include "core/io/raster.h"
 #include "core/io/raster_rows.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_transport.h"
 #include "core/io/system_unit.h"
 #include "core/io/worker_process.h"
@@ -28,16 +29,24 @@ constexpr int kRowsAtOnce = 64;  ///< Between two looks at the stop token.
 
 /// What can be refused by the first bytes is refused here, before a process is started.
 /// @return  the program that reads the rest
-ImportProgram precheck(const std::filesystem::path& file) {
+ImportProgram precheck(const std::filesystem::path& file, ReaderChoice choice) {
   const std::uint64_t size = checkedFileSize(file);
   const std::string head = readHead(file, kMaxHeaderBytes);
   const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
   checkReadableAsScan(found, file);
-  if (found.format == FileFormat::ply) parsePlyHeader(head, file);
-  const bool needs_libraries =
-      found.format == FileFormat::pcd &&
-      parsePcdHeader(head, file).encoding == PcdEncoding::binary_compressed;
-  return needs_libraries ? ImportProgram::libraries : ImportProgram::own;
+  std::string why_not;
+  if (found.format == FileFormat::ply) {
+    why_not = whyNotPcl(parsePlyHeader(head, file));
+  } else if (found.format == FileFormat::pcd) {
+    why_not = whyNotPcl(parsePcdHeader(head, file));
+  } else {
+    why_not = whyNotPcl(found.format);
+  }
+  if (usesPcl(choice, why_not, file)) return ImportProgram::pcl;
+  // Its pictures need GDAL.
+  const bool may_have_pictures =
+      found.format == FileFormat::obj && head.find("mtllib ") != std::string::npos;
+  return may_have_pictures ? ImportProgram::libraries : ImportProgram::own;
 }
 
 [[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
@@ -74,6 +83,7 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
   if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
   if (auto* wanted = std::get_if<Wanted>(&answer)) return std::move(*wanted);
   if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
+    if (refusal->code == kMisuse) throw ArgumentError(refusal->message);
     throw FileError(refusal->message, refusal->code);
   }
   refuseEnd(file, options, end);
@@ -81,12 +91,27 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
 
 }  // namespace
 
+namespace {
+
+void convertHeights(Scan& scan, double factor) {
+  if (factor == 1) return;
+  scan.origin.z *= factor;
+  for (auto& p : scan.points) p[2] = static_cast<float>(static_cast<double>(p[2]) * factor);
+  if (!scan.info.bounds) return;
+  scan.info.bounds->min.z *= factor;
+  scan.info.bounds->max.z *= factor;
+}
+
+}  // namespace
+
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  Scan scan = importInWorker<Scan>(precheck(file), file, ImportKind::scan, options, task);
+  Scan scan = importInWorker<Scan>(precheck(file, options.scan.reader), file, ImportKind::scan,
+                                   options, task);
   scan.info.file = file;
+  if (scan.info.reader.empty()) scan.info.reader = "relievo";
   if (scan.info.format.starts_with("LAS") || scan.info.format.starts_with("LAZ")) {
-    addUnitOfSystem(file, scan.info);
+    convertHeights(scan, addUnitOfSystem(file, scan.info));
   }
   return scan;
 }

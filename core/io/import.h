@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
+#include <vector>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 
 namespace relievo {
 
+/// Whose code reads the points: PCL's wherever it reads them right, PCL's or else nothing, or that
+/// of this program.
+enum class ReaderChoice : std::uint8_t { automatic, pcl, own };
+inline constexpr std::array<std::string_view, 3> kReaderNames{"auto", "pcl", "own"};
+
+/// What of a scan is read, and by whom. Kept with every result made from it.
+struct ScanChoices {
+  bool keep_withheld = false;  ///< LAS: take points that are marked as not to be used.
+  ReaderChoice reader = ReaderChoice::automatic;
+  std::vector<int> parts = {};  ///< E57, PTX: which scans of the file, from 1; empty: all.
+  friend bool operator==(const ScanChoices&, const ScanChoices&) = default;
+};
+
 struct ImportOptions {
   bool accept_incomplete = false;  ///< E101: load the complete records of a cut file.
+  ScanChoices scan = {};
   std::uint64_t max_points = 200'000'000;
   std::uint64_t max_memory_bytes = 6ULL << 30;  ///< Address space of the import worker.
   double max_cpu_s = 600;
@@ -23,6 +40,7 @@ struct ImportOptions {
 /// stop request within 250 ms. [worker]
 /// @throw FileError  missing, a directory, empty, malformed, incomplete (E101), unknown format, or
 ///                   no finite point; the message names file, finding and remedy
+/// @throw ArgumentError  PCL was asked for where it reads wrong, or a part that is not there
 /// @throw Cancelled
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options = {},
                 const Task& task = {});

@@ -90,6 +90,17 @@ std::optional<WorkerArguments> parseArguments(char** argv) {
   arguments.options.max_points = *max_points;
   arguments.options.max_memory_bytes = *max_memory;
   arguments.options.max_cpu_s = *max_cpu;
+  arguments.options.scan.keep_withheld = std::string_view(argv[8]) == "1";
+  const auto reader = parseWhole<int>(argv[9]);
+  if (!reader || *reader < 0 || *reader > static_cast<int>(ReaderChoice::own)) return std::nullopt;
+  arguments.options.scan.reader = static_cast<ReaderChoice>(*reader);
+  std::string_view parts = argv[10];
+  for (std::string_view word = takeWord(parts); !word.empty() && word != "-";
+       word = takeWord(parts)) {
+    const auto part = parseWhole<int>(word);
+    if (!part) return std::nullopt;
+    arguments.options.scan.parts.push_back(*part);
+  }
   return arguments;
 }
 
@@ -113,8 +124,7 @@ void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libr
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
     if (arguments.kind == ImportKind::scan) {
-      sendAnswer(kAnswerFd,
-                 readScanHere(arguments.file, arguments.options, task, libraries.unpack_lzf));
+      sendAnswer(kAnswerFd, readScanHere(arguments.file, arguments.options, task, libraries.read));
     } else if (libraries.read_raster != nullptr) {
       RasterAnswer answer(kAnswerFd);
       answer.finish(libraries.read_raster(arguments.file, answer.sink(), task));

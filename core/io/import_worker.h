@@ -3,14 +3,14 @@
 
 #include <filesystem>
 
-#include "core/io/lzf.h"
 #include "core/io/raster.h"
+#include "core/io/read_scan.h"
 
 namespace relievo {
 
 /// What a worker program reads by large libraries; null where it has none.
 struct WorkerLibraries {
-  UnpackLzf unpack_lzf = nullptr;
+  ReadLibraries read = {};
   RasterEnd (*read_raster)(const std::filesystem::path&, const RasterSink&, const Task&) = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
 #include "core/io/planted_fault.h"
@@ -22,6 +23,8 @@ constexpr std::uint16_t kWellKnownText = 2112;
 
 constexpr std::uint16_t kModelType = 1024;  ///< 2: coordinates are degrees.
 constexpr std::uint16_t kProjectedSystem = 3072;
+constexpr std::uint16_t kGeographicSystem = 2048;
+constexpr std::uint16_t kVerticalSystem = 4096;
 constexpr std::uint16_t kUserDefined = 32767;
 constexpr std::uint16_t kLinearUnits = 3076;
 constexpr std::uint16_t kVerticalUnits = 4099;
@@ -36,6 +39,18 @@ struct StatedUnits {
   std::string unknown;  ///< A horizontal unit that is stated but not known here, in words.
   std::optional<std::uint16_t> system;  ///< EPSG code of the projected system.
   bool degrees = false;
+  std::string text;  ///< Well-known text, as it is.
+  std::string keys;  ///< All GeoTIFF keys whose value is a number, "1024=1 3072=26910".
+  std::optional<std::uint16_t> geographic_system, vertical_system;
+
+  /// As ScanInfo has it. A code says all that keys could; text says more.
+  std::string referenceSystem() const {
+    if (!text.empty()) return text;
+    const auto& horizontal_system = system ? system : geographic_system;
+    if (!horizontal_system) return keys.empty() ? keys : "GeoTIFF " + keys;
+    return "EPSG:" + std::to_string(*horizontal_system) +
+           (vertical_system ? "+" + std::to_string(*vertical_system) : "");
+  }
 };
 
 /// EPSG codes of units.
@@ -61,6 +76,9 @@ void readGeoKeys(std::string_view record, StatedUnits& units) {
   for (std::size_t at = kKey; at + kKey <= record.size(); at += kKey) {
     if (u16At(record, at + 2) != 0) continue;
     const std::uint16_t value = u16At(record, at + 6);
+    const bool is_code = value != 0 && value != kUserDefined;
+    units.keys += (units.keys.empty() ? "" : " ") + std::to_string(u16At(record, at)) + "=" +
+                  std::to_string(value);
     switch (u16At(record, at)) {
       case kModelType:
         units.degrees = value == 2;
@@ -70,7 +88,13 @@ void readGeoKeys(std::string_view record, StatedUnits& units) {
         units.unknown = units.horizontal ? "" : "of code " + std::to_string(value);
         break;
       case kProjectedSystem:
-        if (value != 0 && value != kUserDefined) units.system = value;
+        if (is_code) units.system = value;
+        break;
+      case kGeographicSystem:
+        if (is_code) units.geographic_system = value;
+        break;
+      case kVerticalSystem:
+        if (is_code) units.vertical_system = value;
         break;
       case kVerticalUnits:
         units.vertical = unitOfCode(value);
@@ -116,6 +140,7 @@ std::size_t findAny(std::string_view text, std::initializer_list<std::string_vie
 /// of 2015 and later (ISO 19162).
 void readText(std::string_view text, StatedUnits& units) {
   text = text.substr(0, text.find('\0'));
+  units.text = text;
   const std::size_t vertical = findAny(text, {"VERT_CS[", "VERTCRS[", "VERTICALCRS["});
   const std::string_view horizontal = text.substr(0, vertical);
   if (findAny(horizontal, {"PROJCS[", "PROJCRS[", "PROJECTEDCRS["}) == std::string_view::npos) {
@@ -151,34 +176,36 @@ StatedUnits readRecords(std::string_view bytes, const LasHeader& header) {
   return units;
 }
 
-void warnOfHeights(const StatedUnits& units, ScanInfo& info) {
-  if (!info.unit || !units.vertical || *info.unit == *units.vertical) return;
+double heightFactor(const StatedUnits& units, ScanInfo& info) {
+  if (!info.unit || !units.vertical || *info.unit == *units.vertical) return 1;
+  const std::string unit(name(*info.unit));
   info.warnings.push_back("Its heights are in " + std::string(name(*units.vertical)) +
-                          ", its x and y in " + std::string(name(*info.unit)) +
-                          "; heights were loaded as stored and will look too flat or too steep.");
+                          ", its x and y in " + unit + "; heights were converted to " + unit + ".");
+  return mmPer(*units.vertical) / mmPer(*info.unit);
 }
 
 }  // namespace
 
-void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
+double readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
   const StatedUnits units = readRecords(bytes, header);
+  info.reference_system = printable(units.referenceSystem());
   plantedFault(units.degrees && units.vertical);
   if (units.degrees) {
     info.warnings.emplace_back(
         "Its x and y are degrees, not lengths, so shapes will be wrong. Reproject it to metres, "
         "for example with pdal translate and filters.reprojection.");
-    return;
+    return 1;
   }
   info.unit = units.horizontal;
   if (!units.unknown.empty()) {
     info.warnings.push_back("It states a unit " + units.unknown +
                             ", which is not known here; state it with --unit.");
   }
-  warnOfHeights(units, info);
+  return heightFactor(units, info);
 }
 
-void warnOfHeights(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
-  warnOfHeights(readRecords(bytes, header), info);
+double heightFactor(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
+  return heightFactor(readRecords(bytes, header), info);
 }
 
 std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header) {

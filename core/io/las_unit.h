@@ -12,15 +12,16 @@ namespace relievo {
 
 inline constexpr std::size_t kLasHeadBytes = 1 << 20;  ///< Header and records that name a unit.
 
-/// Finds the unit of the coordinates in the variable length records (GeoTIFF keys or well-known
-/// text) and puts it into `info`, with warnings about degrees, about units that are not known here
-/// and about heights in another unit.
+/// Finds the unit of the coordinates and their reference system in the variable length records
+/// (GeoTIFF keys or well-known text) and puts them into `info`, with warnings about degrees and
+/// about units that are not known here.
 /// Records that are cut or make no sense say nothing.
-void readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info);
+/// @return  what heights are to be multiplied by, so that they are in the unit of x and y; 1 where
+///          they are, or the records do not state both
+double readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info);
 
-/// Warns of heights in another unit than `info.unit`, if the records state theirs; readLasUnit did
-/// where they state both.
-void warnOfHeights(std::string_view bytes, const LasHeader& header, ScanInfo& info);
+/// The factor of heights once `info.unit` is known from elsewhere, with a warning unless it is 1.
+double heightFactor(std::string_view bytes, const LasHeader& header, ScanInfo& info);
 
 /// EPSG code of the projected system, if the file names it but not its unit.
 std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header);

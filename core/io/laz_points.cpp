@@ -10,6 +10,10 @@
 namespace relievo {
 namespace {
 
+/// Withheld points are told by their flags.
+constexpr LazWanted kWanted{
+    .classes = false, .flags = true, .intensities = false, .colours = false, .others = false};
+
 constexpr std::size_t kChunksKept = 4;
 constexpr std::size_t kBytesKept = 32 << 20;
 constexpr std::uint64_t kMostPoints = 2'000'000;  ///< Of a chunk.
@@ -62,7 +66,7 @@ LazPoints::OpenChunk& LazPoints::open(Reader& reader, std::size_t chunk) const {
                    .bytes = std::make_unique<std::string>(source_.read(place.at, place.bytes)),
                    .decoder = {},
                    .kept = {}};
-  opened.decoder = openLazChunk(laz_.layout, *opened.bytes, place.points, kLazCoordinates);
+  opened.decoder = openLazChunk(laz_.layout, *opened.bytes, place.points, kWanted);
   std::size_t bytes = static_cast<std::size_t>(place.points) * kept_bytes_;
   std::size_t stay = 0;
   for (; stay < reader.size() && stay + 1 < kChunksKept; ++stay) {

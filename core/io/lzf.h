@@ -8,8 +8,7 @@
 namespace relievo {
 
 /// An LZF block, as compressed PCD files hold it, unpacked to exactly `size` bytes.
-/// Empty if it holds another number of bytes, or none that can be unpacked. Both below 4 GiB.
+/// Empty if it holds another number of bytes, or none that can be unpacked.
 std::vector<char> unpackLzf(std::string_view packed, std::size_t size);
-using UnpackLzf = std::vector<char> (*)(std::string_view packed, std::size_t size);
 
 }  // namespace relievo

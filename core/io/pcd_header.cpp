@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/pcd_header.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
@@ -77,8 +79,14 @@ class PcdHeaderParser {
       height_ = number(word, rest);
     } else if (word == "POINTS") {
       points_ = number(word, rest);
-    } else if (word != "VERSION" && word != "VIEWPOINT") {
-      refuse("has an unknown entry \"" + std::string(word.substr(0, 40)) + "\"");
+    } else if (word == "VIEWPOINT") {
+      readViewpoint(rest);
+    } else if (word != "VERSION") {
+      constexpr std::size_t kMostWarnings = 3;
+      if (header_.warnings.size() >= kMostWarnings) return;
+      header_.warnings.push_back("Header line " + std::to_string(lines_.number()) + " (\"" +
+                                 printable(trimmed(lines_.line()).substr(0, 60)) +
+                                 "\") is not of PCD; it was passed over.");
     }
   }
 
@@ -116,7 +124,19 @@ class PcdHeaderParser {
     }
     makeFields();
     findAxes();
+    findValues();
     countPoints();
+  }
+
+  /// Seven numbers, place and turn of the camera; the points are in the file's axes all the same.
+  void readViewpoint(std::string_view rest) {
+    std::array<double, 3> place{};
+    for (double& number : place) {
+      const auto value = parseNumber(takeWord(rest));
+      if (!value || !std::isfinite(*value)) return;
+      number = *value;
+    }
+    if (place != std::array<double, 3>{}) header_.viewpoint = {place[0], place[1], place[2]};
   }
 
   void makeFields() {
@@ -145,13 +165,41 @@ class PcdHeaderParser {
   void findAxes() {
     constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      int seen = 0;
-      for (std::size_t i = 0; i < header_.fields.size(); ++i) {
-        if (header_.fields[i].name != kAxes[axis] || header_.fields[i].count != 1) continue;
-        header_.xyz[axis] = i;
-        ++seen;
+      const auto find = [&](const auto& isNamed) {
+        int seen = 0;
+        for (std::size_t i = 0; i < header_.fields.size(); ++i) {
+          if (!isNamed(header_.fields[i].name) || header_.fields[i].count != 1) continue;
+          header_.xyz[axis] = i;
+          ++seen;
+        }
+        return seen;
+      };
+      const int exact = find([&](const std::string& name) { return name == kAxes[axis]; });
+      // PDAL writes X, Y and Z.
+      const int like = exact != 0 ? exact : find([&](const std::string& name) {
+        return sameLetters(name, kAxes[axis]);
+      });
+      if (like != 1) refuse("has no single field " + std::string(kAxes[axis]));
+    }
+  }
+
+  void findValues() {
+    std::array<std::optional<std::size_t>, 3> colour;
+    for (std::size_t i = 0; i < header_.fields.size(); ++i) {
+      const PcdField& field = header_.fields[i];
+      if (field.count != 1) continue;
+      const bool packed = (sameLetters(field.name, "rgb") || sameLetters(field.name, "rgba")) &&
+                          byteSize(field.type) == 4;
+      if (packed) {
+        if (!header_.packed_colour) header_.packed_colour = i;
+      } else if (const auto channel = colourChannel(field.name)) {
+        if (!colour[*channel]) colour[*channel] = i;
+      } else if (isIntensity(field.name) && !header_.intensity) {
+        header_.intensity = i;
       }
-      if (seen != 1) refuse("has no single field " + std::string(kAxes[axis]));
+    }
+    if (!header_.packed_colour && colour[0] && colour[1] && colour[2]) {
+      header_.colour = std::array{*colour[0], *colour[1], *colour[2]};
     }
   }
 
@@ -177,6 +225,28 @@ class PcdHeaderParser {
 };
 
 }  // namespace
+
+RecordLayout recordLayoutOf(const PcdHeader& header) {
+  const auto number = [&header](std::size_t field) {
+    return StoredNumber{static_cast<std::size_t>(header.fields[field].offset),
+                        header.fields[field].type};
+  };
+  const auto called = [&header](std::size_t field) { return header.fields[field].name; };
+  RecordLayout layout;
+  layout.bytes = static_cast<std::size_t>(header.record_bytes);
+  for (std::size_t axis = 0; axis < 3; ++axis) layout.xyz[axis] = number(header.xyz[axis]);
+  if (header.packed_colour) {
+    layout.packed_colour = number(*header.packed_colour).offset;
+    layout.colour_source = called(*header.packed_colour);
+  }
+  if (header.colour) {
+    const auto& [red, green, blue] = *header.colour;
+    layout.colour = std::array{number(red), number(green), number(blue)};
+    layout.colour_source = called(red) + " " + called(green) + " " + called(blue);
+  }
+  if (header.intensity) layout.intensity = number(*header.intensity);
+  return layout;
+}
 
 PcdHeader parsePcdHeader(std::string_view head, const std::filesystem::path& file) {
   return PcdHeaderParser(head.substr(0, kMaxHeaderBytes), file).parse();

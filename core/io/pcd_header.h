@@ -4,10 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/vec3.h"
+#include "core/io/point_columns.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -29,8 +32,16 @@ struct PcdHeader {
   std::uint64_t record_bytes = 0;
   std::size_t body_start = 0;
   std::uint64_t body_first_line = 0;
-  std::array<std::size_t, 3> xyz{};  ///< Fields.
+  std::array<std::size_t, 3> xyz{};                  ///< Fields.
+  std::optional<std::array<std::size_t, 3>> colour;  ///< Fields red, green and blue.
+  std::optional<std::size_t> packed_colour;          ///< The field rgb or rgba, 32 bits.
+  std::optional<std::size_t> intensity;
+  std::vector<std::string> warnings;   ///< Of lines that were passed over.
+  std::optional<FilePoint> viewpoint;  ///< If it is not 0 0 0, what programs write without knowing.
 };
+
+/// Where a point's numbers lie in a binary record.
+RecordLayout recordLayoutOf(const PcdHeader& header);
 
 /// Parses and checks a header: sizes, types and counts that agree, x, y and z present once each,
 /// WIDTH x HEIGHT = POINTS without overflow. The body is not looked at. [any thread]

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/read_scan.h"
 
@@ -79,7 +80,12 @@ class HeaderParser {
     if (word == "property") return parseProperty(rest);
     if (word == "comment") return parseComment(rest);
     if (word.empty() || word == "obj_info") return;
-    refuseLine("is not understood");
+    // Programs write lines of their own; rply and others stop at them, VTK and MeshLab do not.
+    constexpr std::size_t kMostWarnings = 3;
+    if (header_.warnings.size() >= kMostWarnings) return;
+    header_.warnings.push_back("Header line " + std::to_string(lines_.number()) + " (\"" +
+                               printable(trimmed(lines_.line()).substr(0, 60)) +
+                               "\") is not of PLY; it was passed over.");
   }
 
   /// PLY has no field for the unit; "comment unit mm" is how our samples, and others, state it.
@@ -149,11 +155,25 @@ class HeaderParser {
     }
   }
 
+  /// The one of that name; else the only one that differs from it in capitals alone.
+  template <class List, class Wanted>
+  static typename List::const_iterator findNamed(const List& list, std::string_view name,
+                                                 const Wanted& isWanted) {
+    const auto is_it = [&](const auto& item) { return item.name == name && isWanted(item); };
+    const auto exact = std::find_if(list.begin(), list.end(), is_it);
+    if (exact != list.end()) return exact;
+    const auto is_like = [&](const auto& item) {
+      return sameLetters(item.name, name) && isWanted(item);
+    };
+    const auto like = std::find_if(list.begin(), list.end(), is_like);
+    return std::count_if(list.begin(), list.end(), is_like) == 1 ? like : list.end();
+  }
+
   void check() {
     if (!format_seen_) refuseScan(file_, "its header names no format. Export it again.");
     const auto& elements = header_.elements;
-    const auto vertices = std::find_if(elements.begin(), elements.end(),
-                                       [](const PlyElement& e) { return e.name == "vertex"; });
+    const auto vertices =
+        findNamed(elements, "vertex", [](const PlyElement& /*any*/) { return true; });
     if (vertices == elements.end()) {
       refuseScan(file_, "its header promises no vertices. Choose a file with points.");
     }
@@ -161,16 +181,31 @@ class HeaderParser {
     constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto& list = vertices->properties;
-      const auto at = std::find_if(list.begin(), list.end(), [&](const PlyProperty& p) {
-        return p.name == kAxes[axis] && !p.list_length;
-      });
+      const auto at = findNamed(list, kAxes[axis],
+                                [](const PlyProperty& p) { return !p.list_length.has_value(); });
       if (at == list.end()) {
         refuseScan(file_, "its points have no " + std::string(kAxes[axis]) +
                               " coordinate. Export it with x, y and z.");
       }
       header_.xyz[axis] = static_cast<std::size_t>(at - list.begin());
     }
+    findValues(vertices->properties);
     findFaces();
+  }
+
+  void findValues(const std::vector<PlyProperty>& list) {
+    std::array<std::optional<std::size_t>, 3> colour;
+    for (std::size_t p = 0; p < list.size(); ++p) {
+      if (list[p].list_length) continue;
+      if (const auto channel = colourChannel(list[p].name)) {
+        if (!colour[*channel]) colour[*channel] = p;
+      } else if (isIntensity(list[p].name) && !header_.intensity) {
+        header_.intensity = p;
+      }
+    }
+    if (colour[0] && colour[1] && colour[2]) {
+      header_.colour = std::array{*colour[0], *colour[1], *colour[2]};
+    }
   }
 
   void findFaces() {
@@ -204,6 +239,25 @@ std::uint64_t PlyElement::leastBytes() const noexcept {
   std::uint64_t sum = 0;
   for (const PlyProperty& p : properties) sum += byteSize(p.list_length.value_or(p.type));
   return sum;
+}
+
+RecordLayout recordLayoutOf(const PlyHeader& header) {
+  const std::vector<PlyProperty>& list = header.vertices().properties;
+  std::vector<StoredNumber> numbers;
+  RecordLayout layout;
+  layout.order = header.byteOrder();
+  for (const PlyProperty& property : list) {
+    numbers.push_back({layout.bytes, property.type});
+    layout.bytes += byteSize(property.type);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) layout.xyz[axis] = numbers[header.xyz[axis]];
+  if (header.colour) {
+    const auto& [red, green, blue] = *header.colour;
+    layout.colour = std::array{numbers[red], numbers[green], numbers[blue]};
+    layout.colour_source = list[red].name + " " + list[green].name + " " + list[blue].name;
+  }
+  if (header.intensity) layout.intensity = numbers[*header.intensity];
+  return layout;
 }
 
 PlyHeader parsePlyHeader(std::string_view head, const std::filesystem::path& file) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/unit.h"
+#include "core/io/point_columns.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -40,15 +41,23 @@ struct PlyHeader {
 
   std::size_t vertex_element = 0;
   std::array<std::size_t, 3> xyz{};  ///< Properties of the vertex element.
-  std::optional<LengthUnit> unit;    ///< Stated by a line "comment unit mm".
+  /// Red, green and blue of the vertex element; all three or none. Not of faces.
+  std::optional<std::array<std::size_t, 3>> colour;
+  std::optional<std::size_t> intensity;
+  std::optional<LengthUnit> unit;  ///< Stated by a line "comment unit mm".
   std::optional<std::size_t> face_element;
   std::size_t face_corners = 0;  ///< The list property of the face element.
+
+  std::vector<std::string> warnings;  ///< Of lines that were passed over.
 
   const PlyElement& vertices() const noexcept { return elements[vertex_element]; }
   ByteOrder byteOrder() const noexcept {
     return encoding == PlyEncoding::binary_big_endian ? ByteOrder::big : ByteOrder::little;
   }
 };
+
+/// Where a point's numbers lie in the binary records of a vertex element without lists.
+RecordLayout recordLayoutOf(const PlyHeader& header);
 
 inline constexpr std::size_t kMaxHeaderBytes = 1 << 20;
 

@@ -16,6 +16,7 @@
 #include "core/io/format.h"
 #include "core/io/las_header.h"
 #include "core/io/las_unit.h"
+#include "core/io/las_values.h"
 #include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
@@ -26,7 +27,8 @@ namespace relievo {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 20;
-constexpr std::size_t kCoordinateBytes = 12;  ///< At the beginning of each record of LAS.
+/// Coordinates and flags, at the beginning of each record of LAS.
+constexpr std::size_t kPointBytes = kLasFlagsAt + 1;
 
 FileFormat formatOf(const std::filesystem::path& file) {
   const std::uint64_t size = checkedFileSize(file);
@@ -72,6 +74,7 @@ bool PointStream::canStream(const std::filesystem::path& file) {
 PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
                          const Task& task) {
   info_.file = file;
+  info_.reader = "relievo";
   const FileFormat format = formatOf(file);
   fd_ = std::make_shared<OwnedFd>(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (fd_->get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
@@ -97,8 +100,15 @@ void PointStream::openLas(const ImportOptions& options, const Task& task) {
     coordinates_[axis] = {4 * axis, ScalarType::i32, header.scale[axis], header.offset[axis]};
   }
   stated_bounds_ = header.stated_bounds;
-  readLasUnit(head, header, info_);
-  addUnitOfSystem(head, header, info_);
+  if (!options.scan.keep_withheld) withheld_bit_ = lasPlaces(header.point_format).withheld_bit;
+  double factor = readLasUnit(head, header, info_);
+  factor *= addUnitOfSystem(head, header, info_);
+  coordinates_[2].scale *= factor;
+  coordinates_[2].shift *= factor;
+  if (stated_bounds_) {
+    stated_bounds_->min.z *= factor;
+    stated_bounds_->max.z *= factor;
+  }
   if (!header.packed) return setFound(header.points, options);
   const LazBytesSource source{
       .size = file_bytes_,
@@ -107,7 +117,7 @@ void PointStream::openLas(const ImportOptions& options, const Task& task) {
         readAll(fd->get(), at, read, file);
         return read;
       }};
-  record_bytes_ = kCoordinateBytes;
+  record_bytes_ = kPointBytes;
   info_.points = header.points;
   packed_ = std::make_shared<LazPoints>(source, readLazFile(source, header, info_.file), info_.file,
                                         record_bytes_, task);
@@ -124,6 +134,7 @@ void PointStream::openPly(const ImportOptions& options) {
   const bool big = header.encoding == PlyEncoding::binary_big_endian;
   info_.format = big ? "PLY binary_big_endian" : "PLY binary_little_endian";
   info_.unit = header.unit;
+  info_.warnings = header.warnings;
   points_at_ = *before;
   record_bytes_ = static_cast<std::size_t>(header.vertices().leastBytes());
   order_ = header.byteOrder();
@@ -167,8 +178,11 @@ FilePoint PointStream::pointOf(const char* record) const noexcept {
     p[axis] = loadDouble(record + c.offset, c.type, order_) * c.scale + c.shift;
   }
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const bool usable =
-      std::all_of(p.begin(), p.end(), [](double v) { return std::abs(v) <= kFarthestCoordinate; });
+  const bool left_out =
+      withheld_bit_ != 0 && (static_cast<std::uint8_t>(record[kLasFlagsAt]) & withheld_bit_) != 0;
+  const bool usable = !left_out && std::all_of(p.begin(), p.end(), [](double v) {
+    return std::abs(v) <= kFarthestCoordinate;
+  });
   return usable ? FilePoint{p[0], p[1], p[2]} : FilePoint{kNaN, kNaN, kNaN};
 }
 

@@ -41,9 +41,9 @@ class PointStream {
   const std::optional<FileBounds>& statedBounds() const noexcept { return stated_bounds_; }
 
   /// Reads up to block.size() points from the `first` on, file coordinates. A point that importScan
-  /// would leave out (not finite, or beyond 1e38) is three NaN, so that numbers stay those of the
-  /// file. The same for every size of block. Allocates at most 1 MB, of LAZ and COPC 32 MB (or one
-  /// chunk) for each thread that reads, kept for its next block. [any thread]
+  /// would leave out (not finite, beyond 1e38, of LAS withheld) is three NaN: numbers stay those of
+  /// the file. The same for every size of block. Allocates at most 1 MB, of LAZ and COPC 32 MB (or
+  /// one chunk) for each thread that reads, kept for its next block. [any thread]
   /// @return  points read; fewer than asked for only at the end
   /// @throw FileError  the file became shorter, its disk failed, or packed points are damaged
   /// @throw Cancelled  by the task it was opened with (LAZ and COPC)
@@ -75,6 +75,7 @@ class PointStream {
   std::size_t record_bytes_ = 1;  ///< Those that are read.
   ByteOrder order_ = ByteOrder::little;
   std::array<Coordinate, 3> coordinates_;
+  std::uint8_t withheld_bit_ = 0;  ///< LAS: of byte 15, points that are left out; 0: none are.
 };
 
 }  // namespace relievo

@@ -35,6 +35,45 @@ struct SoundScan {
   bool is_cartesian = true;
   std::array<std::size_t, 3> axes{};
   std::optional<std::size_t> invalid;
+  std::optional<std::array<std::size_t, 3>> colour;
+  std::optional<std::size_t> colour_invalid, intensity, intensity_invalid;
+};
+
+/// What a channel's numbers run over: stated with the field, else beside it, else a byte. Limits of
+/// 0 and 0 are none.
+std::array<double, 2> colourLimits(const SoundScan& sound, std::size_t channel) {
+  const auto usable = [](const std::optional<std::array<double, 2>>& limits) {
+    return limits && (*limits)[1] > (*limits)[0];
+  };
+  const auto& stated = sound.scan.fields[(*sound.colour)[channel]].limits;
+  if (usable(stated)) return *stated;
+  const auto& beside = sound.scan.colour_limits[channel];
+  return usable(beside) ? *beside : std::array<double, 2>{0, 255};
+}
+
+/// One point's colour as bytes, from numbers within limits.
+class E57Colour {
+ public:
+  explicit E57Colour(const SoundScan& sound) {
+    for (std::size_t k = 0; k < 3; ++k) limits_[k] = colourLimits(sound, k);
+  }
+  std::uint8_t byte(std::size_t channel, double value) const {
+    const auto& [low, high] = limits_[channel];
+    constexpr double kWords = 65535;
+    if (low == 0 && high == kWords) {  // As of other formats: point_values.h.
+      return static_cast<std::uint8_t>(static_cast<unsigned>(std::clamp(value, low, high)) >> 8U);
+    }
+    const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
+    return std::isnan(share) ? std::uint8_t{0}
+                             : static_cast<std::uint8_t>(std::lround(share * 255));
+  }
+  int bits() const {
+    const double span = limits_[0][1] - limits_[0][0];
+    return span > 255 ? 16 : span > 1 ? 8 : 32;
+  }
+
+ private:
+  std::array<std::array<double, 2>, 3> limits_;
 };
 
 /// @throw E57Fault, Cancelled
@@ -52,6 +91,12 @@ SoundScan checkedScan(E57Scan scan, E57Pages& pages) {
     sound.axes[axis] = *found;
   }
   sound.invalid = scan.find(sound.is_cartesian ? "cartesianInvalidState" : "sphericalInvalidState");
+  const auto red = scan.find("colorRed"), green = scan.find("colorGreen"),
+             blue = scan.find("colorBlue");
+  if (red && green && blue) sound.colour = std::array{*red, *green, *blue};
+  sound.colour_invalid = scan.find("isColorInvalid");
+  sound.intensity = scan.find("intensity");
+  sound.intensity_invalid = scan.find("isIntensityInvalid");
   if (scan.records > 0) sound.section = openE57Section(scan, pages);
   sound.scan = std::move(scan);
   return sound;
@@ -116,7 +161,9 @@ class E57Reader {
     std::vector<E57Scan> all = listE57Scans(pages_.xml());
     std::vector<SoundScan> sound;
     LeftOut left_out;
+    checkParts(job_, all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!isWantedPart(job_, i)) continue;
       const std::string name = all[i].name;
       try {
         sound.push_back(checkedScan(std::move(all[i]), pages_));
@@ -136,9 +183,24 @@ class E57Reader {
     const auto stream = [&](std::size_t field) {
       return E57Stream(pages_, sound.section, sound.scan.fields[field], field);
     };
+    const auto streamIfAny = [&](std::optional<std::size_t> field) {
+      std::optional<E57Stream> found;
+      if (field) found.emplace(stream(*field));
+      return found;
+    };
+    beginPart(sound);
     std::array streams{stream(sound.axes[0]), stream(sound.axes[1]), stream(sound.axes[2])};
-    std::optional<E57Stream> state;
-    if (sound.invalid) state.emplace(stream(*sound.invalid));
+    std::optional<E57Stream> state = streamIfAny(sound.invalid);
+    std::optional<ColourStreams> colour;
+    if (sound.colour) {
+      const auto& [red, green, blue] = *sound.colour;
+      colour.emplace(ColourStreams{{stream(red), stream(green), stream(blue)},
+                                   streamIfAny(sound.colour_invalid),
+                                   E57Colour(sound)});
+      noteColours(*colour);
+    }
+    std::optional<E57Stream> intensity = streamIfAny(sound.intensity);
+    std::optional<E57Stream> no_intensity = streamIfAny(sound.intensity_invalid);
     for (std::uint64_t i = 0; i < sound.scan.records; ++i) {
       if (i % kReportEvery == 0) report();
       std::array<double, 3> p{};
@@ -153,8 +215,53 @@ class E57Reader {
         if (*value != 0) p = {kNaN, kNaN, kNaN};
       }
       p = sound.scan.pose(sound.is_cartesian ? p : cartesian(p));
-      builder_.addPoint(p[0], p[1], p[2]);
+      const bool kept = builder_.addPoint(p[0], p[1], p[2]);
+      if (colour) readColour(*colour, kept);
+      if (intensity) readIntensity(*intensity, no_intensity, kept);
     }
+  }
+
+  struct ColourStreams {
+    std::array<E57Stream, 3> channels;
+    std::optional<E57Stream> invalid;
+    E57Colour colour;
+  };
+
+  void beginPart(const SoundScan& sound) {
+    ScanPart part{.name = printable(sound.scan.name), .points = 0, .viewpoint = std::nullopt};
+    const auto& t = sound.scan.pose.translation;
+    if (sound.scan.has_pose) part.viewpoint = FilePoint{t[0], t[1], t[2]};
+    builder_.beginPart(std::move(part));
+  }
+
+  void noteColours(const ColourStreams& colour) {
+    auto& fact = builder_.info().colour;
+    if (!fact) fact = ColourFact{.source = "colorRed colorGreen colorBlue", .bits = 8, .points = 0};
+    fact->bits = std::max(fact->bits, colour.colour.bits());
+  }
+
+  /// A colour missing at the end is none: the point is there all the same.
+  void readColour(ColourStreams& streams, bool kept) {
+    std::array<std::uint8_t, 3> bytes{};
+    bool valid = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto value = streams.channels[k].next();
+      valid = valid && value.has_value();
+      if (value) bytes[k] = streams.colour.byte(k, *value);
+    }
+    if (streams.invalid) valid = streams.invalid->next().value_or(1) == 0 && valid;
+    if (!kept) return;
+    if (valid) {
+      builder_.addColour(bytes[0], bytes[1], bytes[2]);
+    } else {
+      builder_.addNoColour();
+    }
+  }
+
+  void readIntensity(E57Stream& intensity, std::optional<E57Stream>& invalid, bool kept) {
+    double value = intensity.next().value_or(kNaN);
+    if (invalid && invalid->next().value_or(1) != 0) value = kNaN;
+    if (kept) builder_.addWideIntensity(static_cast<float>(value));
   }
 
   void report() const {

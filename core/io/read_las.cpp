@@ -1,29 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// LAS 1.0 to 1.4, LAZ and COPC. Every point format starts with the coordinates; the rest of a
-// record is not needed here. Points marked as withheld or noise are loaded as well.
+// LAS 1.0 to 1.4, LAZ and COPC. Points of the classes for noise are loaded as well.
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "core/io/las_header.h"
 #include "core/io/las_records.h"
 #include "core/io/las_unit.h"
+#include "core/io/las_values.h"
 #include "core/io/read_scan.h"
-#include "core/io/scalar.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
 namespace {
 
-void readPoints(LasRecords& records, const LasHeader& header, ScanBuilder& builder) {
-  records.forEachBlock([&](const char* at, std::size_t count) {
-    const auto coordinate = [&](std::size_t axis) {
-      const auto stored = loadAs<std::int32_t>(at + 4 * axis, ByteOrder::little);
-      return static_cast<double>(stored) * header.scale[axis] + header.offset[axis];
-    };
-    for (std::size_t i = 0; i < count; ++i, at += header.record_bytes) {
-      builder.addPoint(coordinate(0), coordinate(1), coordinate(2));
-    }
+constexpr std::uint64_t kCheckEvery = 1 << 16;
+/// All that LasPointMaker reads.
+constexpr LazWanted kWanted{
+    .classes = true, .flags = true, .intensities = true, .colours = true, .others = false};
+
+/// What the records of a file hold that is not packed; of others nobody looks twice.
+std::optional<LasSurvey> surveyOf(const ReadJob& job, const LasHeader& header,
+                                  std::uint64_t count) {
+  if (header.packed) return std::nullopt;
+  LasSurvey survey(header);
+  const char* at = job.bytes.data() + std::min<std::uint64_t>(header.points_at, job.bytes.size());
+  for (std::uint64_t i = 0; i < count && survey.look(at); ++i, at += header.record_bytes) {
+    if (i % kCheckEvery == 0) job.task.check();
+  }
+  return survey;
+}
+
+void readPoints(const ReadJob& job, LasRecords& records, const LasHeader& header,
+                ScanBuilder& builder) {
+  const std::uint64_t count = records.count();
+  LasPointMaker maker(header, surveyOf(job, header, count), job.options, count, builder);
+  records.forEachBlock([&](const char* at, std::size_t block) {
+    for (std::size_t i = 0; i < block; ++i, at += header.record_bytes) maker.add(at);
   });
+  maker.finish();
 }
 
 }  // namespace
@@ -34,7 +49,7 @@ Scan readLas(const ReadJob& job) {
   const LasHeader header = parseLasHeader(job.bytes, job.file);
   info.format = (header.packed ? "LAZ 1." : "LAS 1.") + std::to_string(header.minor) +
                 " point format " + std::to_string(header.point_format);
-  LasRecords records(job, header, kLazCoordinates);
+  LasRecords records(job, header, kWanted);
   const std::uint64_t found = records.count();
   if (found < header.points) handleShortfall({"points", header.points, found, found}, job, info);
   // Later versions may keep waveforms and extended records behind the points.
@@ -43,9 +58,11 @@ Scan readLas(const ReadJob& job) {
         "Bytes after the last of the points that the header promises were "
         "ignored.");
   }
-  readLasUnit(job.bytes, header, info);
-  builder.expectPoints(found);
-  readPoints(records, header, builder);
+  const double factor = readLasUnit(job.bytes, header, info);
+  LasHeader converted = header;
+  converted.scale[2] *= factor;
+  converted.offset[2] *= factor;
+  readPoints(job, records, converted, builder);
   for (std::string& doubt : records.doubts()) info.warnings.push_back(std::move(doubt));
   return builder.finish();
 }

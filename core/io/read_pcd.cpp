@@ -2,7 +2,13 @@
 // Bodies of PCD files.
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/io/lines.h"
@@ -10,23 +16,14 @@
 #include "core/io/pcd_header.h"
 #include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::uint64_t kReportEvery = 1 << 16;
-
-/// A coordinate of all points, one every `stride` bytes.
-struct Column {
-  const char* first = nullptr;
-  std::uint64_t stride = 0;
-  ScalarType type = ScalarType::f32;
-
-  double operator[](std::uint64_t i) const noexcept {
-    return loadDouble(first + i * stride, type, ByteOrder::little);
-  }
-};
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 class PcdReader {
  public:
@@ -34,12 +31,17 @@ class PcdReader {
       : job_(job),
         header_(header),
         builder_(job.file, job.options.max_points),
+        layout_(recordLayoutOf(header)),
         body_(job.bytes.substr(header.body_start)) {}
 
   Scan read() {
     constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary", "binary_compressed"};
     builder_.info().format =
         "PCD " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
+    builder_.info().warnings = header_.warnings;
+    if (header_.viewpoint) {
+      builder_.beginPart({.name = {}, .points = 0, .viewpoint = header_.viewpoint});
+    }
     switch (header_.encoding) {
       case PcdEncoding::ascii:
         readRows();
@@ -78,20 +80,30 @@ class PcdReader {
     const std::uint64_t found = std::min(header_.points, body_.size() / header_.record_bytes);
     if (found < header_.points) shortOf(found);
     plantedFault(header_.xyz[0] > header_.xyz[2]);
-    builder_.expectPoints(found);
-    std::array<Column, 3> columns;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const PcdField& field = header_.fields[header_.xyz[axis]];
-      columns[axis] = {body_.data() + field.offset, header_.record_bytes, field.type};
-    }
-    addPoints(columns, found);
+    expectRecords(layout_, found, hasByteColours(layout_), builder_);
+    if (!byPcl()) return addRecords(layout_, body_, found, job_.task, builder_);
+    builder_.info().reader = job_.pcl->name;
+    std::uint64_t done = 0;
+    job_.pcl->pcd_records(header_, body_, found, taker(done));
   }
 
-  void addPoints(const std::array<Column, 3>& columns, std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) {
-      report(i);
-      builder_.addPoint(columns[0][i], columns[1][i], columns[2][i]);
+  /// The program that called may have none: then ours reads, unless PCL was asked for.
+  bool byPcl() const {
+    if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
+    if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
+      refuseScan(job_.file, "it was changed while it was read. Try again.");
     }
+    return job_.pcl != nullptr;
+  }
+
+  TakeColumns taker(std::uint64_t& done) {
+    return [this, &done](const PointColumns& columns, std::uint64_t count) {
+      job_.task.check();
+      job_.task.report("reading points",
+                       static_cast<double>(done) / static_cast<double>(header_.points));
+      addColumns(columns, count, builder_);
+      done += count;
+    };
   }
 
   /// Two sizes, then all points' first field, all points' second field ... as one LZF block.
@@ -108,24 +120,42 @@ class PcdReader {
     }
     if (packed > body_.size() - 8) refuseCut();
     if (header_.points == 0) return;
-    // The parent chose this program by the header that it saw.
-    if (job_.unpack_lzf == nullptr) {
-      refuseScan(job_.file, "it was changed while it was read. Try again.");
-    }
     job_.task.report("reading points", 0);
-    const std::vector<char> bytes = job_.unpack_lzf(
-        body_.substr(8, static_cast<std::size_t>(packed)), static_cast<std::size_t>(unpacked));
-    if (bytes.empty()) {
-      refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
+    expectRecords(layout_, header_.points, hasByteColours(layout_), builder_);
+    if (byPcl()) {
+      builder_.info().reader = job_.pcl->name;
+      std::uint64_t done = 0;
+      if (!job_.pcl->pcd_compressed(header_, body_, taker(done))) refuseUndecoded();
+      return;
     }
-    builder_.expectPoints(header_.points);
-    std::array<Column, 3> columns;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const PcdField& field = header_.fields[header_.xyz[axis]];
-      columns[axis] = {bytes.data() + field.offset * header_.points, byteSize(field.type),
-                       field.type};
+    const std::vector<char> bytes = unpackLzf(body_.substr(8, static_cast<std::size_t>(packed)),
+                                              static_cast<std::size_t>(unpacked));
+    if (bytes.empty()) refuseUndecoded();
+    addFields(bytes);
+  }
+
+  [[noreturn]] void refuseUndecoded() const {
+    refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
+  }
+
+  /// From all points' first field, all points' second field ...
+  void addFields(const std::vector<char>& bytes) {
+    const auto column = [&](std::size_t field, std::uint64_t first) {
+      const PcdField& f = header_.fields[field];
+      const std::size_t size = byteSize(f.type);
+      return Column{bytes.data() + f.offset * header_.points + first * size, size, f.type};
+    };
+    for (std::uint64_t first = 0; first < header_.points; first += kReportEvery) {
+      report(first);
+      PointColumns columns;
+      for (std::size_t k = 0; k < 3; ++k) {
+        columns.xyz[k] = column(header_.xyz[k], first);
+        if (header_.colour) columns.colour[k] = column((*header_.colour)[k], first);
+      }
+      if (header_.packed_colour) columns.packed_colour = column(*header_.packed_colour, first);
+      if (header_.intensity) columns.intensity = column(*header_.intensity, first);
+      addColumns(columns, std::min(kReportEvery, header_.points - first), builder_);
     }
-    addPoints(columns, header_.points);
   }
 
   [[noreturn]] void refuseCut() const {
@@ -137,7 +167,8 @@ class PcdReader {
   void readRows() {
     Lines lines(body_, header_.body_first_line);
     std::uint64_t found = 0;
-    builder_.expectPoints(std::min<std::uint64_t>(header_.points, body_.size() / 6 + 1));
+    expectRecords(layout_, std::min<std::uint64_t>(header_.points, body_.size() / 6 + 1),
+                  header_.packed_colour.has_value(), builder_);
     while (found < header_.points && lines.next()) {
       if (trimmed(lines.line()).empty() || lines.line().starts_with('#')) continue;
       report(found);
@@ -152,7 +183,7 @@ class PcdReader {
 
   /// @return  false if the row ends too early and may do so, because the file ends there
   bool readRow(const Lines& lines, bool may_be_cut) {
-    std::array<std::string_view, 3> words;
+    words_.clear();
     std::string_view rest = lines.line();
     const PcdField& last_field = header_.fields.back();
     const std::uint64_t columns = last_field.column + last_field.count;
@@ -162,18 +193,54 @@ class PcdReader {
         if (may_be_cut) return false;
         refuseRow(lines, "has fewer numbers than the header says");
       }
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (header_.fields[header_.xyz[axis]].column == column) words[axis] = word;
-      }
+      words_.push_back(word);
     }
     std::array<double, 3> p{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto value = parseNumber(words[axis]);
+      const auto value = parseNumber(wordOf(header_.xyz[axis]));
       if (!value) refuseRow(lines, "does not hold three coordinates");
       p[axis] = *value;
     }
-    builder_.addPoint(p[0], p[1], p[2]);
+    if (builder_.addPoint(p[0], p[1], p[2])) addValues();
     return true;
+  }
+
+  std::string_view wordOf(std::size_t field) const {
+    return words_[static_cast<std::size_t>(header_.fields[field].column)];
+  }
+
+  float numberOf(std::size_t field) const {
+    return static_cast<float>(parseNumber(wordOf(field)).value_or(kNaN));
+  }
+
+  void addValues() {
+    if (header_.packed_colour) {
+      if (const auto packed = packedColour(wordOf(*header_.packed_colour))) {
+        builder_.addColour(static_cast<std::uint8_t>(*packed >> 16U),
+                           static_cast<std::uint8_t>(*packed >> 8U),
+                           static_cast<std::uint8_t>(*packed));
+      } else {
+        builder_.addNoColour();
+      }
+    } else if (header_.colour) {
+      const auto& [red, green, blue] = *header_.colour;
+      builder_.addWideColour({numberOf(red), numberOf(green), numberOf(blue)});
+    }
+    if (header_.intensity) builder_.addWideIntensity(numberOf(*header_.intensity));
+  }
+
+  /// A colour as a whole number, or as the float that has its bits: such floats are tiny, or with
+  /// an alpha of 255 huge and negative or no numbers, and never written as digits alone.
+  static std::optional<std::uint32_t> packedColour(std::string_view word) {
+    if (const auto whole = parseWhole<std::uint32_t>(word)) return whole;
+    if (const auto whole = parseWhole<std::int32_t>(word)) {
+      return static_cast<std::uint32_t>(*whole);
+    }
+    float value = 0;  // Not by way of double: that would make other bits of it.
+    const char* const end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    if (stop != end || error != std::errc{} || std::isnan(value)) return std::nullopt;
+    return std::bit_cast<std::uint32_t>(value);
   }
 
   [[noreturn]] void refuseRow(const Lines& lines, const std::string& finding) const {
@@ -185,7 +252,9 @@ class PcdReader {
   const ReadJob& job_;
   const PcdHeader& header_;
   ScanBuilder builder_;
+  RecordLayout layout_;
   std::string_view body_;
+  std::vector<std::string_view> words_;  ///< Of the current row.
 };
 
 }  // namespace

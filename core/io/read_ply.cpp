@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bodies of PLY files.
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "core/base/error.h"
@@ -9,6 +10,7 @@
 #include "core/io/planted_fault.h"
 #include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_builder.h"
 
 namespace relievo {
@@ -19,6 +21,8 @@ constexpr std::uint64_t kReportEvery = 1 << 16;
 /// What one record of an element contributes; filled by the two bodies below.
 struct Record {
   std::array<double, 3> xyz{};
+  std::array<float, 3> colour{};
+  float intensity = 0;
   std::vector<std::int64_t> corners;
 };
 
@@ -28,6 +32,7 @@ class PlyReader {
       : job_(job),
         header_(header),
         builder_(job.file, job.options.max_points),
+        layout_(recordLayoutOf(header)),
         body_(job.bytes.substr(header.body_start)),
         lines_(body_, header.body_first_line) {}
 
@@ -35,12 +40,18 @@ class PlyReader {
     constexpr std::array<std::string_view, 3> kEncodings{"ascii", "binary_little_endian",
                                                          "binary_big_endian"};
     builder_.info().unit = header_.unit;
+    builder_.info().warnings = header_.warnings;
     builder_.info().format =
         "PLY " + std::string(kEncodings[static_cast<std::size_t>(header_.encoding)]);
     const bool ascii = header_.encoding == PlyEncoding::ascii;
+    // Text may say anything, also 256 of a uchar; numbers without a type are settled at the end.
+    has_byte_colours_ = !ascii && layout_.colour && hasByteColours(layout_);
     for (element_ = 0; element_ < header_.elements.size(); ++element_) {
       const PlyElement& element = header_.elements[element_];
-      if (isVertex()) builder_.expectPoints(std::min(element.count, possibleRecords(element)));
+      if (isVertex()) {
+        expectRecords(layout_, std::min(element.count, possibleRecords(element)), has_byte_colours_,
+                      builder_);
+      }
       const std::uint64_t found = ascii ? readLines(element) : readRecords(element);
       if (found < element.count && !acceptCut(element, found)) break;
     }
@@ -87,6 +98,14 @@ class PlyReader {
                                            "\" records are of a kind that is not read; the points "
                                            "were loaded without faces.");
       }
+      const bool coloured =
+          std::any_of(element.properties.begin(), element.properties.end(),
+                      [](const PlyProperty& p) { return colourChannel(p.name).has_value(); });
+      if (element.name == "face" && coloured && !header_.colour) {
+        builder_.info().warnings.emplace_back(
+            "Its faces have colours, its points none; colours of faces are not read. Save it with "
+            "colours of vertices.");
+      }
     }
   }
 
@@ -98,8 +117,17 @@ class PlyReader {
   }
 
   void take(const Record& record) {
-    if (isVertex()) builder_.addPoint(record.xyz[0], record.xyz[1], record.xyz[2]);
     if (isFace()) builder_.addFace(record.corners);
+    if (!isVertex() || !builder_.addPoint(record.xyz[0], record.xyz[1], record.xyz[2])) return;
+    if (layout_.colour && has_byte_colours_) {
+      const auto channel = [&](std::size_t k) {
+        return static_cast<std::uint8_t>(record.colour[k]);
+      };
+      builder_.addColour(channel(0), channel(1), channel(2));
+    } else if (layout_.colour) {
+      builder_.addWideColour(record.colour);
+    }
+    if (layout_.intensity) builder_.addWideIntensity(record.intensity);
   }
 
   // ---- binary ------------------------------------------------------------------------------
@@ -118,6 +146,15 @@ class PlyReader {
     return element.count;
   }
 
+  /// The program that called may have none: then ours reads, unless PCL was asked for.
+  bool byPcl() const {
+    if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
+    if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
+      refuseScan(job_.file, "it was changed while it was read. Try again.");
+    }
+    return job_.pcl != nullptr;
+  }
+
   std::uint64_t skipRecords(const PlyElement& element) {
     const std::uint64_t bytes = element.leastBytes();
     const std::uint64_t found = std::min(element.count, (body_.size() - at_) / bytes);
@@ -127,24 +164,21 @@ class PlyReader {
 
   /// Points without lists among their properties: the same places in every record.
   std::uint64_t readFixedPoints(const PlyElement& element) {
-    std::array<std::size_t, 3> offsets{};
-    std::size_t offset = 0;
-    for (std::size_t p = 0; p < element.properties.size(); ++p) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (header_.xyz[axis] == p) offsets[axis] = offset;
-      }
-      offset += byteSize(element.properties[p].type);
+    const std::string_view rest = body_.substr(at_);
+    const std::uint64_t found = std::min(element.count, rest.size() / layout_.bytes);
+    if (byPcl()) {
+      builder_.info().reader = job_.pcl->name;
+      std::uint64_t done = 0;
+      job_.pcl->ply_records(header_, rest, found,
+                            [&](const PointColumns& columns, std::uint64_t count) {
+                              report(done, element.count);
+                              addColumns(columns, count, builder_);
+                              done += count;
+                            });
+    } else {
+      addRecords(layout_, rest, found, job_.task, builder_);
     }
-    const std::uint64_t found = std::min(element.count, (body_.size() - at_) / offset);
-    for (std::uint64_t i = 0; i < found; ++i, at_ += offset) {
-      report(i, element.count);
-      std::array<double, 3> p{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        p[axis] = loadDouble(body_.data() + at_ + offsets[axis],
-                             element.properties[header_.xyz[axis]].type, header_.byteOrder());
-      }
-      builder_.addPoint(p[0], p[1], p[2]);
-    }
+    at_ += found * layout_.bytes;
     return found;
   }
 
@@ -155,7 +189,9 @@ class PlyReader {
       const std::size_t first = byteSize(property.list_length.value_or(property.type));
       if (first > body_.size() - at) return false;
       if (!property.list_length) {
-        if (isVertex()) takeCoordinate(p, property, at, record);
+        if (isVertex()) {
+          takeNumber(p, loadDouble(body_.data() + at, property.type, header_.byteOrder()), record);
+        }
         at += first;
         continue;
       }
@@ -176,12 +212,20 @@ class PlyReader {
     return true;
   }
 
-  void takeCoordinate(std::size_t p, const PlyProperty& property, std::size_t at, Record& record) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (header_.xyz[axis] == p) {
-        record.xyz[axis] = loadDouble(body_.data() + at, property.type, header_.byteOrder());
-      }
+  /// Of the vertex element's property `p`.
+  void takeNumber(std::size_t p, double number, Record& record) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (header_.xyz[k] == p) record.xyz[k] = number;
+      if (header_.colour && (*header_.colour)[k] == p)
+        record.colour[k] = static_cast<float>(number);
     }
+    if (header_.intensity == p) record.intensity = static_cast<float>(number);
+  }
+
+  bool isRead(std::size_t p) const {
+    const auto is = [p](std::size_t other) { return other == p; };
+    return std::any_of(header_.xyz.begin(), header_.xyz.end(), is) || header_.intensity == p ||
+           (header_.colour && std::any_of(header_.colour->begin(), header_.colour->end(), is));
   }
 
   void takeCorners(const PlyProperty& property, std::size_t at, std::int64_t length,
@@ -236,19 +280,17 @@ class PlyReader {
         if (!readList(p, word, rest, may_be_cut, record)) return false;
         continue;
       }
-      if (!isVertex()) continue;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (header_.xyz[axis] == p) record.xyz[axis] = coordinate(word);
-      }
+      if (isVertex() && isRead(p)) takeNumber(p, number(p, word), record);
     }
     return true;
   }
 
   /// The digits of the text, even if the property says float: they are what was measured.
-  double coordinate(std::string_view word) const {
-    const auto value = parseNumber(word);
-    if (!value) refuseLine("does not hold three coordinates");
-    return *value;
+  double number(std::size_t p, std::string_view word) const {
+    if (const auto value = parseNumber(word)) return *value;
+    const bool needed = std::find(header_.xyz.begin(), header_.xyz.end(), p) != header_.xyz.end();
+    if (needed) refuseLine("does not hold three coordinates");
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
   bool readList(std::size_t p, std::string_view length_word, std::string_view& rest,
@@ -271,6 +313,8 @@ class PlyReader {
   const ReadJob& job_;
   const PlyHeader& header_;
   ScanBuilder builder_;
+  RecordLayout layout_;  ///< Its places are right where the vertex element has no lists.
+  bool has_byte_colours_ = false;
   std::string_view body_;
   std::size_t element_ = 0;
   std::size_t at_ = 0;  ///< Binary: next byte of the body.

@@ -31,6 +31,7 @@ class PtxReader {
   Scan read() {
     builder_.info().format = "PTX";
     while (!cut_ && nextLine()) readScan();
+    if (!cut_) checkParts(job_, scans_);
     const std::uint64_t found = builder_.pointCount();
     if (cut_) handleShortfall({"points", promised_, found, found}, job_, builder_.info());
     return builder_.finish();
@@ -63,7 +64,8 @@ class PtxReader {
     if (columns != 0 && rows > (~std::uint64_t{0} - promised_) / columns) {
       refuseScan(job_.file, "it promises more points than there can be. Export it again.");
     }
-    promised_ += columns * rows;
+    wanted_ = isWantedPart(job_, scans_++);
+    if (wanted_) promised_ += columns * rows;
     std::array<double, 4> unused{};
     for (int line = 0; line < 4; ++line) {
       if (!nextHeadLine()) return;
@@ -78,6 +80,11 @@ class PtxReader {
                 matrix.begin() + static_cast<std::ptrdiff_t>(4 * row));
     }
     checkMatrix(matrix);
+    if (wanted_) {
+      // The scanner stands at 0 0 0 of its own axes.
+      builder_.beginPart(
+          {.name = {}, .points = 0, .viewpoint = FilePoint{matrix[12], matrix[13], matrix[14]}});
+    }
     readPoints(columns * rows, matrix);
   }
 
@@ -123,20 +130,42 @@ class PtxReader {
         cut_ = true;  // Half a row at the end is no point.
         return;
       }
-      addPoint(matrix);
+      if (wanted_) addPoint(matrix);
     }
   }
 
   void addPoint(const Matrix& m) {
-    std::array<double, 4> p{};
-    numbersInLine(p, 3, "a point's x, y and z");
+    std::array<double, 3> p{};
+    std::string_view rest = lines_.line();
+    for (double& number : p) {
+      const auto value = parseNumber(takeWord(rest));
+      if (!value) refuseLine("a point's x, y and z");
+      number = *value;
+    }
     if (p[0] == 0 && p[1] == 0 && p[2] == 0) {  // Nothing was measured in this direction.
       builder_.addPoint(kNaN, kNaN, kNaN);
       return;
     }
-    builder_.addPoint(p[0] * m[0] + p[1] * m[4] + p[2] * m[8] + m[12],
-                      p[0] * m[1] + p[1] * m[5] + p[2] * m[9] + m[13],
-                      p[0] * m[2] + p[1] * m[6] + p[2] * m[10] + m[14]);
+    const bool kept = builder_.addPoint(p[0] * m[0] + p[1] * m[4] + p[2] * m[8] + m[12],
+                                        p[0] * m[1] + p[1] * m[5] + p[2] * m[9] + m[13],
+                                        p[0] * m[2] + p[1] * m[6] + p[2] * m[10] + m[14]);
+    if (kept) addValues(rest);
+  }
+
+  /// What follows the coordinates: an intensity, or that and red, green and blue.
+  void addValues(std::string_view rest) {
+    std::array<float, 4> values{};
+    std::size_t found = 0;
+    for (; found < values.size(); ++found) {
+      const auto value = parseNumber(takeWord(rest));
+      if (!value) break;
+      values[found] = static_cast<float>(*value);
+    }
+    if (found >= 1) builder_.addWideIntensity(values[0]);
+    if (found < 4) return;
+    auto& fact = builder_.info().colour;
+    if (!fact) fact = ColourFact{.source = "red green blue", .bits = 8, .points = 0};
+    builder_.addWideColour({values[1], values[2], values[3]});
   }
 
   void report() const {
@@ -150,6 +179,8 @@ class PtxReader {
   ScanBuilder builder_;
   Lines lines_;
   std::uint64_t promised_ = 0;  ///< By the scans begun so far.
+  std::size_t scans_ = 0;       ///< Begun so far.
+  bool wanted_ = true;          ///< The current one.
   bool cut_ = false;
 };
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/read_scan.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
@@ -12,6 +14,23 @@ namespace relievo {
 
 void refuseScan(const std::filesystem::path& file, std::string_view reason) {
   throw FileError("Cannot read " + shownName(file) + ": " + printable(reason));
+}
+
+void checkParts(const ReadJob& job, std::size_t count) {
+  for (const int part : job.options.scan.parts) {
+    if (part >= 1 && static_cast<std::size_t>(part) <= count) continue;
+    throw FileError(
+        "--parts: " + shownName(job.file) + " holds " +
+            (count == 1 ? "one scan" : grouped(count) + " scans, 1 to " + grouped(count)) +
+            "; there is no scan " + std::to_string(part) + ". Nothing was loaded.",
+        kMisuse);
+  }
+}
+
+bool isWantedPart(const ReadJob& job, std::size_t index) {
+  const std::vector<int>& parts = job.options.scan.parts;
+  return parts.empty() ||
+         std::find(parts.begin(), parts.end(), static_cast<int>(index) + 1) != parts.end();
 }
 
 void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& info) {
@@ -33,11 +52,13 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
 }
 
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  UnpackLzf unpack_lzf) {
+                  const ReadLibraries& libraries) {
   const MappedFile mapped(file);
-  const ReadJob job{file, mapped.bytes(), options, task, unpack_lzf};
+  const ReadJob job{file, mapped.bytes(), options, task, libraries.pcl, libraries.load_texture};
   const FoundFormat found = findFormat(job.bytes.substr(0, kSniffedBytes), file, job.bytes.size());
   checkReadableAsScan(found, file);
+  const bool may_hold_several = found.format == FileFormat::e57 || found.format == FileFormat::ptx;
+  if (!may_hold_several) checkParts(job, 1);
   switch (found.format) {
     case FileFormat::ply:
       return readPly(job);

@@ -1,15 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
 #include "core/io/import.h"
-#include "core/io/lzf.h"
+#include "core/io/pcl_records.h"
 
 namespace relievo {
+
+/// See texture_file.h.
+using LoadTexture = std::optional<Texture> (*)(const std::filesystem::path& file,
+                                               std::uint64_t most_texels, std::string& reason);
+
+/// What a program reads by large libraries; null where it has none.
+struct ReadLibraries {
+  const PclLibrary* pcl = nullptr;  ///< Reads where it may and is not unwanted.
+  LoadTexture load_texture = nullptr;
+};
 
 /// What every reader gets: the file mapped into memory, and what the caller wants of it.
 struct ReadJob {
@@ -17,7 +30,8 @@ struct ReadJob {
   std::string_view bytes;
   const ImportOptions& options;
   const Task& task;
-  UnpackLzf unpack_lzf = nullptr;  ///< Null in the program without large libraries.
+  const PclLibrary* pcl = nullptr;     ///< Null in programs without it.
+  LoadTexture load_texture = nullptr;  ///< The same.
 };
 
 // One function per format, each in its own file; all throw FileError. They run in the worker.
@@ -34,10 +48,19 @@ Scan readPtx(const ReadJob& job);
 /// Chooses the reader by content and name, and reads in this process. importScan does the same in
 /// a child with limits. @throw FileError
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
-                  UnpackLzf unpack_lzf);
+                  const ReadLibraries& libraries = {});
 
 /// "Cannot read NAME: <reason>". The reason may quote the file as it is.
 [[noreturn]] void refuseScan(const std::filesystem::path& file, std::string_view reason);
+
+/// Code of the refusal of a choice that the file does not offer; importScan throws an
+/// ArgumentError.
+inline constexpr const char* kMisuse = "misuse";
+
+/// Does ImportOptions::parts name only scans that a file of so many has? @throw FileError  kMisuse
+void checkParts(const ReadJob& job, std::size_t count);
+/// Is the scan of this index (from 0) to be read?
+bool isWantedPart(const ReadJob& job, std::size_t index);
 
 /// A file that ends before what its header promises.
 struct Shortfall {

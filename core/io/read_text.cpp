@@ -2,7 +2,7 @@
 // Points as rows of text: XYZ, ASC, PTS, CSV, TXT.
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,84 +10,18 @@
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/planted_fault.h"
+#include "core/io/point_columns.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
+#include "core/io/text_columns.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::uint64_t kReportEvery = 1 << 16;
 constexpr std::size_t kMaxLine = 65536;
-
-/// How the file separates its columns and writes its fractions.
-struct RowStyle {
-  char separator = 0;  ///< ';' or ',', besides blanks; 0: blanks only.
-  bool decimal_comma = false;
-};
-
-/// "1,5 2,5 3,5": commas within words that blanks separate.
-bool hasDecimalCommas(std::string_view line) {
-  int words = 0;
-  bool comma = false;
-  for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line), ++words) {
-    if (word.front() == ',' || word.back() == ',' || word.find('.') != std::string_view::npos ||
-        std::count(word.begin(), word.end(), ',') > 1) {
-      return false;
-    }
-    comma = comma || word.find(',') != std::string_view::npos;
-  }
-  return comma && words >= 3;
-}
-
-RowStyle styleOf(std::string_view line) {
-  if (line.find(';') != std::string_view::npos) {
-    return {';', line.find(',') != std::string_view::npos};
-  }
-  if (line.find(',') == std::string_view::npos) return {};
-  if (hasDecimalCommas(line)) return {0, true};
-  return {',', false};
-}
-
-/// Takes the next column off `rest`. Empty between two separators; nothing at the end.
-std::optional<std::string_view> takeColumn(std::string_view& rest, char separator) {
-  if (separator == 0) {
-    const std::string_view word = takeWord(rest);
-    return word.empty() ? std::nullopt : std::optional(word);
-  }
-  while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
-  if (rest.empty()) return std::nullopt;
-  std::size_t end = 0;
-  while (end < rest.size() && rest[end] != separator && !isBlank(rest[end])) ++end;
-  std::string_view column = rest.substr(0, end);
-  rest.remove_prefix(end);
-  while (!rest.empty() && isBlank(rest.front())) rest.remove_prefix(1);
-  if (!rest.empty() && rest.front() == separator) rest.remove_prefix(1);
-  if (column.size() >= 2 && column.front() == '"' && column.back() == '"') {
-    column = column.substr(1, column.size() - 2);
-  }
-  return column;
-}
-
-std::vector<std::string_view> columnsOf(std::string_view line, char separator) {
-  std::vector<std::string_view> columns;
-  while (const auto column = takeColumn(line, separator)) columns.push_back(*column);
-  return columns;
-}
-
-/// A missing number ("1,,3", "NULL") is a point without a position: stored, but not finite.
-std::optional<double> parseColumn(std::string_view column, bool decimal_comma) {
-  constexpr std::array<std::string_view, 6> kMissing{"", "NA", "N/A", "null", "NULL", "-"};
-  if (std::find(kMissing.begin(), kMissing.end(), column) != kMissing.end() ||
-      column.find("#QNAN") != std::string_view::npos ||
-      column.find("#IND") != std::string_view::npos) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  if (!decimal_comma) return parseNumber(column);
-  std::array<char, 64> copy{};
-  if (column.size() > copy.size()) return std::nullopt;
-  std::replace_copy(column.begin(), column.end(), copy.begin(), ',', '.');
-  return parseNumber({copy.data(), column.size()});
-}
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
 
 class TextReader {
  public:
@@ -101,12 +35,14 @@ class TextReader {
     if (!nextRow()) refuseScan(job_.file, "it holds no rows of numbers. Choose another file.");
     readCountLine();
     if (!at_end_) readHeader();
+    if (!at_end_) chooseValues();
     while (!at_end_) {
       if (builder_.pointCount() % kReportEvery == 0) report();
       if (!readRow()) break;
       nextRow();
     }
     checkCount();
+    if (!guess_holds_) builder_.dropColours();
     if (style_.decimal_comma) {
       builder_.info().warnings.emplace_back("Commas were read as decimal points.");
     }
@@ -129,7 +65,10 @@ class TextReader {
                                   " is longer than 64 kB. It is no file of points.");
       }
       const std::string_view line = trimmed(lines_.line());
-      if (!line.empty() && !line.starts_with('#') && !line.starts_with("//")) return true;
+      const bool comment = line.starts_with('#') || line.starts_with("//");
+      if (!line.empty() && !comment) return true;
+      // "//X Y Z R G B" is how CloudCompare names the columns.
+      if (comment && builder_.pointCount() == 0 && !line.empty()) last_comment_ = line;
     }
     at_end_ = true;
     return false;
@@ -167,18 +106,7 @@ class TextReader {
   void takeNames() {
     const std::uint64_t line = lines_.number();
     const std::vector<std::string_view> names = columnsOf(lines_.line(), style_.separator);
-    std::array<std::optional<std::size_t>, 3> found;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto first = static_cast<char>(
-          names[i].empty() ? 0 : std::tolower(static_cast<unsigned char>(names[i].front())));
-      // "x", "X", "x_mm", "X[m]", "x(m)"
-      const bool named = names[i].size() == 1 ||
-                         (names[i].size() > 1 &&
-                          std::string_view("_[(").find(names[i][1]) != std::string_view::npos);
-      if (!named || first < 'x' || first > 'z') continue;
-      auto& place = found[static_cast<std::size_t>(first - 'x')];
-      if (!place) place = i;
-    }
+    const auto found = axisColumns(names);
     if (found[0] && found[1] && found[2]) {
       place_ = {*found[0], *found[1], *found[2]};
     } else {
@@ -186,7 +114,50 @@ class TextReader {
           "Line " + std::to_string(line) +
           " names no columns x, y, z; the first three columns were taken.");
     }
+    values_ = namedValues(names);
+    columns_are_named_ = true;
     if (nextRow()) style_ = styleOf(lines_.line());
+  }
+
+  /// Which columns hold colours and intensities: by their names, else by what stands there.
+  void chooseValues() {
+    if (!columns_are_named_) {
+      const std::size_t start = last_comment_.find_first_not_of("#/ \t");
+      const std::string_view said = last_comment_.substr(std::min(start, last_comment_.size()));
+      const auto names = columnsOf(said, styleOf(said).separator);
+      if (axisColumns(names) == std::array<std::optional<std::size_t>, 3>{0, 1, 2}) {
+        values_ = namedValues(names);
+        columns_are_named_ = true;
+      }
+    }
+    if (!columns_are_named_) {
+      const bool pts = promised_.has_value() || sameLetters(job_.file.extension().string(), ".pts");
+      values_ = guessedValues(firstRows(), pts);
+    }
+    last_column_ = *std::max_element(place_.begin(), place_.end());
+    if (values_.colour) {
+      last_column_ = std::max(
+          {last_column_, (*values_.colour)[0], (*values_.colour)[1], (*values_.colour)[2]});
+      builder_.info().colour = ColourFact{
+          .source = columns_are_named_ ? "named columns" : "columns", .bits = 8, .points = 0};
+    }
+    if (values_.intensity) last_column_ = std::max(last_column_, *values_.intensity);
+  }
+
+  /// The numbers of the current row and some more; NaN for words.
+  std::vector<std::vector<double>> firstRows() const {
+    constexpr std::size_t kRows = 64;
+    std::vector<std::vector<double>> rows;
+    Lines ahead = lines_;
+    do {
+      const std::string_view line = trimmed(ahead.line());
+      if (line.empty() || line.starts_with('#') || line.starts_with("//")) continue;
+      std::vector<double>& row = rows.emplace_back();
+      for (const std::string_view column : columnsOf(line, style_.separator)) {
+        row.push_back(parseColumn(column, style_.decimal_comma).value_or(kNaN));
+      }
+    } while (rows.size() < kRows && ahead.next());
+    return rows;
   }
 
   bool lastLineMayBeCut() const {
@@ -198,12 +169,13 @@ class TextReader {
   bool readRow() {
     if (lastLineMayBeCut()) return false;
     std::array<double, 3> p{};
+    std::array<float, 3> colour{kNoNumber, kNoNumber, kNoNumber};
+    float intensity = kNoNumber;
     int found = 0;
     std::string_view rest = lines_.line();
     bool last_is_empty =  // "1,2,"
         style_.separator != 0 && trimmed(rest).ends_with(style_.separator);
-    const std::size_t last = *std::max_element(place_.begin(), place_.end());
-    for (std::size_t column = 0; column <= last; ++column) {
+    for (std::size_t column = 0; column <= last_column_; ++column) {
       auto text = takeColumn(rest, style_.separator);
       if (!text && last_is_empty) {
         text = "";
@@ -217,10 +189,30 @@ class TextReader {
         p[axis] = *value;
         ++found;
       }
+      takeValue(column, *text, colour, intensity);
     }
     if (found < 3) refuseRow();
-    builder_.addPoint(p[0], p[1], p[2]);
+    if (!builder_.addPoint(p[0], p[1], p[2])) return true;
+    if (values_.colour) builder_.addWideColour(colour);
+    if (values_.intensity) builder_.addWideIntensity(intensity);
     return true;
+  }
+
+  void takeValue(std::size_t column, std::string_view text, std::array<float, 3>& colour,
+                 float& intensity) {
+    const auto number = [&] {
+      return static_cast<float>(parseColumn(text, style_.decimal_comma).value_or(kNaN));
+    };
+    if (values_.intensity == column) intensity = number();
+    if (!values_.colour) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((*values_.colour)[k] != column) continue;
+      colour[k] = number();
+      // Numbers that nobody named are colours only if all of them could be.
+      if (!columns_are_named_ && !isByteNumber(static_cast<double>(colour[k]))) {
+        guess_holds_ = false;
+      }
+    }
   }
 
   void checkCount() {
@@ -241,6 +233,11 @@ class TextReader {
   Lines lines_;
   RowStyle style_;
   std::array<std::size_t, 3> place_{0, 1, 2};  ///< Columns of x, y, z.
+  std::size_t last_column_ = 2;                ///< That is read.
+  TextValues values_;
+  bool columns_are_named_ = false;
+  bool guess_holds_ = true;
+  std::string_view last_comment_;  ///< Before the first row.
   std::optional<std::uint64_t> promised_;
   bool at_end_ = false;
 };

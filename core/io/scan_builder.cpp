@@ -8,10 +8,14 @@
 #include "core/base/error.h"
 #include "core/base/large_pages.h"
 #include "core/io/file_check.h"
+#include "core/io/point_values.h"
+#include "core/io/polygon.h"
 
 namespace relievo {
 namespace {
 
+constexpr std::size_t kMostParts = 256;  ///< One byte a point.
+constexpr const char* kLaterParts = "the scans from here on";
 constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
 double medianOf(std::vector<double>& numbers) {
@@ -78,7 +82,97 @@ void ScanBuilder::addFace(std::span<const std::int64_t> corners) {
   }
 }
 
-bool ScanBuilder::triangulate(std::span<const std::uint32_t> corners) {
+void ScanBuilder::addTexturedFace(std::span<const std::int64_t> corners,
+                                  std::span<const std::array<float, 2>> places,
+                                  std::uint16_t texture) {
+  corner_places_.resize(corners_.size());
+  face_textures_.resize(corner_counts_.size(), kNoTexture);
+  addFace(corners);
+  corner_places_.insert(corner_places_.end(), places.begin(), places.end());
+  face_textures_.push_back(texture);
+}
+
+std::uint16_t ScanBuilder::addTexture(Texture texture) {
+  scan_.textures.push_back(std::move(texture));
+  return static_cast<std::uint16_t>(scan_.textures.size() - 1);
+}
+
+void ScanBuilder::expectColours(std::uint64_t count, bool bytes) {
+  const auto room = static_cast<std::size_t>(std::min(count, max_points_));
+  if (bytes) {
+    reserveLarge(scan_.colours, room);
+  } else {
+    reserveLarge(wide_colours_, room);
+  }
+}
+
+void ScanBuilder::expectIntensities(std::uint64_t count, bool words) {
+  const auto room = static_cast<std::size_t>(std::min(count, max_points_));
+  if (words) {
+    reserveLarge(scan_.intensities, room);
+  } else {
+    reserveLarge(wide_intensities_, room);
+  }
+}
+
+void ScanBuilder::expectClasses(std::uint64_t count) {
+  reserveLarge(scan_.classes, static_cast<std::size_t>(std::min(count, max_points_)));
+}
+
+void ScanBuilder::beginPart(ScanPart part) {
+  if (part_starts_.size() >= kMostParts) {
+    if (scan_.info.parts.back().name != kLaterParts) {
+      scan_.info.parts.back() = {
+          .name = kLaterParts, .points = scan_.info.parts.back().points, .viewpoint = std::nullopt};
+    }
+    return;
+  }
+  part_starts_.push_back(keptCount());
+  part.points = scan_.info.points;  // Made a difference in settleValues.
+  scan_.info.parts.push_back(std::move(part));
+}
+
+void ScanBuilder::settleValues() {
+  ScanInfo& info = scan_.info;
+  if (!wide_colours_.empty()) {
+    wide_colours_.resize(scan_.points.size(), kNoColour);
+    ColourFact fact = info.colour.value_or(ColourFact{});
+    scan_.colours = settledColours(wide_colours_, fact, info.warnings);
+    wide_colours_ = {};
+    info.colour = fact;
+  } else if (!scan_.colours.empty()) {
+    scan_.colours.resize(scan_.points.size());
+    settleByteColours(scan_.colours, info.warnings);
+  }
+  if (!scan_.colours.empty()) {
+    info.colour->points = static_cast<std::uint64_t>(
+        std::count_if(scan_.colours.begin(), scan_.colours.end(),
+                      [](const Rgba& colour) { return colour[3] != 0; }));
+  } else if (scan_.textures.empty()) {
+    info.colour.reset();
+  }
+  if (!wide_intensities_.empty()) {
+    wide_intensities_.resize(scan_.points.size(), std::numeric_limits<float>::quiet_NaN());
+    IntensityRange range;
+    scan_.intensities = settledIntensities(wide_intensities_, range);
+    wide_intensities_ = {};
+    info.intensity = range;
+  }
+  if (scan_.intensities.empty()) info.intensity.reset();
+  for (std::size_t i = 0; i < info.parts.size(); ++i) {
+    const std::uint64_t end = i + 1 < info.parts.size() ? info.parts[i + 1].points : info.points;
+    info.parts[i].points = end - info.parts[i].points;
+  }
+  if (info.parts.size() < 2) return;
+  reserveLarge(scan_.parts, scan_.points.size());
+  for (std::size_t i = 0; i < part_starts_.size(); ++i) {
+    const std::size_t end = i + 1 < part_starts_.size() ? part_starts_[i + 1] : scan_.points.size();
+    scan_.parts.resize(end, static_cast<std::uint8_t>(i));
+  }
+}
+
+bool ScanBuilder::triangulate(std::size_t start, std::span<const std::uint32_t> corners,
+                              std::uint16_t texture) {
   if (corners.size() < 3) return false;
   std::vector<std::uint32_t> kept;
   kept.reserve(corners.size());
@@ -88,24 +182,50 @@ bool ScanBuilder::triangulate(std::span<const std::uint32_t> corners) {
     if (before != skipped_.end() && *before == stored) return false;
     kept.push_back(stored - static_cast<std::uint32_t>(before - skipped_.begin()));
   }
-  for (std::size_t i = 2; i < kept.size(); ++i) {
+  if (kept.size() == 3) {
+    cut_.assign(1, {0, 1, 2});
+  } else {
+    std::vector<std::array<float, 3>> outline;
+    outline.reserve(kept.size());
+    for (const std::uint32_t corner : kept) outline.push_back(scan_.points[corner]);
+    if (!cutPolygon(outline, cut_)) ++fanned_;
+  }
+  for (const auto& [a, b, c] : cut_) {
     // A triangle with a corner twice has no area and hides nothing.
-    if (kept[0] == kept[i - 1] || kept[0] == kept[i] || kept[i - 1] == kept[i]) continue;
-    scan_.triangles.push_back({kept[0], kept[i - 1], kept[i]});
+    if (kept[a] == kept[b] || kept[a] == kept[c] || kept[b] == kept[c]) continue;
+    scan_.triangles.push_back({kept[a], kept[b], kept[c]});
+    if (scan_.textures.empty()) continue;
+    const auto place = [&](std::uint32_t corner) {
+      return start + corner < corner_places_.size() ? corner_places_[start + corner]
+                                                    : std::array<float, 2>{};
+    };
+    scan_.texture_corners.push_back({place(a), place(b), place(c)});
+    scan_.texture_of.push_back(texture);
   }
   return true;
 }
 
 void ScanBuilder::makeTriangles() {
   std::size_t start = 0;
-  for (const std::uint32_t count : corner_counts_) {
-    if (!triangulate(std::span(corners_).subspan(start, count))) ++scan_.info.dropped_faces;
+  for (std::size_t face = 0; face < corner_counts_.size(); ++face) {
+    const std::uint32_t count = corner_counts_[face];
+    const std::uint16_t texture = face < face_textures_.size() ? face_textures_[face] : kNoTexture;
+    if (!triangulate(start, std::span(corners_).subspan(start, count), texture)) {
+      ++scan_.info.dropped_faces;
+    }
     start += count;
+  }
+  if (fanned_ > 0) {
+    scan_.info.warnings.push_back(
+        grouped(fanned_) +
+        " faces have dents and more than 4096 corners; they were cut into triangles without regard "
+        "to these. Split them where they were made.");
   }
 }
 
 Scan ScanBuilder::finish() {
   if (!origin_chosen_) chooseOrigin();
+  settleValues();
   makeTriangles();
   ScanInfo& info = scan_.info;
   info.finite_points = scan_.points.size();

@@ -28,26 +28,78 @@ class ScanBuilder {
 
   ScanInfo& info() noexcept { return scan_.info; }
   std::uint64_t pointCount() const noexcept { return scan_.info.points; }
+  std::uint64_t keptCount() const noexcept { return scan_.points.size() + sample_.size(); }
   std::uint64_t faceCount() const noexcept { return scan_.info.faces; }
   void expectPoints(std::uint64_t count);  ///< A hint; never trusted beyond max_points.
 
   /// The next stored point; those that are not finite are counted only.
-  void addPoint(double x, double y, double z) {
+  /// @return  whether it is kept; only then what the file says of it is added by the calls below.
+  ///          Kept points without such a call have no colour, the lowest intensity
+  bool addPoint(double x, double y, double z) {
     // NaN and infinity fail the comparisons. Binary files spend their time here; a call for every
     // point cost 2 to 7 ns more of 11 to 18 (reader_benchmark).
     const bool usable = std::abs(x) <= kFarthestCoordinate && std::abs(y) <= kFarthestCoordinate &&
                         std::abs(z) <= kFarthestCoordinate;
     if (!usable || !origin_chosen_ || scan_.info.points >= max_points_) {
       addSpecialPoint({x, y, z}, usable);
-      return;
+      return usable;
     }
     ++scan_.info.points;
     extendBox(x, y, z);
     store({x, y, z});
+    return true;
+  }
+
+  /// The next stored point, which the file says is not to be used.
+  void addLeftOutPoint() { addSpecialPoint({kNaN, kNaN, kNaN}, false); }
+
+  // Hints before many of the calls below.
+  void expectColours(std::uint64_t count, bool bytes);
+  void expectIntensities(std::uint64_t count, bool words);
+  void expectClasses(std::uint64_t count);
+
+  void addColour(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+    if (scan_.colours.size() + 1 < keptCount()) scan_.colours.resize(keptCount() - 1);
+    scan_.colours.push_back({red, green, blue, 255});
+  }
+  void addNoColour() { scan_.colours.resize(keptCount()); }
+  /// Numbers whose range is known only when all have come (point_values.h); never beside addColour.
+  void addWideColour(const std::array<float, 3>& colour) {
+    if (wide_colours_.size() + 1 < keptCount()) wide_colours_.resize(keptCount() - 1, kNoColour);
+    wide_colours_.push_back(colour);
+  }
+  void addIntensity(std::uint16_t intensity) { scan_.intensities.push_back(intensity); }
+  void addWideIntensity(float intensity) {
+    if (wide_intensities_.size() + 1 < keptCount()) {
+      wide_intensities_.resize(keptCount() - 1, std::numeric_limits<float>::quiet_NaN());
+    }
+    wide_intensities_.push_back(intensity);
+  }
+  void addClass(std::uint8_t number) { scan_.classes.push_back(number); }
+  /// Points from here on belong to this new part; from the 256th on all to that one. A file of one
+  /// part, without a viewpoint, needs none.
+  void beginPart(ScanPart part);
+
+  // These turned out to be none.
+  void dropIntensities() {
+    scan_.intensities = {};
+    wide_intensities_ = {};
+  }
+  void dropClasses() { scan_.classes = {}; }
+  void dropColours() {
+    scan_.colours = {};
+    wide_colours_ = {};
+    scan_.info.colour.reset();
   }
 
   /// The next stored polygon, corners counted from 0 in stored order; may come before its points.
   void addFace(std::span<const std::int64_t> corners);
+
+  /// The same with a picture on it; `places` are of the corners. @param texture  see addTexture
+  void addTexturedFace(std::span<const std::int64_t> corners,
+                       std::span<const std::array<float, 2>> places, std::uint16_t texture);
+  /// @return  its number for addTexturedFace
+  std::uint16_t addTexture(Texture texture);
 
   Scan finish();
 
@@ -64,11 +116,15 @@ class ScanBuilder {
                             static_cast<float>(p[1] - scan_.origin.y),
                             static_cast<float>(p[2] - scan_.origin.z)});
   }
+  void settleValues();
   void makeTriangles();
-  bool triangulate(std::span<const std::uint32_t> corners);
+  bool triangulate(std::size_t start, std::span<const std::uint32_t> corners,
+                   std::uint16_t texture);
 
   static constexpr std::size_t kSample = 65536;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  static constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  static constexpr std::array<float, 3> kNoColour{-1, -1, -1};
 
   Scan scan_;
   std::uint64_t max_points_;
@@ -79,6 +135,14 @@ class ScanBuilder {
   std::uint64_t too_far_ = 0;                  ///< Finite in the file, but not in float.
   std::vector<std::uint32_t> corners_;         ///< Of all faces, one after the other.
   std::vector<std::uint32_t> corner_counts_;
+  // Of corners_ and of faces, from the first face with a picture on.
+  std::vector<std::array<float, 2>> corner_places_;
+  std::vector<std::uint16_t> face_textures_;
+  std::vector<std::array<float, 3>> wide_colours_;
+  std::vector<float> wide_intensities_;
+  std::vector<std::uint64_t> part_starts_;         ///< Kept points before each part.
+  std::vector<std::array<std::uint32_t, 3>> cut_;  ///< Of one polygon.
+  std::uint64_t fanned_ = 0;                       ///< Concave polygons too long to be cut well.
 };
 
 }  // namespace relievo

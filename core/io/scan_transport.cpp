@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <type_traits>
@@ -25,7 +26,9 @@
 namespace relievo {
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31'6F'76'65'69'6C'65'72;  // "relievo1"
+constexpr std::uint64_t kMagic = 0x32'6F'76'65'69'6C'65'72;  // "relievo2"
+constexpr std::size_t kArrays = 9;
+constexpr std::uint32_t kMostTexels = 16384;  ///< Of a side.
 constexpr std::uint64_t kMaxTextBytes = 1 << 24;
 constexpr std::size_t kCheckEvery = 1 << 22;
 constexpr std::size_t kChunk = 16 << 20;  ///< Between two looks at the stop token.
@@ -34,16 +37,20 @@ constexpr std::uint64_t kMaxCols = 1 << 24;
 enum class AnswerKind : std::uint64_t { refusal, scan, raster };
 
 /// First bytes of an answer; then so many bytes of each array, then of text.
-/// Scan: points, triangles. Raster: heights (NaN: none), origins.
+/// Scan: points, triangles, colours, intensities, classes, parts, texture corners, textures of
+/// triangles, texels of all textures. Raster: heights (NaN: none), origins.
 struct AnswerHeader {
   std::uint64_t magic = kMagic;
   AnswerKind kind = AnswerKind::refusal;
   std::uint64_t text_bytes = 0;
-  std::array<std::uint64_t, 2> array_bytes{};
+  std::array<std::uint64_t, kArrays> array_bytes{};
 
-  std::uint64_t textAt() const noexcept {
-    return sizeof(AnswerHeader) + array_bytes[0] + array_bytes[1];
+  std::uint64_t arrayAt(std::size_t array) const noexcept {
+    return std::accumulate(array_bytes.begin(),
+                           array_bytes.begin() + static_cast<std::ptrdiff_t>(array),
+                           std::uint64_t{sizeof(AnswerHeader)});
   }
+  std::uint64_t textAt() const noexcept { return arrayAt(kArrays); }
 };
 static_assert(std::is_trivially_copyable_v<AnswerHeader>);
 
@@ -132,8 +139,64 @@ void pack(const ScanInfo& info, Packer& packer) {
   packer.put(static_cast<std::uint64_t>(info.bounds.has_value()));
   packer.put(static_cast<std::int64_t>(info.unit ? static_cast<int>(*info.unit) : -1));
   packer.put(info.format);
+  packer.put(info.reader);
+  packer.put(info.reference_system);
+  packer.put(info.withheld);
+  packer.put(static_cast<std::uint64_t>(info.colour.has_value()));
+  if (info.colour) {
+    packer.put(info.colour->source);
+    packer.put(static_cast<std::int64_t>(info.colour->bits));
+    packer.put(info.colour->points);
+  }
+  packer.put(static_cast<std::uint64_t>(info.intensity.has_value()));
+  packer.put(info.intensity.value_or(IntensityRange{}));
+  packer.put(static_cast<std::uint64_t>(info.parts.size()));
+  for (const ScanPart& part : info.parts) {
+    packer.put(part.name);
+    packer.put(part.points);
+    packer.put(static_cast<std::uint64_t>(part.viewpoint.has_value()));
+    packer.put(part.viewpoint.value_or(FilePoint{}));
+  }
   packer.put(static_cast<std::uint64_t>(info.warnings.size()));
   for (const std::string& warning : info.warnings) packer.put(warning);
+}
+
+/// What a file says of its points beside their places. @return  false if it makes no sense
+bool unpackValues(Unpacker& unpacker, ScanInfo& info) {
+  constexpr std::uint64_t kMostParts = 256;
+  info.reader = unpacker.text();
+  info.reference_system = unpacker.text();
+  info.withheld = unpacker.get<std::uint64_t>();
+  if (unpacker.get<std::uint64_t>() != 0) {
+    ColourFact fact;
+    fact.source = unpacker.text();
+    const auto bits = unpacker.get<std::int64_t>();
+    fact.points = unpacker.get<std::uint64_t>();
+    if (bits != 8 && bits != 16 && bits != 32) return false;
+    fact.bits = static_cast<int>(bits);
+    info.colour = fact;
+  }
+  const bool has_intensity = unpacker.get<std::uint64_t>() != 0;
+  const auto range = unpacker.get<IntensityRange>();
+  if (has_intensity) {
+    const bool usable =
+        std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high;
+    if (!usable) return false;
+    info.intensity = range;
+  }
+  const auto parts = unpacker.get<std::uint64_t>();
+  if (parts > kMostParts) return false;
+  for (std::uint64_t i = 0; i < parts && unpacker.good(); ++i) {
+    ScanPart part;
+    part.name = unpacker.text();
+    part.points = unpacker.get<std::uint64_t>();
+    const bool has_viewpoint = unpacker.get<std::uint64_t>() != 0;
+    const auto viewpoint = unpacker.get<FilePoint>();
+    if (has_viewpoint && !isFinite(viewpoint)) return false;
+    if (has_viewpoint) part.viewpoint = viewpoint;
+    info.parts.push_back(std::move(part));
+  }
+  return unpacker.good();
 }
 
 bool unpack(Unpacker& unpacker, ScanInfo& info) {
@@ -147,6 +210,7 @@ bool unpack(Unpacker& unpacker, ScanInfo& info) {
   if (unit >= static_cast<std::int64_t>(kLengthUnits.size())) return false;
   if (unit >= 0) info.unit = static_cast<LengthUnit>(unit);
   info.format = unpacker.text();
+  if (!unpackValues(unpacker, info)) return false;
   const auto warnings = unpacker.get<std::uint64_t>();
   plantedFault(warnings == 5);
   for (std::uint64_t i = 0; i < warnings && unpacker.good(); ++i) {
@@ -159,6 +223,11 @@ std::string textOf(const Scan& scan) {
   Packer packer;
   packer.put(scan.origin);
   pack(scan.info, packer);
+  packer.put(static_cast<std::uint64_t>(scan.textures.size()));
+  for (const Texture& texture : scan.textures) {
+    packer.put(texture.cols);
+    packer.put(texture.rows);
+  }
   return packer.bytes();
 }
 
@@ -175,6 +244,34 @@ std::string textOf(const RasterHead& raster) {
   return packer.bytes();
 }
 
+/// Lists of points and of triangles as long as those, indices within what they name.
+bool valuesConsistent(const Scan& scan, const Task& task) {
+  const auto fits = [](std::size_t list, std::size_t all) { return list == 0 || list == all; };
+  const std::size_t points = scan.points.size(), triangles = scan.triangles.size();
+  if (!fits(scan.colours.size(), points) || !fits(scan.intensities.size(), points) ||
+      !fits(scan.classes.size(), points) || !fits(scan.parts.size(), points) ||
+      !fits(scan.texture_of.size(), triangles) ||
+      scan.texture_corners.size() != scan.texture_of.size() ||
+      scan.intensities.empty() == scan.info.intensity.has_value() ||
+      (!scan.colours.empty() && !scan.info.colour)) {
+    return false;
+  }
+  const std::size_t parts = scan.info.parts.size(), textures = scan.textures.size();
+  task.check();
+  const auto is_part = [parts](std::uint8_t part) { return part < parts; };
+  const auto is_texture = [textures](std::uint16_t texture) {
+    return texture == kNoTexture || texture < textures;
+  };
+  const auto is_finite = [](const TextureCorners& corners) {
+    return std::all_of(corners.begin(), corners.end(), [](const std::array<float, 2>& c) {
+      return std::isfinite(c[0]) && std::isfinite(c[1]);
+    });
+  };
+  return std::all_of(scan.parts.begin(), scan.parts.end(), is_part) &&
+         std::all_of(scan.texture_of.begin(), scan.texture_of.end(), is_texture) &&
+         std::all_of(scan.texture_corners.begin(), scan.texture_corners.end(), is_finite);
+}
+
 bool consistent(const Scan& scan, const Task& task) {
   if (scan.points.empty() || scan.points.size() != scan.info.finite_points || !scan.info.bounds) {
     return false;
@@ -189,7 +286,7 @@ bool consistent(const Scan& scan, const Task& task) {
     const auto& t = scan.triangles[i];
     if (std::max({t[0], t[1], t[2]}) >= scan.points.size()) return false;
   }
-  return true;
+  return valuesConsistent(scan, task);
 }
 
 bool consistent(const RasterHead& raster) {
@@ -211,10 +308,14 @@ std::optional<AnswerHeader> checkedHeader(int fd, const Task& task) {
   }
   std::uint64_t rest = static_cast<std::uint64_t>(facts.st_size) - sizeof(header);
   if (header.magic != kMagic || header.text_bytes > kMaxTextBytes) return std::nullopt;
-  for (const std::uint64_t part :
-       {header.array_bytes[0], header.array_bytes[1], header.text_bytes}) {
-    if (part > rest) return std::nullopt;
+  const auto take = [&rest](std::uint64_t part) {
+    if (part > rest) return false;
     rest -= part;
+    return true;
+  };
+  if (!std::all_of(header.array_bytes.begin(), header.array_bytes.end(), take) ||
+      !take(header.text_bytes)) {
+    return std::nullopt;
   }
   return rest == 0 ? std::optional(header) : std::nullopt;
 }
@@ -228,10 +329,21 @@ void writeHeader(int fd, const AnswerHeader& header, const std::string& text) {
 }
 
 void send(int fd, AnswerKind kind, const std::string& text,
-          std::array<std::span<const std::byte>, 2> arrays) {
-  const AnswerHeader header{kMagic, kind, text.size(), {arrays[0].size(), arrays[1].size()}};
-  writeAll(fd, arrays[0].data(), arrays[0].size(), sizeof(header));
-  writeAll(fd, arrays[1].data(), arrays[1].size(), sizeof(header) + arrays[0].size());
+          std::span<const std::span<const std::byte>> arrays,
+          const std::vector<Texture>& textures = {}) {
+  AnswerHeader header;
+  header.kind = kind;
+  header.text_bytes = text.size();
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    header.array_bytes[i] = arrays[i].size();
+    writeAll(fd, arrays[i].data(), arrays[i].size(), header.arrayAt(i));
+  }
+  std::uint64_t& texel_bytes = header.array_bytes[kArrays - 1];
+  for (const Texture& texture : textures) {
+    const auto bytes = std::as_bytes(std::span(texture.texels));
+    writeAll(fd, bytes.data(), bytes.size(), header.arrayAt(kArrays - 1) + texel_bytes);
+    texel_bytes += bytes.size();
+  }
   writeHeader(fd, header, text);
 }
 
@@ -246,13 +358,39 @@ bool take(int fd, std::uint64_t at, std::uint64_t bytes, Array& array, const Tas
   return readAll(fd, array.data(), static_cast<std::size_t>(bytes), at, task);
 }
 
+/// The texels of all textures, one after the other. @return  false if sizes do not agree
+bool takeTextures(int fd, const AnswerHeader& header, Unpacker& unpacker, Scan& scan,
+                  const Task& task) {
+  std::uint64_t rest = header.array_bytes[kArrays - 1];
+  std::uint64_t at = header.arrayAt(kArrays - 1);
+  const auto count = unpacker.get<std::uint64_t>();
+  if (count >= kNoTexture) return false;
+  for (std::uint64_t i = 0; i < count && unpacker.good(); ++i) {
+    Texture& texture = scan.textures.emplace_back();
+    texture.cols = unpacker.get<std::uint32_t>();
+    texture.rows = unpacker.get<std::uint32_t>();
+    if (texture.cols < 1 || texture.cols > kMostTexels || texture.rows < 1 ||
+        texture.rows > kMostTexels) {
+      return false;
+    }
+    const std::uint64_t bytes = std::uint64_t{texture.cols} * texture.rows * sizeof(Rgba);
+    if (bytes > rest || !take(fd, at, bytes, texture.texels, task)) return false;
+    rest -= bytes;
+    at += bytes;
+  }
+  return unpacker.good() && rest == 0;
+}
+
 WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, const Task& task) {
   Scan scan;
   scan.origin = unpacker.get<FilePoint>();
-  const auto [points, triangles] = header.array_bytes;
-  if (!unpack(unpacker, scan.info) || !isFinite(scan.origin) ||
-      !take(fd, sizeof(header), points, scan.points, task) ||
-      !take(fd, sizeof(header) + points, triangles, scan.triangles, task) ||
+  const auto taken = [&](std::size_t array, auto& list) {
+    return take(fd, header.arrayAt(array), header.array_bytes[array], list, task);
+  };
+  if (!unpack(unpacker, scan.info) || !isFinite(scan.origin) || !taken(0, scan.points) ||
+      !taken(1, scan.triangles) || !taken(2, scan.colours) || !taken(3, scan.intensities) ||
+      !taken(4, scan.classes) || !taken(5, scan.parts) || !taken(6, scan.texture_corners) ||
+      !taken(7, scan.texture_of) || !takeTextures(fd, header, unpacker, scan, task) ||
       !consistent(scan, task)) {
     return {};
   }
@@ -271,7 +409,7 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
   raster.projection = unpacker.text();
   if (!unpack(unpacker, raster.info) || !consistent(raster)) return {};
   const std::uint64_t cells = raster.size.count();
-  const auto [heights, origins] = header.array_bytes;
+  const std::uint64_t heights = header.array_bytes[0], origins = header.array_bytes[1];
   if (heights / sizeof(float) != cells || heights % sizeof(float) != 0 ||
       (origins != 0 && origins != cells)) {
     return {};
@@ -285,8 +423,12 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
 }  // namespace
 
 void sendAnswer(int fd, const Scan& scan) {
-  send(fd, AnswerKind::scan, textOf(scan),
-       {std::as_bytes(std::span(scan.points)), std::as_bytes(std::span(scan.triangles))});
+  const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
+  const std::array<std::span<const std::byte>, kArrays - 1> arrays{
+      bytes(scan.points),          bytes(scan.triangles), bytes(scan.colours),
+      bytes(scan.intensities),     bytes(scan.classes),   bytes(scan.parts),
+      bytes(scan.texture_corners), bytes(scan.texture_of)};
+  send(fd, AnswerKind::scan, textOf(scan), arrays, scan.textures);
 }
 
 void sendAnswer(int fd, const WorkerRefusal& refusal) {
@@ -327,12 +469,12 @@ RasterSink RasterAnswer::sink() {
 void RasterAnswer::finish(const RasterEnd& end) {
   const std::string text = textOf(end.head);
   const std::uint64_t cells = size_.count();
-  writeHeader(fd_,
-              {kMagic,
-               AnswerKind::raster,
-               text.size(),
-               {cells * sizeof(float), end.has_origins ? cells : 0}},
-              text);
+  AnswerHeader header;
+  header.kind = AnswerKind::raster;
+  header.text_bytes = text.size();
+  header.array_bytes[0] = cells * sizeof(float);
+  header.array_bytes[1] = end.has_origins ? cells : 0;
+  writeHeader(fd_, header, text);
 }
 
 WorkerAnswer receiveAnswer(int fd, const Task& task) {

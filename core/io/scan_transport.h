@@ -39,8 +39,8 @@ class RasterAnswer {
 using WorkerAnswer = std::variant<std::monostate, Scan, RasterRows, WorkerRefusal>;
 
 /// Reads it in the parent. Nothing (monostate) if there is no complete, consistent answer: sizes
-/// must agree, points be finite, triangle indices in range. A raster's cells stay in the file and
-/// are checked as they are read. @throw Cancelled
+/// must agree, points be finite, indices of triangles, parts and textures in range. A raster's
+/// cells stay in the file and are checked as they are read. @throw Cancelled
 WorkerAnswer receiveAnswer(int fd, const Task& task);
 
 }  // namespace relievo

@@ -14,22 +14,22 @@
 
 namespace relievo {
 
-void addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& info) {
-  if (info.unit) return;
+double addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& info) {
+  if (info.unit) return 1;
   const auto code = lasSystem(head, header);
-  if (!code) return;
+  if (!code) return 1;
   const std::string system = "It names its coordinate system, EPSG:" + std::to_string(*code) + ", ";
   const GdalErrors silent;
   OGRSpatialReference reference;
   if (reference.importFromEPSG(*code) != OGRERR_NONE) {
     info.warnings.push_back(system + "which is not known here, and no unit; state it with --unit.");
-    return;
+    return 1;
   }
   if (reference.IsGeographic()) {
     info.warnings.push_back(system +
                             "whose x and y are degrees, not lengths, so shapes will be wrong. "
                             "Reproject it to metres.");
-    return;
+    return 1;
   }
   const double metres = reference.GetLinearUnits();
   info.unit = unitOfMetres(metres);
@@ -37,13 +37,13 @@ void addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& i
     info.warnings.push_back(system + "whose unit of " + roundTripText(std::array{metres}) +
                             " m is not known here; state it with --unit.");
   }
-  warnOfHeights(head, header, info);
+  return heightFactor(head, header, info);
 }
 
-void addUnitOfSystem(const std::filesystem::path& file, ScanInfo& info) {
-  if (info.unit) return;
+double addUnitOfSystem(const std::filesystem::path& file, ScanInfo& info) {
+  if (info.unit) return 1;
   const std::string head = readHead(file, kLasHeadBytes);
-  addUnitOfSystem(head, parseLasHeader(head, file), info);
+  return addUnitOfSystem(head, parseLasHeader(head, file), info);
 }
 
 }  // namespace relievo

@@ -13,9 +13,11 @@ namespace relievo {
 /// registry that PROJ has installed, into `info`; a warning says so where that does not help.
 /// Needs GDAL, so that it is asked by the parent of the import worker. [worker]
 /// @param head  the file's header and records
-void addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& info);
+/// @return  what heights are to be multiplied by, see readLasUnit; 1 where `info` has a unit
+/// already
+double addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& info);
 
 /// The same for a file that was read. @throw FileError  it has gone, or has another header by now
-void addUnitOfSystem(const std::filesystem::path& file, ScanInfo& info);
+double addUnitOfSystem(const std::filesystem::path& file, ScanInfo& info);
 
 }  // namespace relievo

@@ -34,6 +34,13 @@ OwnedFd answerFile(const std::filesystem::path& folder) {
   return OwnedFd(raised(::fcntl(file.get(), F_DUPFD_CLOEXEC, 0)));
 }
 
+/// "1 3 "; "-" for all, because an argument may not be empty.
+std::string partsText(const std::vector<int>& parts) {
+  std::string text;
+  for (const int part : parts) text += std::to_string(part) + " ";
+  return text.empty() ? "-" : text;
+}
+
 std::filesystem::path ownFolder() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -57,9 +64,9 @@ std::filesystem::path workerProgram(const std::filesystem::path& name, const std
 }  // namespace
 
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
-  return workerProgram(
-      program == ImportProgram::own ? "relievo-import" : "relievo-import-libraries",
-      "Files cannot be read:", folder);
+  constexpr std::array<const char*, 3> kNames{"relievo-import", "relievo-import-pcl",
+                                              "relievo-import-libraries"};
+  return workerProgram(kNames[static_cast<std::size_t>(program)], "Files cannot be read:", folder);
 }
 
 WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path& file,
@@ -69,7 +76,8 @@ WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path&
         {kWorkerArgument, std::filesystem::absolute(file).string(),
          std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
          std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
-         roundTripText(std::array{options.max_cpu_s})},
+         roundTripText(std::array{options.max_cpu_s}), options.scan.keep_withheld ? "1" : "0",
+         std::to_string(static_cast<int>(options.scan.reader)), partsText(options.scan.parts)},
         answerFile(answer_folder), nullptr);
 }
 

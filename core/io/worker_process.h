@@ -18,14 +18,14 @@ inline constexpr const char* kWorkerArgument = "import-" RELIEVO_VERSION_STRING;
 inline constexpr int kProgressFd = 3;  ///< Lines "fraction step".
 inline constexpr int kAnswerFd = 4;    ///< scan_transport.h
 inline constexpr int kInputFd = 5;     ///< What a worker without a file works on.
-inline constexpr int kWorkerArgumentCount = 8;
+inline constexpr int kWorkerArgumentCount = 11;
 
 /// What the worker is to answer with: its third argument.
 enum class ImportKind : char { scan = 's', raster = 'r', raster_rows = 'R' };
 
 /// Which program reads: `own` starts in a few milliseconds, because it loads none of the large
-/// libraries; `libraries` has them all and reads everything.
-enum class ImportProgram { own, libraries };
+/// libraries; `pcl` has PCL, `libraries` GDAL.
+enum class ImportProgram { own, pcl, libraries };
 
 /// Where that program is, seen from the folder of the running one.
 /// @throw FileError  nowhere it should be; there is no other way to read

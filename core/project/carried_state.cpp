@@ -28,6 +28,7 @@ std::optional<Project> projectFromState(std::string_view state, const std::strin
   project.sha256 = made.input.sha256;
   project.bytes = made.input.bytes;
   project.accept_incomplete = made.accept_incomplete;
+  project.scan = made.scan;
   project.options = made.options;
   setView(project, *made.view);
   project.picture = made.picture;

@@ -193,6 +193,7 @@ Project projectFrom(Json json) {
   p.sha256 = input.sha256;
   p.bytes = input.bytes;
   p.accept_incomplete = json.at("input").value("incomplete", false);
+  p.scan = scanChoicesFrom(json.at("input"));
   p.options = optionsFrom(json.at("depth_map"));
   setView(p, viewFrom(json.at("view")));
   if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
@@ -267,6 +268,7 @@ std::string projectJson(const Project& p) {
       {"name", "relievo"}, {"version", programVersion()}, {"commit", programCommit()}};
   json["input"] = jsonOf(InputFile{.file = p.file, .sha256 = p.sha256, .bytes = p.bytes});
   json["input"]["incomplete"] = p.accept_incomplete;
+  putScanChoices(p.scan, json["input"]);
   json["depth_map"] = jsonOf(p.options);
   json["view"] = jsonOf(viewOf(p));
   if (p.picture) json["picture"] = jsonOf(*p.picture);

@@ -37,6 +37,7 @@ struct Project {
   std::string sha256;              ///< Of the file, hexadecimal; empty: not known.
   std::uint64_t bytes = 0;         ///< Of the file; 0: not known.
   bool accept_incomplete = false;  ///< The complete records of a cut file were taken.
+  ScanChoices scan;                ///< What of the file was read, and by whom.
   SurfaceOptions options;
   Region region;
   double gain = 1;

@@ -104,6 +104,22 @@ Json parsedJson(std::string_view text) {
   });
 }
 
+void putScanChoices(const ScanChoices& choices, Json& input) {
+  if (choices.keep_withheld) input["keep_withheld"] = true;
+  if (choices.reader != ReaderChoice::automatic) {
+    input["reader"] = kReaderNames[static_cast<std::size_t>(choices.reader)];
+  }
+  if (!choices.parts.empty()) input["parts"] = choices.parts;
+}
+
+ScanChoices scanChoicesFrom(const Json& input) {
+  ScanChoices choices;
+  choices.keep_withheld = input.value("keep_withheld", false);
+  if (input.contains("reader")) choices.reader = word<ReaderChoice>(input, "reader", kReaderNames);
+  if (input.contains("parts")) choices.parts = input.at("parts").get<std::vector<int>>();
+  return choices;
+}
+
 Json jsonOf(const InputFile& input) {
   return {{"file", input.file}, {"bytes", input.bytes}, {"sha256", input.sha256}};
 }

@@ -32,6 +32,8 @@ Enum word(const Json& json, const char* key, const std::array<std::string_view, 
 }
 
 Json jsonOf(const InputFile& input);
+/// Into the object of the input; keys only for what is not the default.
+void putScanChoices(const ScanChoices& choices, Json& input);
 Json jsonOf(const SurfaceOptions& options);
 Json jsonOf(const ReliefLook& look);
 Json jsonOf(const ViewState& view);
@@ -39,6 +41,7 @@ Json jsonOf(const PictureChoice& picture);
 
 // Each reads what jsonOf wrote. @throw FileError or nlohmann::json::exception saying which value
 InputFile inputFrom(const Json& json);
+ScanChoices scanChoicesFrom(const Json& input);
 SurfaceOptions optionsFrom(const Json& json);
 ReliefLook lookFrom(const Json& json);
 ViewState viewFrom(const Json& json);

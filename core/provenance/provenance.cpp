@@ -35,6 +35,7 @@ Json madeJson(const Made& made, const GridFrame& frame, const HeightRange& heigh
                     {"share_of_box", made.strays.share_of_box},
                     {"kept", made.strays.kept}};
   json["missing"] = made.missing;
+  if (!made.info.reader.empty()) json["reader"] = made.info.reader;
   for (std::size_t i = 0; i < kOriginCount; ++i) {
     json["shares"][std::string(kOriginNames[i])] = shares[i];
   }
@@ -77,6 +78,7 @@ Provenance provenanceFrom(const Json& json) {
   p.commit = json.at("program").at("commit").get<std::string>();
   p.input = inputFrom(json.at("input"));
   p.accept_incomplete = json.at("input").value("incomplete", false);
+  p.scan = scanChoicesFrom(json.at("input"));
   p.options = optionsFrom(json.at("depth_map"));
   if (json.contains("view")) p.view = viewFrom(json.at("view"));
   if (json.contains("picture")) p.picture = pictureFrom(json.at("picture"));
@@ -133,6 +135,7 @@ std::string toJson(const Provenance& p, int indent) {
   json["program"] = {{"name", "relievo"}, {"version", p.version}, {"commit", p.commit}};
   json["input"] = jsonOf(p.input);
   json["input"]["incomplete"] = p.accept_incomplete;
+  putScanChoices(p.scan, json["input"]);
   json["depth_map"] = jsonOf(p.options);
   if (p.view) json["view"] = jsonOf(*p.view);
   if (p.picture) json["picture"] = jsonOf(*p.picture);

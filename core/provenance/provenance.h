@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/vec3.h"
+#include "core/io/import.h"
 #include "core/provenance/sha256.h"
 #include "core/region/region.h"
 #include "core/relief/look.h"
@@ -55,6 +56,7 @@ struct Provenance {
   InputFile input;
   SurfaceOptions options;          ///< What was chosen for people is written out.
   bool accept_incomplete = false;  ///< The complete records of a cut file were taken.
+  ScanChoices scan;                ///< What of the file was read, and by whom.
   std::optional<ViewState> view;
   std::optional<PictureChoice> picture;
   std::optional<ReliefLook> values;  ///< A map of this relief image's values, not of heights.

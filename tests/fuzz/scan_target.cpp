@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.accept_incomplete = size % 2 == 1;
   const std::filesystem::path name = "input" RELIEVO_FUZZ_SUFFIX;
   const Task task;
-  const ReadJob job{name, bytes, options, task, unpackLzf};
+  const ReadJob job{name, bytes, options, task};
   try {
     fuzz::checkScan(RELIEVO_FUZZ_READER(job));
   } catch (const FileError& error) {

@@ -193,7 +193,7 @@ TEST_F(HostileFiles, Pcd) {
               "none finite"),
       refused("no_z.pcd", with_words([](PcdWords& w) { w.fields = "x y i"; }) + rows,
               "no single field z"),
-      refused("no_data.pcd", replaced(good, "DATA ascii\n", "") + rows, "unknown entry"),
+      refused("no_data.pcd", replaced(good, "DATA ascii\n", "") + rows, "has no end"),
       refused("compressed_noise.pcd", with_words([](PcdWords& w) {
                                         w.data = "binary_compressed";
                                       }) + std::string(300, '\x5A'),

@@ -90,11 +90,15 @@ TEST(ImportPrograms, TheOneThatReadsMostFilesLoadsNoLargeLibrary) {
   for (const char* const large : {"libvtk", "libpcl", "libgdal", "libQt5", "libGL"}) {
     EXPECT_THAT(own, ::testing::Not(HasSubstr(large)));
   }
+  const std::string pcl = libraries(ImportProgram::pcl);
+  EXPECT_THAT(pcl, HasSubstr("libpcl_io"));
+  EXPECT_THAT(pcl, ::testing::Not(HasSubstr("libgdal")));
   EXPECT_THAT(libraries(ImportProgram::libraries), HasSubstr("libgdal"));
 }
 
 TEST(ImportPrograms, StartedByHandTheySaySo) {
-  for (const ImportProgram program : {ImportProgram::own, ImportProgram::libraries}) {
+  for (const ImportProgram program :
+       {ImportProgram::own, ImportProgram::pcl, ImportProgram::libraries}) {
     const std::string file = importProgram(program, kPrograms).string();
     for (const std::string arguments : {"", " import-0 a.ply s 0 1 1 1"}) {
       EXPECT_EQ(outputOf("'" + file + "'" + arguments),

@@ -12,6 +12,9 @@ namespace relievo::test {
 
 inline constexpr std::array<int, 11> kLasRecordBytes{20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
+/// In all bytes of a record that a test does not care for: a point of class 10 or 42, not withheld.
+inline constexpr char kLasFill = 0x2A;
+
 /// What goes into a LAS file; the defaults make a good one of ten points (i, i / 2, i / 4).
 struct Las {
   int minor = 2;
@@ -23,6 +26,7 @@ struct Las {
   std::array<double, 3> scale{0.25, 0.25, 0.25};
   std::array<double, 3> offset{0, 0, 0};
   std::vector<std::array<std::int32_t, 3>> raw;  ///< Instead of the ten points.
+  std::vector<std::string> rest;  ///< First bytes of each record behind its coordinates.
   std::string variable_records;
   std::uint32_t variable_count = 0;
 };
@@ -54,7 +58,9 @@ inline std::string lasFile(const Las& las) {
     const auto point = las.raw.empty() ? std::array<std::int32_t, 3>{4 * i, 2 * i, i}
                                        : las.raw[static_cast<std::size_t>(i)];
     for (const std::int32_t stored : point) bytes += bytesOf(stored);
-    bytes += std::string(record_bytes - 12U, '\xEE');
+    const std::string rest =
+        las.rest.empty() ? std::string() : las.rest[static_cast<std::size_t>(i)];
+    bytes += rest + std::string(record_bytes - 12U - rest.size(), kLasFill);
   }
   return bytes;
 }

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "core/io/crc32c.h"
+#include "core/io/number_text.h"
+#include "core/io/scalar.h"
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/file_cases.h"
 #include "tests/core/io/refusal.h"
@@ -173,6 +175,47 @@ TEST_F(ReadE57, PosesTurnAndMoveEachScan) {
   EXPECT_NEAR(scan.info.bounds->min.x, 95.5, 1e-12);
   EXPECT_NEAR(scan.info.bounds->max.x, 1009, 1e-12);
   EXPECT_NEAR(scan.info.bounds->max.y, 209, 1e-12);
+}
+
+FilePoint cross(const FilePoint& a, const FilePoint& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+TEST_F(ReadE57, ATurnAboutAnyAxisIsThatOfItsQuaternion) {
+  const std::vector<std::pair<FilePoint, double>> turns{
+      {{1, 0, 0}, 90}, {{0, 1, 0}, 90}, {{0, 0, 1}, 90}, {{1, 2, 3}, 50}, {{-3, 1, 2}, 200}};
+  for (const auto& [axis, degrees] : turns) {
+    const double half = degrees * std::acos(-1.0) / 360;
+    const FilePoint v = std::sin(half) / norm(axis) * axis;
+    const double w = std::cos(half);
+    E57SampleScan turned = floats<double>();
+    turned.pose = pose(numbers(
+        "rotation", {"w", roundTripText(std::array{w}), "x", roundTripText(std::array{v.x}), "y",
+                     roundTripText(std::array{v.y}), "z", roundTripText(std::array{v.z})}));
+    const Scan scan = load(fileOf(turned));
+    for (int i = 0; i < 10; ++i) {
+      const FilePoint p{i + 0.0, i / 2.0, i / 4.0};
+      const FilePoint wanted = p + 2 * w * cross(v, p) + 2.0 * cross(v, cross(v, p));
+      EXPECT_LT(norm(scan.point(static_cast<std::size_t>(i)) - wanted), 1e-6) << degrees;
+    }
+  }
+}
+
+TEST_F(ReadE57, TheLastPageOfASectionIsCheckedEvenIfNobodyReadsIt) {
+  E57SampleScan scan = floats<double>();
+  scan.share = 20'000;
+  scan.fields.push_back({"note", "type=\"String\"", std::string(5000, 's')});
+  E57Sample sample;
+  sample.add(scan);
+  // The list of scans moves to pages of its own.
+  const std::string space(1020, ' ');
+  std::string bytes = sample.fileWith(space + sample.xml());
+  const auto xml_at = loadAs<std::uint64_t>(bytes.data() + 24, ByteOrder::little);
+  bytes = E57Sample::changed(
+      bytes, 24, bytesOf(xml_at + 1024) + bytesOf(static_cast<std::uint64_t>(sample.xml().size())));
+  expectTenPoints(load(bytes));
+  bytes[static_cast<std::size_t>(xml_at) + 1] ^= 1;  // Behind the section, in its last page.
+  EXPECT_THAT(refusalOf([&] { load(bytes); }).words, HasSubstr("the checksum of its page"));
 }
 
 TEST_F(ReadE57, InvalidPointsAreStoredButNotFinite) {

@@ -160,6 +160,59 @@ TEST_F(ReadLas, DegreesAndHeightsInAnotherUnitAreSaid) {
   EXPECT_EQ(warning_of(geoKeys({{3072, 0, 1, 26910}, {4099, 0, 1, 9001}})), "");
 }
 
+TEST_F(ReadLas, HeightsInAnotherUnitBecomeThoseOfXAndY) {
+  // By the records alone, and with the unit of x and y from the registry: by import and in blocks.
+  const auto check = [this](const std::string& record, double factor) {
+    const Scan scan = load(withRecord(record));
+    EXPECT_EQ(scan.info.unit, LengthUnit::m);
+    EXPECT_THAT(scan.info.warnings,
+                ::testing::ElementsAre(HasSubstr("heights were converted to m")));
+    for (int i = 0; i < 10; ++i) {
+      const FilePoint p = scan.point(static_cast<std::size_t>(i));
+      EXPECT_EQ(p.y, i / 2.0);
+      EXPECT_NEAR(p.z, i / 4.0 * factor, 1e-7);
+    }
+    EXPECT_NEAR(scan.info.bounds->max.z, 9 / 4.0 * factor, 1e-7);
+    const PointStream stream(folder_.path() / "cloud.las");
+    std::array<FilePoint, 10> block;
+    EXPECT_EQ(stream.read(0, block), 10U);
+    EXPECT_NEAR(block[9].z, 9 / 4.0 * factor, 1e-12);
+    EXPECT_EQ(block[9].x, 9);
+  };
+  check(geoKeys({{3076, 0, 1, 9001}, {4099, 0, 1, 9002}}), 0.3048);
+  check(geoKeys({{3072, 0, 1, 26910}, {4099, 0, 1, 9003}}), 1200.0 / 3937.0);
+}
+
+TEST_F(ReadLas, TheReferenceSystemIsKept) {
+  const auto system_of = [this](const std::string& record) {
+    return load(withRecord(record)).info.reference_system;
+  };
+  EXPECT_EQ(system_of(geoKeys({{1024, 0, 1, 1}, {3072, 0, 1, 26910}})), "EPSG:26910");
+  EXPECT_EQ(system_of(geoKeys({{3072, 0, 1, 26910}, {4096, 0, 1, 5703}})), "EPSG:26910+5703");
+  EXPECT_EQ(system_of(geoKeys({{1024, 0, 1, 2}, {2048, 0, 1, 4326}})), "EPSG:4326");
+  EXPECT_EQ(system_of(geoKeys({{1024, 0, 1, 1}, {3072, 0, 1, 32767}})),
+            "GeoTIFF 1024=1 3072=32767");
+  const std::string text = R"(PROJCS["a",GEOGCS["b"],UNIT["metre",1]])";
+  EXPECT_EQ(system_of(variableRecord(2112, text + std::string(3, '\0'))), text);
+  EXPECT_EQ(load({}).info.reference_system, "");
+}
+
+/// Planted faults that went unseen: the size of format 8 taken for 36 bytes.
+TEST_F(ReadLas, EveryFormatOneByteShortIsRefused) {
+  for (int format = 0; format <= 10; ++format) {
+    SCOPED_TRACE(format);
+    Las las;
+    las.minor = 4;
+    las.format = format;
+    std::string file = lasFile(las);
+    const auto record =
+        static_cast<std::uint16_t>(kLasRecordBytes[static_cast<std::size_t>(format)] - 1);
+    file.replace(105, 2, bytesOf(record));
+    EXPECT_THAT(refusalOf([&] { importScan(folder_.write("short.las", file)); }).words,
+                HasSubstr("they need " + std::to_string(record + 1)));
+  }
+}
+
 TEST_F(ReadLas, ACutFileLoadsItsCompletePointsOnRequest) {
   const std::string whole = lasFile({});
   const auto file = folder_.write("cut.las", whole.substr(0, whole.size() - 30));

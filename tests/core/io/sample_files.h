@@ -64,7 +64,7 @@ struct PcdWords {
   std::string size = "4 4 4";
   std::string type = "F F F";
   std::string count = "1 1 1";
-  std::string width;  ///< Empty: as points.
+  std::string width = {};  ///< Empty: as points.
   std::string height = "1";
 };
 
