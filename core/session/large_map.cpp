@@ -404,7 +404,8 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
                                                         .between = {},
                                                         .points = {},
                                                         .steep = BitRows(size),
-                                                        .hidden = {}});
+                                                        .hidden = {},
+                                                        .left_out = {}});
   depths->one_layer = !options.rule && isForOneLayer(rule.rule);
   makeDepths(
       store, rule.rule, placed.frame.spacing_mm,
@@ -567,7 +568,8 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
       map,
       {.depths = {.front = in_use.depths(mm), .between = {}},
        .frame = frame,
-       .fill = {.has_sampling_gaps = false, .base_quantile = 0}},
+       .fill = {.has_sampling_gaps = false, .base_quantile = 0},
+       .left_out = {}},
       options, large, plan.depths_bytes,
       [&](double base_z_mm) {
         return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
