@@ -323,7 +323,7 @@ TEST(AlignShared, RealObjectsInTwoParts) {
   for (const char* name :
        {"obj/stanford-bunny.obj", "obj/armadillo.obj", "obj/demosthenes-low-res.obj"}) {
     SCOPED_TRACE(name);
-    const MadeObject object = meshObject(readScanHere(folder / name, {}, {}, nullptr), name);
+    const MadeObject object = meshObject(readScanHere(folder / name, {}, {}, {}), name);
     const std::vector<Part> parts = twoHalves(object, 60);
     expectRight(alignScans(byPicks(object, parts), scansOf(parts), {}), parts);
   }
