@@ -229,7 +229,9 @@ GridColours gridColours(const DepthRequest& request, const DepthMap& map, Colour
                         const Task& task) {
   const Scan& scan = request.scan;
   GridColours made;
+  if (!hasColours(scan) && !hasIntensities(scan)) return made;
   task.report("Colours", 0.0);
+  task.check();
   if (hasColours(scan)) {
     made.colours = scan.triangles.empty()
                        ? pointPixels(request, map, PointColours(scan), rule, sRgb(), task)

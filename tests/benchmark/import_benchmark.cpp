@@ -120,9 +120,8 @@ BENCHMARK(millionImported)->Unit(benchmark::kMillisecond)->Iterations(20);
 void millionReadHere(benchmark::State& state) {
   const std::string bytes = ply(1'000'000);
   const File file("million_here.ply", bytes);
-  const double best = bestOf(state, [&] {
-    benchmark::DoNotOptimize(relievo::readScanHere(file.path(), {}, {}, {}));
-  });
+  const double best = bestOf(
+      state, [&] { benchmark::DoNotOptimize(relievo::readScanHere(file.path(), {}, {}, {})); });
   state.counters["times_memcpy"] = best / secondsToCopy(bytes.size());
 }
 BENCHMARK(millionReadHere)->Unit(benchmark::kMillisecond)->Iterations(20);

@@ -180,7 +180,11 @@ TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
       {.file = folder / "merged.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}});
   ASSERT_TRUE(merged.losses);
   EXPECT_NEAR(merged.losses->hidden_share, 1.0 / 3, 0.01);
-  EXPECT_LT(merged.heights.max_mm - merged.heights.min_mm, 10);
+  // But for bays at the border, where chance leaves the back open.
+  const std::vector<float> merged_mm = TiledMap(folder / "merged.tif").levelMap({0}).heights_mm;
+  const auto deep = std::count_if(merged_mm.begin(), merged_mm.end(),
+                                  [&](float z) { return z < merged.heights.max_mm - 20; });
+  EXPECT_LT(static_cast<double>(deep), 0.002 * static_cast<double>(merged_mm.size()));
 }
 
 TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {

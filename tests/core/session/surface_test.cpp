@@ -188,7 +188,8 @@ TEST(MakeSurface, AnOwnMapIsTakenAsItIs) {
 TEST(MakeSurface, SaysThatARuleForOneLayerMixesTheFrontWithTheBack) {
   const Scan one = test::latticeScan(60, 60, 1, [](double x, double) { return 20 + x / 10; });
   Scan two = one;
-  const Scan back = test::latticeScan(60, 60, 1, [](double, double) { return 0; });
+  // Behind a corner only: where much lies behind, the front alone counts, and nothing mixes.
+  const Scan back = test::latticeScan(12, 12, 1, [](double, double) { return 0; });
   two.points.insert(two.points.end(), back.points.begin(), back.points.end());
   test::finishScan(two);
   const auto warned = [](const Scan& scan, std::optional<PointRule> rule) {
@@ -206,6 +207,11 @@ TEST(MakeSurface, SaysThatARuleForOneLayerMixesTheFrontWithTheBack) {
     EXPECT_TRUE(warned(two, rule)) << describe(rule);
     EXPECT_FALSE(warned(one, rule)) << describe(rule);
   }
+  Scan sheets = one;
+  const Scan whole_back = test::latticeScan(60, 60, 1, [](double, double) { return 0; });
+  sheets.points.insert(sheets.points.end(), whole_back.points.begin(), whole_back.points.end());
+  test::finishScan(sheets);
+  EXPECT_FALSE(warned(sheets, PointRule::mean));
   EXPECT_FALSE(warned(two, PointRule::top_mean));
   EXPECT_FALSE(warned(two, PointRule::front));
   EXPECT_FALSE(warned(two, std::nullopt));
