@@ -2,6 +2,7 @@
 #include "core/depth/even_points.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -11,44 +12,54 @@ namespace {
 // Cubes across the longest side, to learn the area: as many as hold some points each.
 constexpr double kMostAcross = 192;
 constexpr double kPointsOfCube = 8;
+// Points in a cube and around it, itself among them: a surface meets some nine of these cubes.
+constexpr double kFewestCompany = 4;
+constexpr double kCompanyOfMean = 0.8;  // In cubes of the mean number of points.
 
-/// Which cubes of a grid hold a point: a table of their numbers, open addressing.
-class CubeSet {
+/// How many points each cube of a grid holds: a table by the cubes' numbers, open addressing.
+class CubeCounts {
  public:
-  explicit CubeSet(std::size_t expected)
-      : numbers_(std::bit_ceil(2 * std::max<std::size_t>(expected, 1024)), kFree) {}
+  explicit CubeCounts(std::size_t expected)
+      : cubes_(std::bit_ceil(2 * std::max<std::size_t>(expected, 1024))) {}
 
-  /// Was the cube not in the set?
-  bool insert(std::uint64_t number) {
-    if (2 * (count_ + 1) > numbers_.size()) grow();
-    if (!place(number)) return false;
-    ++count_;
-    return true;
+  /// One more point. @return  was the cube empty?
+  bool add(std::uint64_t number) {
+    if (2 * (count_ + 1) > cubes_.size()) grow();
+    Cube& cube = cubes_[placeOf(number)];
+    const bool is_first = cube.number == kFree;
+    cube.number = number;
+    ++cube.points;
+    count_ += is_first ? 1 : 0;
+    return is_first;
   }
+  std::uint32_t points(std::uint64_t number) const { return cubes_[placeOf(number)].points; }
   std::size_t count() const { return count_; }
 
  private:
   static constexpr std::uint64_t kFree = ~std::uint64_t{0};
+  struct Cube {
+    std::uint64_t number = kFree;
+    std::uint32_t points = 0;
+  };
 
-  bool place(std::uint64_t number) {
+  /// Where the cube is, or would be put.
+  std::size_t placeOf(std::uint64_t number) const {
     // Fibonacci hashing: the upper bits of the product are well mixed.
-    std::size_t at = (number * 0x9E3779B97F4A7C15U) >> (64 - std::countr_zero(numbers_.size()));
-    while (numbers_[at] != kFree) {
-      if (numbers_[at] == number) return false;
-      at = (at + 1) & (numbers_.size() - 1);
+    std::size_t at = (number * 0x9E3779B97F4A7C15U) >> (64 - std::countr_zero(cubes_.size()));
+    while (cubes_[at].number != kFree && cubes_[at].number != number) {
+      at = (at + 1) & (cubes_.size() - 1);
     }
-    numbers_[at] = number;
-    return true;
+    return at;
   }
   void grow() {
-    std::vector<std::uint64_t> old(2 * numbers_.size(), kFree);
-    old.swap(numbers_);
-    for (const std::uint64_t number : old) {
-      if (number != kFree) place(number);
+    std::vector<Cube> old(2 * cubes_.size());
+    old.swap(cubes_);
+    for (const Cube& cube : old) {
+      if (cube.number != kFree) cubes_[placeOf(cube.number)] = cube;
     }
   }
 
-  std::vector<std::uint64_t> numbers_;
+  std::vector<Cube> cubes_;
   std::size_t count_ = 0;
 };
 
@@ -63,8 +74,26 @@ class CubeGrid {
     return step(p.x, low_.x) | step(p.y, low_.y) << 21U | step(p.z, low_.z) << 42U;
   }
 
+  /// Points in a cube and the 26 around it.
+  static std::uint32_t around(std::uint64_t number, const CubeCounts& counts) {
+    std::uint32_t sum = 0;
+    for (int k = 0; k < 27; ++k) {
+      const std::array<int, 3> off{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
+      std::uint64_t near = 0;
+      bool is_there = true;
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const auto at = static_cast<std::int64_t>(number >> (21U * axis) & kLast) + off[axis];
+        is_there = is_there && at >= 0 && at <= static_cast<std::int64_t>(kLast);
+        near |= (static_cast<std::uint64_t>(at) & kLast) << (21U * axis);
+      }
+      if (is_there) sum += counts.points(near);
+    }
+    return sum;
+  }
+
  private:
-  static constexpr double kMostSteps = (1U << 21U) - 1;
+  static constexpr std::uint64_t kLast = (1U << 21U) - 1;
+  static constexpr auto kMostSteps = static_cast<double>(kLast);
   ViewMm low_;
   double per_mm_;
 };
@@ -100,19 +129,36 @@ std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const Vie
   // A surface meets the square of twice as many cubes of half the side.
   const double across = std::sqrt(static_cast<double>(count) / kPointsOfCube);
   const double counted_side = side / std::clamp(across, 1.0, kMostAcross);
-  CubeSet coarse(1U << 16U);
+  CubeCounts coarse(1U << 16U);
   const CubeGrid coarse_grid(box, counted_side);
   points([&](std::span<const ViewMm> block) {
     task.check();
     for (const ViewMm& p : block) {
-      if (isInside(box, p)) coarse.insert(coarse_grid(p));
+      if (isInside(box, p)) coarse.add(coarse_grid(p));
     }
   });
   const double cube_side =
       counted_side * std::sqrt(static_cast<double>(coarse.count()) / static_cast<double>(wanted));
-  CubeSet cubes(wanted);
+  CubeCounts cubes(wanted);
   const CubeGrid grid(box, std::max(cube_side, side / (1U << 20U)));
-  choose([&](const ViewMm& p) { return cubes.insert(grid(p)); });
+  std::vector<std::uint64_t> numbers;
+  choose([&](const ViewMm& p) {
+    const std::uint64_t number = grid(p);
+    const bool is_first = cubes.add(number);
+    if (is_first) numbers.push_back(number);
+    return is_first;
+  });
+  // Thinning leaves of a surface one point in many, of strays every one: most of what is chosen
+  // would be strays. Their cubes have nobody around.
+  const double mean = static_cast<double>(count) / static_cast<double>(cubes.count());
+  const auto company = static_cast<std::uint32_t>(std::max(kFewestCompany, kCompanyOfMean * mean));
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const bool has_company =
+        cubes.points(numbers[i]) >= company || CubeGrid::around(numbers[i], cubes) >= company;
+    if (has_company) chosen[kept++] = chosen[i];
+  }
+  chosen.resize(kept);
   return chosen;
 }
 

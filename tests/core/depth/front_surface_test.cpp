@@ -54,6 +54,20 @@ TEST(EvenPoints, ThinDenseParts) {
   EXPECT_LT(shareWithin(even, 6.25F), 0.15);
 }
 
+TEST(EvenPoints, LeaveOutStraysThatThinningWouldMakeMany) {
+  std::vector<ViewMm> points = sheets(100'000, {10}, 13);
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (int i = 0; i < 1000; ++i) {
+    points.push_back({100 * place(random), 100 * place(random), 12 + 48 * place(random)});
+  }
+  const auto even = evenPoints(blocksOf(points), kBox, points.size(), 5000, {});
+  const auto strays =
+      std::count_if(even.begin(), even.end(), [](const auto& p) { return p[2] > 15; });
+  EXPECT_GT(even.size(), 3500U);
+  EXPECT_LT(strays, 50);
+}
+
 TEST(FrontSurface, TheNearerOfTwoSheetsHidesTheOther) {
   const auto points = sheets(20'000, {10, 50}, 3);
   const FrontSurface front(blocksOf(points), kBox, points.size(), {});
