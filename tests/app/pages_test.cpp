@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/sphere_figure.h"
 
 namespace relievo {
 namespace {
@@ -84,8 +85,13 @@ class Pages : public testing::Test {
     fs::create_symlink(samples / "panel.ply", here("panel.ply"));
     fs::create_symlink(samples / "panel.ply", here("scan.ply"));
     fs::create_symlink(samples / "coin.ply", here("survey.ply"));
-    fs::create_symlink(samples / "coin.ply", here("left.ply"));
     fs::create_symlink(samples / "coin.ply", here("right.ply"));
+    writeFigure(here("front.ply"), 1);
+    writeFigure(here("back.ply"), 2);
+    writeFigure(here("left.ply"), 3);
+    std::ofstream(here("picks.csv")) << "scan,x,y,z,ref_x,ref_y,ref_z\n"
+                                        "2,0,0,79,0,0,79\n2,40,0,0,40,0,0\n2,0,40,0,0,40,0\n"
+                                        "3,0,0,79,0,0,79\n3,40,0,0,40,0,0\n3,0,40,0,0,40,0\n";
     fs::create_directories(here("scans"));
     fs::create_directories(here("build/release/figures"));
     std::ofstream(here("stroke.csv")) << "t_s,x_mm,y_mm,z_mm\n0,120,85,60\n0.2,120,85,30\n";
@@ -107,6 +113,15 @@ class Pages : public testing::Test {
   static void TearDownTestSuite() { folder.reset(); }
 
   static fs::path here(const std::string& name) { return folder->path() / name; }
+
+  /// A scan of one closed body; another one for each seed.
+  static void writeFigure(const fs::path& file, unsigned seed) {
+    const Scan scan = test::sampledFigure(test::sphereFigure(), {.points = 20'000}, seed);
+    std::ofstream out(file, std::ios::binary);
+    out << "ply\nformat ascii 1.0\nelement vertex " << scan.points.size()
+        << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+    for (const auto& p : scan.points) out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  }
 
   /// Two key views, a fifth of a second apart.
   static void addPath(const fs::path& file) {
