@@ -118,7 +118,7 @@ class Pages : public testing::Test {
   static void writeFigure(const fs::path& file, unsigned seed) {
     const Scan scan = test::sampledFigure(test::sphereFigure(), {.points = 20'000}, seed);
     std::ofstream out(file, std::ios::binary);
-    out << "ply\nformat ascii 1.0\nelement vertex " << scan.points.size()
+    out << "ply\nformat ascii 1.0\ncomment unit mm\nelement vertex " << scan.points.size()
         << "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
     for (const auto& p : scan.points) out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   }
