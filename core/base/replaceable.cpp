@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/base/replaceable.h"
 
+#include <unistd.h>
+
+#include <string>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -18,15 +21,44 @@ bool areOneFile(const fs::path& a, const fs::path& b) {
   return !missing && place == fs::weakly_canonical(b, missing) && !missing;
 }
 
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw WriteError("Cannot write " + file.string() + ": " + why +
+                   ". It was left as it is. Choose another name.");
+}
+
+/// Links of the system name open files of a process, not places: /dev/stdout, /proc/self/fd/1.
+bool isOfTheSystem(const fs::path& link) {
+  const std::string name = link.lexically_normal().string();
+  return name.starts_with("/dev/") || name.starts_with("/proc/");
+}
+
+fs::path behindLinks(const fs::path& file) {
+  constexpr int kMostLinks = 40;  // As the system itself follows.
+  fs::path place = file;
+  std::error_code unknown;
+  for (int i = 0; fs::is_symlink(fs::symlink_status(place, unknown)); ++i) {
+    if (i == kMostLinks) refuse(file, "its symbolic links lead in a circle");
+    if (isOfTheSystem(place)) refuse(file, "what has this name is no regular file");
+    place = place.parent_path() / fs::read_symlink(place, unknown);
+  }
+  return place;
+}
+
 }  // namespace
 
-void requireReplaceable(const std::filesystem::path& file) {
+fs::path requireReplaceable(const fs::path& file) {
+  const fs::path place = behindLinks(file);
   std::error_code unknown;  // What cannot be asked cannot be opened either, which says why.
-  const std::filesystem::file_status status = std::filesystem::status(file, unknown);
-  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
-  throw WriteError("Cannot write " + file.string() +
-                   ": what has this name is no regular file. It was left as it is. Choose another "
-                   "name.");
+  const fs::file_status status = fs::status(place, unknown);
+  if (!fs::exists(status)) return place;
+  if (!fs::is_regular_file(status)) refuse(file, "what has this name is no regular file");
+  // The superuser may write to it all the same; who made it read-only meant everybody.
+  constexpr fs::perms kWrite =
+      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  const bool writable =
+      (status.permissions() & kWrite) != fs::perms::none && ::access(place.c_str(), W_OK) == 0;
+  if (!writable) refuse(file, "it is read-only");
+  return place;
 }
 
 void requireNotAnInput(const fs::path& out, const std::vector<FileRead>& inputs) {

@@ -109,15 +109,19 @@ CellProposal proposeCells(const Scan& scan, const Rotation& rotation, std::uint6
       return {.cells = static_cast<int>(across), .reason = "the points lie on a regular grid"};
     }
   }
-  return proposeCells(side, coveredArea(planar, *left, *bottom, side),
-                      std::max<std::uint64_t>(scan.points.size(), points_in_all));
+  return proposeCells({.side_mm = side,
+                       .covered_mm2 = coveredArea(planar, *left, *bottom, side),
+                       .points = std::max<std::uint64_t>(scan.points.size(), points_in_all),
+                       .points_per_cell = kPointsPerCell});
 }
 
-CellProposal proposeCells(double side, double area, std::uint64_t points) {
-  const auto count = static_cast<double>(points);
-  const double wanted = std::round(side / std::sqrt(kPointsPerCell * area / count)) + 1;
+CellProposal proposeCells(const CoveredArea& covered) {
+  const auto count = static_cast<double>(covered.points);
+  const double area = covered.covered_mm2;
+  const double wanted =
+      std::round(covered.side_mm / std::sqrt(covered.points_per_cell * area / count)) + 1;
   const int cells = static_cast<int>(std::clamp<double>(wanted, kFewestCells, kMostCells));
-  const double spacing = side / (cells - 1);
+  const double spacing = covered.side_mm / (cells - 1);
   return {.cells = cells, .reason = rounded(count * spacing * spacing / area) + " points a cell"};
 }
 

@@ -21,8 +21,15 @@ struct CellProposal {
 CellProposal proposeCells(const Scan& scan, const Rotation& rotation,
                           std::uint64_t points_in_all = 0);
 
-/// The same for the front of a closed cloud, whose area is known.
-/// @param side_mm  longer side of the grid  @param points  that are seen, in `covered_mm2`
-CellProposal proposeCells(double side_mm, double covered_mm2, std::uint64_t points);
+/// Points whose area is known.
+struct CoveredArea {
+  double side_mm = 0;  ///< Longer side of the grid.
+  double covered_mm2 = 0;
+  std::uint64_t points = 0;  ///< In `covered_mm2`.
+  double points_per_cell = 0;
+};
+
+/// The same for the front of a closed cloud.
+CellProposal proposeCells(const CoveredArea& covered);
 
 }  // namespace relievo

@@ -2,12 +2,15 @@
 #include "core/depth/colours.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/base/bands.h"
+#include "core/depth/cell_colours.h"
 #include "core/depth/colour_fill.h"
 #include "core/depth/grid_points.h"
 #include "core/depth/linear_light.h"
@@ -18,9 +21,6 @@ namespace {
 
 constexpr std::size_t kCellsAtOnce = std::size_t{1} << 24U;  // Their sums take 256 MB.
 constexpr std::size_t kPointsBetweenChecks = std::size_t{1} << 16U;
-
-template <std::size_t Channels>
-using Light = std::array<std::uint16_t, Channels>;
 
 class PointColours {
  public:
@@ -38,114 +38,71 @@ class PointColours {
   const Transfer& transfer_ = sRgb();
 };
 
-/// The numbers of a scan's intensities that are shown as black and white: its middle 96 %.
-struct Stretch {
-  std::uint32_t low = 0, high = 65535;
-};
-Stretch stretchOf(const Scan& scan) {
-  constexpr double kTail = 0.02;
-  std::vector<std::uint64_t> counts(65536);
+IntensityCounts countsOf(const Scan& scan) {
+  IntensityCounts counts(65536);
   for (const std::uint16_t intensity : scan.intensities) ++counts[intensity];
-  const auto quantile = [&](double share) {
-    const auto wanted =
-        static_cast<std::uint64_t>(share * static_cast<double>(scan.intensities.size() - 1));
-    std::uint64_t seen = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      seen += counts[i];
-      if (seen > wanted) return static_cast<std::uint32_t>(i);
-    }
-    return std::uint32_t{65535};
-  };
-  const Stretch stretch{.low = quantile(kTail), .high = quantile(1 - kTail)};
-  // All the same: mid grey.
-  return stretch.high > stretch.low
-             ? stretch
-             : Stretch{.low = stretch.low > 0 ? stretch.low - 1 : 0, .high = stretch.low + 1};
+  return counts;
 }
 
 class PointIntensities {
  public:
   static constexpr std::size_t kChannels = 1;
-  explicit PointIntensities(const Scan& scan) : scan_(scan), light_(65536) {
-    const Stretch stretch = stretchOf(scan);
-    const double range = stretch.high - stretch.low;
-    for (std::size_t i = 0; i < light_.size(); ++i) {
-      const double part = (static_cast<double>(i) - stretch.low) / range;
-      light_[i] =
-          static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * Transfer::kMost));
-    }
-  }
+  explicit PointIntensities(const Scan& scan) : scan_(scan), stretch_(countsOf(scan)) {}
   bool at(std::size_t point, Light<1>& out) const {
-    out[0] = light_[scan_.intensities[point]];
+    out[0] = stretch_.light(scan_.intensities[point]);
     return true;
   }
 
  private:
   const Scan& scan_;
-  std::vector<std::uint16_t> light_;
-};
-
-/// Whole numbers: the same sum in any order, and for any number of threads.
-template <std::size_t Channels>
-struct MeanCell {
-  std::array<std::uint32_t, Channels> sums{};
-  std::uint32_t points = 0;
-
-  void add(const Light<Channels>& light, float /*z*/) {
-    constexpr std::uint32_t kMostPoints = 1U << 20U;  // Sums of 12 bits fit into 32.
-    if (points == kMostPoints) return;
-    for (std::size_t k = 0; k < Channels; ++k) sums[k] += light[k];
-    ++points;
-  }
-  bool any() const { return points > 0; }
-  std::uint32_t light(std::size_t k) const { return (sums[k] + points / 2) / points; }
-};
-
-/// Of points at the same height the lighter one counts, so that their order does not.
-template <std::size_t Channels>
-struct FrontCell {
-  float z_mm = -std::numeric_limits<float>::infinity();
-  Light<Channels> front{};
-
-  void add(const Light<Channels>& light, float z) {
-    if (z < z_mm || (z == z_mm && !(light > front))) return;
-    z_mm = z;
-    front = light;
-  }
-  bool any() const { return z_mm > -std::numeric_limits<float>::infinity(); }
-  std::uint32_t light(std::size_t k) const { return front[k]; }
+  IntensityStretch stretch_;
 };
 
 struct Rows {
   int first = 0, end = 0;
 };
 
-bool isMeasured(Origin origin) {
-  return origin == Origin::measured || origin == Origin::steep;
-}
+/// A point that lies on the rows looked at.
+struct PlacedPoint {
+  std::size_t point = 0, cell = 0;
+  float z = 0;
+};
 
 /// Adds every point to its cell, if the cell lies in rows first ... end - 1 and has its height from
-/// about there. @param cells  of rows from `start_row` on
+/// about there. Points are placed some at a time, and what they will ask for is fetched meanwhile:
+/// the cells of a cloud in no order are each far from the last.
+/// @param cells  of rows from `start_row` on
 template <class CellSums, class Source>
 void addPoints(const DepthRequest& request, const DepthMap& map, const Source& source, Rows rows,
                int start_row, std::vector<CellSums>& cells, const Task& task) {
+  constexpr std::size_t kAtOnce = 128;
   const GridSize size = map.frame.size;
   const GridFromPoint grid_from_point(request);
-  const double depth_mm = kColourDepthCells * map.frame.spacing_mm;
   const std::size_t start = size.index({.col = 0, .row = start_row});
   const auto& points = request.scan.points;
+  std::array<PlacedPoint, kAtOnce> placed;
   Light<Source::kChannels> light{};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % kPointsBetweenChecks == 0) task.check();
-    const GridPoint p = grid_from_point(points[i]);
-    const int row = nearestIndex(p.v, size.rows);
-    if (row < rows.first || row >= rows.end) continue;
-    const int col = nearestIndex(p.u, size.cols);
-    if (col < 0) continue;
-    const std::size_t cell = size.index({.col = col, .row = row});
-    if (!(std::abs(p.z - static_cast<double>(map.heights_mm[cell])) <= depth_mm)) continue;
-    if (!isMeasured(map.origins[cell]) || !source.at(i, light)) continue;
-    cells[cell - start].add(light, static_cast<float>(p.z));
+  for (std::size_t begin = 0; begin < points.size(); begin += kAtOnce) {
+    if (begin % kPointsBetweenChecks == 0) task.check();
+    std::size_t count = 0;
+    for (std::size_t i = begin; i < std::min(begin + kAtOnce, points.size()); ++i) {
+      const GridPoint p = grid_from_point(points[i]);
+      const int row = nearestIndex(p.v, size.rows);
+      if (row < rows.first || row >= rows.end) continue;
+      const int col = nearestIndex(p.u, size.cols);
+      if (col < 0) continue;
+      const std::size_t cell = size.index({.col = col, .row = row});
+      __builtin_prefetch(&map.heights_mm[cell]);
+      __builtin_prefetch(&map.origins[cell]);
+      __builtin_prefetch(&cells[cell - start], 1);
+      placed[count++] = {.point = i, .cell = cell, .z = static_cast<float>(p.z)};
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto& [point, cell, z] = placed[k];
+      if (!isOfLayer(z, map.heights_mm[cell], map.frame.spacing_mm)) continue;
+      if (!takesColours(map.origins[cell]) || !source.at(point, light)) continue;
+      cells[cell - start].add(light, z);
+    }
   }
 }
 
@@ -172,9 +129,7 @@ std::vector<Pixel<Source::kChannels>> pointPixels(const DepthRequest& request, c
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(size.cols);
       };
       for (std::size_t i = at(first); i < at(end); ++i) {
-        if (!cells[i].any()) continue;
-        for (std::size_t k = 0; k < kChannels; ++k) out[i][k] = transfer.stored[cells[i].light(k)];
-        out[i][kChannels] = kStoredAlpha;
+        out[i] = pixelOf<kChannels>(cells[i], transfer);
       }
     });
   }
@@ -191,8 +146,8 @@ std::vector<Pixel<Source::kChannels>> pointPixels(const DepthRequest& request, c
 
 template <std::size_t Channels>
 void finish(std::vector<Pixel<Channels>>& pixels, const DepthMap& map, const Transfer& transfer,
-            const Task& task) {
-  fillColours<Channels>(pixels, map, transfer, task);
+            int threads, const Task& task) {
+  fillColours<Channels>(pixels, map, transfer, threads, task);
   const bool any = std::any_of(pixels.begin(), pixels.end(),
                                [](const Pixel<Channels>& pixel) { return pixel[Channels] != 0; });
   if (!any) pixels = {};
@@ -216,13 +171,42 @@ bool hasIntensities(const Scan& scan) {
   return !scan.intensities.empty() && scan.intensities.size() == scan.points.size();
 }
 
-IntensityRange shownIntensities(const Scan& scan) {
-  const Stretch stretch = stretchOf(scan);
-  const IntensityRange stored = scan.info.intensity.value_or(IntensityRange{0, 65535});
-  const auto number = [&](std::uint32_t value) {
-    return stored.low + (stored.high - stored.low) * value / 65535;
+IntensityStretch::IntensityStretch(const IntensityCounts& counts) : light_(counts.size()) {
+  constexpr double kTail = 0.02;
+  const std::uint64_t all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  const auto quantile = [&](double share) {
+    const auto wanted = static_cast<std::uint64_t>(share * static_cast<double>(all - 1));
+    std::uint64_t seen = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      seen += counts[i];
+      if (seen > wanted) return static_cast<std::uint32_t>(i);
+    }
+    return std::uint32_t{65535};
   };
-  return {number(stretch.low), number(stretch.high)};
+  low_ = quantile(kTail);
+  high_ = quantile(1 - kTail);
+  if (high_ <= low_) {  // All the same: mid grey.
+    high_ = low_ + 1;
+    low_ = low_ > 0 ? low_ - 1 : 0;
+  }
+  const double range = high_ - low_;
+  for (std::size_t i = 0; i < light_.size(); ++i) {
+    const double part = (static_cast<double>(i) - low_) / range;
+    light_[i] =
+        static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * Transfer::kMost));
+  }
+}
+
+IntensityRange IntensityStretch::shown(const std::optional<IntensityRange>& stored) const noexcept {
+  const IntensityRange range = stored.value_or(IntensityRange{0, 65535});
+  const auto number = [&](std::uint32_t value) {
+    return range.low + (range.high - range.low) * value / 65535;
+  };
+  return {number(low_), number(high_)};
+}
+
+IntensityRange shownIntensities(const Scan& scan) {
+  return IntensityStretch(countsOf(scan)).shown(scan.info.intensity);
 }
 
 GridColours gridColours(const DepthRequest& request, const DepthMap& map, ColourRule rule,
@@ -236,7 +220,7 @@ GridColours gridColours(const DepthRequest& request, const DepthMap& map, Colour
     made.colours = scan.triangles.empty()
                        ? pointPixels(request, map, PointColours(scan), rule, sRgb(), task)
                        : meshColours(request, map, task);
-    finish<3>(made.colours, map, sRgb(), task);
+    finish<3>(made.colours, map, sRgb(), request.threads, task);
   }
   if (hasIntensities(scan)) {
     const PointIntensities source(scan);
@@ -252,7 +236,7 @@ GridColours gridColours(const DepthRequest& request, const DepthMap& map, Colour
       }
       made.intensities = meshIntensities(request, map, light, task);
     }
-    finish<1>(made.intensities, map, proportional(), task);
+    finish<1>(made.intensities, map, proportional(), request.threads, task);
   }
   return made;
 }

@@ -22,15 +22,16 @@ class CubeCounts {
   explicit CubeCounts(std::size_t expected)
       : cubes_(std::bit_ceil(2 * std::max<std::size_t>(expected, 1024))) {}
 
-  /// One more point. @return  was the cube empty?
-  bool add(std::uint64_t number) {
+  /// One more point. @return  how many cubes were met before the point's own
+  std::size_t add(std::uint64_t number) {
     if (2 * (count_ + 1) > cubes_.size()) grow();
     Cube& cube = cubes_[placeOf(number)];
-    const bool is_first = cube.number == kFree;
-    cube.number = number;
+    if (cube.number == kFree) {
+      cube.number = number;
+      cube.order = static_cast<std::uint32_t>(count_++);
+    }
     ++cube.points;
-    count_ += is_first ? 1 : 0;
-    return is_first;
+    return cube.order;
   }
   std::uint32_t points(std::uint64_t number) const { return cubes_[placeOf(number)].points; }
   std::size_t count() const { return count_; }
@@ -40,6 +41,7 @@ class CubeCounts {
   struct Cube {
     std::uint64_t number = kFree;
     std::uint32_t points = 0;
+    std::uint32_t order = 0;
   };
 
   /// Where the cube is, or would be put.
@@ -98,6 +100,28 @@ class CubeGrid {
   double per_mm_;
 };
 
+std::array<float, 3> single(const ViewMm& p) {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
+/// The points of a cube, from the box's corner.
+class Gathered {
+ public:
+  void add(const ViewMm& p) {
+    sum_.x += p.x;
+    sum_.y += p.y;
+    sum_.z += p.z;
+    ++count_;
+  }
+  std::array<float, 3> middle() const {
+    return single({sum_.x / count_, sum_.y / count_, sum_.z / count_});
+  }
+
+ private:
+  ViewMm sum_{};
+  std::uint32_t count_ = 0;
+};
+
 bool isInside(const ViewBox& box, const ViewMm& p) {
   return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y &&
          p.z >= box.min.z && p.z <= box.max.z;
@@ -111,19 +135,18 @@ std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const Vie
   const double side =
       std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z, 1e-300});
   std::vector<std::array<float, 3>> chosen;
-  chosen.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(count, wanted + wanted / 2)));
-  const auto choose = [&](auto&& is_chosen) {
+  const auto forInside = [&](auto&& take) {
     points([&](std::span<const ViewMm> block) {
       task.check();
       for (const ViewMm& p : block) {
-        if (!isInside(box, p) || !is_chosen(p)) continue;
-        chosen.push_back({static_cast<float>(p.x - box.min.x), static_cast<float>(p.y - box.min.y),
-                          static_cast<float>(p.z - box.min.z)});
+        if (isInside(box, p)) take(p - box.min, p);
       }
     });
   };
   if (count <= wanted) {
-    choose([](const ViewMm&) { return true; });
+    chosen.reserve(static_cast<std::size_t>(count));
+    forInside(
+        [&](const ViewMm& from_corner, const ViewMm&) { chosen.push_back(single(from_corner)); });
     return chosen;
   }
   // A surface meets the square of twice as many cubes of half the side.
@@ -131,34 +154,32 @@ std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const Vie
   const double counted_side = side / std::clamp(across, 1.0, kMostAcross);
   CubeCounts coarse(1U << 16U);
   const CubeGrid coarse_grid(box, counted_side);
-  points([&](std::span<const ViewMm> block) {
-    task.check();
-    for (const ViewMm& p : block) {
-      if (isInside(box, p)) coarse.add(coarse_grid(p));
-    }
-  });
+  forInside([&](const ViewMm&, const ViewMm& p) { coarse.add(coarse_grid(p)); });
   const double cube_side =
       counted_side * std::sqrt(static_cast<double>(coarse.count()) / static_cast<double>(wanted));
   CubeCounts cubes(wanted);
   const CubeGrid grid(box, std::max(cube_side, side / (1U << 20U)));
   std::vector<std::uint64_t> numbers;
-  choose([&](const ViewMm& p) {
+  std::vector<Gathered> gathered;
+  gathered.reserve(wanted + wanted / 2);
+  forInside([&](const ViewMm& from_corner, const ViewMm& p) {
     const std::uint64_t number = grid(p);
-    const bool is_first = cubes.add(number);
-    if (is_first) numbers.push_back(number);
-    return is_first;
+    const std::size_t order = cubes.add(number);
+    if (order == numbers.size()) {
+      numbers.push_back(number);
+      gathered.emplace_back();
+    }
+    gathered[order].add(from_corner);
   });
   // Thinning leaves of a surface one point in many, of strays every one: most of what is chosen
   // would be strays. Their cubes have nobody around.
   const double mean = static_cast<double>(count) / static_cast<double>(cubes.count());
   const auto company = static_cast<std::uint32_t>(std::max(kFewestCompany, kCompanyOfMean * mean));
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
     const bool has_company =
         cubes.points(numbers[i]) >= company || CubeGrid::around(numbers[i], cubes) >= company;
-    if (has_company) chosen[kept++] = chosen[i];
+    if (has_company) chosen.push_back(gathered[i].middle());
   }
-  chosen.resize(kept);
   return chosen;
 }
 

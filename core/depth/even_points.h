@@ -22,10 +22,10 @@ struct ViewBox {
   ViewMm min, max;
 };
 
-/// About `wanted` points of a surface, the same share of it for each: the first one of every cube
-/// of a grid, where there are more points than wanted; else all. Dense parts are thinned, sparse
-/// ones are not. The same points however they come in blocks. Keeps 16 bytes a point that it
-/// returns. Coordinates from `box.min`. [worker]
+/// About `wanted` points of a surface, the same share of it for each: the middle of those in every
+/// cube of a grid, where there are more points than wanted; else all. Dense parts are thinned, and
+/// their noise with them; sparse ones are not. The same points however they come in blocks. Keeps
+/// 100 bytes a point that it returns. Coordinates from `box.min`. [worker]
 /// @param count  of all points @throw Cancelled
 std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const ViewBox& box,
                                              std::uint64_t count, std::size_t wanted,

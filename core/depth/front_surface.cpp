@@ -13,12 +13,13 @@ namespace {
 
 constexpr float kNone = -std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr double kPixelShare = 0.5;    // Of the spacing of the discs.
+constexpr double kPixelShare = 0.35;   // Of the spacing of the discs.
 constexpr double kMostPixels = 2048;   // Across the longer side.
 constexpr float kEdgeOn = 0.1F;        // Cosine; flatter discs are lines.
 constexpr float kLeastCosine = 0.15F;  // For tolerances of slopes.
 constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
-constexpr double kRough = 0.3;         // Thickness over width: noise hides the planes.
+constexpr float kAveraged = 0.5F;      // Of that, behind the foremost piece.
+constexpr double kRough = 0.5;         // Thickness over width: noise hides the planes.
 constexpr int kSquarePixels = 4;
 constexpr float kLayerSpacings = 6;  // Farther apart, points behind are two layers.
 constexpr std::size_t kFewDiscs = 20'000;
@@ -193,7 +194,7 @@ void FrontSurface::drawBand(const std::vector<SurfaceDisc>& discs, int first_row
   forPixels(discs, size_, pixel, first_row, end_row, task,
             [&](std::size_t at, float z, float weight, const DrawnDisc&) {
               Sum& sum = sums[at - offset];
-              if (z < sum.front - sum.tolerance) return;
+              if (z < sum.front - kAveraged * sum.tolerance) return;
               sum.weight += weight;
               sum.z += weight * (z - sum.front);
             });

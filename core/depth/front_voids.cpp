@@ -106,10 +106,15 @@ class VoidFinder {
     const float deep = std::isnan(own) ? kNone : own;
     FrontPiece sum{.z = 0, .tolerance = 0, .spacing = 0};
     float weights = 0;
-    for (const auto& direction : kDirections) {
+    float across = 0;  // The void, from side to side.
+    float limit = 0;
+    for (std::size_t i = 0; i < kDirections.size(); ++i) {
       float distance = 0;
-      const FrontPiece* piece = frontToward(pixel, direction, deep, distance);
-      if (piece == nullptr || distance > kVoidRadius * piece->spacing) return std::nullopt;
+      const FrontPiece* piece = frontToward(pixel, kDirections[i], deep, distance);
+      if (piece == nullptr) return std::nullopt;
+      across = i % 2 == 0 ? distance : across + distance;
+      limit = i % 2 == 0 ? kVoidRadius * piece->spacing : limit + kVoidRadius * piece->spacing;
+      if (across > limit && i % 2 == 1) return std::nullopt;
       const float weight = 1 / (distance * distance);
       weights += weight;
       sum.z += weight * piece->z;

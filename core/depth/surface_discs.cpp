@@ -24,6 +24,9 @@ constexpr float kOffPlane = 0.6F;    // In distances to the eighth neighbour.
 constexpr float kFarFromAll = 3;     // In medians: there a plane must be a good one.
 constexpr float kGoodPlane = 0.02F;  // Least over middle variance.
 constexpr float kInNoPlane = 0.25F;  // Least over middle variance.
+// Roughness that smooth bodies have by their curvature, and one that only noise makes.
+constexpr double kSmooth = 0.1;
+constexpr double kNoisy = 0.2;
 
 struct Patch {
   float far = 0;        // Distance to the eighth neighbour; 0: there is none.
@@ -74,7 +77,6 @@ SurfaceDisc discOf(const PointNeighbours& points, const NearPlaces& near, const 
   Eigen::Vector3f normal = patch.normal;
   const bool is_plane = patch.thickness * patch.thickness < kInNoPlane * patch.width * patch.width;
   if (is_plane) {
-    centre += normal * normal.dot(patch.middle - centre);
     disc.radius = kRadius * patch.far;
   } else {
     normal = Eigen::Vector3f::UnitZ();
@@ -100,6 +102,15 @@ SurfaceDisc discOf(const PointNeighbours& points, const NearPlaces& near, const 
   }
   for (float& reach : disc.reach) reach = std::min(reach + disc.spacing / 2, disc.radius);
   return disc;
+}
+
+/// Noisy points belong onto their neighbours' plane; those of a smooth body do not: the plane cuts
+/// off what bulges.
+void moveOntoPlane(SurfaceDisc& disc, const Patch& patch, double share) {
+  if (disc.radius == disc.spacing) return;  // It lies in no plane.
+  Eigen::Vector3f centre(disc.centre.data());
+  centre += static_cast<float>(share) * patch.normal * patch.normal.dot(patch.middle - centre);
+  store(centre, disc.centre);
 }
 
 double median(std::vector<float> values) {
@@ -200,16 +211,18 @@ SurfaceDiscs surfaceDiscs(std::span<const std::array<float, 3>> points, const Ta
   }
   const double usual = median(std::move(far));
   const std::vector<std::uint8_t>& is_stray = strays.find(static_cast<float>(usual));
+  result.spacing = static_cast<double>(kSpacingShare) * usual;
+  result.roughness = median(std::move(rough));
+  const double share = std::clamp((result.roughness - kSmooth) / (kNoisy - kSmooth), 0.0, 1.0);
   result.discs.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     if (is_stray[i] != 0) {
       result.strays += neighbours.pointsAt(i).size();
     } else {
+      moveOntoPlane(discs[i], strays.patches()[i], share);
       result.discs.push_back(discs[i]);
     }
   }
-  result.spacing = static_cast<double>(kSpacingShare) * usual;
-  result.roughness = median(std::move(rough));
   return result;
 }
 

@@ -2,16 +2,7 @@
 // The child's side of importScan.
 #include "core/io/import_worker.h"
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
 #include <clocale>
-#include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -24,53 +15,12 @@
 #include "core/io/lines.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_transport.h"
+#include "core/io/worker_child.h"
 #include "core/io/worker_process.h"
 #include "core/io/worker_sandbox.h"
 
 namespace relievo {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kAddressSpaceIsOurs = false;  // Sanitizers reserve terabytes of it.
-#else
-constexpr bool kAddressSpaceIsOurs = true;
-#endif
-
-void limit(__rlimit_resource resource, std::uint64_t amount) {
-  rlimit wanted{};
-  if (::getrlimit(resource, &wanted) != 0) return;
-  wanted.rlim_cur = std::min<rlim_t>(amount, wanted.rlim_max);
-  ::setrlimit(resource, &wanted);
-}
-
-/// The file is mapped, so its size comes on top of what the reader may allocate.
-void setLimits(const ImportOptions& options, ImportKind kind, std::uint64_t file_size) {
-  if (kAddressSpaceIsOurs) limit(RLIMIT_AS, options.max_memory_bytes + file_size);
-  // An answer in memory counts as well; writing beyond is an error, not a signal.
-  ::signal(SIGXFSZ, SIG_IGN);
-  if (kind != ImportKind::raster_rows) limit(RLIMIT_FSIZE, options.max_memory_bytes);
-  limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(options.max_cpu_s)));
-  limit(RLIMIT_CORE, 0);
-}
-
-/// Writes progress lines, at most every 20 ms. A full pipe loses lines rather than wait.
-class ProgressPipe {
- public:
-  ProgressPipe() { ::fcntl(kProgressFd, F_SETFL, O_NONBLOCK); }
-
-  void operator()(std::string_view step, double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (step == last_step_ && now - last_ < std::chrono::milliseconds(20)) return;
-    last_ = now;
-    last_step_ = step;
-    const std::string line = std::to_string(fraction) + " " + std::string(step) + "\n";
-    [[maybe_unused]] const ssize_t written = ::write(kProgressFd, line.data(), line.size());
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_;
-  std::string last_step_;
-};
 
 struct WorkerArguments {
   std::filesystem::path file;
@@ -104,10 +54,14 @@ std::optional<WorkerArguments> parseArguments(char** argv) {
   return arguments;
 }
 
-bool isWorkersPlace() {
-  struct stat facts {};
-  return ::fstat(kProgressFd, &facts) == 0 && S_ISFIFO(facts.st_mode) &&
-         ::fstat(kAnswerFd, &facts) == 0 && S_ISREG(facts.st_mode);
+void setLimits(const WorkerArguments& arguments) {
+  const ImportOptions& options = arguments.options;
+  ChildLimits limits{.allocated_bytes = options.max_memory_bytes,
+                     .mapped_bytes = checkedFileSize(arguments.file),
+                     .answer_bytes = options.max_memory_bytes,
+                     .cpu_s = options.max_cpu_s};
+  if (arguments.kind == ImportKind::raster_rows) limits.answer_bytes.reset();
+  setChildLimits(limits);
 }
 
 WorkerRefusal tooLarge(const WorkerArguments& arguments) {
@@ -119,7 +73,7 @@ WorkerRefusal tooLarge(const WorkerArguments& arguments) {
 
 void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libraries) {
   try {
-    setLimits(arguments.options, arguments.kind, checkedFileSize(arguments.file));
+    setLimits(arguments);
     ProgressPipe pipe;
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
@@ -150,7 +104,7 @@ void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libr
 int runImportWorker(int argc, char** argv, const WorkerLibraries& libraries) {
   const bool called = argc == kWorkerArgumentCount && std::string_view(argv[1]) == kWorkerArgument;
   const auto arguments = called ? parseArguments(argv) : std::nullopt;
-  if (!arguments || !isWorkersPlace()) {
+  if (!arguments || !hasWorkersPlace({kAnswerFd})) {
     std::fputs("The import worker is started by relievo of the same version, not by hand.\n",
                stderr);
     return 1;

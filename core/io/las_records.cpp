@@ -59,7 +59,7 @@ LasRecords::LasRecords(const ReadJob& job, const LasHeader& header, const LazWan
   seen_.most.fill(std::numeric_limits<std::int32_t>::min());
   if (header.packed) {
     laz_ = readLazFile(sourceOf(job.bytes), header, job.file);
-    count_ = header.points;
+    count_ = laz_.points;
     return;
   }
   const std::uint64_t size = job.bytes.size();
@@ -90,6 +90,7 @@ void LasRecords::givePacked(const Take& take) {
   Batch done;
   Batch next;
   std::size_t chunk = 0;
+  if (laz_.chunks.empty()) return;
   do {
     if (done.empty() && chunk < laz_.chunks.size() &&
         laz_.chunks[chunk].points * header_.record_bytes > kLongChunkBytes) {
@@ -217,7 +218,7 @@ std::vector<std::string> LasRecords::doubts() const {
   const auto say = [&found](const std::string& what) {
     found.push_back(what + ", so that the file may be damaged: LAZ holds no checksum.");
   };
-  if (const auto& box = header_.stated_bounds) {
+  if (const auto& box = header_.stated_bounds; box && count_ > 0) {
     const std::array<double, 3> low{box->min.x, box->min.y, box->min.z};
     const std::array<double, 3> high{box->max.x, box->max.y, box->max.z};
     bool outside = false;
@@ -230,12 +231,14 @@ std::vector<std::string> LasRecords::doubts() const {
     }
     if (outside) say("Points lie outside the box that the header states");
   }
-  if (const auto stated = statedReturns(job_.bytes, header_)) {
+  if (const auto stated = statedReturns(job_.bytes, header_); stated && count_ == header_.points) {
     if (!std::equal(stated->begin(), stated->end(), seen_.by_return.begin() + 1)) {
       say("The points are not of the returns that the header counts");
     }
   }
-  if (seen_.has_unused_bytes) say("Blocks of points hold bytes behind their last point");
+  if (seen_.has_unused_bytes && laz_.has_list)
+    say("Blocks of points hold bytes behind their last point");
+  if (!laz_.has_list) found.emplace_back(kLazListMissing);
   return found;
 }
 

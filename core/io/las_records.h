@@ -19,11 +19,11 @@ class LasRecords {
  public:
   /// @param wanted   fields that need not be unpacked keep the value of a chunk's first point
   /// @param threads  that unpack; 0: one for each core. The records are the same for any number.
-  /// @throw FileError  a packed file is cut or damaged
+  /// @throw FileError  a packed file is damaged
   explicit LasRecords(const ReadJob& job, const LasHeader& header, const LazWanted& wanted = {},
                       int threads = 0);
 
-  /// Complete records; fewer than the header promises only where a file that is not packed is cut.
+  /// Complete records; fewer than the header promises only where the file is cut.
   std::uint64_t count() const noexcept { return count_; }
 
   /// Bytes of a file that is not packed, behind the records.

@@ -12,7 +12,6 @@
 namespace relievo {
 namespace {
 
-constexpr std::size_t kIntensityAt = 12;
 constexpr int kFirstExtended = 6;  ///< Formats from it on have a byte for the class alone.
 
 std::uint16_t wordAt(const char* at) {
@@ -35,7 +34,7 @@ LasPlaces lasPlaces(int point_format) noexcept {
 }
 
 bool LasSurvey::look(const char* record) noexcept {
-  intensities_ = intensities_ || wordAt(record + kIntensityAt) != 0;
+  intensities_ = intensities_ || wordAt(record + kLasIntensityAt) != 0;
   classes_ = classes_ ||
              (static_cast<std::uint8_t>(record[places_.classification]) & places_.class_bits) != 0;
   if (places_.colour) {
@@ -94,7 +93,7 @@ void LasPointMaker::add(const char* record) {
     }
   }
   if (intensities_) {
-    const std::uint16_t intensity = wordAt(record + kIntensityAt);
+    const std::uint16_t intensity = wordAt(record + kLasIntensityAt);
     any_intensity_ = any_intensity_ || intensity != 0;
     builder_.addIntensity(intensity);
   }

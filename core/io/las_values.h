@@ -20,6 +20,7 @@ struct LasPlaces {
 };
 LasPlaces lasPlaces(int point_format) noexcept;
 
+inline constexpr std::size_t kLasIntensityAt = 12;  ///< 16 bits.
 inline constexpr std::size_t kLasFlagsAt = 15;
 
 /// Marked as not to be used?

@@ -42,7 +42,8 @@ struct LazLayout {
 /// Only layered records can leave anything out.
 struct LazWanted {
   bool classes = true, flags = true, intensities = true, colours = true;
-  bool others = true;  ///< Scan angle, user data, source, time, near infrared, extra bytes.
+  bool others =
+      true;  ///< Scan angle, user data, source, time, near infrared, waveforms, extra bytes.
 };
 
 inline constexpr LazWanted kLazCoordinates{false, false, false, false, false};
@@ -59,6 +60,9 @@ class LazChunkDecoder {
   /// Most bytes that a part of the chunk holds beyond what was used; 0 to 4 is right once all
   /// points are unpacked.
   virtual std::size_t unusedBytes() const = 0;
+
+  /// Bytes that were asked for beyond the end. Points that came before the first are right.
+  virtual std::size_t missingBytes() const = 0;
 };
 
 /// @param bytes   of the chunk; they must outlive the decoder
@@ -66,6 +70,9 @@ class LazChunkDecoder {
 /// @throw LazDamage
 std::unique_ptr<LazChunkDecoder> openLazChunk(const LazLayout& layout, std::string_view bytes,
                                               std::uint64_t points, const LazWanted& wanted = {});
+
+/// Layers of an item of point formats 6 to 10, each with its number of bytes in the chunk.
+std::size_t layersOf(const LazItem& item);
 
 // The two ways; openLazChunk chooses.
 std::unique_ptr<LazChunkDecoder> openLazStream(const LazLayout& layout, std::string_view bytes);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/laz_fields.h"
 
+#include "core/io/laz_chunk.h"
+
 namespace relievo {
 namespace {
 
@@ -155,6 +157,33 @@ std::uint16_t LazInfrared::decode(ArithmeticDecoder& decoder, std::uint16_t last
   if ((changed & 1U) != 0) low = (low + decoder.symbol(bytes_[0])) & 0xFFU;
   if ((changed & 2U) != 0) high = (high + decoder.symbol(bytes_[1])) & 0xFFU;
   return static_cast<std::uint16_t>(low | high << 8U);
+}
+
+void LazWaves::decode(ArithmeticDecoder& decoder, char* values) {
+  enum Step : unsigned { kSamePlace, kBehindTheLast, kDistance, kAnywhere };
+  constexpr std::size_t kPlaceAt = 1, kSizeAt = 9, kReturnAt = 13, kDirectionAt = 17;
+  values[0] = static_cast<char>(decoder.symbol(descriptor_));
+  auto place = loadAs<std::uint64_t>(values + kPlaceAt, ByteOrder::little);
+  const auto size = loadAs<std::uint32_t>(values + kSizeAt, ByteOrder::little);
+  last_step_ = decoder.symbol(steps_[last_step_]);
+  if (last_step_ == kBehindTheLast) {
+    place += size;
+  } else if (last_step_ == kDistance) {
+    last_distance_ = distances_.decode(decoder, last_distance_, 0);
+    place += static_cast<std::uint64_t>(
+        static_cast<std::int64_t>(static_cast<std::int32_t>(last_distance_)));
+  } else if (last_step_ == kAnywhere) {
+    const std::uint64_t low = decoder.raw(32);
+    place = std::uint64_t{decoder.raw(32)} << 32U | low;
+  }
+  storeLittle(values + kPlaceAt, place);
+  storeLittle(values + kSizeAt, sizes_.decode(decoder, size, 0));
+  const auto follow = [&](IntegerModel& model, std::size_t at, unsigned context) {
+    const auto last = loadAs<std::uint32_t>(values + at, ByteOrder::little);
+    storeLittle(values + at, model.decode(decoder, last, context));
+  };
+  follow(returns_, kReturnAt, 0);
+  for (unsigned axis = 0; axis < 3; ++axis) follow(directions_, kDirectionAt + 4 * axis, axis);
 }
 
 LazBytes::LazBytes(std::size_t earlier, unsigned symbols) {

@@ -61,6 +61,23 @@ class LazInfrared {
   std::array<SymbolModel, 2> bytes_;
 };
 
+/// Where a full waveform is kept, and how it lies: 29 bytes of a record. Pulses follow each other
+/// in the file of waveforms, so that most places need one symbol.
+class LazWaves {
+ public:
+  static constexpr std::size_t kBytes = 29;
+
+  /// @param values  of the point before; the next point's afterwards
+  void decode(ArithmeticDecoder& decoder, char* values);
+
+ private:
+  SymbolModel descriptor_{256};
+  std::array<SymbolModel, 4> steps_{SymbolModel(4), SymbolModel(4), SymbolModel(4), SymbolModel(4)};
+  IntegerModel distances_{32, 1}, sizes_{32, 1}, returns_{32, 1}, directions_{32, 3};
+  unsigned last_step_ = 0;
+  std::uint32_t last_distance_ = 0;
+};
+
 /// One model for each earlier value of a byte.
 class LazBytes {
  public:

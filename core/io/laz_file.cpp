@@ -6,6 +6,8 @@
 #include <array>
 
 #include "core/io/file_check.h"
+#include "core/io/laz_fields.h"
+#include "core/io/laz_recovery.h"
 #include "core/io/read_scan.h"
 #include "core/io/scalar.h"
 
@@ -16,6 +18,7 @@ constexpr std::size_t kRecordHead = 54;                   ///< Of a variable len
 constexpr std::uint64_t kMostPoints = 1'000'000'000'000;  // A header may say anything.
 constexpr std::uint64_t kMostHead = 64U << 20U;
 constexpr std::uint32_t kVariable = ~std::uint32_t{0};  ///< Chunks of any number of points.
+constexpr std::uint64_t kPointer = 8;  ///< Bytes before the first chunk: where the list is.
 constexpr std::uint64_t kTableAtEnd = ~std::uint64_t{0};
 
 enum Compressor : std::uint16_t { kOneStream = 1, kChunks = 2, kLayers = 3 };
@@ -45,12 +48,16 @@ bool isKnown(const LazItem& item, bool layered) {
       return !layered && sized(8);
     case LazItemKind::colour10:
       return !layered && sized(6);
+    case LazItemKind::waves10:
+      return !layered && sized(LazWaves::kBytes);
     case LazItemKind::point14:
       return layered && sized(30);
     case LazItemKind::colour14:
       return layered && sized(6);
     case LazItemKind::colour_infrared14:
       return layered && sized(8);
+    case LazItemKind::waves14:
+      return layered && sized(LazWaves::kBytes);
     case LazItemKind::bytes14:
       return layered && item.bytes > 0;
     default:
@@ -59,22 +66,15 @@ bool isKnown(const LazItem& item, bool layered) {
 }
 
 void checkItem(const LazItem& item, bool layered, const std::filesystem::path& file) {
-  if (item.kind == LazItemKind::waves10 || item.kind == LazItemKind::waves14) {
-    refuseScan(file,
-               "its points are packed together with full waveforms, which this version does not "
-               "unpack. Convert it to LAS, or save it without waveforms.");
-  }
   if (!isKnown(item, layered)) {
     refuse(file, "its record of packing names fields of kind " +
                      std::to_string(static_cast<int>(item.kind)) + " with " +
                      std::to_string(item.bytes) + " bytes, which do not exist there.");
   }
-  if (item.version == 1) {
-    refuseScan(file,
-               "it was packed by a LASzip of 2010 or 2011, whose packing this version does not "
-               "know. Convert it to LAS, or pack it again.");
-  }
-  const bool known = layered ? item.version >= 2 && item.version <= 4 : item.version == 2;
+  // Waveforms of point formats 4 and 5 have one version.
+  const unsigned newest = item.kind == LazItemKind::waves10 ? 1 : 2;
+  const bool known = layered ? item.version >= 2 && item.version <= 4
+                             : item.version >= 1 && item.version <= newest;
   if (!known) {
     refuseScan(file, "its points are packed by version " + std::to_string(item.version) +
                          " of the method, which is not known here. Convert it to LAS.");
@@ -119,8 +119,8 @@ Packing readPacking(std::string_view record, LazLayout& layout, const LasHeader&
   return packing;
 }
 
-/// Numbers of points and bytes of all chunks, from the table at `place`.
-void readTable(std::string_view table, const Packing& packing, std::uint64_t most_bytes,
+/// Numbers of points and bytes of all chunks, from the table at `place`. @return  it is whole
+bool readTable(std::string_view table, const Packing& packing, std::uint64_t most_bytes,
                std::vector<LazChunk>& chunks) {
   ArithmeticDecoder decoder(table);
   IntegerModel numbers(32, 2);
@@ -130,49 +130,60 @@ void readTable(std::string_view table, const Packing& packing, std::uint64_t mos
     if (packing.chunk_points == kVariable)
       chunk.points = points = numbers.decode(decoder, points, 0);
     chunk.bytes = bytes = numbers.decode(decoder, bytes, 1);
-    requireEnough(decoder);
+    if (decoder.missingBytes() > kLazSlack) return false;
     all_bytes += bytes;
-    if (all_bytes > most_bytes) throw LazDamage("names more bytes than there are");
+    if (all_bytes <= most_bytes) continue;
+    if (decoder.missingBytes() > 0) return false;
+    throw LazDamage("names more bytes than there are");
   }
+  // Coders count on a few zeros behind the end; where other bytes stood there, the sum is wrong.
+  return decoder.missingBytes() == 0 || all_bytes == most_bytes;
 }
 
-std::vector<LazChunk> readChunks(const LazBytesSource& source, const Packing& packing,
-                                 const LasHeader& header, const LazLayout& layout,
-                                 const std::filesystem::path& file) {
-  constexpr std::uint64_t kPointer = 8, kTableHead = 8;
-  const auto cut = [&file]() {
-    refuseScan(file,
-               "it ends before the list of its blocks of points, so that none of them can be "
-               "found: it was cut, or not written to its end. Copy or export it again.");
-  };
-  if (header.points_at + kPointer > source.size) cut();
+/// Chunks as the list says, at `at` from its ninth byte on.
+/// @return  nothing where the file ends within the list
+std::optional<std::vector<LazChunk>> readList(const LazBytesSource& source, const Packing& packing,
+                                              std::uint64_t at, std::uint64_t start,
+                                              std::uint64_t count,
+                                              const std::filesystem::path& file) {
+  std::vector<LazChunk> chunks(static_cast<std::size_t>(count));
+  // Each number takes at most some five bytes, most of them one.
+  const std::uint64_t left = source.size - at;
+  const std::uint64_t table_bytes = std::min<std::uint64_t>(left, 16 * count + 64);
+  const std::string table = source.read(at, table_bytes);
+  try {
+    if (!readTable(table, packing, at - start, chunks)) return std::nullopt;
+  } catch (const LazDamage& damage) {
+    refuse(file, std::string("the list of its blocks of points ") + damage.what() + ".");
+  }
+  std::uint64_t chunk_at = start;
+  for (LazChunk& chunk : chunks) {
+    chunk.at = chunk_at;
+    chunk_at += chunk.bytes;
+  }
+  return chunks;
+}
+
+/// @return  nothing where the file ends before or within its list of chunks
+std::optional<std::vector<LazChunk>> readChunks(const LazBytesSource& source,
+                                                const Packing& packing, const LasHeader& header,
+                                                const LazLayout& layout,
+                                                const std::filesystem::path& file) {
+  constexpr std::uint64_t kTableHead = 8;
+  if (header.points_at + kPointer > source.size) return std::nullopt;
   auto place = numberAt<std::uint64_t>(source.read(header.points_at, kPointer), 0);
   if (place == kTableAtEnd) {
     place = numberAt<std::uint64_t>(source.read(source.size - kPointer, kPointer), 0);
   }
   const std::uint64_t start = header.points_at + kPointer;
-  if (place > source.size - kTableHead) cut();
+  if (source.size < kTableHead || place > source.size - kTableHead) return std::nullopt;
   if (place < start) refuse(file, "the list of its blocks of points lies within its header.");
   const std::string head = source.read(place, kTableHead);
   const std::uint64_t count = numberAt<std::uint32_t>(head, 4);
   if (numberAt<std::uint32_t>(head, 0) != 0 || count > (place - start) / layout.record_bytes) {
     refuse(file, "the list of its blocks of points is none.");
   }
-  std::vector<LazChunk> chunks(static_cast<std::size_t>(count));
-  // Each number takes at most some five bytes, most of them one.
-  const std::uint64_t table_bytes =
-      std::min<std::uint64_t>(source.size - place - kTableHead, 16 * count + 64);
-  try {
-    readTable(source.read(place + kTableHead, table_bytes), packing, place - start, chunks);
-  } catch (const LazDamage& damage) {
-    refuse(file, std::string("the list of its blocks of points ") + damage.what() + ".");
-  }
-  std::uint64_t at = start;
-  for (LazChunk& chunk : chunks) {
-    chunk.at = at;
-    at += chunk.bytes;
-  }
-  return chunks;
+  return readList(source, packing, place + kTableHead, start, count, file);
 }
 
 /// Fills in what chunks of a fixed size leave open, and numbers the points.
@@ -233,13 +244,24 @@ LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
   if (packing.compressor == kOneStream) {
     if (header.points_at >= source.size) refuse(file, "it ends before its points.");
     laz.has_sizes = false;
+    laz.points = header.points;
     laz.chunks = {{.at = header.points_at,
                    .bytes = source.size - header.points_at,
                    .first = 0,
                    .points = header.points}};
     return laz;
   }
-  laz.chunks = readChunks(source, packing, header, laz.layout, file);
+  auto chunks = readChunks(source, packing, header, laz.layout, file);
+  if (!chunks) {
+    laz.has_list = false;
+    const std::uint32_t each = packing.chunk_points == kVariable ? 0 : packing.chunk_points;
+    laz.chunks =
+        findLazChunks(source, laz.layout, header.points_at + kPointer, each, header.points);
+    for (const LazChunk& chunk : laz.chunks) laz.points += chunk.points;
+    return laz;
+  }
+  laz.chunks = std::move(*chunks);
+  laz.points = header.points;
   countPoints(packing, header.points, laz.chunks, file);
   if (const auto root = lasRecord(head, header, "copc", 1); root && laz.layout.layered) {
     readCopcLevels(source, *root, laz, file);

@@ -24,10 +24,12 @@ struct LazChunk {
 };
 
 /// What a LAZ or COPC file says of its points, checked: the chunks hold as many points as the
-/// header promises, one after the other, and lie within the file.
+/// header promises, or fewer of a cut file, one after the other, and lie within the file.
 struct LazFile {
   LazLayout layout;
   std::vector<LazChunk> chunks;
+  std::uint64_t points = 0;  ///< Of all chunks.
+  bool has_list = true;      ///< False: the list of chunks is cut off, they were found without it.
   bool is_copc = false;
   bool has_sizes = true;  ///< False: how many bytes its one chunk has is not stated.
 };
@@ -38,8 +40,15 @@ struct LazBytesSource {
   std::function<std::string(std::uint64_t at, std::uint64_t bytes)> read;
 };
 
-/// Reads all but the points. [any thread]
-/// @throw FileError  no LAZ, cut, a kind of packing that is not read here, or contradictions
+/// What is said of a file without its list of chunks.
+inline constexpr std::string_view kLazListMissing =
+    "The file ends before the list of its blocks of points, so that it was cut or not written to "
+    "its "
+    "end; the blocks were found without it.";
+
+/// Reads all but the points; where the list of chunks is missing, which is the last thing in a
+/// file, those before the cut. [any thread]
+/// @throw FileError  no LAZ, a kind of packing that is not read here, or contradictions
 LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
                     const std::filesystem::path& file);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point formats 6 to 8: every field of a chunk in a stream of its own. What changes from point to
+// Point formats 6 to 10: every field of a chunk in a stream of its own. What changes from point to
 // point is learnt for each of four scanner channels.
 #include <array>
 #include <cstring>
@@ -183,8 +183,8 @@ void decodeAttributes(Layers& layers, Channel& channel, unsigned kind, unsigned 
   channel.time_changed = timed != 0;
 }
 
-/// What follows the first 30 bytes: colour, near infrared, further bytes. Items of version 3 go on
-/// from the values of the channel that they saw last (see Items::values).
+/// What follows the first 30 bytes: colour, near infrared, waveforms, further bytes. Items of
+/// version 3 go on from the values of the channel that they saw last (see Items::values).
 class LayeredItem {
  public:
   LayeredItem(const LazItem& item, const char* first, std::size_t channel)
@@ -193,16 +193,7 @@ class LayeredItem {
     values_[channel].assign(first, first + item.bytes);
   }
 
-  std::size_t layerCount() const {
-    switch (item_.kind) {
-      case LazItemKind::colour14:
-        return 1;
-      case LazItemKind::colour_infrared14:
-        return 2;
-      default:
-        return item_.bytes;
-    }
-  }
+  std::size_t layerCount() const { return layersOf(item_); }
 
   /// @param channel   of the point
   /// @param switched  the point before was of another channel
@@ -239,6 +230,10 @@ class LayeredItem {
         }
         return;
       }
+      if (item.kind == LazItemKind::waves14) {
+        if (layers[0]) waves.decode(*layers[0], values);
+        return;
+      }
       if (layers[0]) {
         LazColour colour{};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -255,6 +250,7 @@ class LayeredItem {
 
     LazColours colours;
     LazInfrared infrared;
+    LazWaves waves;
     LazBytes bytes;
   };
 
@@ -285,7 +281,7 @@ class LayerReader {
 };
 
 bool isWanted(const LazItem& item, std::size_t layer, const LazWanted& wanted) {
-  if (item.kind == LazItemKind::bytes14) return wanted.others;
+  if (item.kind == LazItemKind::bytes14 || item.kind == LazItemKind::waves14) return wanted.others;
   return layer == 0 ? wanted.colours : wanted.others;
 }
 
@@ -336,6 +332,14 @@ class LayersDecoder : public LazChunkDecoder {
     std::size_t most = behind_;
     for (const auto& layer : layers_) {
       if (layer) most = std::max(most, layer->unusedBytes());
+    }
+    return most;
+  }
+
+  std::size_t missingBytes() const override {
+    std::size_t most = 0;
+    for (const auto& layer : layers_) {
+      if (layer) most = std::max(most, layer->missingBytes());
     }
     return most;
   }
@@ -412,6 +416,19 @@ class LayersDecoder : public LazChunkDecoder {
 };
 
 }  // namespace
+
+std::size_t layersOf(const LazItem& item) {
+  switch (item.kind) {
+    case LazItemKind::point14:
+      return kPointLayers;
+    case LazItemKind::colour_infrared14:
+      return 2;
+    case LazItemKind::bytes14:
+      return item.bytes;
+    default:
+      return 1;
+  }
+}
 
 std::unique_ptr<LazChunkDecoder> openLazLayers(const LazLayout& layout, std::string_view bytes,
                                                std::uint64_t points, const LazWanted& wanted) {

@@ -10,10 +10,6 @@
 namespace relievo {
 namespace {
 
-/// Withheld points are told by their flags.
-constexpr LazWanted kWanted{
-    .classes = false, .flags = true, .intensities = false, .colours = false, .others = false};
-
 constexpr std::size_t kChunksKept = 4;
 constexpr std::size_t kBytesKept = 32 << 20;
 constexpr std::uint64_t kMostPoints = 2'000'000;  ///< Of a chunk.
@@ -23,11 +19,12 @@ constexpr std::size_t kBlock = 4096;  ///< Points unpacked at once.
 }  // namespace
 
 LazPoints::LazPoints(LazBytesSource source, LazFile laz, std::filesystem::path file,
-                     std::size_t kept_bytes, const Task& task)
+                     const LazKept& kept, const Task& task)
     : source_(std::move(source)),
       laz_(std::move(laz)),
       file_(std::move(file)),
-      kept_bytes_(kept_bytes),
+      kept_bytes_(kept.bytes),
+      wanted_(kept.wanted),
       task_{.stop = task.stop, .progress = {}} {
   for (const LazChunk& chunk : laz_.chunks) {
     if (chunk.points <= kMostPoints && chunk.bytes <= kMostBytes) continue;
@@ -66,7 +63,7 @@ LazPoints::OpenChunk& LazPoints::open(Reader& reader, std::size_t chunk) const {
                    .bytes = std::make_unique<std::string>(source_.read(place.at, place.bytes)),
                    .decoder = {},
                    .kept = {}};
-  opened.decoder = openLazChunk(laz_.layout, *opened.bytes, place.points, kWanted);
+  opened.decoder = openLazChunk(laz_.layout, *opened.bytes, place.points, wanted_);
   std::size_t bytes = static_cast<std::size_t>(place.points) * kept_bytes_;
   std::size_t stay = 0;
   for (; stay < reader.size() && stay + 1 < kChunksKept; ++stay) {

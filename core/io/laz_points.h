@@ -21,14 +21,19 @@ struct PointRange {
   friend bool operator==(const PointRange&, const PointRange&) = default;
 };
 
+/// What is unpacked of records, and how much of their beginning is given.
+struct LazKept {
+  std::size_t bytes = 0;
+  LazWanted wanted;
+};
+
 /// Any points of a LAZ or COPC file by their number, unpacked when they are asked for. The last few
 /// chunks are kept for each thread that reads, at most 32 MB or one chunk.
 class LazPoints {
  public:
-  /// @param kept_bytes  of the beginning of each record, all that is given
   /// @param task        whose stop token every read looks at
   /// @throw FileError  chunks are too long to be unpacked for a few of their points
-  LazPoints(LazBytesSource source, LazFile laz, std::filesystem::path file, std::size_t kept_bytes,
+  LazPoints(LazBytesSource source, LazFile laz, std::filesystem::path file, const LazKept& kept,
             const Task& task);
   ~LazPoints();
 
@@ -59,6 +64,7 @@ class LazPoints {
   LazFile laz_;
   std::filesystem::path file_;
   std::size_t kept_bytes_;
+  LazWanted wanted_;
   Task task_;                 ///< Stops, but tells no progress.
   mutable std::mutex mutex_;  ///< Held to take a reader and to put it back, never to unpack.
   mutable std::vector<std::unique_ptr<Reader>> readers_;  ///< Those that nobody uses now.

@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point formats 0 to 3: all fields of a chunk in one stream.
+// Point formats 0 to 5: all fields of a chunk in one stream.
 #include <array>
 #include <cstring>
 
 #include "core/io/laz_chunk.h"
 #include "core/io/laz_fields.h"
+#include "core/io/laz_stream_item.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
 namespace {
 
 constexpr std::size_t kCheckEvery = 256;  ///< Points, before bytes that are missing are noticed.
-
-/// What one item of a record needs from point to point.
-class StreamItem {
- public:
-  virtual ~StreamItem() = default;
-  virtual void decode(ArithmeticDecoder& decoder, char* item) = 0;
-};
 
 /// By number of returns and return.
 constexpr std::array<std::array<std::uint8_t, 8>, 8> kReturnMap{{{15, 14, 13, 12, 11, 10, 9, 8},
@@ -140,7 +134,22 @@ class Bytes10 : public StreamItem {
   LazBytes models_;
 };
 
+class Waves10 : public StreamItem {
+ public:
+  explicit Waves10(const char* first) : last_(first, first + LazWaves::kBytes) {}
+  void decode(ArithmeticDecoder& decoder, char* item) override {
+    waves_.decode(decoder, last_.data());
+    std::memcpy(item, last_.data(), last_.size());
+  }
+
+ private:
+  std::vector<char> last_;
+  LazWaves waves_;
+};
+
 std::unique_ptr<StreamItem> itemOf(const LazItem& item, const char* first) {
+  if (item.kind == LazItemKind::waves10) return std::make_unique<Waves10>(first);
+  if (item.version == 1) return firstVersionItem(item, first);
   switch (item.kind) {
     case LazItemKind::point10:
       return std::make_unique<Point10>(first);
@@ -181,6 +190,7 @@ class StreamDecoder : public LazChunkDecoder {
   }
 
   std::size_t unusedBytes() const override { return decoder_.unusedBytes(); }
+  std::size_t missingBytes() const override { return decoder_.missingBytes(); }
 
  private:
   struct Placed {

@@ -72,7 +72,7 @@ bool PointStream::canStream(const std::filesystem::path& file) {
 }
 
 PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
-                         const Task& task) {
+                         const Task& task, StreamedParts parts) {
   info_.file = file;
   info_.reader = "relievo";
   const FileFormat format = formatOf(file);
@@ -80,7 +80,7 @@ PointStream::PointStream(const std::filesystem::path& file, const ImportOptions&
   if (fd_->get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
   file_bytes_ = checkedFileSize(file);
   if (format == FileFormat::las || format == FileFormat::laz) {
-    openLas(options, task);
+    openLas(options, task, parts);
   } else if (format == FileFormat::ply) {
     openPly(options);
   } else {
@@ -89,7 +89,7 @@ PointStream::PointStream(const std::filesystem::path& file, const ImportOptions&
   }
 }
 
-void PointStream::openLas(const ImportOptions& options, const Task& task) {
+void PointStream::openLas(const ImportOptions& options, const Task& task, StreamedParts parts) {
   const std::string head = readHead(info_.file, kLasHeadBytes);
   const LasHeader header = parseLasHeader(head, info_.file);
   info_.format = (header.packed ? "LAZ 1." : "LAS 1.") + std::to_string(header.minor) +
@@ -100,7 +100,19 @@ void PointStream::openLas(const ImportOptions& options, const Task& task) {
     coordinates_[axis] = {4 * axis, ScalarType::i32, header.scale[axis], header.offset[axis]};
   }
   stated_bounds_ = header.stated_bounds;
-  if (!options.scan.keep_withheld) withheld_bit_ = lasPlaces(header.point_format).withheld_bit;
+  const LasPlaces places = lasPlaces(header.point_format);
+  if (!options.scan.keep_withheld) withheld_bit_ = places.withheld_bit;
+  std::size_t last_byte = kPointBytes;
+  if (places.colour) {
+    const auto channel = [&](std::size_t k) {
+      return StoredNumber{*places.colour + 2 * k, ScalarType::u16};
+    };
+    colour_ = std::array{channel(0), channel(1), channel(2)};
+    colour_source_ = "red green blue";
+    last_byte = *places.colour + 6;
+  }
+  intensity_ = StoredNumber{kLasIntensityAt, ScalarType::u16};
+  word_intensities_ = true;
   double factor = readLasUnit(head, header, info_);
   factor *= addUnitOfSystem(head, header, info_);
   coordinates_[2].scale *= factor;
@@ -117,10 +129,16 @@ void PointStream::openLas(const ImportOptions& options, const Task& task) {
         readAll(fd->get(), at, read, file);
         return read;
       }};
-  record_bytes_ = kPointBytes;
-  info_.points = header.points;
-  packed_ = std::make_shared<LazPoints>(source, readLazFile(source, header, info_.file), info_.file,
-                                        record_bytes_, task);
+  const bool values = parts == StreamedParts::values;
+  record_bytes_ = values ? last_byte : kPointBytes;
+  LazFile laz = readLazFile(source, header, info_.file);
+  if (!laz.has_list) info_.warnings.emplace_back(kLazListMissing);
+  setPoints(laz.points, header.points, options);
+  // Withheld points are told by their flags.
+  const LazWanted wanted{
+      .classes = false, .flags = true, .intensities = values, .colours = values, .others = false};
+  packed_ = std::make_shared<LazPoints>(source, std::move(laz), info_.file,
+                                        LazKept{.bytes = record_bytes_, .wanted = wanted}, task);
 }
 
 void PointStream::openPly(const ImportOptions& options) {
@@ -138,14 +156,13 @@ void PointStream::openPly(const ImportOptions& options) {
   points_at_ = *before;
   record_bytes_ = static_cast<std::size_t>(header.vertices().leastBytes());
   order_ = header.byteOrder();
-  std::size_t offset = 0;
-  for (std::size_t p = 0; p < header.vertices().properties.size(); ++p) {
-    const PlyProperty& property = header.vertices().properties[p];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (header.xyz[axis] == p) coordinates_[axis] = {offset, property.type};
-    }
-    offset += byteSize(property.type);
+  const RecordLayout layout = recordLayoutOf(header);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    coordinates_[axis] = {layout.xyz[axis].offset, layout.xyz[axis].type};
   }
+  colour_ = layout.colour;
+  colour_source_ = layout.colour_source;
+  intensity_ = layout.intensity;
   setFound(header.vertices().count, options);
 }
 
@@ -153,7 +170,13 @@ void PointStream::setFound(std::uint64_t promised, const ImportOptions& options)
   plantedFault(record_bytes_ == 41);
   const std::uint64_t room =
       points_at_ < file_bytes_ ? (file_bytes_ - points_at_) / record_bytes_ : 0;
-  info_.points = std::min(promised, room);
+  setPoints(std::min(promised, room), promised, options);
+}
+
+/// @throw FileError  fewer than promised, and that is not accepted; none
+void PointStream::setPoints(std::uint64_t found, std::uint64_t promised,
+                            const ImportOptions& options) {
+  info_.points = found;
   if (info_.points < promised) {
     const Task task;
     handleShortfall({"points", promised, info_.points, info_.points},
@@ -186,7 +209,35 @@ FilePoint PointStream::pointOf(const char* record) const noexcept {
   return usable ? FilePoint{p[0], p[1], p[2]} : FilePoint{kNaN, kNaN, kNaN};
 }
 
+std::optional<ScalarType> PointStream::colourType() const noexcept {
+  if (!colour_) return std::nullopt;
+  // Of different types, which is as good as never, the one that says least.
+  const auto same = [this](const StoredNumber& n) { return n.type == (*colour_)[0].type; };
+  return std::all_of(colour_->begin(), colour_->end(), same) ? (*colour_)[0].type : ScalarType::f64;
+}
+
+std::optional<ScalarType> PointStream::intensityType() const noexcept {
+  if (!intensity_) return std::nullopt;
+  return intensity_->type;
+}
+
+StoredValues PointStream::valuesOf(const char* record) const noexcept {
+  const auto number = [&](const StoredNumber& n) {
+    return static_cast<float>(loadDouble(record + n.offset, n.type, order_));
+  };
+  StoredValues values;
+  if (colour_)
+    values.colour = {number((*colour_)[0]), number((*colour_)[1]), number((*colour_)[2])};
+  if (intensity_) values.intensity = number(*intensity_);
+  return values;
+}
+
 std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block) const {
+  return read(first, block, {});
+}
+
+std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block,
+                              std::span<StoredValues> values) const {
   if (first >= info_.points) return 0;
   const auto wanted =
       static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), info_.points - first));
@@ -196,7 +247,9 @@ std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block) c
     const std::size_t count = std::min(wanted - done, at_once);
     readRecords(first + done, count, buffer);
     for (std::size_t i = 0; i < count; ++i) {
-      block[done + i] = pointOf(buffer.data() + i * record_bytes_);
+      const char* const record = buffer.data() + i * record_bytes_;
+      block[done + i] = pointOf(record);
+      if (!values.empty()) values[done + i] = valuesOf(record);
     }
     done += count;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace relievo {
 namespace {
@@ -14,62 +15,94 @@ bool isColour(const std::array<float, 3>& c) {
   return std::all_of(c.begin(), c.end(), [](float v) { return std::isfinite(v) && v >= 0; });
 }
 
-/// How a stored number becomes one of 0 ... 255.
-enum class ColourForm { unit, bytes, words };
-
-std::uint8_t byteOf(float v, ColourForm form) {
-  if (form == ColourForm::words) {
-    return static_cast<std::uint8_t>(static_cast<std::uint32_t>(v) >> 8U);
-  }
-  return static_cast<std::uint8_t>(std::lround(form == ColourForm::unit ? v * kEightBits : v));
-}
-
-/// Where intensities lie but for one in a thousand at either end, and as far beyond as the rest of
-/// them reaches without a gap wider than that.
-IntensityRange rangeOf(std::vector<float> finite) {
-  const auto at = [&finite](double share) {
-    const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(finite.size() - 1));
-    std::nth_element(finite.begin(), finite.begin() + place, finite.end());
-    return static_cast<double>(finite[static_cast<std::size_t>(place)]);
-  };
-  const double low = at(0.001), high = at(0.999);
-  const double least = at(0), most = at(1);
-  const double spread = high - low;
-  if (!(spread > 0)) return {least, most};
-  return {std::max(least, low - spread), std::min(most, high + spread)};
-}
-
 }  // namespace
+
+void ColourScale::look(const std::array<float, 3>& colour) noexcept {
+  if (!isColour(colour)) return;
+  most_ = std::max({most_, colour[0], colour[1], colour[2]});
+  fractions_ = fractions_ || std::any_of(colour.begin(), colour.end(),
+                                         [](float v) { return v != std::floor(v); });
+}
+
+void ColourScale::join(const ColourScale& other) noexcept {
+  most_ = std::max(most_, other.most_);
+  fractions_ = fractions_ || other.fractions_;
+}
+
+bool ColourScale::isBeyond() const noexcept {
+  return most_ > kSixteenBits;
+}
+
+int ColourScale::bits() const noexcept {
+  if (most_ > kEightBits) return 16;
+  return fractions_ ? 32 : 8;
+}
+
+Rgba ColourScale::operator()(const std::array<float, 3>& colour) const noexcept {
+  if (!isColour(colour)) return {};
+  const auto byte = [this](float v) {
+    if (most_ > kEightBits) {
+      return static_cast<std::uint8_t>(static_cast<std::uint32_t>(v) >> 8U);
+    }
+    return static_cast<std::uint8_t>(std::lround(most_ <= 1 ? v * kEightBits : v));
+  };
+  return {byte(colour[0]), byte(colour[1]), byte(colour[2]), 255};
+}
+
+void IntensityScale::look(float number) noexcept {
+  if (!std::isfinite(number)) return;
+  ++finite_;
+  least_ = std::min(least_, number);
+  most_ = std::max(most_, number);
+  whole_ = whole_ && number == std::floor(number) && number >= 0 && number <= kSixteenBits;
+}
+
+void IntensityScale::join(const IntensityScale& other) noexcept {
+  least_ = std::min(least_, other.least_);
+  most_ = std::max(most_, other.most_);
+  finite_ += other.finite_;
+  whole_ = whole_ && other.whole_;
+}
+
+bool IntensityScale::isWords() const noexcept {
+  return whole_ && most_ > 1;
+}
+
+std::pair<std::uint64_t, std::uint64_t> IntensityScale::middleRanks() const noexcept {
+  const auto at = [this](double share) {
+    return static_cast<std::uint64_t>(share * static_cast<double>(finite_ - 1));
+  };
+  return {at(0.001), at(0.999)};
+}
+
+/// As far beyond the middle as it is wide, but no farther than the numbers reach.
+void IntensityScale::setMiddle(float low, float high) noexcept {
+  const auto least = static_cast<double>(least_), most = static_cast<double>(most_);
+  const double spread = static_cast<double>(high) - static_cast<double>(low);
+  range_ = {least, most};
+  if (!(spread > 0)) return;
+  range_ = {std::max(least, static_cast<double>(low) - spread),
+            std::min(most, static_cast<double>(high) + spread)};
+}
+
+std::uint16_t IntensityScale::operator()(float number) const noexcept {
+  const double step = (range_.high - range_.low) / static_cast<double>(kSixteenBits);
+  const double place =
+      std::isfinite(number) ? (static_cast<double>(number) - range_.low) / step : 0;
+  return static_cast<std::uint16_t>(
+      std::lround(std::clamp(place, 0.0, static_cast<double>(kSixteenBits))));
+}
 
 std::vector<Rgba> settledColours(std::span<const std::array<float, 3>> stored, ColourFact& fact,
                                  std::vector<std::string>& warnings) {
-  float most = 0;
-  bool fractions = false;
-  for (const auto& c : stored) {
-    if (!isColour(c)) continue;
-    most = std::max({most, c[0], c[1], c[2]});
-    fractions =
-        fractions || std::any_of(c.begin(), c.end(), [](float v) { return v != std::floor(v); });
-  }
-  if (most > kSixteenBits) {
-    warnings.emplace_back(
-        "Its colours hold numbers beyond 65535, which mean nothing known; they were left out.");
-    return {};
-  }
-  if (most == 0) return {};
-  const ColourForm form = most <= 1            ? ColourForm::unit
-                          : most <= kEightBits ? ColourForm::bytes
-                                               : ColourForm::words;
-  fact.bits = form == ColourForm::words ? 16 : fractions ? 32 : 8;
+  ColourScale scale;
+  for (const auto& colour : stored) scale.look(colour);
+  if (scale.isBeyond()) warnings.emplace_back(kBeyondWords);
+  if (!scale.hasColours()) return {};
+  fact.bits = scale.bits();
   std::vector<Rgba> colours;
   colours.reserve(stored.size());
-  for (const auto& c : stored) {
-    if (!isColour(c)) {
-      colours.push_back({});
-    } else {
-      colours.push_back({byteOf(c[0], form), byteOf(c[1], form), byteOf(c[2], form), 255});
-    }
-  }
+  for (const auto& colour : stored) colours.push_back(scale(colour));
   return colours;
 }
 
@@ -92,28 +125,26 @@ void settleByteColours(std::vector<Rgba>& colours, std::vector<std::string>& war
 
 std::vector<std::uint16_t> settledIntensities(std::span<const float> stored,
                                               IntensityRange& range) {
-  std::vector<float> finite;
-  finite.reserve(stored.size());
-  bool whole = true;
-  for (const float v : stored) {
-    if (!std::isfinite(v)) continue;
-    finite.push_back(v);
-    whole = whole && v == std::floor(v) && v >= 0 && v <= kSixteenBits;
+  IntensityScale scale;
+  for (const float number : stored) scale.look(number);
+  if (!scale.hasIntensities()) return {};
+  if (!scale.isWords()) {
+    std::vector<float> finite;
+    finite.reserve(stored.size());
+    std::copy_if(stored.begin(), stored.end(), std::back_inserter(finite),
+                 [](float number) { return std::isfinite(number); });
+    const auto at = [&finite](std::uint64_t rank) {
+      const auto place = finite.begin() + static_cast<std::ptrdiff_t>(rank);
+      std::nth_element(finite.begin(), place, finite.end());
+      return *place;
+    };
+    const auto [low, high] = scale.middleRanks();
+    scale.setMiddle(at(low), at(high));
   }
-  if (finite.empty()) return {};
-  const auto [least, most] = std::minmax_element(finite.begin(), finite.end());
-  if (*least == *most) return {};
-  // As they are, unless they would all become 0 and 1.
-  const bool as_they_are = whole && *most > 1;
-  range = as_they_are ? IntensityRange{0, kSixteenBits} : rangeOf(std::move(finite));
-  const double step = (range.high - range.low) / static_cast<double>(kSixteenBits);
+  range = scale.range();
   std::vector<std::uint16_t> intensities;
   intensities.reserve(stored.size());
-  for (const float v : stored) {
-    const double number = std::isfinite(v) ? (static_cast<double>(v) - range.low) / step : 0;
-    intensities.push_back(static_cast<std::uint16_t>(
-        std::lround(std::clamp(number, 0.0, static_cast<double>(kSixteenBits)))));
-  }
+  for (const float number : stored) intensities.push_back(scale(number));
   return intensities;
 }
 

@@ -90,8 +90,17 @@ class TextReader {
     nextRow();
   }
 
-  void readHeader() {
+  void takeStyle() {
     style_ = styleOf(lines_.line());
+    if (style_.separator != ',' || !hasThousandsSeparators(lines_.line())) return;
+    const std::string shown(trimmed(lines_.line()).substr(0, 60));
+    refuseScan(job_.file, "line " + std::to_string(lines_.number()) + " (\"" + shown +
+                              "\") groups the digits of its numbers by thousands. Write them "
+                              "without such separators.");
+  }
+
+  void readHeader() {
+    takeStyle();
     std::string_view rest = lines_.line();
     for (int i = 0; i < 3; ++i) {
       const auto column = takeColumn(rest, style_.separator);
@@ -116,7 +125,7 @@ class TextReader {
     }
     values_ = namedValues(names);
     columns_are_named_ = true;
-    if (nextRow()) style_ = styleOf(lines_.line());
+    if (nextRow()) takeStyle();
   }
 
   /// Which columns hold colours and intensities: by their names, else by what stands there.

@@ -3,16 +3,17 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
@@ -42,6 +43,17 @@ bool isLeft(const std::filesystem::path& file, pid_t writer) {
   return fd.get() >= 0 && ::flock(fd.get(), LOCK_EX | LOCK_NB) == 0;
 }
 
+/// Mode and owner of what is replaced. @return false: errno says why not
+bool takeOver(const std::filesystem::path& replaced, int descriptor) {
+  struct stat before {
+  }, now{};
+  if (::stat(replaced.c_str(), &before) != 0) return errno == ENOENT;
+  if (::fstat(descriptor, &now) != 0) return false;
+  const bool same_owner = before.st_uid == now.st_uid && before.st_gid == now.st_gid;
+  if (!same_owner && ::fchown(descriptor, before.st_uid, before.st_gid) != 0) return false;
+  return ::fchmod(descriptor, before.st_mode & 07777U) == 0;
+}
+
 }  // namespace
 
 void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
@@ -61,12 +73,11 @@ void removeLeftFiles(const std::filesystem::path& folder) {
   }
 }
 
-ReplacedFile::ReplacedFile(std::filesystem::path final_name)
-    : final_(std::move(final_name)),
+ReplacedFile::ReplacedFile(const std::filesystem::path& final_name)
+    : final_(requireReplaceable(final_name)),
       temporary_(final_.parent_path() /
                  ("." + final_.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
                   std::string(kEnd) + final_.extension().string())) {
-  requireReplaceable(final_);
   removeLeftFiles(final_.parent_path());
   // Whoever opens it for writing says what is wrong, if this fails.
   lock_.reset(::open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
@@ -79,10 +90,17 @@ ReplacedFile::~ReplacedFile() {
 }
 
 void ReplacedFile::keep() {
-  std::error_code error;
-  std::filesystem::rename(temporary_, final_, error);
-  if (error) cannotWrite(final_, error.message());
+  const OwnedFd written(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  if (written.get() < 0 || !takeOver(final_, written.get()) || ::fsync(written.get()) != 0 ||
+      ::rename(temporary_.c_str(), final_.c_str()) != 0) {
+    cannotWrite(final_, std::strerror(errno));
+  }
   kept_ = true;
+  // The name is on the disk, too. Some network file systems have no such call for folders.
+  const std::filesystem::path folder = final_.parent_path();
+  const OwnedFd names(
+      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (names.get() >= 0) ::fsync(names.get());
 }
 
 }  // namespace relievo

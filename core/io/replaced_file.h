@@ -16,18 +16,21 @@ namespace relievo {
 void removeLeftFiles(const std::filesystem::path& folder);
 
 /// A file under a temporary name beside its final one; removed unless `keep` was called. So a
-/// failure leaves nothing half done, and what was there before. What a killed process left in the
-/// folder goes when the next one begins to write there.
+/// failure leaves nothing half done, and what was there before: with its mode and its owner, and
+/// where the final name is a symbolic link, behind it. What a killed process left in the folder
+/// goes when the next one begins to write there.
 class ReplacedFile {
  public:
   /// @throw WriteError  what is there must not be replaced
-  explicit ReplacedFile(std::filesystem::path final_name);
+  explicit ReplacedFile(const std::filesystem::path& final_name);
   ~ReplacedFile();
   ReplacedFile(const ReplacedFile&) = delete;
   ReplacedFile& operator=(const ReplacedFile&) = delete;
 
   const std::filesystem::path& path() const noexcept { return temporary_; }
-  void keep();  ///< @throw WriteError
+  /// What was written is on the disk, under its final name, when this returns. The writer has
+  /// closed it before. @throw WriteError
+  void keep();
 
  private:
   std::filesystem::path final_, temporary_;

@@ -49,6 +49,19 @@ RowStyle styleOf(std::string_view line) {
   return {',', false};
 }
 
+bool hasThousandsSeparators(std::string_view line) {
+  bool inside = false;
+  for (int i = 0; i < 3; ++i) {
+    const std::string_view word = takeWord(line);
+    if (word.empty() || word.find_first_not_of("0123456789.,+-eE") != std::string_view::npos ||
+        word.front() == ',' || word.back() == ',') {
+      return false;
+    }
+    inside = inside || word.find(',') != std::string_view::npos;
+  }
+  return inside;
+}
+
 std::optional<std::string_view> takeColumn(std::string_view& rest, char separator) {
   if (separator == 0) {
     const std::string_view word = takeWord(rest);

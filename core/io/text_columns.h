@@ -16,6 +16,9 @@ struct RowStyle {
   bool decimal_comma = false;
 };
 RowStyle styleOf(std::string_view line);
+/// "1,234.5 2,345.6 12" or "1.234,5 2.345,6 12": blanks separate three numbers, in which commas
+/// neither separate columns nor are all that begins a fraction.
+bool hasThousandsSeparators(std::string_view line);
 
 /// Takes the next column off `rest`. Empty between two separators; nothing at the end.
 std::optional<std::string_view> takeColumn(std::string_view& rest, char separator);

@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/base/replaceable.h"
 #include "core/io/file_check.h"
 #include "core/io/owned_fd.h"
+#include "core/io/replaced_file.h"
 
 namespace relievo {
 namespace {
@@ -22,27 +22,22 @@ bool writeAll(int descriptor, std::string_view text) {
     if (count <= 0) return false;
     text.remove_prefix(static_cast<std::size_t>(count));
   }
-  return ::fsync(descriptor) == 0;
+  return true;
 }
 
 }  // namespace
 
 void writeTextFile(const std::filesystem::path& file, std::string_view text) {
-  requireReplaceable(file);
-  std::filesystem::path part = file;
-  part += ".part" + std::to_string(::getpid());
-  bool written = false;
-  int reason = 0;
+  ReplacedFile replaced(file);
   {
-    const OwnedFd out(::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    written = out.get() >= 0 && writeAll(out.get(), text);
-    reason = errno;
+    const OwnedFd out(
+        ::open(replaced.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (out.get() < 0 || !writeAll(out.get(), text)) {
+      throw WriteError("Cannot write " + file.string() + " (" + std::strerror(errno) +
+                       "). What was there is as before. Choose another folder or free some space.");
+    }
   }
-  if (written && ::rename(part.c_str(), file.c_str()) == 0) return;
-  if (written) reason = errno;
-  ::unlink(part.c_str());
-  throw WriteError("Cannot write " + file.string() + " (" + std::strerror(reason) +
-                   "). What was there is as before. Choose another folder or free some space.");
+  replaced.keep();
 }
 
 std::string readTextFile(const std::filesystem::path& file, std::size_t most_bytes) {

@@ -98,12 +98,43 @@ double notMeasured(const std::vector<SurfacePoint>& points) {
   return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
 }
 
+double lineLengthMm(const std::vector<PlaceMm>& places) {
+  double length = 0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    length += std::hypot(places[i].x - places[i - 1].x, places[i].y - places[i - 1].y);
+  }
+  return length;
+}
+
+/// The parts of a leg from 0 to 1, both included, that may be on the map: the rest is passed over,
+/// however far the places are.
+struct PartOfLeg {
+  double from = 0, to = 1;
+};
+std::optional<PartOfLeg> partOnMap(const GridFrame& frame, PlaceMm a, PlaceMm b) {
+  PartOfLeg part;
+  const double s = frame.spacing_mm;
+  const auto cut = [&part](double at, double step, double low, double high) {
+    if (step == 0) return at >= low && at <= high;
+    const double one = (low - at) / step;
+    const double other = (high - at) / step;
+    part.from = std::max(part.from, std::min(one, other));
+    part.to = std::min(part.to, std::max(one, other));
+    return part.from <= part.to;
+  };
+  const bool meets = cut(a.x, b.x - a.x, frame.xMm(0) - s, frame.xMm(frame.size.cols - 1) + s) &&
+                     cut(a.y, b.y - a.y, frame.yMm(0) - s, frame.yMm(frame.size.rows - 1) + s);
+  if (!meets) return std::nullopt;
+  return part;
+}
+
 void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
   const std::vector<ProfileRow> rows = profile(map, m.places);
   if (rows.size() < 2) throw ArgumentError("The profile's line is not on the object.");
   std::vector<SurfacePoint> points;
   double low = rows.front().point.at.z;
   double high = low;
+  double on_map = 0;
   double surface = 0;
   double surface_off = 0;
   std::vector<ViewMm> path;
@@ -114,7 +145,8 @@ void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
     off_mm.push_back(rows[i].point.height_error_mm);
     low = std::min(low, rows[i].point.at.z);
     high = std::max(high, rows[i].point.at.z);
-    if (i == 0) continue;
+    if (!rows[i].joined) continue;
+    on_map += rows[i].along_mm - rows[i - 1].along_mm;
     const SurfacePoint& a = rows[i - 1].point;
     const SurfacePoint& b = rows[i].point;
     const double across = std::hypot(b.at.x - a.at.x, b.at.y - a.at.y);
@@ -130,18 +162,21 @@ void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
     if (p.at.z == high) highest_off = std::max(highest_off, p.height_uncertainty_mm);
   }
   const double s = map.frame().spacing_mm;
+  const double asked = lineLengthMm(m.places);
   surface_off += wallsOff(path, off_mm, false);
   // Half a cell more or less at each end, as steep as the line is there.
   surface_off += 0.5 * std::max(s, norm(points[1].at - points[0].at)) +
                  0.5 * std::max(s, norm(points.back().at - points[points.size() - 2].at));
   reading.quantities = {
-      {.title = "length", .value = rows.back().along_mm, .uncertainty = s, .unit = "mm"},
+      {.title = "length", .value = asked, .uncertainty = s, .unit = "mm"},
       {.title = "height range",
        .value = high - low,
        .uncertainty = lowest_off + highest_off,
        .unit = "mm"},
-      {.title = "along the surface", .value = surface, .uncertainty = surface_off, .unit = "mm"}};
-  reading.not_measured = notMeasured(points);
+      {.title = "along the surface", .value = surface, .uncertainty = surface_off, .unit = "mm"},
+      {.title = "length on the map", .value = on_map, .uncertainty = s, .unit = "mm"}};
+  const double outside = asked > 0 ? std::clamp(1 - (on_map + s) / asked, 0.0, 1.0) : 0;
+  reading.not_measured = outside + (1 - outside) * notMeasured(points);
 }
 
 void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
@@ -308,17 +343,29 @@ std::vector<ProfileRow> profile(const MapCells& map, const std::vector<PlaceMm>&
   if (places.size() < 2) throw ArgumentError("A profile needs at least two places.");
   std::vector<ProfileRow> rows;
   double before = 0;
+  bool on_object = false;  // The end of the leg before.
   const double s = map.frame().spacing_mm;
   for (std::size_t leg = 0; leg + 1 < places.size(); ++leg) {
     const PlaceMm a = places[leg];
     const PlaceMm b = places[leg + 1];
     const double length = std::hypot(b.x - a.x, b.y - a.y);
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / s - 1e-9)));
-    for (int i = leg == 0 ? 0 : 1; i <= steps; ++i) {
-      const double t = static_cast<double>(i) / steps;
-      const PlaceMm place{.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)};
-      const auto point = surfacePoint(map, place);
-      if (point) rows.push_back({.along_mm = before + t * length, .point = *point});
+    const double steps = std::max(1.0, std::ceil(length / s - 1e-9));
+    if (const auto part = partOnMap(map.frame(), a, b)) {
+      // One sample more on each side: what is left out is off the map for certain.
+      double i = std::max(leg == 0 ? 0.0 : 1.0, std::floor(part->from * steps) - 1);
+      bool joined = i == 1 && on_object;
+      for (; i <= std::min(steps, std::ceil(part->to * steps) + 1); ++i) {
+        const double t = i / steps;
+        const PlaceMm place{.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)};
+        const auto point = surfacePoint(map, place);
+        if (point) {
+          rows.push_back({.along_mm = before + t * length, .point = *point, .joined = joined});
+        }
+        joined = point.has_value();
+      }
+      on_object = joined && i > steps;
+    } else {
+      on_object = false;
     }
     before += length;
   }

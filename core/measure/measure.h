@@ -103,6 +103,7 @@ Reading read(const MapCells& map, const Measurement& measurement);
 struct ProfileRow {
   double along_mm = 0;  ///< From the first place, in the view plane.
   SurfacePoint point;
+  bool joined = false;  ///< The sample before it on the line is on the object, too.
 };
 /// One row per sample distance along the line, both ends included; rows off the object are left
 /// out. @throw ArgumentError  fewer than two places

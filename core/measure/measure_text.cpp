@@ -137,12 +137,19 @@ std::string curves(const std::vector<ProfileRow>& rows, const Axis& along, const
   std::string svg;
   const auto measured = [](const ProfileRow& row) { return row.point.origin == Origin::measured; };
   for (std::size_t i = 1; i < rows.size();) {
+    if (!rows[i].joined) {
+      ++i;  // Between them the line is not on the object.
+      continue;
+    }
     const bool solid = measured(rows[i]) && measured(rows[i - 1]);
     svg += "<polyline fill='none' stroke='#1f5fd0' stroke-width='1.5'" +
            std::string(solid ? "" : " stroke-dasharray='4 3'") + " points='" +
            shortText(along.px(rows[i - 1].along_mm)) + "," +
            shortText(height.px(rows[i - 1].point.at.z));
-    for (; i < rows.size() && (measured(rows[i]) && measured(rows[i - 1])) == solid; ++i) {
+    const auto goes_on = [&](std::size_t k) {
+      return rows[k].joined && (measured(rows[k]) && measured(rows[k - 1])) == solid;
+    };
+    for (; i < rows.size() && goes_on(i); ++i) {
       svg += " " + shortText(along.px(rows[i].along_mm)) + "," +
              shortText(height.px(rows[i].point.at.z));
     }

@@ -13,6 +13,7 @@ namespace relievo::align {
 namespace {
 
 constexpr double kFinePerSpacing = 2.5;
+constexpr double kFinestPerSpacing = 1.5;
 constexpr double kMidCells = 120;  ///< Along the diagonal.
 constexpr double kCoarseCells = 50;
 constexpr double kFineNormalCells = 3;  ///< Radius of a normal's neighbourhood.
@@ -176,7 +177,7 @@ Cloud cloudOf(const AlignScan& scan, const Scale& scale, const Task& task) {
   Cloud cloud;
   cloud.middle = 0.5 * (box.min + box.max);
   const std::vector<Point3f> all = fromMiddle(scan, cloud.middle);
-  std::vector<Point3f> surface;
+  std::vector<Point3f>& surface = cloud.surface;
   for (const std::uint32_t i : thinned(all, kSurfaceCell * scale.spacing))
     surface.push_back(all[i]);
   task.check();
@@ -193,6 +194,26 @@ Cloud cloudOf(const AlignScan& scan, const Scale& scale, const Task& task) {
                         "was aligned; leave this scan out.");
   }
   return cloud;
+}
+
+OrientedSet finestOf(const Cloud& cloud, const Scale& scale, const Task& task) {
+  const double cell = kFinestPerSpacing * scale.spacing;
+  std::vector<Point3f> places;
+  for (const std::uint32_t i : thinned(cloud.surface, cell)) places.push_back(cloud.surface[i]);
+  task.check();
+  const std::vector<Point3f> normals = normalsOf(places, cloud.surface, kFineNormalCells * cell);
+  const std::vector<std::uint32_t> nearest = cloud.fine.nearest(places, scale.diagonal, task);
+  std::vector<Point3f> kept_places;
+  std::vector<Point3f> kept_normals;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Eigen::Vector3d normal = vector(normals[i]);
+    if (!normal.allFinite() || nearest[i] == OrientedSet::kNobody) continue;
+    const bool along = normal.dot(vector(cloud.fine.normals[nearest[i]])) >= 0;
+    const Point3f& n = normals[i];
+    kept_places.push_back(places[i]);
+    kept_normals.push_back(along ? n : Point3f{-n[0], -n[1], -n[2]});
+  }
+  return setOf(kept_places, kept_normals, cell, task);
 }
 
 void turnOver(Cloud& cloud) {

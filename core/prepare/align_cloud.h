@@ -50,6 +50,7 @@ OrientedSet setOf(std::span<const Point3f> points, std::span<const Point3f> norm
 struct Cloud {
   FilePoint middle;
   OrientedSet fine, mid, coarse;
+  std::vector<Point3f> surface;  ///< What they were thinned from: half a spacing apart.
   /// Neither a viewpoint nor the scan's own shape says on which side of it the air is: all normals
   /// may have to be turned over together.
   bool side_guessed = false;
@@ -58,6 +59,10 @@ struct Cloud {
 Cloud cloudOf(const AlignScan& scan, const Scale& scale, const Task& task);
 
 void turnOver(Cloud& cloud);
+
+/// The scan at 1.5 spacings, nearly all points of the coarsest one, with normals that look where
+/// those of `fine` do: for shapes that hold so weakly that every point counts.
+OrientedSet finestOf(const Cloud& cloud, const Scale& scale, const Task& task);
 
 /// Of the points of every cell (a cube of side `cell`) the number of the one nearest its middle,
 /// rising.

@@ -124,6 +124,24 @@ void agreeOnSides(Cloud& scan, const Cloud& reference, const LocalPose& pose, co
   if (along < 0) turnOver(scan);
 }
 
+namespace {
+
+/// What holds weakly needs all points: thinned to 2.5 spacings, a relief of 1 mm was turned by 0.16
+/// degrees where its noise allows 0.04; at 1.5 spacings it comes to that.
+void sharpen(const Cloud& scan, const Cloud& reference, const Scale& scale, PairFit& fit,
+             const Task& task) {
+  const OrientedSet finest = finestOf(scan, scale, task);
+  const LocalPose pose =
+      settle(finest, finestOf(reference, scale, task), fit.pose, scale.fine, false, task);
+  const Judgement again = judge(scan.fine, reference.fine, pose, kStarted, task);
+  if (again.answer == Answer::weak || again.answer == Answer::holds) {
+    fit.pose = pose;
+    fit.judgement = again;
+  }
+}
+
+}  // namespace
+
 PairFit fitFromStart(const Cloud& scan, const Cloud& reference, const LocalPose& start,
                      const Scale& scale, const Task& task) {
   const std::array<double, 3> far{0.08 * scale.diagonal, 0.04 * scale.diagonal,
@@ -136,6 +154,7 @@ PairFit fitFromStart(const Cloud& scan, const Cloud& reference, const LocalPose&
   fit.pose = closestPoints(scan.fine, reference.fine, fit.pose, near, task);
   fit.pose = settle(scan.fine, reference.fine, fit.pose, scale.fine, false, task);
   fit.judgement = judge(scan.fine, reference.fine, fit.pose, kStarted, task);
+  if (fit.judgement.answer == Answer::weak) sharpen(scan, reference, scale, fit, task);
   if (fit.judgement.answer == Answer::holds || fit.judgement.answer == Answer::weak ||
       !fit.judgement.slides) {
     return fit;

@@ -12,6 +12,7 @@
 #include "core/prepare/base_plane.h"
 #include "core/prepare/crop.h"
 #include "core/prepare/normals.h"
+#include "core/prepare/off_surface.h"
 #include "core/prepare/outliers.h"
 #include "core/prepare/poses.h"
 #include "core/prepare/thin.h"
@@ -134,6 +135,11 @@ class Executor {
     forGroups([&](const Group& group) {
       const PointNeighbours neighbours(group.points, task_);
       keepButStrays(group, withoutSparse(neighbours, group.points.size(), step, task_));
+    });
+    if (!(step.off_surface > 0)) return;
+    forGroups([&](const Group& group) {
+      const PointNeighbours neighbours(group.points, task_);
+      keepOnly(group, withoutOffSurface(neighbours, group.points.size(), step.off_surface, task_));
     });
   }
 

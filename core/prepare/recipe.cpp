@@ -75,6 +75,7 @@ class Checker {
   void operator()(const Sparse& s) const {
     number("neighbours", s.neighbours, 1, kMostNeighbours);
     number("factor", s.factor, 1, kMostDeviations);
+    number("off_surface", s.off_surface, 0, kMostDeviations);
   }
   void operator()(const Thin& s) const { length("spacing_mm", s.spacing_mm); }
   void operator()(const Base& s) const {
@@ -141,9 +142,10 @@ std::string_view kindOf(const Step& step) noexcept {
 }
 
 std::vector<Step> cleaningSteps() {
-  // Strays among strays first, then those near the surface. Standard deviations are no measure
-  // here: where there are no strays, mean + 3 leaves out 1 to 2 % of a good scan.
-  return {Lonely{.spacings = 6, .share = 0.9}, Sparse{}};
+  // Strays among strays first, then those near the surface, then those on its noise. Standard
+  // deviations are no measure here: where there are no strays, mean + 3 leaves out 1 to 2 % of a
+  // good scan.
+  return {Lonely{.spacings = 6, .share = 0.9}, Sparse{.off_surface = 4}};
 }
 
 bool isRigid(const Pose& pose) noexcept {

@@ -81,9 +81,13 @@ struct Lonely {
 /// Points go whose mean distance to their `neighbours` nearest is more than `factor` times that of
 /// the densest of these: what is thin beside what is dense. Unlike Outliers it leaves alone what is
 /// thin all around, at the far end of a scan; unlike Outliers it misses strays among strays.
+/// Then, if it is asked for, points go that lie off the plane of their neighbours.
 struct Sparse {
   int neighbours = 8;
   double factor = 2.6;
+  /// So many times as far from the plane as most of the neighbours from theirs; 0: nobody asks. At
+  /// most 0.18 % of the points go so, those farthest off.
+  double off_surface = 0;
   friend bool operator==(const Sparse&, const Sparse&) = default;
 };
 
@@ -145,6 +149,8 @@ struct ScanSource {
   std::string file;         ///< As it is found from the recipe's folder; "/" between names.
   std::string sha256 = {};  ///< 64 hexadecimal digits; empty: not known.
   std::optional<LengthUnit> unit = std::nullopt;  ///< Given; nothing: as the file says.
+  std::vector<int> parts = {};                    ///< E57, PTX: as ScanChoices::parts.
+  bool keep_withheld = false;                     ///< LAS: as ScanChoices::keep_withheld.
   friend bool operator==(const ScanSource&, const ScanSource&) = default;
 };
 

@@ -69,6 +69,7 @@ struct ToJson {
   void operator()(const Sparse& s) const {
     json["neighbours"] = s.neighbours;
     json["factor"] = s.factor;
+    json["off_surface"] = s.off_surface;
   }
   void operator()(const Thin& s) const { json["spacing_mm"] = s.spacing_mm; }
   void operator()(const Base& s) const {
@@ -223,8 +224,10 @@ Step lonelyFrom(const Json& json) {
 }
 
 Step sparseFrom(const Json& json) {
-  requireKeys(json, {"kind", "neighbours", "factor"});
-  return Sparse{.neighbours = count(json.at("neighbours")), .factor = number(json.at("factor"))};
+  requireKeys(json, {"kind", "neighbours", "factor", "off_surface"});
+  return Sparse{.neighbours = count(json.at("neighbours")),
+                .factor = number(json.at("factor")),
+                .off_surface = optionalNumber(json, "off_surface").value_or(0)};
 }
 
 Step baseFrom(const Json& json) {
@@ -289,7 +292,7 @@ Step stepFrom(const Json& json) {
 }
 
 ScanSource sourceFrom(const Json& json) {
-  requireKeys(json, {"file", "sha256", "unit"});
+  requireKeys(json, {"file", "sha256", "unit", "parts", "keep_withheld"});
   ScanSource source{.file = json.at("file").get<std::string>(),
                     .sha256 = json.value("sha256", std::string()),
                     .unit = std::nullopt};
@@ -305,6 +308,16 @@ ScanSource sourceFrom(const Json& json) {
     source.unit = lengthUnit(json.at("unit").get<std::string>());
     if (!source.unit) throw FileError("'unit' is none of mm, cm, m, in, ft and us-ft.");
   }
+  if (json.contains("parts")) {
+    for (const Json& part : listOf(json, "parts", kMostScans)) {
+      if (!part.is_number_integer() || part.get<std::int64_t>() < 1 ||
+          part.get<std::int64_t>() > std::numeric_limits<int>::max()) {
+        throw FileError("'parts' are not numbers of a file's scans, from 1.");
+      }
+      source.parts.push_back(part.get<int>());
+    }
+  }
+  source.keep_withheld = json.value("keep_withheld", false);
   return source;
 }
 
@@ -347,6 +360,8 @@ std::string toJson(const Recipe& recipe, int indent) {
     Json& scan = json["scans"].emplace_back(Json{{"file", source.file}});
     if (!source.sha256.empty()) scan["sha256"] = source.sha256;
     if (source.unit) scan["unit"] = name(*source.unit);
+    if (!source.parts.empty()) scan["parts"] = source.parts;
+    if (source.keep_withheld) scan["keep_withheld"] = true;
   }
   json["steps"] = Json::array();
   for (const Step& step : recipe.steps) json["steps"].push_back(jsonOf(step));

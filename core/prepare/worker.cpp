@@ -2,16 +2,7 @@
 // The child's side of prepare().
 #include "core/prepare/worker.h"
 
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
 #include <clocale>
-#include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -22,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
+#include "core/io/worker_child.h"
 #include "core/io/worker_process.h"
 #include "core/io/worker_sandbox.h"
 #include "core/prepare/execute.h"
@@ -30,55 +22,7 @@
 namespace relievo {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kAddressSpaceIsOurs = false;  // Sanitizers reserve terabytes of it.
-#else
-constexpr bool kAddressSpaceIsOurs = true;
-#endif
-
 constexpr int kArgumentCount = 4;
-
-void limit(__rlimit_resource resource, std::uint64_t amount) {
-  rlimit wanted{};
-  if (::getrlimit(resource, &wanted) != 0) return;
-  wanted.rlim_cur = std::min<rlim_t>(amount, wanted.rlim_max);
-  ::setrlimit(resource, &wanted);
-}
-
-/// The job is mapped, so its size comes on top of what the steps may allocate.
-void setLimits(std::uint64_t max_memory_bytes, double max_cpu_s) {
-  if (kAddressSpaceIsOurs) limit(RLIMIT_AS, max_memory_bytes + jobBytes(kInputFd));
-  ::signal(SIGXFSZ, SIG_IGN);
-  limit(RLIMIT_FSIZE, max_memory_bytes);
-  limit(RLIMIT_CPU, static_cast<std::uint64_t>(std::ceil(max_cpu_s)));
-  limit(RLIMIT_CORE, 0);
-}
-
-/// Writes progress lines, at most every 20 ms. A full pipe loses lines rather than wait.
-class ProgressPipe {
- public:
-  ProgressPipe() { ::fcntl(kProgressFd, F_SETFL, O_NONBLOCK); }
-
-  void operator()(std::string_view step, double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (step == last_step_ && now - last_ < std::chrono::milliseconds(20)) return;
-    last_ = now;
-    last_step_ = step;
-    const std::string line = std::to_string(fraction) + " " + std::string(step) + "\n";
-    [[maybe_unused]] const ssize_t written = ::write(kProgressFd, line.data(), line.size());
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_;
-  std::string last_step_;
-};
-
-bool isWorkersPlace() {
-  struct stat facts {};
-  return ::fstat(kProgressFd, &facts) == 0 && S_ISFIFO(facts.st_mode) &&
-         ::fstat(kAnswerFd, &facts) == 0 && S_ISREG(facts.st_mode) &&
-         ::fstat(kInputFd, &facts) == 0 && S_ISREG(facts.st_mode);
-}
 
 PrepareRefusal tooLarge(std::uint64_t max_memory_bytes) {
   return {"The scans cannot be prepared: a step needs more than " +
@@ -113,7 +57,7 @@ int runPrepareWorker(int argc, char** argv, const AlignFunction& align) {
   const bool called = argc == kArgumentCount && std::string_view(argv[1]) == kPrepareArgument;
   const auto memory = called ? parseWhole<std::uint64_t>(argv[2]) : std::nullopt;
   const auto cpu = called ? parseNumber(argv[3]) : std::nullopt;
-  if (!memory || !cpu || !(*cpu > 0) || !isWorkersPlace()) {
+  if (!memory || !cpu || !(*cpu > 0) || !hasWorkersPlace({kAnswerFd, kInputFd})) {
     std::fputs("relievo-prepare is started by relievo of the same version, not by hand.\n", stderr);
     return 1;
   }
@@ -125,7 +69,10 @@ int runPrepareWorker(int argc, char** argv, const AlignFunction& align) {
   }
   std::setlocale(LC_ALL, "C");
   try {
-    setLimits(*memory, *cpu);
+    setChildLimits({.allocated_bytes = *memory,
+                    .mapped_bytes = jobBytes(kInputFd),
+                    .answer_bytes = *memory,
+                    .cpu_s = *cpu});
     workAndAnswer(*memory, align);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/package.h"
 
-#include <unistd.h>
 #include <zip.h>
 
 #include <fstream>
@@ -15,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
 #include "core/io/file_check.h"
+#include "core/io/replaced_file.h"
 #include "core/project/project_files.h"
 #include "core/provenance/program.h"
 #include "core/tiles/tiled_map.h"
@@ -26,7 +26,11 @@ constexpr const char* kManifest = "manifest-sha256.txt";
 constexpr const char* kProject = "project.json";
 constexpr const char* kReadme = "README.txt";
 constexpr std::uint64_t kMostTextBytes = 64U << 20U;
-constexpr std::time_t kNoDate = 315532800;  // 1980-01-01, the oldest that a zip can hold.
+constexpr std::uint64_t kSmallBytes = 64U << 20U;  // Unpacked; no disk is filled by so much.
+constexpr std::uint64_t kMostRatio = 200;  // Of bytes unpacked to bytes packed; scans have 2 to 20.
+constexpr std::uint64_t kMostBytes = std::uint64_t{1}
+                                     << 50U;  // Of an entry; a sum cannot overflow.
+constexpr std::time_t kNoDate = 315532800;    // 1980-01-01, the oldest that a zip can hold.
 
 struct DiscardZip {
   void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -37,11 +41,10 @@ using Zip = std::unique_ptr<zip_t, DiscardZip>;
 
 class PackageWriter {
  public:
-  explicit PackageWriter(std::filesystem::path target) : target_(std::move(target)) {
-    part_ = target_;
-    part_ += ".part" + std::to_string(::getpid());
+  explicit PackageWriter(std::filesystem::path target)
+      : target_(std::move(target)), part_(target_) {
     int code = 0;
-    archive_.reset(zip_open(part_.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
+    archive_.reset(zip_open(part_.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
     if (!archive_) {
       zip_error_t error;
       zip_error_init_with_code(&error, code);
@@ -85,11 +88,7 @@ class PackageWriter {
       fail(zip_strerror(archive_.get()));
     }
     archive_.release();  // NOLINT(bugprone-unused-return-value): closed, hence freed.
-    std::error_code error;
-    std::filesystem::rename(part_, target_, error);
-    if (!error) return;
-    std::filesystem::remove(part_, error);
-    fail("it cannot be renamed");
+    part_.keep();
   }
 
  private:
@@ -112,7 +111,8 @@ class PackageWriter {
                      "). Nothing was left behind. Choose another folder or free some space.");
   }
 
-  std::filesystem::path target_, part_;
+  std::filesystem::path target_;
+  ReplacedFile part_;
   std::vector<std::unique_ptr<std::string>> texts_;  ///< Until the archive is closed.
   std::map<std::string, std::string> manifest_;
   Zip archive_;
@@ -165,6 +165,23 @@ std::string readmeText(const Project& project, bool with_input) {
 
 // ---- reading -------------------------------------------------------------------------------
 
+/// A few megabytes can say that they are a disk full of zeros.
+void requireBounded(zip_t* archive, const std::filesystem::path& file) {
+  std::uint64_t bytes = 0;
+  const zip_int64_t count = zip_get_num_entries(archive, 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    zip_stat_t entry;
+    zip_stat_init(&entry);
+    if (zip_stat_index(archive, static_cast<zip_uint64_t>(i), 0, &entry) != 0) continue;
+    bytes += std::min<std::uint64_t>(entry.size, kMostBytes);
+  }
+  const std::uint64_t packed = std::filesystem::file_size(file);
+  if (bytes <= kSmallBytes || bytes <= kMostRatio * packed) return;
+  throw FileError(shownName(file) + " would unpack to " + grouped(bytes) + " bytes, more than " +
+                  std::to_string(kMostRatio) +
+                  " times its own size. Nothing was unpacked. Ask whoever made it for another.");
+}
+
 Zip openZip(const std::filesystem::path& file) {
   checkedFileSize(file);
   int code = 0;
@@ -173,6 +190,7 @@ Zip openZip(const std::filesystem::path& file) {
     throw FileError("Cannot read " + shownName(file) +
                     ": it is not a whole zip file. Copy or download it again.");
   }
+  requireBounded(archive.get(), file);
   return archive;
 }
 
@@ -182,12 +200,18 @@ bool readEntry(zip_t* archive, const std::string& name, const Take& take, const 
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> entry(
       zip_fopen(archive, name.c_str(), ZIP_FL_ENC_UTF_8), &zip_fclose);
   if (!entry) return false;
+  zip_stat_t said;
+  zip_stat_init(&said);
+  if (zip_stat(archive, name.c_str(), ZIP_FL_ENC_UTF_8, &said) != 0) return false;
   std::vector<char> piece(1U << 18U);
+  std::uint64_t bytes = 0;
   for (;;) {
     task.check();
     const zip_int64_t count = zip_fread(entry.get(), piece.data(), piece.size());
     if (count < 0) return false;
-    if (count == 0) return true;
+    if (count == 0) return bytes == said.size;
+    bytes += static_cast<std::uint64_t>(count);
+    if (bytes > said.size) return false;  // More than was counted before.
     if (!take(std::string_view(piece.data(), static_cast<std::size_t>(count)))) return false;
   }
 }
@@ -216,6 +240,20 @@ std::optional<std::map<std::string, std::string>> manifestFrom(std::string_view 
     manifest[std::string(line.substr(66))] = line.substr(0, 64);
   }
   return manifest;
+}
+
+/// Files of the project that are not among those packed: whoever checks a package from elsewhere
+/// would have files of his own read, and told about. An input that was left out is a bare name.
+void checkNames(const Project& project, const std::map<std::string, std::string>& manifest,
+                PackageCheck& check) {
+  const auto refuse = [&check](const std::string& name) {
+    check.problems.push_back("The project names a file outside of the package ('" + name + "').");
+  };
+  const std::filesystem::path input = project.file;
+  if (!manifest.contains(project.file) && input != input.filename()) refuse(project.file);
+  for (const InputFile& recording : project.recordings) {
+    if (!manifest.contains(recording.file)) refuse(recording.file);
+  }
 }
 
 void checkEntry(zip_t* archive, const std::string& name, const std::string& sha256,
@@ -334,7 +372,7 @@ PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task) 
     return check;
   }
   try {
-    projectFromJson(*project, kProject);
+    checkNames(projectFromJson(*project, kProject), *manifest, check);
   } catch (const FileError& error) {
     check.problems.emplace_back(error.what());
   }

@@ -199,7 +199,7 @@ SurfaceOptions optionsFrom(const Json& json) {
   o.holes.rule = word<HoleRule>(holes, "rule", kHoleRuleNames);
   o.holes.max_area_mm2 = has(holes, "max_area_mm2") ? number(holes, "max_area_mm2", 0, kAny)
                                                     : std::numeric_limits<double>::infinity();
-  o.pyramid.factor = number(json, "factor", 1, kMostFactor);
+  o.pyramid.factor = number(json, "factor", kLeastFactor, kMostFactor);
   if (has(json, "coarsest_samples")) {
     o.pyramid.coarsest_samples = wholeNumber(json, "coarsest_samples", 1, 1 << 30);
   }

@@ -22,11 +22,13 @@ Recipe recipeAgain(const Recipe& recipe, const Prepared& prepared,
                    const std::vector<InputFile>& inputs) {
   Recipe again = recipe;
   again.scans.clear();
-  for (const InputFile& input : inputs) {
-    again.scans.push_back(
-        {.file = input.file,
-         .sha256 = input.sha256,
-         .unit = prepared.unit_known ? std::optional(prepared.unit) : std::nullopt});
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    // Which part of the file was read stays as it was chosen.
+    ScanSource source = i < recipe.scans.size() ? recipe.scans[i] : ScanSource{};
+    source.file = inputs[i].file;
+    source.sha256 = inputs[i].sha256;
+    source.unit = prepared.unit_known ? std::optional(prepared.unit) : std::nullopt;
+    again.scans.push_back(source);
   }
   for (std::size_t i = 0; i < again.steps.size(); ++i) {
     auto* const align = std::get_if<Align>(&again.steps[i]);

@@ -48,9 +48,9 @@ bool isCoarsest(GridSize size, const PyramidOptions& options) {
 
 /// @throw ArgumentError
 void requireFactor(GridSize size, const PyramidOptions& options) {
-  if (!(options.factor > 1) || !(options.factor <= kMostFactor)) {
+  if (!(options.factor >= kLeastFactor) || !(options.factor <= kMostFactor)) {
     throw ArgumentError(
-        "The pyramid's factor M must be above 1 and at most 8. Nothing was made; 2 is the "
+        "The pyramid's factor M must be from 1.1 to 8. Nothing was made; 2 is the "
         "paper's.");
   }
   auto cells = static_cast<double>(size.count());

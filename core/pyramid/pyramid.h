@@ -9,7 +9,8 @@
 
 namespace relievo {
 
-inline constexpr double kMostFactor = 8;  ///< Beyond, too little is left between two levels.
+inline constexpr double kLeastFactor = 1.1;  ///< Below, there are more levels than one can use.
+inline constexpr double kMostFactor = 8;     ///< Beyond, too little is left between two levels.
 
 struct PyramidOptions {
   double factor = 2;           ///< The paper's M: 1 < M <= 8, integer or not.

@@ -75,6 +75,15 @@ GridSize RowReducer::coarseSize() const noexcept {
   return impl_->coarse;
 }
 
+int RowReducer::mostRows() const {
+  int most = 1;
+  for (int row = 0; row < coarseSize().rows; ++row) {
+    const Rows rows = rowsFor(row);
+    most = std::max(most, rows.end - rows.first);
+  }
+  return most;
+}
+
 RowReducer::Rows RowReducer::rowsFor(int row) const {
   const Taps taps = impl_->tapsOfRow(row);
   const int rows = impl_->fine.rows;

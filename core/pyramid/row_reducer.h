@@ -28,6 +28,8 @@ class RowReducer {
     int first = 0, end = 0;
   };
   Rows rowsFor(int row) const;
+  /// The most that any coarser row is made of.
+  int mostRows() const;
 
   /// @param out  coarseSize().cols values. Uses buffers of its own: one thread at a time
   void reduce(int row, const RowAt& row_at, float* out);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <sstream>
 
@@ -101,6 +102,19 @@ void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
     const std::uint8_t most = channels == 4 ? left[i + 3] : 255;
     for (std::size_t k = 0; k < 3; ++k) left[i + k] = std::min(codedOf(out[k]), most);
   }
+}
+
+double rivalShare(std::span<const Rgba> colours) noexcept {
+  constexpr int kDarkest = 64;         // Darker than that it is dark for both.
+  constexpr double kSaturation = 0.6;  // Of a hue within 30 degrees of red or cyan.
+  const auto is_rival = [](const Rgba& c) {
+    const auto [low, high] = std::minmax({int{c[0]}, int{c[1]}, int{c[2]}});
+    if (c[3] == 0 || high < kDarkest || high - low < kSaturation * high) return false;
+    return (c[0] == high || c[0] == low) && 2 * std::abs(c[1] - c[2]) < high - low;
+  };
+  const auto rivals = std::count_if(colours.begin(), colours.end(), is_rival);
+  return static_cast<double>(rivals) /
+         static_cast<double>(std::max<std::size_t>(colours.size(), 1));
 }
 
 Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm, double distance_mm) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/depth/colours.h"
 #include "core/relief/look.h"
 
 namespace relievo {
@@ -18,6 +19,10 @@ inline constexpr std::string_view name(StereoPrint print) noexcept {
   return kStereoPrintNames[static_cast<std::size_t>(print)];
 }
 std::optional<StereoPrint> stereoPrint(std::string_view name);
+/// Do the eyes get colours?
+constexpr bool keepsColours(StereoPrint print) noexcept {
+  return print == StereoPrint::half_colour || print == StereoPrint::dubois;
+}
 constexpr bool isAnaglyph(StereoPrint print) noexcept {
   return print == StereoPrint::grey || print == StereoPrint::half_colour ||
          print == StereoPrint::dubois;
@@ -35,6 +40,12 @@ constexpr StereoPrint printed(StereoMode mode) noexcept {
 /// @param channels     4: RGBA; 3: RGB, all opaque
 void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
                  std::span<const std::uint8_t> right, std::size_t channels = 4);
+
+/// Share of the pixels that red and cyan glasses show to one eye as dark and to the other as
+/// bright, because they are a strong red or cyan: half colour and Dubois keep colours, and the eyes
+/// then fight instead of seeing depth. Pixels without alpha are stone.
+double rivalShare(std::span<const Rgba> colours) noexcept;
+inline constexpr double kMostRivalShare = 0.2;  ///< More is worth a warning.
 
 /// What lies farthest from the plane of zero parallax, seen by two eyes.
 struct Parallax {

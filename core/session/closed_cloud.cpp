@@ -19,6 +19,10 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 constexpr std::size_t kSample = 50'000;
+// The front is known between the points, too: cells need fewer of them than an open cloud's.
+constexpr double kPointsOfCell = 1.5;
+constexpr double kNoiseOfCell = 0.4;  // Of the cell's width, in the mean of its points.
+constexpr float kBehind = 0.7F;  // Spacings; a height farther behind the front is one of the back.
 
 /// The scan's points in view millimetres, from the box's lower corner.
 class FromCorner {
@@ -67,6 +71,16 @@ std::vector<ViewMm> sampleOf(const FromCorner& points) {
     if (position >= 1) position -= 1;
   }
   return sample;
+}
+
+/// Does the front rise by less than a steep cell does, across the cell both ways? Points of a wall
+/// beside it, and strays, make a cell look steep that is not.
+bool isGentle(const FrontSurface& front, double x_mm, double y_mm, double spacing_mm) {
+  const auto limit = static_cast<float>(kSteepRise * spacing_mm);
+  const double half = spacing_mm / 2;
+  const float across = front.depthAt(x_mm + half, y_mm) - front.depthAt(x_mm - half, y_mm);
+  const float along = front.depthAt(x_mm, y_mm + half) - front.depthAt(x_mm, y_mm - half);
+  return std::abs(across) <= limit && std::abs(along) <= limit;  // Not for NaN.
 }
 
 }  // namespace
@@ -121,7 +135,26 @@ std::optional<ClosedCloud> closedCloud(const Scan& scan, const Rotation& rotatio
   }
   // A shape in which no surface is to be found stays what it was.
   if (2 * closed.strays > count || closed.visible.points.empty()) return std::nullopt;
+  const FromCorner visible_from_corner(closed.visible, rotation, mm_per_unit, box);
+  closed.noise_mm = noiseOnFront(closed.surface, closed.visible.points.size(), visible_from_corner);
   return closed;
+}
+
+double noiseOnFront(const FrontSurface& front, std::size_t points,
+                    const std::function<ViewMm(std::size_t)>& from_corner) {
+  constexpr std::size_t kAsked = 20'000;
+  const std::size_t step = points / kAsked + 1;
+  std::vector<double> off;
+  for (std::size_t i = 0; i < points; i += step) {
+    const ViewMm p = from_corner(i);
+    const auto z = static_cast<double>(front.depthAt(p.x, p.y));
+    if (z == z) off.push_back(std::abs(p.z - z));
+  }
+  if (off.empty()) return 0;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::nth_element(off.begin(), middle, off.end());
+  constexpr double kDeviationOfMedian = 1.4826;  // Of normal errors.
+  return kDeviationOfMedian * *middle;
 }
 
 std::optional<FrontSurface> frontOf(const ViewBlocks& points, const std::vector<ViewMm>& sample,
@@ -130,9 +163,17 @@ std::optional<FrontSurface> frontOf(const ViewBlocks& points, const std::vector<
   return FrontSurface(points, box, count, task);
 }
 
-CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::uint64_t points) {
+CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::uint64_t points,
+                     double noise_mm) {
   const ViewMm size = box.max - box.min;
-  return proposeCells(std::max(size.x, size.y), front.coveredMm2(), points);
+  const double area = front.coveredMm2();
+  const double spacing = std::sqrt(area / static_cast<double>(std::max<std::uint64_t>(points, 1)));
+  // The mean of n points errs by noise / sqrt(n), its cell is sqrt(n) spacings wide.
+  const double of_cell = std::max(kPointsOfCell, noise_mm / (kNoiseOfCell * spacing));
+  return proposeCells({.side_mm = std::max(size.x, size.y),
+                       .covered_mm2 = area,
+                       .points = points,
+                       .points_per_cell = of_cell});
 }
 
 void addHidden(const FrontSurface& front, double hidden_points, const OriginCounts& cells,
@@ -145,14 +186,22 @@ void addHidden(const FrontSurface& front, double hidden_points, const OriginCoun
   hidden.cells_in_layers = static_cast<std::size_t>(std::lround(front.behind().in_layers * inside));
 }
 
-void addFront(const FrontSurface& front, const GridFrame& frame, RowRange rows, const float* depths,
-              float* between) {
+void addFront(const FrontSurface& front, const GridFrame& frame, const FrontRows& to) {
   const auto same = static_cast<float>(front.spacingMm());
-  for (int row = rows.first; row < rows.end; ++row) {
-    for (int col = 0; col < frame.size.cols; ++col, ++depths, ++between) {
-      if (*depths == *depths) continue;
-      const float z = front.depthAt(col * frame.spacing_mm, row * frame.spacing_mm);
-      if (!(std::abs(*between - z) <= same)) *between = z;
+  std::size_t i = 0;
+  for (int row = to.rows.first; row < to.rows.end; ++row) {
+    for (int col = 0; col < frame.size.cols; ++col, ++i) {
+      const double x = col * frame.spacing_mm;
+      const double y = row * frame.spacing_mm;
+      const float z = front.depthAt(x, y);
+      float& depth = to.depths[i];
+      if (depth < z - kBehind * same) depth = std::numeric_limits<float>::quiet_NaN();
+      if (to.steep != nullptr && to.steep[i] != 0 && isGentle(front, x, y, frame.spacing_mm)) {
+        to.steep[i] = 0;
+      }
+      if (depth == depth) continue;
+      float& between = to.between[i];
+      if (!(std::abs(between - z) <= same)) between = z;
     }
   }
 }
@@ -163,7 +212,11 @@ void addFront(const FrontSurface& front, const GridFrame& frame, CapturedDepths&
   }
   inBands(frame.size.rows, threadsFor(8 * frame.size.count(), 0), [&](int first, int end) {
     const std::size_t at = frame.size.index({.col = 0, .row = first});
-    addFront(front, frame, {.first = first, .end = end}, &depths.front[at], &depths.between[at]);
+    addFront(front, frame,
+             {.rows = {.first = first, .end = end},
+              .depths = &depths.front[at],
+              .between = &depths.between[at],
+              .steep = depths.steep.empty() ? nullptr : &depths.steep[at]});
   });
 }
 

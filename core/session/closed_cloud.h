@@ -24,6 +24,7 @@ struct ClosedCloud {
   Scan visible;            ///< The points on it, in the scan's order; no colours and such.
   std::size_t hidden = 0;  ///< Points behind it ...
   std::size_t strays = 0;  ///< ... and off every surface.
+  double noise_mm = 0;     ///< Of the visible points, along the view.
 };
 
 /// Decides in 3-D which points of a cloud are seen, where they lie in several layers; nothing for
@@ -39,20 +40,36 @@ std::optional<ClosedCloud> closedCloud(const Scan& scan, const Rotation& rotatio
 std::optional<FrontSurface> frontOf(const ViewBlocks& points, const std::vector<ViewMm>& sample,
                                     const ViewBox& box, std::uint64_t count, const Task& task);
 
-/// How fine a grid the points that are seen carry. @param box  of the whole cloud
-CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::uint64_t points);
+/// How fine a grid the points that are seen carry: 1.5 points a cell, more where noise asks for a
+/// mean of more. @param box  of the whole cloud
+CellProposal cellsOf(const FrontSurface& front, const RotatedBounds& box, std::uint64_t points,
+                     double noise_mm);
+
+/// Standard deviation of points on the front about it, along the view, from the median: steep parts
+/// and layers do not count. @param from_corner  the i-th of them, from the box's lower corner
+double noiseOnFront(const FrontSurface& front, std::size_t points,
+                    const std::function<ViewMm(std::size_t)>& from_corner);
 
 /// What the search for the front left out, beside what was found in the points of the front.
 /// @param cells  of the finished map
 void addHidden(const FrontSurface& front, double hidden_points, const OriginCounts& cells,
                HiddenSurface& hidden);
 
-/// Heights of the surface in front for cells without a point, and nothing where it does not reach.
-/// `depths.between` of the engine stays where it agrees with the surface.
-void addFront(const FrontSurface& front, const GridFrame& frame, CapturedDepths& depths);
+/// Some rows of cells, each as in CapturedDepths.
+struct FrontRows {
+  RowRange rows;
+  float* depths = nullptr;
+  float* between = nullptr;
+  std::uint8_t* steep = nullptr;  ///< Null if not known.
+};
 
-/// The same for some rows of the frame. @param depths, between  their cells
-void addFront(const FrontSurface& front, const GridFrame& frame, RowRange rows, const float* depths,
-              float* between);
+/// What the surface in front says of cells: one whose height lies behind it has none, as its points
+/// are those beside an edge; one without a height gets the surface's as `between`, and nothing
+/// where that does not reach, unless the rule's own agrees with it; one is steep where the surface
+/// is.
+void addFront(const FrontSurface& front, const GridFrame& frame, const FrontRows& to);
+
+/// The same for all rows.
+void addFront(const FrontSurface& front, const GridFrame& frame, CapturedDepths& depths);
 
 }  // namespace relievo

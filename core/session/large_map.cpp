@@ -21,11 +21,14 @@
 #include "core/io/scan_builder.h"
 #include "core/session/choices.h"
 #include "core/session/closed_cloud.h"
+#include "core/session/cloud_colours.h"
+#include "core/session/large_colours.h"
 #include "core/session/large_memory.h"
 #include "core/session/loss_words.h"
 #include "core/session/raster_in_use.h"
 #include "core/session/source_in_use.h"
 #include "core/tiles/band_fill.h"
+#include "core/tiles/colour_files.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/scatter.h"
 #include "core/tiles/threads.h"
@@ -162,10 +165,6 @@ class FinestLevel {
   float high_ = -std::numeric_limits<float>::infinity();
 };
 
-std::filesystem::path spillFolder(const LargeMapOptions& large) {
-  return large.file.parent_path().empty() ? "." : large.file.parent_path();
-}
-
 void copyFacts(const Surface& from, LargeMap& to) {
   to.info = from.info;
   to.unit = from.unit;
@@ -183,6 +182,8 @@ struct DepthSource {
   const FrontSurface* front = nullptr;                 ///< Of a cloud that lies behind itself ...
   LeftOut left_out;                                    ///< ... and what is not on it.
   std::size_t flyers = 0;
+  const StreamedValues* values = nullptr;  ///< What a cloud's points say beside; null: nothing ...
+  std::function<bool(const FilePoint&)> keeps = {};  ///< ... and which of them take part.
 };
 
 void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
@@ -202,33 +203,49 @@ void sayLosses(LargeMap& map, const DepthSource& source, const BandFill& fill,
 /// From depths to files: what both kinds of input have in common.
 /// @param view  gives the matrix for the base plane that was found
 void fillAndWrite(LargeMap& map, const DepthSource& source, const SurfaceOptions& options,
-                  const LargeMapOptions& large, std::size_t memory_bytes,
+                  const LargeMapOptions& large, const MemoryPlan& plan,
                   const std::function<ViewFromFile(double base_z_mm)>& view, const Task& task) {
   const auto start = Clock::now();
-  const BandFill fill(
-      source.depths, source.frame, source.fill, options.holes,
-      {.memory_bytes = memory_bytes, .spill_folder = spillFolder(large), .threads = large.threads},
-      task);
+  std::optional<BandFill> fill(std::in_place, source.depths, source.frame, source.fill,
+                               options.holes,
+                               BandOptions{.memory_bytes = plan.depths_bytes,
+                                           .spill_folder = spillFolder(large),
+                                           .threads = large.threads},
+                               task);
   map.seconds.fill = secondsSince(start);
-  map.view_from_file = view(fill.baseZMm());
-  map.holes = fill.holes();
+  map.view_from_file = view(fill->baseZMm());
+  map.holes = fill->holes();
   if (std::string left = holesLeft(map.holes, options.holes); !left.empty()) {
     map.not_done.push_back(std::move(left));
+  }
+  std::optional<CloudColours> colours;
+  if (source.values != nullptr) {
+    colours.emplace(map, source.frame, *source.values, source.keeps, large, plan.values_bytes,
+                    task);
   }
   const auto write_start = Clock::now();
   LevelFiles files(large.file, source.frame, options.pyramid);
   FinestLevel finest;
-  fill.write(
+  fill->write(
       [&](int, const float* heights, const Origin* origins) {
         finest.add(heights, origins, source.frame.size.cols);
         files.add(heights, origins);
+        if (colours) colours->add(heights, origins, task);
       },
       task);
   finest.into(map);
-  sayLosses(map, source, fill, finest.counts(), options.rule);
+  sayLosses(map, source, *fill, finest.counts(), options.rule);
   map.frames = files.frames();
-  files.finish(map.view_from_file, large.state ? large.state(map) : std::string());
   map.seconds.pyramid = secondsSince(write_start);
+  fill.reset();  // Its memory is for the colours.
+  const auto colours_start = Clock::now();
+  std::unique_ptr<ColourFiles> colour_files;
+  if (colours) {
+    colour_files = colours->write(map, options.pyramid.factor, task);
+  }
+  map.seconds.colours = secondsSince(colours_start);
+  files.finish(map.view_from_file, large.state ? large.state(map) : std::string(),
+               colour_files.get());
 }
 
 /// The cloud's frame, its view and what the points are mapped with, z from the lowest point.
@@ -267,17 +284,21 @@ void findFront(Placed& placed, const Scan& sample, const ViewFromFile& view_from
                          bounds.finite_points, task);
 }
 
-/// How many points of all are on the front, by a sample of them.
-std::uint64_t pointsOnFront(const FrontSurface& front, const Scan& sample,
-                            const ViewFromFile& view_from_file, const SourceBounds& bounds) {
-  std::size_t on_front = 0;
+/// How fine a grid the points on the front carry, by a sample of them.
+CellProposal cellsByFront(const FrontSurface& front, const Scan& sample,
+                          const ViewFromFile& view_from_file, const SourceBounds& bounds) {
+  std::vector<ViewMm> on_front;
   for (std::size_t i = 0; i < sample.points.size(); ++i) {
     const ViewMm p = view_from_file(sample.point(i)) - bounds.min;
-    on_front += front.sideOf(p) == FrontSurface::Side::front ? 1 : 0;
+    if (front.sideOf(p) == FrontSurface::Side::front) on_front.push_back(p);
   }
-  const double share = static_cast<double>(on_front) /
+  const double share = static_cast<double>(on_front.size()) /
                        static_cast<double>(std::max<std::size_t>(sample.points.size(), 1));
-  return static_cast<std::uint64_t>(share * static_cast<double>(bounds.finite_points));
+  const double noise_mm =
+      noiseOnFront(front, on_front.size(), [&](std::size_t i) { return on_front[i]; });
+  return cellsOf(front, {.min = bounds.min, .max = bounds.max},
+                 static_cast<std::uint64_t>(share * static_cast<double>(bounds.finite_points)),
+                 noise_mm);
 }
 
 /// @param sample  without strays
@@ -299,9 +320,8 @@ Placed place(Surface& facts, const PointStream& stream, const Scan& sample,
   const RotatedBounds box{.min = bounds.min, .max = bounds.max};
   findFront(placed, sample, turned, task);
   placed.frame = chooseFrame(facts, options, box, [&] {
-    return placed.front
-               ? cellsOf(*placed.front, box, pointsOnFront(*placed.front, sample, turned, bounds))
-               : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
+    return placed.front ? cellsByFront(*placed.front, sample, turned, bounds)
+                        : proposeCells(sample, placed.rotation.rotation, bounds.finite_points);
   });
   placed.lowest_mm = bounds.min.z;
   placed.range_mm = bounds.max.z - bounds.min.z;
@@ -351,14 +371,15 @@ struct StoredDepths {
   }
 };
 
-/// Heights between the points of a band of rows.
-std::vector<float> betweenOnFront(const FrontSurface& front, const GridFrame& frame,
-                                  const DepthRows& rows) {
-  std::vector<float> between = rows.between;
-  between.resize(rows.front.size(), std::numeric_limits<float>::quiet_NaN());
-  addFront(front, frame, {.first = rows.first_row, .end = rows.first_row + rows.rows},
-           rows.front.data(), between.data());
-  return between;
+/// A band of rows as the surface in front says.
+DepthRows withFront(const FrontSurface& front, const GridFrame& frame, DepthRows rows) {
+  rows.between.resize(rows.front.size(), std::numeric_limits<float>::quiet_NaN());
+  addFront(front, frame,
+           {.rows = {.first = rows.first_row, .end = rows.first_row + rows.rows},
+            .depths = rows.front.data(),
+            .between = rows.between.data(),
+            .steep = rows.steep.empty() ? nullptr : rows.steep.data()});
+  return rows;
 }
 
 void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& stream,
@@ -409,14 +430,12 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
   depths->one_layer = !options.rule && isForOneLayer(rule.rule);
   makeDepths(
       store, rule.rule, placed.frame.spacing_mm,
-      [&](const DepthRows& rows) {
+      [&](const DepthRows& found) {
+        const DepthRows seen =
+            front != nullptr ? withFront(*front, placed.frame, found) : DepthRows{};
+        const DepthRows& rows = front != nullptr ? seen : found;
         depths->front.write(rows.first_row, rows.rows, rows.front.data());
-        if (front != nullptr) {
-          StoredDepths::keep(depths->between, rows, betweenOnFront(*front, placed.frame, rows),
-                             size, spillFolder(large));
-        } else {
-          StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
-        }
+        StoredDepths::keep(depths->between, rows, rows.between, size, spillFolder(large));
         // What shows through gaps is looked for in clouds of several layers only.
         if (!depths->one_layer) {
           StoredDepths::keep(depths->points, rows, rows.points, size, spillFolder(large));
@@ -465,9 +484,9 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   sample = {};
   copyFacts(facts, map);
   map.engine = "cpu";
-  map.messages.emplace_back(
-      "Maps by tiles hold heights only; colours and intensities, if the points have any, are left "
-      "out.");
+  const StreamedValues values(file, import, large.threads, task);
+  const bool with_values = takeValues(map, values, plan);
+  if (with_values) requireFreeNames(PyramidRows::frames(placed.frame, options.pyramid), large.file);
   map.seconds.read = secondsSince(start);
 
   const auto grid_start = Clock::now();
@@ -481,8 +500,10 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
        .hidden = depths->hidden,
        .front = placed.front ? &*placed.front : nullptr,
        .left_out = depths->left_out,
-       .flyers = depths->flyers},
-      options, large, plan.depths_bytes,
+       .flyers = depths->flyers,
+       .values = with_values ? &values : nullptr,
+       .keeps = placed.points.keeps},
+      options, large, plan,
       [&](double base_z_mm) {
         ViewFromFile view = placed.view_from_file;
         view.m[11] = -placed.lowest_mm - base_z_mm;
@@ -537,6 +558,11 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   } else {
     chooseUnit(facts, options);
   }
+  if (raster.is_own_map && hasOwnColours(file)) {
+    facts.messages.emplace_back(
+        "Colours beside a map are not read by tiles; its levels are made without. Leave out "
+        "--memory, or make the map from its scan.");
+  }
   copyFacts(facts, map);
   map.engine = raster.is_own_map ? "as stored" : "raster";
   map.rule = "as stored";
@@ -570,7 +596,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
        .frame = frame,
        .fill = {.has_sampling_gaps = false, .base_quantile = 0},
        .left_out = {}},
-      options, large, plan.depths_bytes,
+      options, large, plan,
       [&](double base_z_mm) {
         return viewFromFile(*standardRotation("top"), mm, frame.first_x_mm - mm * raster.first.x,
                             frame.first_y_mm - mm * raster.first.y, -(base_z_mm + lowest * mm));

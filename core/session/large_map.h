@@ -39,12 +39,13 @@ struct LargeMap {
   UnitSource unit_source = UnitSource::assumed;
   ViewFromFile view_from_file;
   std::string view_name, engine, rule;
-  std::vector<GridFrame> frames;              ///< Per level, finest first.
-  std::array<double, kOriginCount> shares{};  ///< Of the finest level's cells, by origin.
-  HeightRange heights;                        ///< Over cells that are not outside.
-  std::vector<Hole> holes;                    ///< Enclosed holes, largest first.
-  std::optional<DepthLosses> losses;          ///< Of points that were not merged as they came.
-  Strays strays;                              ///< Of clouds.
+  bool has_colours = false, has_intensities = false;  ///< Are they in files beside it?
+  std::vector<GridFrame> frames;                      ///< Per level, finest first.
+  std::array<double, kOriginCount> shares{};          ///< Of the finest level's cells, by origin.
+  HeightRange heights;                                ///< Over cells that are not outside.
+  std::vector<Hole> holes;                            ///< Enclosed holes, largest first.
+  std::optional<DepthLosses> losses;  ///< Of points that were not merged as they came.
+  Strays strays;                      ///< Of clouds.
   std::uint64_t missing = 0;          ///< Points or cells left out because of options.nodata.
   std::vector<std::string> not_done;  ///< Steps that were asked for, in sentences.
   std::vector<std::string> messages;

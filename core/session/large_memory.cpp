@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/tiles/band_colours.h"
 #include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
 #include "core/tiles/tile_store.h"
@@ -60,9 +61,15 @@ MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large) {
   const std::uint64_t needed = kProgram + std::max(filling, gridding);
   if (needed > large.memory_bytes) refuse(frame, large, needed);
   const std::uint64_t free_bytes = large.memory_bytes - kProgram;
+  // While gaps are filled, depths may take 0.4 of what filling leaves; so may colours.
+  const std::uint64_t making = BandColours::memoryBytes(frame.size, threads);
+  const std::uint64_t colours = making + ValueStore::leastMemoryBytes(frame.size) + 8 * kMegabyte;
+  const std::uint64_t room = (free_bytes - filling) * 5 / 10;
   return {.points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
           .gridding_bytes = static_cast<std::size_t>(free_bytes),
-          .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10)};
+          .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10),
+          .values_bytes = room >= colours ? static_cast<std::size_t>(room - making) * 8 / 10 : 0,
+          .colours_need = kProgram + filling + 2 * colours};
 }
 
 std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,

@@ -15,6 +15,8 @@ struct MemoryPlan {
   std::size_t points_bytes = 0;    ///< For TileStore, while points are sorted into it.
   std::size_t gridding_bytes = 0;  ///< For TileStore and what heights are made from.
   std::size_t depths_bytes = 0;    ///< For depths between the stages.
+  std::size_t values_bytes = 0;    ///< For ValueStore while colours are made; 0: no room for them.
+  std::uint64_t colours_need = 0;  ///< Memory that a map with colours needs in all.
 };
 
 /// What of `plan.gridding_bytes` is left for the store while heights are made, once it is known

@@ -47,14 +47,13 @@ double shareOfBox(const AxisBox& all, const AxisBox& kept) {
 SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
                         const ViewFromFile& view_from_file, const SurfaceOptions& options,
                         int threads, const Task& task) {
-  SourceInUse in_use{.source = std::move(all), .bounds = {}, .strays = {}};
+  SourceInUse in_use{.source = std::move(all), .keeps = {}, .bounds = {}, .strays = {}};
   const std::optional<double> missing = options.nodata ? options.nodata->value : std::nullopt;
   std::uint64_t finite = 0;
   if (missing) {
     finite = boundsOf(in_use.source, view_from_file, threads, task).finite_points;
-    in_use.source = filtered(std::move(in_use.source), [value = *missing](const FilePoint& p) {
-      return !isHeight(p.z, value, 0);
-    });
+    in_use.keeps = [value = *missing](const FilePoint& p) { return !isHeight(p.z, value, 0); };
+    in_use.source = filtered(std::move(in_use.source), in_use.keeps);
   }
   const auto [bounds, counts] = boundsAndCountsOf(
       in_use.source, view_from_file, gridInView(sample, rotation, view_from_file), threads, task);
@@ -68,10 +67,11 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
   in_use.strays.all = bounds.finite_points;
   const std::optional<AxisBox> limits = counts.limits(boxOf(bounds));
   if (!limits) return in_use;
-  PointSource kept = filtered(in_use.source, [view_from_file, box = *limits](const FilePoint& p) {
+  const auto within_limits = [view_from_file, box = *limits](const FilePoint& p) {
     const ViewMm seen = view_from_file(p);
     return contains(box, {seen.x, seen.y, seen.z});
-  });
+  };
+  PointSource kept = filtered(in_use.source, within_limits);
   const SourceBounds within = boundsOf(kept, view_from_file, threads, task);
   const std::uint64_t strays = bounds.finite_points - within.finite_points;
   if (strays == 0 || !areFew(strays, bounds.finite_points)) return in_use;
@@ -80,6 +80,9 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
   in_use.strays.kept = options.strays == StrayRule::keep;
   if (in_use.strays.kept) return in_use;
   in_use.source = std::move(kept);
+  in_use.keeps = [before = std::move(in_use.keeps), within_limits](const FilePoint& p) {
+    return (!before || before(p)) && within_limits(p);
+  };
   in_use.bounds = within;
   return in_use;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "core/depth/view.h"
@@ -15,7 +16,8 @@ namespace relievo {
 /// The part of a file's points that a map by tiles is made from; what ScanInUse is for points in
 /// memory, by the same rule.
 struct SourceInUse {
-  PointSource source;   ///< Points that are left out are not finite.
+  PointSource source;                           ///< Points that are left out are not finite.
+  std::function<bool(const FilePoint&)> keeps;  ///< Which are not; null: all are in use.
   SourceBounds bounds;  ///< Of these points, in view mm as `view_from_file` gives them.
   Strays strays;
   std::uint64_t missing = 0;

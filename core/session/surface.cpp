@@ -290,7 +290,7 @@ Surface makeSurface(const Scan& whole, const SurfaceOptions& options, const Dept
   const std::optional<ClosedCloud> closed = closedCloud(scan, view.rotation, mm, box, task);
   const Scan& shown = closed ? closed->visible : scan;
   const GridFrame frame = chooseFrame(surface, options, box, [&] {
-    return closed ? cellsOf(closed->surface, box, shown.points.size())
+    return closed ? cellsOf(closed->surface, box, shown.points.size(), closed->noise_mm)
                   : proposeCells(scan, view.rotation);
   });
   requireMemory(frame, availableBytes(),

@@ -16,6 +16,7 @@
 #include "core/depth/depth_request.h"
 #include "core/depth/fill.h"
 #include "core/depth/quality.h"
+#include "core/depth/stored_colours.h"
 #include "core/depth/view.h"
 #include "core/pyramid/pyramid.h"
 #include "core/region/region.h"
@@ -66,7 +67,7 @@ struct Surface {
   std::optional<SuspectHeight> suspect_height;
   std::uint64_t missing = 0;  ///< Points or cells left out because of options.nodata.
   Pyramid pyramid;
-  std::vector<GridColours> colours;  ///< Per level of it; empty: the scan has none.
+  std::vector<StoredColours> colours;  ///< Per level of it; empty: the scan has none.
   /// Where the levels are if they are not in memory (core/session/tiled_surface.h); else null.
   std::shared_ptr<const TiledMap> tiles;
   DetailLadder ladder;

@@ -27,6 +27,9 @@ Surface openTiledSurface(const std::filesystem::path& finest, std::size_t cache_
   surface.info.format = "GeoTIFF tiles, " + std::to_string(frames.size()) + " levels";
   surface.info.points = surface.info.finite_points = size.count();
   surface.info.unit = LengthUnit::mm;
+  if (const std::string& left = tiles->coloursLeftAside(); !left.empty()) {
+    surface.messages.push_back(left + " The map is shown without colours.");
+  }
   surface.tiles = std::move(tiles);
   return surface;
 }

@@ -11,6 +11,7 @@
 
 #include "core/io/number_text.h"
 #include "core/io/tiff_head.h"
+#include "core/tiles/colour_files.h"
 #include "core/tiles/tile_raster.h"
 
 namespace relievo {
@@ -109,7 +110,8 @@ void LevelFiles::takeFinest(float height_mm, Origin origin) {
   high_mm_ = std::max(high_mm_, height_mm);
 }
 
-void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& state) {
+void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& state,
+                        ColourFiles* colours) {
   const bool any = low_mm_ <= high_mm_;
   const std::array<double, 2> heights{any ? static_cast<double>(low_mm_) : 0,
                                       any ? static_cast<double>(high_mm_) : 0};
@@ -126,22 +128,28 @@ void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& s
                       {"RELIEVO_FACTOR", roundTripText(std::array{options_.factor})},
                       {"RELIEVO_HEIGHTS", roundTripText(heights)},
                       {"RELIEVO_ORIGINS", roundTripText(origins)},
-                      {"RELIEVO_MAP_CONTENT", std::to_string(content_)}};
+                      {"RELIEVO_MAP_CONTENT", content()}};
     if (!state.empty()) facts[kStateFact] = state;
     Level& level = *levels_[l];
     level.heights.close(facts, level.mask ? &*level.mask : nullptr);
     facts["RELIEVO_CONTENT"] = "origins";
     level.origins.close(facts, nullptr);
   }
+  if (colours != nullptr) colours->finish(content());
   // The finest last: it is the one that says how many levels there are.
   for (std::size_t l = levels_.size(); l-- > 0;) {
     levels_[l]->origins.keep();
     levels_[l]->heights.keep();
   }
+  for (int l = 0; l < static_cast<int>(levels_.size()); ++l) {
+    ColourFiles::removeStale(levelFile(finest_, l), colours != nullptr && colours->hasColours(),
+                             colours != nullptr && colours->hasIntensities());
+  }
   std::error_code ignored;
   for (int l = static_cast<int>(levels_.size()); isLevel(levelFile(finest_, l), l); ++l) {
     const std::filesystem::path stale = levelFile(finest_, l);
     std::filesystem::remove(stale, ignored);
+    ColourFiles::removeStale(stale, false, false);
     if (isLevel(originFile(stale), l)) std::filesystem::remove(originFile(stale), ignored);
   }
 }

@@ -19,6 +19,8 @@ std::filesystem::path levelFile(const std::filesystem::path& finest, int level);
 /// MAP.tif -> MAP.origin.tif.
 std::filesystem::path originFile(const std::filesystem::path& level);
 
+class ColourFiles;  // core/tiles/colour_files.h
+
 /// A tiled map on disk: per level one GeoTIFF of raw 256 x 256 float tiles and, beside it, one of
 /// origins (band 1) and of the share of measured cells in 1/255 (band 2). Each file says where its
 /// own nodes lie (cell centres at first + i M^l dx, exactly), so that every program that reads
@@ -44,9 +46,14 @@ class LevelFiles {
   /// with temporary names. Levels of an older map of ours that go further are removed.
   /// @param state  becomes every file's image description, as MapFileOptions::state; empty: none
   /// @throw WriteError
-  void finish(const ViewFromFile& view_from_file, const std::string& state = {});
+  /// @param colours  of the same map, all its rows added; null: it has none, and those of an older
+  ///                 map of ours go
+  void finish(const ViewFromFile& view_from_file, const std::string& state = {},
+              ColourFiles* colours = nullptr);
 
   const std::vector<GridFrame>& frames() const noexcept { return frames_; }
+  /// Of the rows so far; says which files belong together.
+  std::string content() const { return std::to_string(content_); }
 
  private:
   struct Level;

@@ -22,6 +22,20 @@ struct PointSource {
   std::function<std::size_t(std::uint64_t first, std::span<FilePoint> block)> read;
 };
 
+/// What the scan says of a point beside its place.
+struct PointValue {
+  Rgba colour{};  ///< Alpha 0: none.
+  std::uint16_t intensity = 0;
+};
+
+/// Points with it, as PointSource.
+struct ValueSource {
+  std::uint64_t count = 0;
+  std::function<std::size_t(std::uint64_t first, std::span<FilePoint> block,
+                            std::span<PointValue> values)>
+      read;
+};
+
 /// Calls take(block) for all points of first ... end - 1 in blocks of at most 16384.
 void forEachBlock(const PointSource& source, std::uint64_t first, std::uint64_t end,
                   const std::function<void(std::span<const FilePoint>)>& take);

@@ -27,22 +27,13 @@ class Ring {
   std::vector<float> values_;
 };
 
-int mostRowsUnderKernel(const RowReducer& reducer) {
-  int most = 1;
-  for (int row = 0; row < reducer.coarseSize().rows; ++row) {
-    const RowReducer::Rows rows = reducer.rowsFor(row);
-    most = std::max(most, rows.end - rows.first);
-  }
-  return most;
-}
-
 }  // namespace
 
 struct PyramidRows::Step {
   Step(GridSize fine, double factor)
       : reducer(fine, factor),
-        heights(mostRowsUnderKernel(reducer), fine.cols),
-        measured(mostRowsUnderKernel(reducer), fine.cols),
+        heights(reducer.mostRows(), fine.cols),
+        measured(reducer.mostRows(), fine.cols),
         out_heights(static_cast<std::size_t>(reducer.coarseSize().cols)),
         out_measured(out_heights.size()) {}
 
@@ -56,8 +47,8 @@ GridSize PyramidRows::reducedSize(GridSize size, double factor) {
 }
 
 std::vector<GridFrame> PyramidRows::frames(const GridFrame& map, const PyramidOptions& options) {
-  if (!(options.factor > 1) || !(options.factor <= kMostFactor)) {
-    throw ArgumentError("The pyramid's factor M must be above 1 and at most 8.");
+  if (!(options.factor >= kLeastFactor) || !(options.factor <= kMostFactor)) {
+    throw ArgumentError("The pyramid's factor M must be from 1.1 to 8.");
   }
   std::vector<GridFrame> frames{map};
   while (frames.back().size.cols > options.coarsest_samples ||

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/grid.h"
+#include "core/depth/colour_fill.h"
 #include "core/tiles/spill_file.h"
 
 namespace relievo {
@@ -17,21 +18,27 @@ namespace relievo {
 /// room for them. Whoever gives one says on how many threads it may be called.
 using RowsOf = std::function<void(int first_row, int rows, float* out)>;
 
-/// A grid of floats by rows: in memory if it fits into what is allowed, else in a spill file.
-class RowStore {
+/// A grid by rows: in memory if it fits into what is allowed, else in a spill file.
+template <class Value>
+class RowStoreOf {
  public:
-  RowStore(GridSize size, std::size_t memory_bytes, const std::filesystem::path& spill_folder);
+  RowStoreOf(GridSize size, std::size_t memory_bytes, const std::filesystem::path& spill_folder);
 
   /// [owner] @throw WriteError
-  void write(int first_row, int rows, const float* values);
+  void write(int first_row, int rows, const Value* values);
   /// Rows written before. [any thread, while none writes] @throw WriteError
-  void read(int first_row, int rows, float* out) const;
+  void read(int first_row, int rows, Value* out) const;
 
  private:
   GridSize size_;
-  std::vector<float> values_;  ///< Empty if spilled.
+  std::vector<Value> values_;  ///< Empty if spilled.
   SpillFile spill_;
 };
+
+using RowStore = RowStoreOf<float>;
+extern template class RowStoreOf<float>;
+extern template class RowStoreOf<Pixel<3>>;
+extern template class RowStoreOf<Pixel<1>>;
 
 /// One bit per cell of a grid: a 32nd of its heights, so that questions about the whole mask (how
 /// wide the gaps are, what is enclosed) can be asked of maps that do not fit into memory.

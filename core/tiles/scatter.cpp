@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -291,6 +292,69 @@ LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_fro
     }
   }
   return left_out;
+}
+
+namespace {
+
+/// What one thread makes of its share of points with values.
+struct ValuePart {
+  std::vector<ValueStore::Placed> points;
+  IntensityCounts counts = IntensityCounts(65536);
+};
+
+void readValues(const ValueSource& source, const TileFromPoint& tile_from_point,
+                std::uint64_t first, std::uint64_t end, ValuePart& part) {
+  constexpr std::uint64_t kBlock = 16384;
+  part.points.clear();
+  part.points.reserve(end - first);
+  std::vector<FilePoint> block(std::min(kBlock, end - first));
+  std::vector<PointValue> values(block.size());
+  while (first < end) {
+    const auto wanted = static_cast<std::size_t>(std::min(kBlock, end - first));
+    const std::size_t got =
+        source.read(first, std::span(block).first(wanted), std::span(values).first(wanted));
+    if (got == 0) return;
+    for (std::size_t i = 0; i < got; ++i) {
+      if (!isFinite(block[i])) continue;
+      ++part.counts[values[i].intensity];
+      TilePoint placed;
+      LeftOut nothing;
+      if (!tile_from_point(block[i], placed, nothing)) continue;
+      part.points.push_back({.tile = placed.tile,
+                             .point = {.z = placed.point.z,
+                                       .colour = values[i].colour,
+                                       .intensity = values[i].intensity,
+                                       .cell = placed.point.cell}});
+    }
+    first += got;
+  }
+}
+
+}  // namespace
+
+IntensityCounts scatterValues(const ValueSource& source, const ViewFromFile& view_from_file,
+                              const GridFrame& frame, ValueStore& store, const Task& task) {
+  const TileFromPoint tile_from_point(view_from_file, frame, nullptr);
+  const std::uint64_t step = store.pointsAtOnce();
+  std::vector<ValuePart> parts(static_cast<std::size_t>(store.threads()));
+  for (std::uint64_t start = 0; start < source.count; start += step) {
+    task.check();
+    task.report("Sorting colours into tiles",
+                static_cast<double>(start) / static_cast<double>(source.count));
+    inParts(start, std::min(start + step, source.count), store.threads(),
+            [&](int part, std::uint64_t first, std::uint64_t last) {
+              ValuePart& mine = parts[static_cast<std::size_t>(part)];
+              readValues(source, tile_from_point, first, last, mine);
+            });
+    for (const ValuePart& part : parts) store.add(part.points);
+    for (ValuePart& part : parts) part.points.clear();
+  }
+  IntensityCounts counts(65536);
+  for (const ValuePart& part : parts) {
+    std::transform(counts.begin(), counts.end(), part.counts.begin(), counts.begin(),
+                   std::plus<>());
+  }
+  return counts;
 }
 
 RuleProposal proposeRule(const TileStore& store, double spacing_mm, const Task& task) {

@@ -8,6 +8,7 @@
 
 #include "core/base/grid.h"
 #include "core/base/task.h"
+#include "core/depth/cell_colours.h"
 #include "core/depth/depth_request.h"
 #include "core/depth/front_surface.h"
 #include "core/depth/point_rule.h"
@@ -33,6 +34,14 @@ struct LeftOut {
 LeftOut scatterIntoTiles(const PointSource& source, const ViewFromFile& view_from_file,
                          const GridFrame& frame, TileStore& store, const Task& task,
                          const FrontSurface* front = nullptr);
+
+/// The same with what the scan says of the points, for BandColours; all points, wherever they lie
+/// behind each other. [worker]
+/// @param view_from_file  of the finished map: z above the base plane
+/// @return  how many points have which intensity, also of those outside the grid
+/// @throw Cancelled, FileError, WriteError
+IntensityCounts scatterValues(const ValueSource& source, const ViewFromFile& view_from_file,
+                              const GridFrame& frame, ValueStore& store, const Task& task);
 
 /// proposeRule of core/depth: the same rows of the map are looked at. Only if the store does not
 /// merge. [worker] @throw Cancelled

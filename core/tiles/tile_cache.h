@@ -39,7 +39,7 @@ class TileCache {
     std::size_t operator()(const Key& key) const noexcept {
       const auto tile = static_cast<std::uint64_t>(key.tile);
       return static_cast<std::size_t>((tile << 8U) ^
-                                      static_cast<std::uint64_t>(2 * key.level + key.kind));
+                                      static_cast<std::uint64_t>(4 * key.level + key.kind));
     }
   };
 

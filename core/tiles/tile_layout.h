@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 
 #include "core/base/grid.h"
+#include "core/cloud/scan.h"
 
 namespace relievo {
 
@@ -37,10 +39,25 @@ struct CellPoint {
   std::uint16_t cell = 0;
 };
 
-/// And which tile that is.
-struct TilePoint {
-  std::uint32_t tile = 0;
-  CellPoint point;
+/// What the scan says of a point, likewise.
+struct ValuePoint {
+  float z = 0;
+  Rgba colour{};
+  std::uint16_t intensity = 0;
+  std::uint16_t cell = 0;
 };
+
+/// One order for points that came in any: by cell, then height, then place.
+inline bool comesBefore(const CellPoint& a, const CellPoint& b) noexcept {
+  return std::tie(a.cell, a.z, a.du, a.dv) < std::tie(b.cell, b.z, b.du, b.dv);
+}
+
+/// And which tile that is.
+template <class Point>
+struct TilePointOf {
+  std::uint32_t tile = 0;
+  Point point;
+};
+using TilePoint = TilePointOf<CellPoint>;
 
 }  // namespace relievo

@@ -58,12 +58,19 @@ struct TileRasterWriter::Impl {
 
 void TileRasterWriter::Impl::create() {
   const GdalErrors errors;
-  const char* const options[] = {
-      "TILED=YES",        "BLOCKXSIZE=256", "BLOCKYSIZE=256",    "INTERLEAVE=BAND",
-      "BIGTIFF=IF_SAFER", "COMPRESS=NONE",  "ENDIANNESS=LITTLE", nullptr};
+  CPLStringList options;
+  for (const char* const option :
+       {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "INTERLEAVE=BAND", "BIGTIFF=IF_SAFER",
+        "COMPRESS=NONE", "ENDIANNESS=LITTLE"}) {
+    options.AddString(option);
+  }
+  if (layout.has_alpha) {
+    options.AddString("ALPHA=NON-PREMULTIPLIED");
+    options.AddString(layout.bands == 4 ? "PHOTOMETRIC=RGB" : "PHOTOMETRIC=MINISBLACK");
+  }
   const GridSize size = frame.size;
   dataset.reset(geoTiffDriver().Create(written.path().c_str(), size.cols, size.rows, layout.bands,
-                                       type(), const_cast<char**>(options)));
+                                       type(), options.List()));
   if (!dataset) cannotWrite(file, errors.first());
   const double s = frame.spacing_mm;
   std::array<double, 6> transform{frame.first_x_mm - 0.5 * s,         s, 0,

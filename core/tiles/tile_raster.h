@@ -28,6 +28,7 @@ class TileRasterWriter {
     std::size_t cell_bytes = 4;  ///< 4: float, nodata NaN if `nan_is_nodata`. 1: whole numbers.
     int bands = 1;
     bool nan_is_nodata = false;
+    bool has_alpha = false;  ///< A picture: the last band is alpha, not multiplied in.
   };
   /// @throw WriteError
   TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame, const Layout& layout);

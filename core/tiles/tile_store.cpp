@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
-#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/bands.h"
@@ -39,7 +39,8 @@ double sumUnit(std::uint64_t points, double most_mm) {
   return std::ldexp(1.0, std::max(exponent, kFinest));
 }
 
-TileStore::TileStore(GridSize map, TileStoreOptions options)
+template <class Point>
+TileStoreOf<Point>::TileStoreOf(GridSize map, TileStoreOptions options)
     : layout_{map},
       options_(std::move(options)),
       units_per_mm_(1 / options_.sum_unit_mm),
@@ -49,22 +50,27 @@ TileStore::TileStore(GridSize map, TileStoreOptions options)
   threads_ = threadCount(options_.threads);
 }
 
-TileStore::~TileStore() = default;
+template <class Point>
+TileStoreOf<Point>::~TileStoreOf() = default;
 
-std::size_t TileStore::leastMemoryBytes(GridSize map) {
+template <class Point>
+std::size_t TileStoreOf<Point>::leastMemoryBytes(GridSize map) {
   return 2 * static_cast<std::size_t>(TileLayout{map}.count()) * (sizeof(Block) + sizeof(Tile));
 }
 
-std::size_t TileStore::pointsAtOnce() const noexcept {
+template <class Point>
+std::size_t TileStoreOf<Point>::pointsAtOnce() const noexcept {
   constexpr std::size_t kBytesAPoint = 40;  // As read, and sorted.
   return std::clamp<std::size_t>(options_.memory_bytes / 8 / kBytesAPoint, 1024, 1U << 20U);
 }
 
-std::size_t TileStore::statesBytes(std::uint32_t tile) const {
+template <class Point>
+std::size_t TileStoreOf<Point>::statesBytes(std::uint32_t tile) const {
   return layout_.sizeOf(static_cast<int>(tile)).count() * sizeof(CellState);
 }
 
-void TileStore::add(std::span<const TilePoint> points) {
+template <class Point>
+void TileStoreOf<Point>::add(std::span<const Placed> points) {
   if (points.empty()) return;
   ++adds_;
   point_count_ += points.size();
@@ -82,9 +88,11 @@ void TileStore::add(std::span<const TilePoint> points) {
   }
 }
 
-std::vector<TileStore::Share> TileStore::sortByTile(std::span<const TilePoint> points) {
+template <class Point>
+std::vector<typename TileStoreOf<Point>::Share> TileStoreOf<Point>::sortByTile(
+    std::span<const Placed> points) {
   std::fill(starts_.begin(), starts_.end(), 0);
-  for (const TilePoint& point : points) ++starts_[point.tile + 1];
+  for (const Placed& point : points) ++starts_[point.tile + 1];
   std::vector<Share> shares;
   sorted_.resize(points.size());
   for (std::uint32_t tile = 0; tile < tiles_.size(); ++tile) {
@@ -95,11 +103,12 @@ std::vector<TileStore::Share> TileStore::sortByTile(std::span<const TilePoint> p
     }
   }
   std::vector<std::uint32_t> next = starts_;
-  for (const TilePoint& point : points) sorted_[next[point.tile]++] = point;
+  for (const Placed& point : points) sorted_[next[point.tile]++] = point;
   return shares;
 }
 
-std::size_t TileStore::bytesNeeded(const std::vector<Share>& shares) const {
+template <class Point>
+std::size_t TileStoreOf<Point>::bytesNeeded(const std::vector<Share>& shares) const {
   std::size_t bytes = 0;
   for (const Share& share : shares) {
     const Tile& tile = tiles_[share.tile];
@@ -111,7 +120,8 @@ std::size_t TileStore::bytesNeeded(const std::vector<Share>& shares) const {
   return bytes;
 }
 
-void TileStore::makeRoom(std::size_t needed) {
+template <class Point>
+void TileStoreOf<Point>::makeRoom(std::size_t needed) {
   std::vector<std::uint32_t> order;
   for (std::uint32_t i = 0; i < tiles_.size(); ++i) {
     if (tiles_[i].points > 0 || !tiles_[i].states.empty()) order.push_back(i);
@@ -131,7 +141,8 @@ void TileStore::makeRoom(std::size_t needed) {
   }
 }
 
-std::size_t TileStore::bytesOfRows(int rows) const {
+template <class Point>
+std::size_t TileStoreOf<Point>::bytesOfRows(int rows) const {
   std::vector<std::size_t> points(static_cast<std::size_t>(layout_.down()), 0);
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
     std::size_t& row = points[i / static_cast<std::size_t>(layout_.across())];
@@ -150,15 +161,17 @@ std::size_t TileStore::bytesOfRows(int rows) const {
   return most * sizeof(CellPoint);
 }
 
-void TileStore::keepWithin(std::size_t bytes) {
+template <class Point>
+void TileStoreOf<Point>::keepWithin(std::size_t bytes) {
   options_.memory_bytes = std::min(options_.memory_bytes, bytes);
   if (resident_bytes_ > options_.memory_bytes) makeRoom(0);
   std::vector<std::unique_ptr<Block>>().swap(free_blocks_);
-  std::vector<TilePoint>().swap(sorted_);
+  std::vector<Placed>().swap(sorted_);
   ::malloc_trim(0);  // Blocks are small, so that the C library would keep them.
 }
 
-std::unique_ptr<TileStore::Block> TileStore::takeBlock() {
+template <class Point>
+std::unique_ptr<typename TileStoreOf<Point>::Block> TileStoreOf<Point>::takeBlock() {
   resident_bytes_ += sizeof(Block);
   if (free_blocks_.empty()) return std::make_unique<Block>();
   std::unique_ptr<Block> block = std::move(free_blocks_.back());
@@ -166,7 +179,8 @@ std::unique_ptr<TileStore::Block> TileStore::takeBlock() {
   return block;
 }
 
-void TileStore::giveBack(Tile& tile) {
+template <class Point>
+void TileStoreOf<Point>::giveBack(Tile& tile) {
   resident_bytes_ -= tile.blocks.size() * sizeof(Block);
   const std::size_t most_spare = options_.memory_bytes / 16 / sizeof(Block);
   for (std::unique_ptr<Block>& block : tile.blocks) {
@@ -177,7 +191,8 @@ void TileStore::giveBack(Tile& tile) {
 }
 
 /// Room for the share's points, so that `take` allocates nothing.
-void TileStore::prepare(const Share& share) {
+template <class Point>
+void TileStoreOf<Point>::prepare(const Share& share) {
   Tile& tile = tiles_[share.tile];
   tile.touched = adds_;
   if (!tile.states.empty()) return;
@@ -191,37 +206,42 @@ void TileStore::prepare(const Share& share) {
   while (tile.blocks.size() < blocks) tile.blocks.push_back(takeBlock());
 }
 
-void TileStore::mergeInto(std::vector<CellState>& states, const CellPoint& p) const {
+template <class Point>
+void TileStoreOf<Point>::mergeInto(std::vector<CellState>& states, const Point& p) const {
   states[p.cell].add(p.z, std::llround(static_cast<double>(p.z) * units_per_mm_));
 }
 
-void TileStore::mergeBlocks(const Tile& tile, std::vector<CellState>& states) const {
+template <class Point>
+void TileStoreOf<Point>::mergeBlocks(const Tile& tile, std::vector<CellState>& states) const {
   for (std::size_t i = 0; i < tile.points; ++i) {
     mergeInto(states, (*tile.blocks[i / kBlockPoints])[i % kBlockPoints]);
   }
 }
 
-void TileStore::take(const Share& share) {
+template <class Point>
+void TileStoreOf<Point>::take(const Share& share) {
   Tile& tile = tiles_[share.tile];
   if (!tile.states.empty()) {
     mergeBlocks(tile, tile.states);  // None, but when the tile begins to merge.
-    for (const TilePoint& point : share.points) mergeInto(tile.states, point.point);
+    for (const Placed& point : share.points) mergeInto(tile.states, point.point);
     return;
   }
-  for (const TilePoint& point : share.points) {
+  for (const Placed& point : share.points) {
     (*tile.blocks[tile.points / kBlockPoints])[tile.points % kBlockPoints] = point.point;
     ++tile.points;
   }
 }
 
-void TileStore::spill(Tile& tile) {
+template <class Point>
+void TileStoreOf<Point>::spill(Tile& tile) {
   if (!tile.states.empty()) spillStates(tile);
   if (tile.points > 0) spillPoints(tile);
   giveBack(tile);
 }
 
-void TileStore::spillPoints(Tile& tile) {
-  std::vector<CellPoint> points(tile.points);
+template <class Point>
+void TileStoreOf<Point>::spillPoints(Tile& tile) {
+  std::vector<Point> points(tile.points);
   for (std::size_t i = 0; i < tile.points; ++i) {
     points[i] = (*tile.blocks[i / kBlockPoints])[i % kBlockPoints];
   }
@@ -230,7 +250,8 @@ void TileStore::spillPoints(Tile& tile) {
                        .states = false});
 }
 
-void TileStore::spillStates(Tile& tile) {
+template <class Point>
+void TileStoreOf<Point>::spillStates(Tile& tile) {
   std::vector<StoredState> stored;
   for (std::size_t cell = 0; cell < tile.states.size(); ++cell) {
     if (tile.states[cell].count == 0) continue;
@@ -243,19 +264,21 @@ void TileStore::spillStates(Tile& tile) {
   std::vector<CellState>().swap(tile.states);
 }
 
-void TileStore::mergeRun(const Run& run, std::vector<CellState>& states) const {
+template <class Point>
+void TileStoreOf<Point>::mergeRun(const Run& run, std::vector<CellState>& states) const {
   if (run.states) {
     std::vector<StoredState> stored(run.count);
     spill_.read(run.at, std::as_writable_bytes(std::span(stored)));
     for (const StoredState& s : stored) states[s.cell].merge(s.state);
   } else {
-    std::vector<CellPoint> stored(run.count);
+    std::vector<Point> stored(run.count);
     spill_.read(run.at, std::as_writable_bytes(std::span(stored)));
-    for (const CellPoint& p : stored) mergeInto(states, p);
+    for (const Point& p : stored) mergeInto(states, p);
   }
 }
 
-std::vector<CellState> TileStore::states(int tile_number) const {
+template <class Point>
+std::vector<CellState> TileStoreOf<Point>::states(int tile_number) const {
   const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
   std::vector<CellState> states = tile.states;
   states.resize(layout_.sizeOf(tile_number).count());
@@ -264,10 +287,11 @@ std::vector<CellState> TileStore::states(int tile_number) const {
   return states;
 }
 
-std::vector<CellPoint> TileStore::points(int tile_number) const {
+template <class Point>
+std::vector<Point> TileStoreOf<Point>::points(int tile_number) const {
   assert(!options_.merges);
   const Tile& tile = tiles_[static_cast<std::size_t>(tile_number)];
-  std::vector<CellPoint> points;
+  std::vector<Point> points;
   std::size_t count = tile.points;
   for (const Run& run : tile.runs) count += run.count;
   points.reserve(count);  // Grown step by step it would take up to twice the room.
@@ -279,10 +303,14 @@ std::vector<CellPoint> TileStore::points(int tile_number) const {
   for (std::size_t i = 0; i < tile.points; ++i) {
     points.push_back((*tile.blocks[i / kBlockPoints])[i % kBlockPoints]);
   }
-  std::sort(points.begin(), points.end(), [](const CellPoint& a, const CellPoint& b) {
-    return std::tie(a.cell, a.z, a.du, a.dv) < std::tie(b.cell, b.z, b.du, b.dv);
-  });
+  if constexpr (std::is_same_v<Point, CellPoint>) {
+    std::sort(points.begin(), points.end(),
+              [](const Point& a, const Point& b) { return comesBefore(a, b); });
+  }
   return points;
 }
+
+template class TileStoreOf<CellPoint>;
+template class TileStoreOf<ValuePoint>;
 
 }  // namespace relievo

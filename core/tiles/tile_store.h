@@ -28,20 +28,24 @@ struct TileStoreOptions {
 /// The largest resolution at which `points` heights of at most `most_mm` add up without overflow.
 double sumUnit(std::uint64_t points, double most_mm);
 
-/// The points of a map that is larger than memory, tile by tile. A tile begins as a list of points
+/// The points of a map that is larger than memory, tile by tile: places (CellPoint), or what the
+/// scan says of them (ValuePoint). A tile begins as a list of points
 /// and, where the rule allows, becomes an array of states once that is smaller. Above the memory
 /// budget the tiles that were not touched for longest go to one spill file, as runs that are never
 /// read before the tile is asked for: nothing is written or read twice. What a tile holds at the
 /// end depends on the points alone, not on order, blocks, threads or budget.
-class TileStore {
+template <class Point>
+class TileStoreOf {
  public:
-  TileStore(GridSize map, TileStoreOptions options);
-  ~TileStore();
-  TileStore(const TileStore&) = delete;
-  TileStore& operator=(const TileStore&) = delete;
+  using Placed = TilePointOf<Point>;
+
+  TileStoreOf(GridSize map, TileStoreOptions options);
+  ~TileStoreOf();
+  TileStoreOf(const TileStoreOf&) = delete;
+  TileStoreOf& operator=(const TileStoreOf&) = delete;
 
   /// Adds some points. They cost 40 bytes each for a while. [owner] @throw WriteError
-  void add(std::span<const TilePoint> points);
+  void add(std::span<const Placed> points);
 
   const TileLayout& layout() const noexcept { return layout_; }
   double sumUnitMm() const noexcept { return options_.sum_unit_mm; }
@@ -53,9 +57,9 @@ class TileStore {
   /// The state of every cell of a tile. [any thread, after the last add] @throw WriteError
   std::vector<CellState> states(int tile) const;
 
-  /// All points of a tile, sorted by cell, then height, then place. Only if the store does not
-  /// merge. [any thread, after the last add] @throw WriteError
-  std::vector<CellPoint> points(int tile) const;
+  /// All points of a tile, CellPoints in the order of comesBefore, others in any. Only if the store
+  /// does not merge. [any thread, after the last add] @throw WriteError
+  std::vector<Point> points(int tile) const;
 
   /// Bytes of the points of the fullest `rows` rows of tiles that follow each other. [owner]
   std::size_t bytesOfRows(int rows) const;
@@ -73,7 +77,7 @@ class TileStore {
 
  private:
   static constexpr std::size_t kBlockPoints = 1024;
-  using Block = std::array<CellPoint, kBlockPoints>;
+  using Block = std::array<Point, kBlockPoints>;
   /// Part of a tile in the spill file.
   struct Run {
     std::uint64_t at = 0;
@@ -89,15 +93,15 @@ class TileStore {
   };
   struct Share {  ///< Of an add: points of one tile, contiguous after sorting.
     std::uint32_t tile = 0;
-    std::span<const TilePoint> points;
+    std::span<const Placed> points;
   };
 
-  std::vector<Share> sortByTile(std::span<const TilePoint> points);
+  std::vector<Share> sortByTile(std::span<const Placed> points);
   std::size_t bytesNeeded(const std::vector<Share>& shares) const;
   void makeRoom(std::size_t needed);
   void prepare(const Share& share);
   void take(const Share& share);
-  void mergeInto(std::vector<CellState>& states, const CellPoint& point) const;
+  void mergeInto(std::vector<CellState>& states, const Point& point) const;
   void mergeBlocks(const Tile& tile, std::vector<CellState>& states) const;
   void mergeRun(const Run& run, std::vector<CellState>& states) const;
   void spill(Tile& tile);
@@ -113,12 +117,17 @@ class TileStore {
   double units_per_mm_ = 1;
   std::vector<Tile> tiles_;
   std::vector<std::unique_ptr<Block>> free_blocks_;
-  std::vector<TilePoint> sorted_;
+  std::vector<Placed> sorted_;
   std::vector<std::uint32_t> starts_;  ///< Per tile, for sorting.
   std::size_t resident_bytes_ = 0;
   std::uint64_t adds_ = 0;
   std::uint64_t point_count_ = 0;
   SpillFile spill_;
 };
+
+using TileStore = TileStoreOf<CellPoint>;
+using ValueStore = TileStoreOf<ValuePoint>;
+extern template class TileStoreOf<CellPoint>;
+extern template class TileStoreOf<ValuePoint>;
 
 }  // namespace relievo

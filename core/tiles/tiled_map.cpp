@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/io/colour_raster.h"
 #include "core/io/file_check.h"
 #include "core/io/number_text.h"
+#include "core/region/window_colours.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tile_cache.h"
 #include "core/tiles/tile_layout.h"
@@ -66,9 +68,21 @@ struct LevelTiles {
   std::filesystem::path heights_file, origins_file;
   int level;
   TileRaster heights, origins;
+  std::unique_ptr<TileRaster> colours, intensities;  ///< Null unless all levels have them.
 };
 
-enum class TileKind { heights, origins };
+enum class TileKind { heights, origins, colours, intensities };
+
+/// Bands of one byte as pixels. @param bands  one after the other, each `cells` bytes
+template <std::size_t Size>
+std::vector<std::byte> interleaved(std::span<const std::byte> bands) {
+  const std::size_t cells = bands.size() / Size;
+  std::vector<std::byte> pixels(bands.size());
+  for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t k = 0; k < Size; ++k) pixels[Size * i + k] = bands[k * cells + i];
+  }
+  return pixels;
+}
 
 }  // namespace
 
@@ -77,6 +91,9 @@ struct TiledMap::Impl {
   void checkLevel(const LevelTiles& tiles, const RasterFacts& facts) const;
   void takeWhole(const RasterFacts& facts);
   TileCache::Tile tile(const LevelTiles& tiles, TileKind kind, int number) const;
+  TileCache::Tile pixels(const LevelTiles& tiles, TileKind kind, int number) const;
+  void openColours();
+  ColourNodes coloursOf(Level level) const;
 
   std::filesystem::path file;
   double factor = 2;
@@ -86,6 +103,7 @@ struct TiledMap::Impl {
   HeightRange heights;
   std::array<double, kOriginCount> shares{};
   std::vector<std::unique_ptr<LevelTiles>> levels;
+  std::string left_aside;
   mutable TileCache cache;
 };
 
@@ -123,6 +141,52 @@ TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_byte
             .factor = factor};
   for (const GridFrame& frame : frames) ladder.spacings_mm.push_back(frame.spacing_mm);
   takeWhole(facts);
+  openColours();
+}
+
+namespace {
+
+/// A file of pixels that belongs to a level; null if there is none.
+/// @throw FileError  it is none that can be read, or of another map
+std::unique_ptr<TileRaster> pixelFile(const std::filesystem::path& file, int bands,
+                                      const LevelTiles& level) {
+  std::error_code unknown;
+  if (!std::filesystem::exists(file, unknown)) return nullptr;
+  auto raster = std::make_unique<TileRaster>(file, 1, bands);
+  const RasterFacts& facts = raster->facts();
+  const RasterFacts& own = level.heights.facts();
+  for (const char* const name : {"RELIEVO_MAP_CONTENT", "RELIEVO_LEVEL"}) {
+    if (textOf(facts, name) != textOf(own, name)) refuse(file, "it belongs to another map");
+  }
+  if (!(raster->size() == level.heights.size())) refuse(file, "its size is not that of the level");
+  return raster;
+}
+
+}  // namespace
+
+/// Heights are shown without colours rather than with those of another map.
+void TiledMap::Impl::openColours() {
+  try {
+    for (const auto& level : levels) {
+      level->colours = pixelFile(colourFileOf(level->heights_file), 4, *level);
+      level->intensities = pixelFile(intensityFileOf(level->heights_file), 2, *level);
+    }
+  } catch (const FileError& error) {
+    left_aside = error.what();
+    for (const auto& level : levels) {
+      level->colours.reset();
+      level->intensities.reset();
+    }
+    return;
+  }
+  const auto some_lack = [this](const auto& member) {
+    return std::any_of(levels.begin(), levels.end(),
+                       [&](const auto& level) { return !((*level).*member); });
+  };
+  for (const auto member : {&LevelTiles::colours, &LevelTiles::intensities}) {
+    if (!some_lack(member)) continue;
+    for (const auto& level : levels) ((*level).*member).reset();
+  }
 }
 
 /// What nobody can see without reading every tile.
@@ -160,9 +224,24 @@ void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& fine
   }
 }
 
+TileCache::Tile TiledMap::Impl::pixels(const LevelTiles& tiles, TileKind kind, int number) const {
+  return cache.get({.level = tiles.level, .kind = static_cast<int>(kind), .tile = number}, [&] {
+    const bool is_colours = kind == TileKind::colours;
+    const TileRaster& raster = is_colours ? *tiles.colours : *tiles.intensities;
+    const int bands = is_colours ? 4 : 2;
+    std::vector<std::byte> bytes(static_cast<std::size_t>(bands) * raster.tileBytes());
+    for (int band = 0; band < bands; ++band) {
+      raster.read(band, number,
+                  std::span(bytes).subspan(static_cast<std::size_t>(band) * raster.tileBytes(),
+                                           raster.tileBytes()));
+    }
+    return is_colours ? interleaved<4>(bytes) : interleaved<2>(bytes);
+  });
+}
+
 TileCache::Tile TiledMap::Impl::tile(const LevelTiles& tiles, TileKind kind, int number) const {
   const bool is_heights = kind == TileKind::heights;
-  const TileCache::Key key{.level = tiles.level, .kind = is_heights ? 0 : 1, .tile = number};
+  const TileCache::Key key{.level = tiles.level, .kind = static_cast<int>(kind), .tile = number};
   return cache.get(key, [&] {
     const TileRaster& raster = is_heights ? tiles.heights : tiles.origins;
     std::vector<std::byte> bytes(raster.tileBytes());
@@ -225,6 +304,21 @@ class TileRows {
 
 }  // namespace
 
+ColourNodes TiledMap::Impl::coloursOf(Level number) const {
+  const LevelTiles& tiles = *levels[static_cast<std::size_t>(number.value)];
+  const GridSize size = frames[static_cast<std::size_t>(number.value)].size;
+  const auto rows = [&](auto pixel, TileKind kind) {
+    using Pixel = decltype(pixel);
+    auto made = std::make_shared<TileRows<Pixel>>(
+        size, [this, &tiles, kind](int tile) { return pixels(tiles, kind, tile); });
+    return [made](int row, int first_col, int count) { return (*made)(row, first_col, count); };
+  };
+  ColourNodes nodes;
+  if (tiles.colours) nodes.colours = rows(Rgba{}, TileKind::colours);
+  if (tiles.intensities) nodes.intensities = rows(GreyAlpha{}, TileKind::intensities);
+  return nodes;
+}
+
 bool TiledMap::isOne(const std::filesystem::path& file) {
   const RasterFacts facts = rasterFacts(file);
   return textOf(facts, "RELIEVO_LEVEL") == "0" && facts.contains("RELIEVO_LEVELS") &&
@@ -243,6 +337,8 @@ std::vector<std::filesystem::path> TiledMap::otherFiles() const {
   for (const auto& level : impl_->levels) {
     if (level->level > 0) files.push_back(level->heights_file);
     files.push_back(level->origins_file);
+    if (level->colours) files.push_back(colourFileOf(level->heights_file));
+    if (level->intensities) files.push_back(intensityFileOf(level->heights_file));
   }
   return files;
 }
@@ -307,6 +403,38 @@ DepthMap TiledMap::part(Level number, Cell first, GridSize size) const {
   return map;
 }
 
+bool TiledMap::hasColours() const noexcept {
+  return impl_->levels.front()->colours != nullptr;
+}
+bool TiledMap::hasIntensities() const noexcept {
+  return impl_->levels.front()->intensities != nullptr;
+}
+const std::string& TiledMap::coloursLeftAside() const noexcept {
+  return impl_->left_aside;
+}
+
+GridColours TiledMap::windowColours(const RegionWindow& window, int ring) const {
+  const Level level = window.region.level;
+  return relievo::windowColours(impl_->coloursOf(level),
+                                impl_->frames[static_cast<std::size_t>(level.value)], window, ring);
+}
+
+GridColours TiledMap::partColours(Level level, Cell first, GridSize size) const {
+  const ColourNodes nodes = impl_->coloursOf(level);
+  GridColours part;
+  for (int row = first.row; row < first.row + size.rows; ++row) {
+    if (nodes.colours) {
+      const Rgba* const line = nodes.colours(row, first.col, size.cols);
+      part.colours.insert(part.colours.end(), line, line + size.cols);
+    }
+    if (nodes.intensities) {
+      const GreyAlpha* const line = nodes.intensities(row, first.col, size.cols);
+      part.intensities.insert(part.intensities.end(), line, line + size.cols);
+    }
+  }
+  return part;
+}
+
 DepthMap TiledMap::levelMap(Level number) const {
   return part(number, {}, impl_->frames[static_cast<std::size_t>(number.value)].size);
 }
@@ -331,6 +459,8 @@ void TiledMap::prefetch(const Region& region) const {
     for (int x = left / kTileSide; x <= right / kTileSide; ++x) {
       impl_->tile(tiles, TileKind::heights, y * across + x);
       impl_->tile(tiles, TileKind::origins, y * across + x);
+      if (tiles.colours) impl_->pixels(tiles, TileKind::colours, y * across + x);
+      if (tiles.intensities) impl_->pixels(tiles, TileKind::intensities, y * across + x);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/transform.h"
+#include "core/depth/colours.h"
 #include "core/region/region.h"
 #include "core/region/window.h"
 
@@ -51,6 +52,18 @@ class TiledMap {
   DepthMap part(Level level, Cell first, GridSize size) const;
   /// A whole level. [any thread] @pre level exists @throw FileError
   DepthMap levelMap(Level level) const;
+
+  /// Has the map colours, or intensities, in files beside it? Files of another map do not count.
+  bool hasColours() const noexcept;
+  bool hasIntensities() const noexcept;
+  /// In words, if there are such files but they belong to another map; else empty.
+  const std::string& coloursLeftAside() const noexcept;
+
+  /// What windowColours gives for the same map in memory, bit for bit. [any thread]
+  /// @param window  of this map @throw FileError
+  GridColours windowColours(const RegionWindow& window, int ring = 0) const;
+  /// Of the nodes of `part`, holes too. [any thread] @pre it lies within the level @throw FileError
+  GridColours partColours(Level level, Cell first, GridSize size) const;
 
   /// Loads the tiles that a window of this region needs. [any thread] @throw FileError
   void prefetch(const Region& region) const;

@@ -101,8 +101,10 @@ void ofCells() {
   constexpr double kSamples = kWindowCount;
   row("window of heights", bestNs([&] { sampleWindow(filled.map, pyramid, region); }), kSamples,
       "sample");
-  row("window of colours", bestNs([&] { windowColours(levels, pyramid.levels[0].frame, window); }),
-      kSamples, "sample");
+  const GridFrame& nodes = pyramid.levels[0].frame;
+  row("window of colours",
+      bestNs([&] { windowColours(nodesOf(levels[0], nodes.size), nodes, window); }), kSamples,
+      "sample");
 }
 
 }  // namespace

@@ -24,6 +24,7 @@
 
 #include "core/io/import.h"
 #include "core/prepare/execute.h"
+#include "core/prepare/off_surface.h"
 #include "core/prepare/outliers.h"
 #include "tests/core/prepare/made_clouds.h"
 
@@ -178,6 +179,8 @@ void speed(std::size_t count) {
   compare("radius");
   measured("sparse 8,2.6", count,
            [&] { return withoutSparse(PointNeighbours(points), count, {}, {}).size(); });
+  measured("off the surface, 4 times", count,
+           [&] { return withoutOffSurface(PointNeighbours(points), count, 4, {}).size(); });
 }
 
 }  // namespace

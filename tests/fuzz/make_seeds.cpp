@@ -16,6 +16,7 @@
 #include "core/io/gdal_session.h"
 #include "core/io/raster.h"
 #include "core/io/scan_transport.h"
+#include "core/prepare/transport.h"
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/laz_sample.h"
@@ -43,6 +44,34 @@ class Seeds {
  private:
   std::filesystem::path folder_;
 };
+
+/// Points alone, which PCL's reader and ours both read.
+void addBoth(const Seeds& seeds) {
+  const std::string colour = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  for (const std::string order : {"binary_little_endian", "binary_big_endian"}) {
+    seeds.add("bothply", order,
+              plyHeader(order, "3") + binaryRows<float>(3, order != "binary_little_endian"));
+    seeds.add(
+        "bothply", order + "_double",
+        plyHeader(order, "3", "double") + binaryRows<double>(3, order != "binary_little_endian"));
+    seeds.add("bothply", order + "_short",
+              plyHeader(order, "3", "short") + binaryRows<std::int16_t>(3));
+    seeds.add("bothply", order + "_colour",
+              plyHeader(order, "1", "float", colour) + binaryRows<float>(1) + "\1\2\3");
+  }
+  PcdWords words;
+  words.points = "3";
+  words.data = "binary";
+  seeds.add("bothpcd", "binary", pcdHeader(words) + binaryRows<float>(3));
+  words.size = "8 8 8";
+  seeds.add("bothpcd", "double", pcdHeader(words) + binaryRows<double>(3));
+  words.points = "2";
+  words.fields = "x y z rgb";
+  words.size = "4 4 4 4";
+  words.type = "F F F U";
+  words.count = "1 1 1 1";
+  seeds.add("bothpcd", "colour", pcdHeader(words) + std::string(32, '\x3F'));
+}
 
 void addPly(const Seeds& seeds) {
   const std::string le = "binary_little_endian";
@@ -86,6 +115,9 @@ void addPcd(const Seeds& seeds) {
   }
   const std::string packed = "\x1F" + columns.substr(0, 32) + "\x03" + columns.substr(32);
   seeds.add("pcd", "compressed",
+            pcdHeader(words) + bytesOf(static_cast<std::uint32_t>(packed.size())) +
+                bytesOf(static_cast<std::uint32_t>(columns.size())) + packed);
+  seeds.add("bothpcd", "compressed",
             pcdHeader(words) + bytesOf(static_cast<std::uint32_t>(packed.size())) +
                 bytesOf(static_cast<std::uint32_t>(columns.size())) + packed);
   words.data = "binary";
@@ -147,7 +179,7 @@ void addLas(const Seeds& seeds) {
 }
 
 void addLaz(const Seeds& seeds) {
-  for (const int format : {0, 1, 3, 6, 7, 8}) {
+  for (const int format : {0, 1, 3, 4, 5, 6, 7, 8, 9, 10}) {
     Laz laz;
     laz.how = {.format = format, .extra_bytes = format == 3 || format == 8 ? 2U : 0U};
     laz.records = wanderingRecords(laz.how, 40, format == 8 ? 3 : 1);
@@ -161,6 +193,20 @@ void addLaz(const Seeds& seeds) {
     laz.levels = {0, 1, 2, 2};
     seeds.add("copc", "format_" + std::to_string(format), lazFile(laz).bytes);
   }
+  for (const int format : {3, 5}) {
+    Laz old;
+    old.how = {.format = format, .extra_bytes = 1, .version = 1};
+    old.records = wanderingRecords(old.how, 40);
+    old.one_stream = format == 3;
+    old.chunk_points = 25;
+    seeds.add("laz", "first_version_" + std::to_string(format), lazFile(old).bytes);
+  }
+  Laz cut;
+  cut.how = {.format = 7};
+  cut.records = wanderingRecords(cut.how, 60);
+  cut.chunk_points = 25;
+  const LazBytes whole = lazFile(cut);
+  seeds.add("laz", "cut", whole.bytes.substr(0, whole.chunks_at.back() + 3));
   Laz stream;
   stream.records = wanderingRecords(stream.how, 20);
   stream.one_stream = true;
@@ -299,6 +345,50 @@ void addAnswers(const Seeds& seeds) {
   answer.finish(raster);
 }
 
+void addRecipes(const Seeds& seeds) {
+  Align align;
+  align.method = AlignMethod::points;
+  align.pairs = {{.scan = 1, .point = {1, 2, 3}, .reference = {4, 5, 6}}};
+  align.poses = {Pose{}, Pose{}};
+  const CropOutline outline{.outline = {{0, 0}, {1, 0}, {0, 1}}};
+  Recipe recipe{
+      .scans = {{.file = "a.ply", .unit = LengthUnit::m}, {.file = "b/c.laz"}},
+      .steps = {CropBox{.max = {1, 2, 3}}, outline, Classes{.keep = {2, 6}},
+                Intensities{.low = 1, .high = 2}, Duplicates{}, Outliers{}, Lonely{},
+                Sparse{.off_surface = 4}, align, Thin{.spacing_mm = 1}, Base{}, Normals{}}};
+  seeds.add("recipe", "all", toJson(recipe));
+  recipe.scans.clear();
+  for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
+    seeds.add("recipe", std::to_string(i), toJson({.steps = {recipe.steps[i]}}, -1));
+  }
+}
+
+/// What prepared_target's job of two scans of five points may be answered with.
+void addPrepared(const Seeds& seeds) {
+  const auto open = [&](const std::string& name) {
+    return OwnedFd(::open(seeds.add("prepared", name, "").c_str(), O_RDWR | O_CLOEXEC));
+  };
+  PrepareAnswer answer;
+  PointBits kept(10);
+  for (const std::uint64_t left : {10U, 9U, 9U}) {
+    StepResult step{.before = answer.steps.empty() ? 10 : answer.steps.back().after, .after = left};
+    if (left == 9) kept.clear(3);
+    step.kept = kept;
+    step.note = "A note.";
+    answer.steps.push_back(step);
+  }
+  answer.poses.resize(2);
+  answer.normals.assign(9, {0, 0, 1});
+  answer.warnings = {"One."};
+  answer.align.emplace().scans.resize(2);
+  answer.align->loops.push_back({});
+  sendPrepareAnswer(open("answer").get(), answer);
+  answer.align.reset();
+  answer.normals.clear();
+  sendPrepareAnswer(open("without").get(), answer);
+  sendPrepareAnswer(open("refusal").get(), PrepareRefusal{"It cannot be done."});
+}
+
 void addDevices(const Seeds& seeds) {
   // Line status, an answer, status alone, half an answer.
   seeds.add("protocol", "answers", "\x01`<IODAIBMPPPPAqA>\x01`\x01`<PPPACEP<AAAAAAAAAAAAAA>");
@@ -325,6 +415,7 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   const Seeds seeds(folder);
+  addBoth(seeds);
   addPly(seeds);
   addPcd(seeds);
   addText(seeds);
@@ -334,6 +425,8 @@ int main(int argc, char** argv) {
   addE57(seeds);
   addRasters(seeds, folder);
   addAnswers(seeds);
+  addRecipes(seeds);
+  addPrepared(seeds);
   addDevices(seeds);
   return 0;
 }

@@ -42,6 +42,27 @@ TEST(Replaceable, PipesFoldersAndLinksToThemStay) {
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
 }
 
+TEST(Replaceable, SaysWhereTheFileIsBehindItsLinks) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  fs::create_directory(folder.path() / "sub");
+  fs::create_symlink("../a.txt", folder.path() / "sub/one");
+  fs::create_symlink("sub/one", folder.path() / "two");
+  fs::create_symlink("circle", folder.path() / "circle");
+  EXPECT_TRUE(fs::equivalent(requireReplaceable(folder.path() / "two"), file));
+  EXPECT_EQ(requireReplaceable(file), file);
+  EXPECT_THROW(requireReplaceable(folder.path() / "circle"), WriteError);
+}
+
+TEST(Replaceable, ReadOnlyFilesAndOpenFilesOfAProcessStay) {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  fs::create_symlink("/proc/self/fd/0", folder.path() / "input");
+  fs::permissions(file, fs::perms::owner_read);
+  EXPECT_THROW(requireReplaceable(file), WriteError);
+  EXPECT_THROW(requireReplaceable(folder.path() / "input"), WriteError);
+}
+
 TEST(NotAnInput, IsAskedOfTheFileNotOfItsName) {
   const test::TemporaryFolder folder;
   const fs::path scan = folder.write("scan.ply", "points");

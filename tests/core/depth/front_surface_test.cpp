@@ -54,6 +54,18 @@ TEST(EvenPoints, ThinDenseParts) {
   EXPECT_LT(shareWithin(even, 6.25F), 0.15);
 }
 
+TEST(EvenPoints, AreMeansThatBearLessNoise) {
+  std::vector<ViewMm> points = sheets(50'000, {30}, 14);
+  std::mt19937 random(14);
+  std::normal_distribution<double> noise(0, 0.3);
+  for (ViewMm& p : points) p.z += noise(random);
+  const auto even = evenPoints(blocksOf(points), kBox, points.size(), 2000, {});
+  double squares = 0;
+  for (const auto& p : even) squares += std::pow(static_cast<double>(p[2]) - 30, 2);
+  // Some 25 points in each, more where a cube's border does not cut the sheet.
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(even.size())), 0.1);
+}
+
 TEST(EvenPoints, LeaveOutStraysThatThinningWouldMakeMany) {
   std::vector<ViewMm> points = sheets(100'000, {10}, 13);
   std::mt19937 random(13);
@@ -118,6 +130,30 @@ TEST(FrontSurface, AVoidBetweenPointsClosesANarrowHollowWithWallsStays) {
   const auto drilled = plateWithHole(1.5, true, 4);
   const FrontSurface hollow(blocksOf(drilled), kBox, drilled.size(), {});
   EXPECT_LT(hollow.depthAt(50, 50), 48);
+}
+
+TEST(FrontSurface, AVoidClosesFromRimToRim) {
+  // Less than four spacings across: off its middle one rim is farther than two.
+  const auto by_chance = plateWithHole(2.3, false, 17);
+  const FrontSurface closed(blocksOf(by_chance), kBox, by_chance.size(), {});
+  for (const double off : {-1.5, -1.0, 0.0, 1.0, 1.5}) {
+    EXPECT_NEAR(closed.depthAt(50 + off, 50), 50, 1e-3) << off;
+    EXPECT_NEAR(closed.depthAt(50, 50 + off), 50, 1e-3) << off;
+  }
+}
+
+TEST(FrontSurface, LiesInTheMiddleOfNoisyPoints) {
+  std::vector<ViewMm> points = sheets(20'000, {10, 50}, 16);
+  std::mt19937 random(16);
+  std::normal_distribution<double> noise(0, 0.35);  // Of a spacing of 1 mm.
+  for (ViewMm& p : points) p.z += noise(random);
+  const FrontSurface front(blocksOf(points), kBox, points.size(), {});
+  double sum = 0;
+  int count = 0;
+  for (double x = 5; x < 95; x += 0.7) {
+    for (double y = 5; y < 95; y += 0.7, ++count) sum += static_cast<double>(front.depthAt(x, y));
+  }
+  EXPECT_NEAR(sum / count, 50, 0.1);
 }
 
 TEST(FrontSurface, AWideHoleShowsTheGround) {

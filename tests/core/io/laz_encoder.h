@@ -11,26 +11,31 @@
 #include <vector>
 
 #include "tests/core/io/laz_coder.h"
+#include "tests/core/io/laz_first_coder.h"
 #include "tests/core/io/sample_files.h"
 
 namespace relievo::test {
 
 /// How records are packed.
 struct Packing {
-  int format = 0;               ///< 0 to 3, 6 to 8.
+  int format = 0;               ///< 0 to 10.
   std::size_t extra_bytes = 0;  ///< Behind each record's own.
-  int version = 3;              ///< Of layered items: 3 or 4.
-};
+  int version = 3;              ///< Of layered items: 3 or 4; of others: 1, else 2.
 
-template <class T>
-T numberOf(const char* at) {
-  T number;
-  std::memcpy(&number, at, sizeof(T));  // Tests run on little-endian machines.
-  return number;
-}
-inline std::uint32_t byteAt(const char* at) {
-  return static_cast<unsigned char>(*at);
-}
+  bool layered() const { return format >= 6; }
+  bool timed() const { return format == 1 || (format >= 3 && format <= 5); }
+  bool infrared() const { return format == 8 || format == 10; }
+  bool coloured() const {
+    return format == 2 || format == 3 || format == 5 || format == 7 || infrared();
+  }
+  bool waved() const { return format == 4 || format == 5 || format >= 9; }
+  /// Bytes of colour and near infrared.
+  std::size_t colourBytes() const { return (coloured() ? 6U : 0U) + (infrared() ? 2U : 0U); }
+  /// Bytes before the colour, before the waveform, and before further bytes.
+  std::size_t colourAt() const { return layered() ? 30 : timed() ? 28 : 20; }
+  std::size_t wavesAt() const { return colourAt() + colourBytes(); }
+  std::size_t extraAt() const { return wavesAt() + (waved() ? 29U : 0U); }
+};
 
 /// Streams by name: one for all fields, or one each.
 using Coders = std::vector<ArithmeticCoder>;
@@ -115,23 +120,75 @@ inline ColourCoder::Bytes colourBytes(const char* at) {
   return bytes;
 }
 
-/// Formats 0 to 3: the first record, then one stream.
+/// Descriptor, place, size, and four further numbers of a full waveform.
+class WavesCoder {
+ public:
+  void code(ArithmeticCoder& coder, const char* old, const char* now) {
+    coder.symbol(descriptor_, byteAt(now));
+    const auto place = numberOf<std::uint64_t>(now + 1);
+    const auto by = static_cast<std::int64_t>(place - numberOf<std::uint64_t>(old + 1));
+    const std::size_t step = by == 0                                  ? 0
+                             : by == numberOf<std::uint32_t>(old + 9) ? 1
+                             : by == static_cast<std::int32_t>(by)    ? 2
+                                                                      : 3;
+    coder.symbol(steps_[step_], step);
+    step_ = step;
+    if (step == 2) {
+      distances_.code(coder, distance_, static_cast<std::uint32_t>(by), 0);
+      distance_ = static_cast<std::uint32_t>(by);
+    } else if (step == 3) {
+      coder.raw(static_cast<std::uint32_t>(place), 32);
+      coder.raw(static_cast<std::uint32_t>(place >> 32U), 32);
+    }
+    const auto number = [&](IntegerCoder& of, std::size_t at, std::size_t context) {
+      of.code(coder, numberOf<std::uint32_t>(old + at), numberOf<std::uint32_t>(now + at), context);
+    };
+    number(sizes_, 9, 0);
+    number(returns_, 13, 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) number(directions_, 17 + 4 * axis, axis);
+  }
+
+ private:
+  CoderModel descriptor_{256};
+  std::vector<CoderModel> steps_ = std::vector<CoderModel>(4, CoderModel(4));
+  IntegerCoder distances_{32, 1}, sizes_{32, 1}, returns_{32, 1}, directions_{32, 3};
+  std::size_t step_ = 0;
+  std::uint32_t distance_ = 0;
+};
+
+/// Formats 0 to 5: the first record, then one stream.
 inline std::string encodeStream(const std::vector<std::string>& records, const Packing& how) {
-  const bool timed = how.format == 1 || how.format == 3, coloured = how.format >= 2;
-  const std::size_t colour_at = timed ? 28 : 20, extra_at = colour_at + (coloured ? 6 : 0);
+  const bool is_first_version = how.version == 1;
+  const std::size_t colour_at = how.colourAt(), extra_at = how.extraAt();
   const char* old = records[0].data();
   ArithmeticCoder coder;
   Point10Coder point(old);
-  TimeCoder time(1, timed ? numberOf<std::uint64_t>(old + 20) : 0);
+  TimeCoder time(1, how.timed() ? numberOf<std::uint64_t>(old + 20) : 0);
   ColourCoder colour;
   std::vector<CoderModel> extra(how.extra_bytes);
+  FirstPointCoder first_point;
+  FirstTimeCoder first_time;
+  FirstColourCoder first_colour;
+  IntegerCoder first_extra(8, how.extra_bytes);
+  WavesCoder waves;
   for (std::size_t i = 1; i < records.size(); ++i) {
     const char* const now = records[i].data();
-    point.code(coder, now);
-    if (timed) time.code(coder, numberOf<std::uint64_t>(now + 20));
-    if (coloured) colour.code(coder, colourBytes(old + colour_at), colourBytes(now + colour_at));
+    is_first_version ? first_point.code(coder, old, now) : point.code(coder, now);
+    if (how.timed()) {
+      const auto at = numberOf<std::uint64_t>(now + 20);
+      is_first_version ? first_time.code(coder, numberOf<std::uint64_t>(old + 20), at)
+                       : time.code(coder, at);
+    }
+    if (how.coloured() && is_first_version) {
+      first_colour.code(coder, old + colour_at, now + colour_at);
+    } else if (how.coloured()) {
+      colour.code(coder, colourBytes(old + colour_at), colourBytes(now + colour_at));
+    }
+    if (how.waved()) waves.code(coder, old + how.wavesAt(), now + how.wavesAt());
     for (std::size_t e = 0; e < how.extra_bytes; ++e) {
-      coder.symbol(extra[e], (byteAt(now + extra_at + e) - byteAt(old + extra_at + e)) & 255U);
+      const std::uint32_t before = byteAt(old + extra_at + e), byte = byteAt(now + extra_at + e);
+      is_first_version ? first_extra.code(coder, before, byte, e)
+                       : coder.symbol(extra[e], (byte - before) & 255U);
     }
     old = now;
   }
@@ -262,11 +319,11 @@ class LayeredCoder {
     seen_ = channel;
     Models& models = *channels_[channel];
     std::size_t layer = 9, at = 0;
-    if (how_.format >= 7) {
+    if (how_.coloured()) {
       models.colour.code(c[layer++], colourBytes(old->data()), colourBytes(now + 30));
       at = 6;
     }
-    if (how_.format == 8) {
+    if (how_.infrared()) {
       const std::uint32_t low = byteAt(now + 36), high = byteAt(now + 37);
       const std::uint32_t old_low = byteAt(old->data() + 6), old_high = byteAt(old->data() + 7);
       c[layer].symbol(models.infrared, (low != old_low ? 1U : 0U) + (high != old_high ? 2U : 0U));
@@ -274,6 +331,10 @@ class LayeredCoder {
       if (high != old_high) c[layer].symbol(models.infrared_bytes[1], (high - old_high) & 255U);
       ++layer;
       at = 8;
+    }
+    if (how_.waved()) {
+      models.waves.code(c[layer++], old->data() + at, now + 30 + at);
+      at += 29;
     }
     for (std::size_t e = 0; e < how_.extra_bytes; ++e, ++at) {
       c[layer++].symbol(models.extra[e], (byteAt(now + 30 + at) - byteAt(old->data() + at)) & 255U);
@@ -289,6 +350,7 @@ class LayeredCoder {
     ColourCoder colour;
     CoderModel infrared{4};
     std::array<CoderModel, 2> infrared_bytes;
+    WavesCoder waves;
     std::vector<CoderModel> extra;
   };
   Packing how_;
@@ -296,38 +358,31 @@ class LayeredCoder {
   std::array<std::optional<Models>, 4> channels_;
 };
 
-/// Formats 6 to 8: the first record, numbers of points and bytes, and a stream for each field.
+/// Formats 6 to 10: the first record, numbers of points and bytes, and a stream for each field.
 /// Fields that never change have none.
 inline std::string encodeLayers(const std::vector<std::string>& records, const Packing& how) {
-  const std::size_t layers = 9 + static_cast<std::size_t>(how.format - 6) + how.extra_bytes;
-  Coders coders(layers);
+  // Which bytes of a record each layer stands for; place and flags are always there.
+  std::vector<std::array<std::size_t, 2>> fields{{0, 0},  {8, 4},  {16, 1}, {15, 1}, {12, 2},
+                                                 {18, 2}, {17, 1}, {20, 2}, {22, 8}};
+  if (how.coloured()) fields.push_back({30, 6});
+  if (how.infrared()) fields.push_back({36, 2});
+  if (how.waved()) fields.push_back({how.wavesAt(), 29});
+  for (std::size_t e = 0; e < how.extra_bytes; ++e) fields.push_back({how.extraAt() + e, 1});
+  Coders coders(fields.size());
   Point14Coder point(records[0]);
   LayeredCoder more(how, records[0], point.current());
   for (std::size_t i = 1; i < records.size(); ++i) {
     point.code(coders, records[i].data());
     more.code(coders, records[i].data(), point.current(), point.switched());
   }
-  // Which bytes of a record a layer stands for; place and flags are always there.
-  const auto same = [&](std::size_t at, std::size_t count) {
-    return std::all_of(records.begin(), records.end(), [&](const std::string& record) {
-      return record.compare(at, count, records[0], at, count) == 0;
-    });
-  };
-  constexpr std::array<std::array<std::size_t, 2>, 9> kFields{
-      {{0, 0}, {8, 4}, {16, 1}, {15, 1}, {12, 2}, {18, 2}, {17, 1}, {20, 2}, {22, 8}}};
   std::string sizes, bodies;
-  std::size_t extra_at = 30 + (how.format == 6 ? 0U : how.format == 7 ? 6U : 8U);
-  for (std::size_t i = 0; i < layers; ++i) {
-    bool unchanged = false;
-    if (i > 0 && i < 9) {
-      unchanged = same(kFields[i][0], kFields[i][1]);
-    } else if (i == 9 && how.format >= 7) {
-      unchanged = same(30, 6);
-    } else if (i == 10 && how.format == 8) {
-      unchanged = same(36, 2);
-    } else if (i > 0) {
-      unchanged = same(extra_at++, 1);
-    }
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const auto [at, count] = fields[i];
+    const bool unchanged =
+        i > 0 && std::all_of(records.begin(), records.end(),
+                             [&, at = at, count = count](const auto& record) {
+                               return record.compare(at, count, records[0], at, count) == 0;
+                             });
     const std::string body = unchanged ? ""
                              : i == 0  ? coders[i].finishAlways()
                                        : coders[i].finish();
@@ -338,7 +393,7 @@ inline std::string encodeLayers(const std::vector<std::string>& records, const P
 }
 
 inline std::string encodeChunk(const std::vector<std::string>& records, const Packing& how) {
-  return how.format >= 6 ? encodeLayers(records, how) : encodeStream(records, how);
+  return how.layered() ? encodeLayers(records, how) : encodeStream(records, how);
 }
 
 }  // namespace relievo::test

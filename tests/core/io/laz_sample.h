@@ -17,6 +17,32 @@ namespace relievo::test {
 
 using Records = std::vector<std::string>;
 
+/// Full waveforms that follow each other, now and then elsewhere.
+class WanderingWaves {
+ public:
+  std::string next(std::mt19937& random) {
+    const auto below = [&random](std::uint32_t n) {
+      return static_cast<std::uint32_t>(random() % n);
+    };
+    const std::uint32_t way = below(10);
+    if (way < 5) place_ += size_;
+    if (way == 5) place_ += below(100'000) - 50'000ULL;
+    if (way == 6) place_ = std::uint64_t{random()} << 32U | random();
+    if (below(10) == 0) size_ = 100 + below(50);
+    if (below(20) == 0) descriptor_ = static_cast<char>(below(256));
+    for (float& direction : directions_) direction += 1e-6F * static_cast<float>(below(100));
+    std::string bytes = std::string(1, descriptor_) + bytesOf(place_) + bytesOf(size_);
+    for (const float direction : directions_) bytes += bytesOf(direction);
+    return bytes;
+  }
+
+ private:
+  char descriptor_ = 1;
+  std::uint64_t place_ = 60;
+  std::uint32_t size_ = 128;
+  std::array<float, 4> directions_{12.5F, 1e-4F, 2e-4F, -3e-4F};
+};
+
 /// Points of a scan that wanders on, now finely, now in leaps, with all fields in use.
 /// @param wild  some points lie anywhere, and some returns cannot be
 inline Records wanderingRecords(const Packing& how, std::size_t count, unsigned channels = 1,
@@ -32,6 +58,7 @@ inline Records wanderingRecords(const Packing& how, std::size_t count, unsigned 
   std::uint16_t grey = 100;
   double time = 1e5;
   std::string extra(how.extra_bytes, '\1');
+  WanderingWaves waves;
   Records records;
   for (std::size_t i = 0; i < count; ++i) {
     if (rarely(3)) mode = below(4);
@@ -70,11 +97,10 @@ inline Records wanderingRecords(const Packing& how, std::size_t count, unsigned 
     } else {
       record += byte(r | n << 3U | (flags & 0xC0U)) + byte(kind) + byte(angle) + byte(user) +
                 bytesOf(static_cast<std::uint16_t>(source));
-      if (how.format == 1 || how.format == 3) record += bytesOf(time);
+      if (how.timed()) record += bytesOf(time);
     }
-    const bool coloured = how.format == 2 || how.format == 3 || how.format >= 7;
-    for (std::size_t c = 0; c < 3 && coloured; ++c) record += bytesOf(colour[c]);
-    if (how.format == 8) record += bytesOf(colour[3]);
+    for (std::size_t c = 0; c < how.colourBytes() / 2; ++c) record += bytesOf(colour[c]);
+    if (how.waved()) record += waves.next(random);
     records.push_back(record + extra);
   }
   return records;
@@ -113,15 +139,23 @@ inline std::string lazRecord(const std::string& owner, std::uint16_t number,
 inline std::string packingRecord(const Laz& laz) {
   struct Item {
     std::uint16_t kind, bytes;
+    int version;
   };
-  const bool layered = laz.how.format >= 6;
-  const auto extra = static_cast<std::uint16_t>(laz.how.extra_bytes);
-  std::vector<Item> items{layered ? Item{10, 30} : Item{6, 20}};
-  if (laz.how.format == 1 || laz.how.format == 3) items.push_back({7, 8});
-  if (laz.how.format == 2 || laz.how.format == 3) items.push_back({8, 6});
-  if (laz.how.format == 7) items.push_back({11, 6});
-  if (laz.how.format == 8) items.push_back({12, 8});
-  if (extra > 0) items.push_back({static_cast<std::uint16_t>(layered ? 14 : 0), extra});
+  const Packing& how = laz.how;
+  const bool layered = how.layered();
+  const auto extra = static_cast<std::uint16_t>(how.extra_bytes);
+  const int version = layered ? how.version : how.version == 1 ? 1 : 2;
+  std::vector<Item> items{layered ? Item{10, 30, version} : Item{6, 20, version}};
+  if (how.timed()) items.push_back({7, 8, version});
+  if (how.infrared()) {
+    items.push_back({12, 8, version});
+  } else if (how.coloured()) {
+    items.push_back({static_cast<std::uint16_t>(layered ? 11 : 8), 6, version});
+  }
+  if (how.waved()) {
+    items.push_back(layered ? Item{13, 29, version} : Item{9, 29, 1});
+  }
+  if (extra > 0) items.push_back({static_cast<std::uint16_t>(layered ? 14 : 0), extra, version});
   std::string content = bytesOf(static_cast<std::uint16_t>(layered          ? 3
                                                            : laz.one_stream ? 1
                                                                             : 2)) +
@@ -130,7 +164,7 @@ inline std::string packingRecord(const Laz& laz) {
                         bytesOf(static_cast<std::uint16_t>(items.size()));
   for (const Item& item : items) {
     content += bytesOf(item.kind) + bytesOf(item.bytes) +
-               bytesOf(static_cast<std::uint16_t>(layered ? laz.how.version : 2));
+               bytesOf(static_cast<std::uint16_t>(item.version));
   }
   return content;
 }

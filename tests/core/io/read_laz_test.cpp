@@ -69,7 +69,7 @@ Laz tame(int format, std::size_t count, unsigned channels = 1) {
 }
 
 TEST(ReadLaz, EveryFormatComesBackBitForBit) {
-  for (const int format : {0, 1, 2, 3, 6, 7, 8}) {
+  for (int format = 0; format <= 10; ++format) {
     for (const std::size_t extra_bytes : {0U, 3U}) {
       for (const std::uint32_t chunk_points : {1U, 2U, 500U, 50'000U}) {
         SCOPED_TRACE(testing::Message() << format << ", " << extra_bytes << ", " << chunk_points);
@@ -82,8 +82,24 @@ TEST(ReadLaz, EveryFormatComesBackBitForBit) {
   }
 }
 
+TEST(ReadLaz, TheFirstVersionOfThePackingComesBackBitForBit) {
+  for (int format = 0; format <= 5; ++format) {
+    for (const std::size_t extra_bytes : {0U, 3U}) {
+      for (const bool one_stream : {false, true}) {
+        SCOPED_TRACE(testing::Message() << format << ", " << extra_bytes << ", " << one_stream);
+        Laz laz = wandering(format, 2103, 500, extra_bytes);
+        laz.how.version = 1;
+        laz.one_stream = one_stream;
+        const Unpacked found = unpacked(lazFile(laz).bytes);
+        ASSERT_EQ(found.records, joined(laz.records));
+        EXPECT_THAT(found.doubts, IsEmpty());
+      }
+    }
+  }
+}
+
 TEST(ReadLaz, ScannerChannelsAreKeptApartAsBothVersionsDo) {
-  for (const int format : {6, 7, 8}) {
+  for (const int format : {6, 7, 8, 9, 10}) {
     for (const int version : {3, 4}) {
       for (const unsigned channels : {2U, 4U}) {
         SCOPED_TRACE(testing::Message() << format << ", " << version << ", " << channels);
@@ -165,21 +181,50 @@ TEST(ReadLaz, AnyNumberOfThreadsGivesTheSameRecordsInOrder) {
   }
 }
 
-TEST(ReadLaz, EveryTruncationIsRefused) {
-  for (const int format : {1, 7}) {
-    Laz laz = wandering(format, 120, kAnyChunks, 1);
-    laz.chunks = {50, 70};
-    if (format == 7) laz.levels = {0, 2};
-    const std::string bytes = lazFile(laz).bytes;
-    ASSERT_EQ(unpacked(bytes).records, joined(laz.records));
-    for (std::size_t size = 0; size < bytes.size(); ++size) {
-      // The last zeros of the list of chunks are only there to be counted on.
-      if (format == 1 && size + kLazSlack >= bytes.size()) break;
-      const Refusal refusal = refusalOf([&] { unpacked(bytes.substr(0, size)); });
-      ASSERT_THAT(refusal.words, HasSubstr("Cannot read made.laz: ")) << size;
-      ASSERT_TRUE(refusal.words.ends_with('.')) << refusal.words;
-    }
+/// Points of a cut file, in the order of the file.
+std::size_t pointsBeforeCut(const std::string& bytes, std::size_t size, const Laz& laz) {
+  const std::string all = joined(laz.records);
+  const Unpacked found = unpacked(std::string_view(bytes).substr(0, size));
+  EXPECT_TRUE(all.starts_with(found.records)) << size;
+  if (found.records.size() < all.size()) {
+    EXPECT_THAT(found.doubts, ElementsAre(std::string(kLazListMissing))) << size;
   }
+  return found.records.size() / laz.records[0].size();
+}
+
+TEST(ReadLaz, OfACutFileThePointsBeforeTheCutAreRead) {
+  for (const int format : {1, 7}) {
+    const Laz laz = wandering(format, 120, 50, 1);
+    const LazBytes file = lazFile(laz);
+    std::size_t before = 0;
+    for (std::size_t size = file.points_at + 8; size < file.bytes.size(); ++size) {
+      const std::size_t found = pointsBeforeCut(file.bytes, size, laz);
+      ASSERT_GE(found, before) << size;
+      before = found;
+      // Layers come one after the other: nothing of a chunk is whole before all of it is.
+      const auto whole = static_cast<std::size_t>(
+          std::count_if(file.chunks_at.begin() + 1, file.chunks_at.end(),
+                        [size](std::size_t next) { return next <= size; }));
+      if (size >= file.chunks_at.back()) continue;
+      ASSERT_GE(found, 50 * whole) << size;
+      if (format == 7) {
+        ASSERT_EQ(found, 50 * whole) << size;
+      }
+    }
+    EXPECT_EQ(before, 120U);
+  }
+}
+
+TEST(ReadLaz, CutChunksOfAnyNumberOfPointsAreFoundWhereTheySayIt) {
+  Laz laz = wandering(7, 120, kAnyChunks, 1);
+  laz.chunks = {50, 70};
+  laz.levels = {0, 2};
+  LazBytes file = lazFile(laz);
+  EXPECT_EQ(pointsBeforeCut(file.bytes, file.chunks_at[1] + 20, laz), 50U);
+  laz = wandering(1, 120, kAnyChunks);
+  laz.chunks = {50, 70};
+  file = lazFile(laz);
+  EXPECT_EQ(pointsBeforeCut(file.bytes, file.table_at, laz), 0U);
 }
 
 TEST(ReadLaz, ChangedBytesAreRefusedOrUnpackedToAsManyRecords) {
@@ -287,6 +332,38 @@ TEST_F(LazFiles, AStreamReadsAnyOfTheSamePoints) {
   }
 }
 
+TEST_F(LazFiles, ACutFileIsRefusedOrReadInPartAsACutLasIs) {
+  const Laz laz = wandering(7, 1200, 500);
+  const LazBytes whole = lazFile(laz);
+  const auto file = folder_.write("made.laz", whole.bytes.substr(0, whole.chunks_at[2] + 5));
+  const std::string refused = refusalOf([&] { importScan(file); }).words;
+  EXPECT_EQ(refused,
+            "Cannot read made.laz: header promises 1 200 points, file ends at 1 000. Nothing was "
+            "loaded. Load the 1 000 complete points, or choose another file.");
+  EXPECT_EQ(refusalOf([&] { const PointStream stream(file); }).words, refused);
+  ImportOptions incomplete;
+  incomplete.accept_incomplete = true;
+  incomplete.scan.keep_withheld = true;
+  const Scan scan = importScan(file, incomplete);
+  EXPECT_EQ(scan.points.size(), 1000U);
+  EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("promises 1 200 points, it ends at 1 000"),
+                                              HasSubstr("withheld"), std::string(kLazListMissing)));
+  const PointStream stream(file, incomplete);
+  EXPECT_EQ(stream.info().points, 1000U);
+  const PointStream plain(folder_.write("plain.las", lasOf(laz)), incomplete);
+  std::vector<FilePoint> found(1000), expected(1000);
+  ASSERT_EQ(stream.read(0, found), 1000U);
+  ASSERT_EQ(plain.read(0, expected), 1000U);
+  EXPECT_EQ(found, expected);
+  // Cut so that nothing is left, and so that nothing but the list is missing.
+  const std::string none = whole.bytes.substr(0, whole.chunks_at[0] + 5);
+  EXPECT_THAT(refusal(none), HasSubstr("file ends at 0. Nothing was loaded."));
+  EXPECT_THAT(refusalOf([&] { importScan(folder_.write("made.laz", none), incomplete); }).words,
+              HasSubstr("0 points"));
+  const Scan listless = load(whole.bytes.substr(0, whole.table_at));
+  EXPECT_EQ(listless.info.points, 1200U);
+}
+
 TEST_F(LazFiles, AStreamThatIsStoppedUnpacksNoMore) {
   std::stop_source stop;
   const PointStream packed(folder_.write("made.laz", lazFile(wandering(3, 5000)).bytes), {},
@@ -304,10 +381,11 @@ TEST_F(LazFiles, WhatIsNotUnpackedHereIsSaid) {
     std::string bytes = file.bytes;
     return bytes.replace(file.packing_at + at, value.size(), value);
   };
-  EXPECT_THAT(refusal(with(old, 38, "\1")), HasSubstr("LASzip of 2010 or 2011"));
   EXPECT_THAT(refusal(with(old, 38, "\5")), HasSubstr("version 5"));
   EXPECT_THAT(refusal(with(layered, 38, "\5")), HasSubstr("version 5"));
-  EXPECT_THAT(refusal(with(old, 40, "\x09")), HasSubstr("full waveforms"));
+  EXPECT_THAT(refusal(with(old, 40, "\x09")), HasSubstr("fields of kind 9 with 8 bytes"));
+  const LazBytes waves = lazFile(wandering(4, 100));
+  EXPECT_THAT(refusal(with(waves, 50, "\2")), HasSubstr("version 2"));
   EXPECT_THAT(refusal(with(old, 40, "\x05")), HasSubstr("fields of kind 5"));
   EXPECT_THAT(refusal(with(old, 0, "\7")), HasSubstr("a way (7) that is not known here"));
   EXPECT_THAT(refusal(with(old, 2, "\1")), HasSubstr("not known here"));
@@ -324,8 +402,12 @@ TEST_F(LazFiles, ListsOfChunksThatCannotBeAreRefused) {
     return bytes.replace(at, value.size(), value);
   };
   const auto place = [&](std::uint64_t at) { return with(good.points_at, bytesOf(at)); };
-  EXPECT_THAT(refusal(place(good.bytes.size() - 7)), HasSubstr("ends before the list"));
-  EXPECT_THAT(refusal(place(std::uint64_t{1} << 63U)), HasSubstr("ends before the list"));
+  // As if it were cut off.
+  for (const std::uint64_t beyond :
+       {std::uint64_t{good.bytes.size()} - 7, std::uint64_t{1} << 63U}) {
+    EXPECT_THAT(load(place(beyond)).info.warnings,
+                ::testing::Contains(std::string(kLazListMissing)));
+  }
   EXPECT_THAT(refusal(place(0)), HasSubstr("within its header"));
   EXPECT_THAT(refusal(with(good.table_at, "\1")), HasSubstr("is none"));
   EXPECT_THAT(refusal(with(good.table_at + 4, bytesOf(~std::uint32_t{0}))), HasSubstr("is none"));

@@ -55,6 +55,28 @@ TEST(ReadText, TextInTheFormsThatProgramsWrite) {
   }
 }
 
+TEST(ReadText, ThousandsSeparatorsAreRefusedWithTheirLine) {
+  const TemporaryFolder folder;
+  const auto why = [&](const std::string& content) {
+    try {
+      importScan(folder.write("a.xyz", content));
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  for (const char* content :
+       {"1,234.5 2,345.25 12.5\n1,235.5 2,345.25 12.5\n", "1.234,5 2.345,25 12,5\n",
+        "12.5 1,234,567.5 3\n", "999.5\t3,000.5\t-1,200.25\n"}) {
+    EXPECT_NE(why(content).find("line 1 (\""), std::string::npos) << content << why(content);
+    EXPECT_NE(why(content).find("by thousands"), std::string::npos) << content << why(content);
+  }
+  EXPECT_NE(why("X Y Z\n1,234.5 2,345.25 12.5\n").find("line 2"), std::string::npos);
+  EXPECT_NE(why("1 2 3\n1,234.5 2,345.25 12.5\n").find("line 2"), std::string::npos);
+  EXPECT_EQ(why("1,2,3,old stone wall\n4,5,6,new stone wall\n"), "read");
+  EXPECT_EQ(why("1.5, 2.5, 3.5\n4.5, 5.5, 6.5\n"), "read");
+}
+
 TEST(ReadText, TextRowsWithoutAPositionAreCountedButNotPoints) {
   const TemporaryFolder folder;
   const Scan scan =

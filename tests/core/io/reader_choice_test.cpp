@@ -333,6 +333,49 @@ TEST_F(MadeFiles, HeaderLinesOfNoStandardAreSaidAndPassedOver) {
               ::testing::ElementsAre(HasSubstr("(\"SENSOR kinect\") is not of PCD")));
 }
 
+TEST_F(MadeFiles, PcdMayLeaveOutWhatFollowsFromTheRest) {
+  const auto without = [this](std::initializer_list<std::string> lines) {
+    std::string header = pcdHeader({});
+    for (const std::string& line : lines) {
+      const std::size_t at = header.find("\n" + line + " ") + 1;
+      header.erase(at, header.find('\n', at) + 1 - at);
+    }
+    return importScan(folder_.write("a.pcd", header + textRows(10))).points.size();
+  };
+  EXPECT_EQ(without({"COUNT"}), 10U);
+  EXPECT_EQ(without({"POINTS"}), 10U);
+  EXPECT_EQ(without({"WIDTH", "HEIGHT"}), 10U);
+  EXPECT_EQ(without({"HEIGHT", "POINTS", "COUNT"}), 10U) << "the width alone";
+}
+
+TEST_F(MadeFiles, PlyOfAnyVersionAndWithCommentsBeforeItsFormat) {
+  const auto file = [this](const std::string& beginning) {
+    return folder_.write("a.ply", beginning +
+                                      "element vertex 1\nproperty float x\nproperty float y\n"
+                                      "property float z\nend_header\n1 2 3\n");
+  };
+  for (const std::string beginning :
+       {"ply\nformat ascii 1.1\n", "ply\nformat ascii 2.0\n",
+        "ply\ncomment first\nobj_info second\nformat ascii 1.0\ncomment third\n"}) {
+    EXPECT_EQ(importScan(file(beginning)).point(0), (FilePoint{1, 2, 3})) << beginning;
+  }
+}
+
+TEST_F(MadeFiles, PlyFacesHaveTwoNamesAndOthersAreNoFaces) {
+  const auto scan = [this](const std::string& name) {
+    return importScan(folder_.write(
+        "a.ply",
+        plyHeader("ascii", "3", "float", "element face 1\nproperty list uchar int " + name + "\n") +
+            textRows(3) + "3 0 1 2\n"));
+  };
+  EXPECT_EQ(scan("vertex_indices").triangles.size(), 1U);
+  EXPECT_EQ(scan("vertex_index").triangles.size(), 1U);
+  const Scan other = scan("corners");
+  EXPECT_EQ(other.points.size(), 3U);
+  EXPECT_TRUE(other.triangles.empty());
+  EXPECT_THAT(other.info.warnings, ::testing::ElementsAre(HasSubstr("loaded without faces")));
+}
+
 // ---- what is no liberty --------------------------------------------------------------------
 
 TEST_F(MadeFiles, CornersThatAreNoWholeNumbersAreNoFaces) {

@@ -2,6 +2,7 @@
 #include "core/io/replaced_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -93,6 +94,37 @@ TEST(ReplacedFile, KeepsWhatWasWrittenAndElseNothing) {
   std::ifstream in(file);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "new");
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
+}
+
+TEST(ReplacedFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.write("a.txt", "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
+  fs::create_symlink("a.txt", folder.path() / "link.txt");
+  ReplacedFile written(folder.path() / "link.txt");
+  std::ofstream(written.path()) << "new";
+  written.keep();
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
+  EXPECT_EQ(fs::file_size(file), 3U);
+  std::ifstream in(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "new");
+  EXPECT_EQ(fs::status(file).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
+}
+
+TEST(ReplacedFile, KeepsTheOwnerOfWhatItReplaces) {
+  if (::getuid() != 0) GTEST_SKIP() << "Only the superuser can give a file to somebody else.";
+  const test::TemporaryFolder folder;
+  const auto file = folder.write("a.txt", "old");
+  ASSERT_EQ(::chown(file.c_str(), 12, 34), 0);
+  ReplacedFile written(file);
+  std::ofstream(written.path()) << "new";
+  written.keep();
+  struct stat now {};
+  ASSERT_EQ(::stat(file.c_str(), &now), 0);
+  EXPECT_EQ(now.st_uid, 12U);
+  EXPECT_EQ(now.st_gid, 34U);
 }
 
 }  // namespace

@@ -98,6 +98,37 @@ TEST(Measure, AProfileFollowsTheStepAndItsBends) {
   EXPECT_NEAR(r.quantities[1].value, 5, 1e-6);
 }
 
+/// mapOf() covers 100 x 100 mm; what is beside it is asked for, and is not measured.
+TEST(Measure, AProfileBeyondTheMapSaysBothLengths) {
+  const DepthMap map = mapOf(ramp);
+  for (const double far : {50.0, 1e5, 1e9}) {
+    const Reading r =
+        read(map, {.kind = MeasureKind::profile, .places = {{-far, -far}, {100 + far, 100 + far}}});
+    const double asked = std::sqrt(2.0) * (100 + 2 * far);
+    EXPECT_EQ(r.quantities[0].title, "length");
+    EXPECT_NEAR(r.quantities[0].value, asked, 1e-9 * asked);
+    EXPECT_EQ(r.quantities[3].title, "length on the map");
+    EXPECT_NEAR(r.quantities[3].value, std::sqrt(2.0) * 100, 2 * map.frame.spacing_mm);
+    EXPECT_NEAR(r.not_measured, 1 - std::sqrt(2.0) * 100 / asked, 0.02);
+  }
+  EXPECT_THROW(read(map, {.kind = MeasureKind::profile, .places = {{-9, -9}, {-9, 200}}}),
+               ArgumentError);
+}
+
+/// Out over the border and back again: what lies between is not on the map.
+TEST(Measure, AProfileThatLeavesTheMapIsNotJoinedAcrossTheGap) {
+  const DepthMap map = mapOf(ramp);
+  const std::vector<PlaceMm> places{{90, 20}, {150, 20}, {150, 40}, {90, 40}};
+  const Reading r = read(map, {.kind = MeasureKind::profile, .places = places});
+  EXPECT_NEAR(r.quantities[0].value, 140, 1e-9);
+  EXPECT_NEAR(r.quantities[3].value, 20, 2 * map.frame.spacing_mm);
+  int gaps = 0;
+  const std::vector<ProfileRow> rows = profile(map, places);
+  for (std::size_t i = 1; i < rows.size(); ++i) gaps += rows[i].joined ? 0 : 1;
+  EXPECT_EQ(gaps, 1);
+  EXPECT_FALSE(rows.front().joined);
+}
+
 TEST(Measure, TheTruthLiesWithinTheStatedUncertainty) {
   // Places half a sample off and a slope: the depth difference of a ramp read at wrong places.
   const DepthMap map = mapOf(ramp);

@@ -77,6 +77,20 @@ TEST(MeasureText, AProfilesDrawingDashesWhatWasNotMeasured) {
   EXPECT_THAT(profileSvg({}, "empty"), HasSubstr("</svg>"));
 }
 
+TEST(MeasureText, AProfilesDrawingIsOpenWhereItsLineIsBesideTheObject) {
+  const auto pieces = [](const std::vector<PlaceMm>& places) {
+    const std::string svg = profileSvg(profile(ramp(), places), "");
+    std::size_t count = 0;
+    for (std::size_t at = svg.find("<polyline"); at != std::string::npos;
+         at = svg.find("<polyline", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  const std::size_t whole = pieces({{2.5, 5.5}, {16.5, 5.5}});
+  EXPECT_EQ(pieces({{2.5, 5.5}, {2.5, -90}, {16.5, -90}, {16.5, 5.5}}), whole + 1);
+}
+
 TEST(MeasureText, APlaneIsSaidToPeopleAndToPrograms) {
   using enum MeasureKind;
   EXPECT_EQ(planeText({.kind = point}), "");

@@ -10,6 +10,7 @@
 #include "core/prepare/align_picks.h"
 #include "core/prepare/align_scans.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/prepare/align_bound.h"
 #include "tests/core/prepare/align_objects.h"
 
 namespace relievo::test {
@@ -185,6 +186,22 @@ TEST(Align, AReliefHoldsAsFarAsItsHeightSays) {
   EXPECT_LT(verdict.stability, answer.scans[1].stability);
   EXPECT_GT(verdict.uncertainty_mm, answer.scans[1].uncertainty_mm);
   EXPECT_LE(errorOf(verdict.pose, low_parts[1], low_parts[0]).mm, 2 * verdict.uncertainty_mm);
+}
+
+TEST(Align, AWeakReliefLiesAsNearAsItsNoiseAllows) {
+  const MadeObject object = relief(1);
+  const std::vector<Part> parts{
+      makePart(object, {half(object, true, 0.6), 60'000, 0.05, {}, {}, 11}),
+      makePart(object,
+               {half(object, false, 0.6), 20'000, 0.05, motion(60, {0.4, 0.5, 0.5}, {}), {}, 21})};
+  const AlignAnswer answer = alignScans(byPicks(object, parts), scansOf(parts), {});
+  ASSERT_TRUE(answer.scans[1].holds) << answer.scans[1].words;
+  EXPECT_THAT(answer.scans[1].words, HasSubstr("Weak"));
+  const PoseError bound = poseBound(object, parts[1], parts[0], 0.05);
+  EXPECT_GT(bound.deg, 0.01);
+  const PoseError error = errorOf(answer.scans[1].pose, parts[1], parts[0]);
+  EXPECT_LT(error.deg, 2.5 * bound.deg);
+  EXPECT_LT(error.mm, 2.5 * bound.mm);
 }
 
 TEST(Align, AnotherObjectIsRefused) {

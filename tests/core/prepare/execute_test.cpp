@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <set>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/prepare/off_surface.h"
 #include "core/prepare/thin.h"
 #include "tests/core/prepare/made_clouds.h"
 
@@ -147,6 +149,45 @@ TEST(Sparse, LeavesOutWhatIsThinBesideWhatIsDense) {
   // Of the whole only the thin part is far from its neighbours.
   const Numbers outliers = keptBy(test::scanOf(points), Outliers{});
   EXPECT_FALSE(std::binary_search(outliers.begin(), outliers.end(), 950U));
+}
+
+/// A wave of 100 x 100 points with 0.02 of noise, and every hundredth a stray 0.6 above it.
+std::vector<Point3f> waveWithNearStrays() {
+  std::vector<Point3f> points;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> share(-1, 1);
+  for (int i = 0; i < 10'000; ++i) {
+    const float x = static_cast<float>(i % 100) + 0.3F * share(random);
+    const float y = static_cast<float>(i / 100) + 0.3F * share(random);
+    const float z = 3 * std::sin(0.1F * x) + 0.02F * share(random);
+    points.push_back({x, y, i % 1000 == 500 ? z + 0.6F : z});
+  }
+  return points;
+}
+
+TEST(Sparse, LeavesOutWhatLiesOffTheSurfaceIfItIsAsked) {
+  const std::vector<Point3f> points = waveWithNearStrays();
+  EXPECT_EQ(keptBy(test::scanOf(points), Sparse{}).size(), 10'000U);
+  const Numbers kept = keptBy(test::scanOf(points), Sparse{.off_surface = 4});
+  for (std::uint32_t stray = 500; stray < 10'000; stray += 1000) {
+    EXPECT_FALSE(std::binary_search(kept.begin(), kept.end(), stray)) << stray;
+  }
+  EXPECT_GE(kept.size(), 9982U);  // And at most 0.18 % in all.
+}
+
+TEST(Sparse, ASurfaceThatIsRoughAllOverKeepsNearlyAllItsPoints) {
+  std::vector<Point3f> points;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> share(0, 1);
+  for (int i = 0; i < 10'000; ++i) {
+    const bool is_leaf = share(random) < 0.2F;
+    points.push_back({static_cast<float>(i % 100), static_cast<float>(i / 100),
+                      is_leaf ? 2 * share(random) : 0});
+  }
+  const std::size_t thin = keptBy(test::scanOf(points), Sparse{}).size();
+  const std::size_t both = keptBy(test::scanOf(points), Sparse{.off_surface = 4}).size();
+  EXPECT_LT(both, thin);
+  EXPECT_GE(static_cast<double>(both), (1 - kMostOffSurface) * static_cast<double>(thin) - 1);
 }
 
 TEST(Thin, KeepsThePointNearestTheMiddleOfEveryCube) {

@@ -30,7 +30,7 @@ Recipe everyStep() {
       Outliers{.neighbours = 12, .deviations = 1.5},
       Lonely{.radius_mm = 0.7, .neighbours = 5},
       Lonely{},
-      Sparse{.neighbours = 9, .factor = 3.5},
+      Sparse{.neighbours = 9, .factor = 3.5, .off_surface = 5},
       Align{.method = AlignMethod::points,
             .reference = 1,
             .pairs = {{.scan = 0, .point = {1, 2, 3}, .reference = {4, 5, 6.5}}},
@@ -145,6 +145,19 @@ TEST(Recipe, NumbersThatAreNoneAreRefused) {
     for (const Step& step : steps) {
       EXPECT_THROW(check(Recipe{.steps = {step}}), ArgumentError) << kindOf(step) << " " << bad;
     }
+  }
+}
+
+TEST(Recipe, SaysWhichScansOfAFileAndWhetherWithheldPointsAreRead) {
+  const Recipe recipe{.scans = {{.file = "arch.e57", .parts = {2, 3}},
+                                {.file = "site.las", .keep_withheld = true}}};
+  EXPECT_EQ(recipeFromJson(toJson(recipe), "r.json"), recipe);
+  EXPECT_EQ(toJson(Recipe{.scans = {{.file = "a.ply"}}}).find("parts"), std::string::npos);
+  for (const char* parts : {"[0]", "[\"2\"]", "[1.5]", "2", "[5000000000]"}) {
+    const std::string text =
+        R"({"relievo_recipe": 1, "steps": [], "scans": [{"file": "a.e57", "parts": )" +
+        std::string(parts) + "}]}";
+    EXPECT_THROW(recipeFromJson(text, "r.json"), FileError) << parts;
   }
 }
 

@@ -34,11 +34,17 @@ GridColours checker(GridSize size) {
   return colours;
 }
 
+std::vector<GridColours> all(const std::vector<StoredColours>& levels) {
+  std::vector<GridColours> loose;
+  for (const StoredColours& level : levels) loose.push_back(level.all());
+  return loose;
+}
+
 TEST(ColourLevels, ACheckerOfSingleCellsIs188AtEveryCoarserLevel) {
   for (const double factor : {2.0, 3.0, 2.6}) {
     const DepthMap map = mapOf(801, 640);
     const Pyramid pyramid = buildPyramid(map, {.factor = factor, .coarsest_samples = 20});
-    const auto levels = colourLevels(checker(map.frame.size), pyramid, 1);
+    const auto levels = all(colourLevels(checker(map.frame.size), pyramid, 1));
     ASSERT_EQ(levels.size(), pyramid.levels.size());
     ASSERT_GE(levels.size(), 4U);
     for (std::size_t level = 1; level < levels.size(); ++level) {
@@ -66,7 +72,7 @@ TEST(ColourLevels, EachIsTheKernelOverTheCellsThatHaveAColour) {
   }
   const std::vector<Rgba> fine = finest.colours;
   const Pyramid pyramid = buildPyramid(map, {.coarsest_samples = 30});
-  const auto levels = colourLevels(std::move(finest), pyramid, 1);
+  const auto levels = all(colourLevels(std::move(finest), pyramid, 1));
   const GridSize size = map.frame.size;
   const GridSize coarse = pyramid.levels[1].frame.size;
   const std::array<double, 5> kernel{1.0 / 16, 4.0 / 16, 6.0 / 16, 4.0 / 16, 1.0 / 16};
@@ -102,7 +108,7 @@ TEST(ColourLevels, InterpolatedCellsCountOnlyWhereThereIsNothingElse) {
                                   : Rgba{250, 250, 250, kBetweenAlpha});
   }
   const Pyramid pyramid = buildPyramid(map, {.coarsest_samples = 40});
-  const auto levels = colourLevels(std::move(finest), pyramid, 1);
+  const auto levels = all(colourLevels(std::move(finest), pyramid, 1));
   const GridSize size = pyramid.levels[1].frame.size;
   EXPECT_NEAR(levels[1].colours[size.index({.col = 15, .row = 9})][0], 40, 1);
   EXPECT_NEAR(levels[1].colours[size.index({.col = 16, .row = 9})][0], 40, 1);
@@ -118,7 +124,7 @@ TEST(ColourLevels, LargeHolesStayWithoutColour) {
     }
   }
   const Pyramid pyramid = buildPyramid(map, {.coarsest_samples = 40});
-  const auto levels = colourLevels(std::move(finest), pyramid, 1);
+  const auto levels = all(colourLevels(std::move(finest), pyramid, 1));
   const GridSize size = pyramid.levels[2].frame.size;
   EXPECT_EQ(levels[2].colours[size.index({.col = 16, .row = 16})], Rgba{});
   EXPECT_NEAR(levels[2].colours[size.index({.col = 2, .row = 2})][0], 188, 1);

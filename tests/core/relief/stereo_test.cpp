@@ -68,5 +68,21 @@ TEST(StereoForPrint, TheComfortableAngleMeetsTheLimitAndALowReliefKeepsTheChosen
   EXPECT_NEAR(parallax(10, 4, 0.5).paper_mm, 0.349, 1e-3);
 }
 
+/// By the share that is dark for one eye: green and blue reach the right eye, yellow both.
+TEST(Rivalry, CountsStrongRedsAndCyans) {
+  const std::vector<Rgba> rivals{{220, 30, 20, 255}, {200, 10, 60, 255}, {20, 210, 200, 255}};
+  EXPECT_EQ(rivalShare(rivals), 1);
+  const std::vector<Rgba> others{{200, 190, 180, 255},  // Marble.
+                                 {150, 110, 90, 255},   // Terracotta.
+                                 {20, 200, 30, 255},   {230, 220, 20, 255},
+                                 {20, 30, 220, 255},   {50, 5, 5, 255},  // Dark for both.
+                                 {220, 30, 20, 0}};                      // Stone.
+  EXPECT_EQ(rivalShare(others), 0);
+  EXPECT_EQ(rivalShare({}), 0);
+  std::vector<Rgba> mixed = others;
+  mixed.insert(mixed.end(), rivals.begin(), rivals.end());
+  EXPECT_NEAR(rivalShare(mixed), 0.3, 1e-12);
+}
+
 }  // namespace
 }  // namespace relievo

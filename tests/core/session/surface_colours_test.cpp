@@ -81,14 +81,16 @@ TEST_F(ColouredSurface, HasTheBoardAtEveryLevel) {
   ASSERT_GE(surface->colours.size(), 2U);
   for (std::size_t level = 0; level < surface->colours.size(); ++level) {
     const GridFrame& f = surface->pyramid.levels[level].frame;
-    ASSERT_EQ(surface->colours[level].colours.size(), f.size.count());
-    ASSERT_EQ(surface->colours[level].intensities.size(), f.size.count());
+    const GridColours kept = surface->colours[level].all();
+    ASSERT_EQ(kept.colours.size(), f.size.count());
+    ASSERT_EQ(kept.intensities.size(), f.size.count());
+    EXPECT_LE(surface->colours[level].bytes(), 4 * f.size.count());
     int seen = 0;
     for (int row = 0; row < f.size.rows; ++row) {
       for (int col = 0; col < f.size.cols; ++col) {
         // Its kernel and the points that cells in between are made from lie within.
         if (!isSure(f.xMm(col), f.yMm(row), std::max(4.0, 3 * f.spacing_mm))) continue;
-        const Rgba& made = surface->colours[level].colours[f.size.index({.col = col, .row = row})];
+        const Rgba& made = kept.colours[f.size.index({.col = col, .row = row})];
         ASSERT_NE(made[3], 0);
         const Rgba& expected = board(f.xMm(col), f.yMm(row));
         for (std::size_t k = 0; k < 3; ++k)
@@ -136,6 +138,18 @@ TEST_F(ColouredSurface, CanBeShownSoAndOthersCannot) {
   EXPECT_TRUE(windowColours(none, windowOf(none, wholeRegion(none.ladder))).empty());
 }
 
+TEST_F(ColouredSurface, WarnsWhereTheEyesWouldFight) {
+  // Half of the board is a strong red.
+  const RegionWindow window = windowOf(*surface, wholeRegion(surface->ladder));
+  const double share = rivalShare(*surface, window, ReliefKind::natural, StereoPrint::half_colour);
+  EXPECT_GT(share, kMostRivalShare);
+  EXPECT_LT(share, 0.5 * 0.75);  // The window is square, the board 4 : 3; its seams are mixed.
+  EXPECT_NE(rivalryWords(share).find("Grey stereo shows it to both."), std::string::npos);
+  EXPECT_EQ(rivalShare(*surface, window, ReliefKind::natural, StereoPrint::grey), 0);
+  EXPECT_EQ(rivalShare(*surface, window, ReliefKind::lit, StereoPrint::dubois), 0);
+  EXPECT_EQ(rivalryWords(kMostRivalShare), "");
+}
+
 TEST_F(ColouredSurface, HeightsAreThoseOfTheScanWithoutColours) {
   Scan plain = colouredCloud();
   plain.colours.clear();
@@ -154,7 +168,7 @@ TEST_F(ColouredSurface, AMapThatIsReadKeepsItsColours) {
   raster.values = surface->map.heights_mm;
   raster.origins = surface->map.origins;
   raster.valid.assign(raster.values.size(), true);
-  raster.colours = surface->colours.front();
+  raster.colours = surface->colours.front().all();
   const Surface again = makeSurface(raster, fromTop());
   EXPECT_EQ(again.colours, surface->colours);
   EXPECT_TRUE(says(again, "The map has colours beside it"));
@@ -170,7 +184,7 @@ TEST(ColouredMesh, IsColouredFromItsFront) {
   const GridFrame& f = surface.map.frame;
   // At the corners their own bytes; the map's lower left sample lies half a cell off its edge.
   for (int i = 0; i <= 8; ++i) {
-    const Rgba made = surface.colours[0].colours[f.size.index({.col = 20 * i, .row = 40})];
+    const Rgba made = surface.colours[0].colour(f.size.index({.col = 20 * i, .row = 40}));
     EXPECT_NEAR(made[0], 20 * i, 1) << i;
     EXPECT_EQ(made[3], 255);
   }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/tiles/band_fill.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/tiles/tile_fixtures.h"
@@ -20,10 +25,9 @@ struct Case {
   int threads = 2;
 };
 
-void expectSameAsWholeMap(const Case& c) {
+void expectSameAsWholeMap(const Case& c, const FrontDepths& depths) {
   const test::TileFolder folder;
   const GridFrame frame{.size = c.size, .spacing_mm = 0.5, .first_x_mm = 0.25, .first_y_mm = 0.25};
-  const FrontDepths depths = gappyDepths(c.size, c.hit_share, 7);
   const FillSource source{.has_sampling_gaps = c.has_sampling_gaps};
   const FilledMap whole = fillDepths(depths, frame, source, c.holes);
   const BandFill bands(
@@ -56,6 +60,55 @@ void expectSameAsWholeMap(const Case& c) {
   EXPECT_EQ(rows, c.size.rows);
   EXPECT_EQ(other_heights, 0U);
   EXPECT_EQ(other_origins, 0U);
+}
+
+void expectSameAsWholeMap(const Case& c) {
+  expectSameAsWholeMap(c, gappyDepths(c.size, c.hit_share, 7));
+}
+
+TEST(BandFill, FillsGapsAcrossABandsBorderAsTheWholeMapDoes) {
+  // Rough ground with wide gaps around the border at row 256: what is filled there takes its
+  // heights from far beyond, and neighbours limit it.
+  const GridSize size{.cols = 400, .rows = 600};
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(0, 1);
+  FrontDepths depths(size.count());
+  for (int row = 0; row < size.rows; ++row) {
+    const bool is_near = std::abs(row - 256) < 70;
+    for (int col = 0; col < size.cols; ++col) {
+      const bool is_gap = unit(random) < (is_near ? 0.97F : 0.5F);
+      depths[size.index({.col = col, .row = row})] =
+          is_gap ? std::numeric_limits<float>::quiet_NaN() : 100 * unit(random);
+    }
+  }
+  expectSameAsWholeMap({.size = size, .hit_share = 0.5, .holes = {}, .has_sampling_gaps = true},
+                       depths);
+}
+
+TEST(BandFill, AWallAlongABandsBorderIsSteepOnBothSidesOfIt) {
+  // Rises by 20 mm a row of 0.5 mm around the border at row 256, and falls so around 512.
+  const GridSize size{.cols = 40, .rows = 700};
+  FrontDepths depths(size.count());
+  for (int row = 0; row < size.rows; ++row) {
+    const int up = std::clamp(row - 253, 0, 6);
+    const int down = std::clamp(row - 509, 0, 6);
+    for (int col = 0; col < size.cols; ++col) {
+      depths[size.index({.col = col, .row = row})] = 20.0F * static_cast<float>(up - down);
+    }
+  }
+  expectSameAsWholeMap({.size = size, .hit_share = 1, .holes = {}, .has_sampling_gaps = false},
+                       depths);
+  const test::TileFolder folder;
+  const GridFrame frame{.size = size, .spacing_mm = 0.5, .first_x_mm = 0, .first_y_mm = 0};
+  const BandFill bands(
+      {.front = rowsOf(depths, size), .between = {}}, frame, {.has_sampling_gaps = false}, {},
+      {.memory_bytes = std::size_t{64} << 20U, .spill_folder = folder.path(), .threads = 1}, {});
+  bands.write(
+      [&](int row, const float*, const Origin* origins) {
+        const bool is_wall = (row > 253 && row < 259) || (row > 509 && row < 515);
+        EXPECT_EQ(origins[20], is_wall ? Origin::steep : Origin::measured) << row;
+      },
+      {});
 }
 
 TEST(BandFill, GivesTheBytesOfTheWholeMap) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <random>
 #include <string>
@@ -113,6 +114,35 @@ TEST(TileStore, GridsAsTheWholeMapDoes) {
     std::size_t other = 0;
     for (std::size_t i = 0; i < whole.size(); ++i) {
       other += std::isnan(whole[i]) ? !std::isnan(tiles.depths[i]) : tiles.depths[i] != whole[i];
+    }
+    EXPECT_EQ(other, 0U);
+  }
+}
+
+TEST(TileStore, RulesThatLookAroundAreExactAtTheBordersOfTiles) {
+  // Sparse, so that local fits look as far as they may: a band of 60 rows on both sides of a border
+  // of tiles, where what a tile lacks of its neighbour would show.
+  std::vector<FilePoint> points = randomPoints(150'000);
+  for (FilePoint& p : points) p.z = std::floor(4096 * (5 + std::sin(p.x) + p.y / 20)) / 4096;
+  Scan scan;
+  for (const FilePoint& p : points) {
+    scan.points.push_back(
+        {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
+  }
+  for (const PointRule rule : {PointRule::quadratic, PointRule::splat}) {
+    SCOPED_TRACE(describe(rule));
+    const CapturedDepths whole =
+        scatterPoints({.scan = scan, .view_from_file = {}, .frame = kFrame, .rule = rule});
+    const Gridded tiles = grid(points, {.rule = rule});
+    ASSERT_EQ(tiles.depths.size(), whole.front.size());
+    const auto differs = [](const FrontDepths& a, const FrontDepths& b, std::size_t i) {
+      // Sums of another order: some last digits.
+      return std::isnan(a[i]) ? !std::isnan(b[i]) : !(std::abs(a[i] - b[i]) < 1e-4F);
+    };
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < whole.front.size(); ++i) {
+      other += differs(whole.front, tiles.depths, i) ? 1 : 0;
+      if (!whole.between.empty()) other += differs(whole.between, tiles.between, i) ? 1 : 0;
     }
     EXPECT_EQ(other, 0U);
   }
