@@ -94,6 +94,7 @@ void ButtonCommands::edge(std::size_t index, bool down, double time_s) {
   if (down) {
     b.since_s = time_s;
     b.used = b.ticked = false;
+    if (index == kCentre) forces_on_at_press_ = forces_on_;
     if (options_.one_button) {
       b.used = another;  // A hand that comes down on two of them has pressed once.
     } else if (buttons_[kPlus].down && buttons_[kMinus].down) {
@@ -148,6 +149,7 @@ void ButtonCommands::longPress(std::size_t index) {
       ButtonCommand::say_detail, ButtonCommand::toggle_beacon, ButtonCommand::toggle_forces,
       ButtonCommand::whole};
   // In Move mode only stopping the forces has a long press.
+  if (index == kCentre && forces_on_at_press_) return run(ButtonCommand::stop_forces);
   if (!moving_ || index == kCentre) run(kLong[index]);
 }
 

@@ -79,6 +79,8 @@ class ButtonCommands {
   /// As Centre in Move mode. Does nothing outside of it.
   void cancelMoving();
   bool moving() const noexcept { return moving_; }
+  /// The loop has forces on; a held Centre then stops them, and never switches them on.
+  void setForcesOn(bool on) { forces_on_ = on; }
   /// What the buttons do now, in a sentence, for help.
   std::string_view help() const noexcept;
 
@@ -106,7 +108,8 @@ class ButtonCommands {
   std::array<Button, kButtons> buttons_;
   std::vector<ButtonOutcome> outcomes_;
   bool moving_ = false;
-  bool together_ = false;  // Plus and minus; until both are up.
+  bool forces_on_ = false, forces_on_at_press_ = false;  // Of Centre.
+  bool together_ = false;                                // Plus and minus; until both are up.
   int together_said_ = 0;
   double asked_where_s_ = -100;
   std::optional<DeviceMm> move_from_;

@@ -16,9 +16,13 @@ struct DeviceInfo {
   std::string name;  ///< For people.
   Workspace workspace;
   double max_force_n = 0;  ///< 0: no actuator; forces are computed and shown only.
+  // Its data sheet; 0: none is known. All that is asked for is kept within it (withinDevice()).
   double max_stiffness_n_per_mm = 0;
+  double max_damping_n_s_per_mm = 0;
+  double max_slew_n_per_s = 0;  ///< Largest change of its force per second.
+  bool simulated = false;       ///< Nobody holds it: it can hurt nobody.
   double position_step_mm = 0;  ///< One count of its encoders; 0: finer than matters.
-  int force_delay_ticks = 0;    ///< Whole ticks from exchange() until the force is felt; 0 .. 2.
+  int force_delay_ticks = 0;    ///< Whole ticks from send() until the force is felt; 0 .. 2.
 };
 
 enum class DeviceFault : std::uint8_t {
@@ -41,8 +45,8 @@ struct DeviceReading {
 
 /// One haptic device. Life: closed -> open -> running -> open -> closed.
 ///   open/close        [any one thread but the loop]  may block, may throw
-///   exchange          [haptic loop, running]         one read and one write, bounded time
-///   cutForce          [watchdog thread, running]     may block; also while exchange() is stuck
+///   read, send        [haptic loop, running]         in turns, bounded time; one of them may wait
+///   cutForce          [watchdog thread, running]     may block; also while those are stuck
 class Device {
  public:
   Device() = default;
@@ -53,11 +57,20 @@ class Device {
   virtual const DeviceInfo& info() const noexcept = 0;
   virtual void open() = 0;  ///< Firmware, homing. @throw DeviceError
   virtual void close() noexcept = 0;
-  /// Shows the force of the last tick and says where the hand is. `now_ns` is the monotonic time
-  /// of the tick, so that a device without a clock of its own needs none.
-  virtual DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME = 0;
-  /// The loop has stalled: zero force now, until the next exchange() begins. Comes from another
-  /// thread than exchange() and possibly during it. Nothing to do where there is no actuator.
+  /// Where the hand is. `now_ns` is the monotonic time of the tick, so that a device without a
+  /// clock of its own needs none.
+  virtual DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME = 0;
+  /// Shows a force, made from the reading before it, until the next one.
+  virtual void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME = 0;
+  /// Both, for who has a force already: it was made from an earlier reading than this one.
+  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
+    const DeviceReading reading = read(now_ns);
+    send(force, now_ns);
+    return reading;
+  }
+  /// The loop has stalled: zero force now, until a force is sent that was made after this. Comes
+  /// from another thread than read() and send() and possibly during them. Nothing to do where there
+  /// is no actuator.
   virtual void cutForce() noexcept {}
 };
 

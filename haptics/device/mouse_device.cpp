@@ -25,7 +25,7 @@ void MouseDevice::setButtons(std::uint32_t buttons) RELIEVO_REALTIME {
   targets_.write(wanted_);
 }
 
-DeviceReading MouseDevice::exchange(DeviceN /*force*/, std::int64_t now_ns) RELIEVO_REALTIME {
+DeviceReading MouseDevice::read(std::int64_t now_ns) RELIEVO_REALTIME {
   targets_.update();
   const HandWish& target = targets_.front();
   const double dt_s = 1e-9 * static_cast<double>(now_ns - last_ns_);

@@ -22,7 +22,8 @@ class MouseDevice : public SteeredDevice {
   const DeviceInfo& info() const noexcept override { return info_; }
   void open() override {}
   void close() noexcept override {}
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override;
+  void send(DeviceN /*force*/, std::int64_t /*now_ns*/) RELIEVO_REALTIME override {}
 
   void moveTo(DeviceMm target) RELIEVO_REALTIME override;
   void placeAt(DeviceMm target) RELIEVO_REALTIME override;

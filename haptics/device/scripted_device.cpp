@@ -13,10 +13,10 @@ ScriptedDevice::ScriptedDevice(std::vector<DeviceReading> readings, double max_f
   info_.id = "scripted";
   info_.name = "scripted stroke";
   info_.max_force_n = max_force_n;
+  info_.simulated = true;
 }
 
-DeviceReading ScriptedDevice::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
-  last_force_ = force;
+DeviceReading ScriptedDevice::read(std::int64_t now_ns) RELIEVO_REALTIME {
   DeviceReading reading = readings_[next_];
   if (next_ + 1 < readings_.size()) ++next_;
   reading.time_ns = now_ns - reading.time_ns;

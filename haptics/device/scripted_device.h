@@ -16,7 +16,10 @@ class ScriptedDevice : public Device {
   const DeviceInfo& info() const noexcept override { return info_; }
   void open() override { next_ = 0; }
   void close() noexcept override {}
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override;
+  void send(DeviceN force, std::int64_t /*now_ns*/) RELIEVO_REALTIME override {
+    last_force_ = force;
+  }
 
   DeviceN lastForce() const noexcept { return last_force_; }  ///< Shown last. [loop stopped]
 

@@ -66,6 +66,8 @@ VirtualHand::VirtualHand(const VirtualHandOptions& options) : options_(options) 
   info_.name = "virtual hand, " + std::string(options.hand.name) + " grip";
   info_.max_force_n = options.max_force_n;
   info_.max_stiffness_n_per_mm = 3;
+  info_.max_slew_n_per_s = 200;
+  info_.simulated = true;
   info_.position_step_mm = options.position_step_mm;
   info_.force_delay_ticks = options.delay_ticks;
 }
@@ -125,7 +127,13 @@ void VirtualHand::advance(double seconds, DeviceN force, const HandWish& wish) R
   }
 }
 
-DeviceReading VirtualHand::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
+void VirtualHand::send(DeviceN force, std::int64_t /*now_ns*/) RELIEVO_REALTIME {
+  const auto last = static_cast<std::size_t>(options_.delay_ticks);
+  for (std::size_t i = 0; i < last; ++i) under_way_[i] = under_way_[i + 1];
+  under_way_[last] = force;
+}
+
+DeviceReading VirtualHand::read(std::int64_t now_ns) RELIEVO_REALTIME {
   wishes_.update();
   const HandWish& wish = wishes_.front();
   const std::int64_t cut_ns = cut_ns_.exchange(0, std::memory_order_acquire);
@@ -146,9 +154,6 @@ DeviceReading VirtualHand::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_
   }
   last_ns_ = now_ns;
   if (cut_ns != 0) under_way_ = {};
-  const auto last = static_cast<std::size_t>(options_.delay_ticks);
-  for (std::size_t i = 0; i < last; ++i) under_way_[i] = under_way_[i + 1];
-  under_way_[last] = force;
   const double step_mm = options_.position_step_mm;
   return {
       {rounded(position_.x, step_mm), rounded(position_.y, step_mm), rounded(position_.z, step_mm)},

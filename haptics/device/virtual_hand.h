@@ -32,7 +32,7 @@ struct VirtualHandOptions {
   double device_damping_n_s_per_mm = 0.001;
   double coulomb_n = 0.1;            ///< Dry friction of the device's joints.
   double position_step_mm = 0.0635;  ///< 400 counts per inch; 0: exact positions.
-  int delay_ticks = 1;               ///< 0 .. 2, from exchange() until the force is felt.
+  int delay_ticks = 1;               ///< 0 .. 2, from send() until the force is felt.
   double max_force_n = 8;
   double follow_s = MouseDevice::kFollowSeconds;  ///< Of the target; 0: it jumps.
 };
@@ -48,7 +48,8 @@ class VirtualHand : public SteeredDevice {
   const DeviceInfo& info() const noexcept override { return info_; }
   void open() override;
   void close() noexcept override {}
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override;
+  void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
   void cutForce() noexcept override;
 
   void moveTo(DeviceMm target) RELIEVO_REALTIME override;

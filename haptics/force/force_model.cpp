@@ -104,7 +104,8 @@ namespace {
 DeviceN passiveSum(const ForceOptions& options, const ForceInput& input, DeviceN sum,
                    ForceState& state, ForceResult& result) RELIEVO_REALTIME {
   const double gain = options.strength * state.rise;
-  const double length_mm = input.contact ? norm(input.proxy - input.hip) : 0;
+  const double spring_mm = input.spring_mm < 0 ? norm(input.proxy - input.hip) : input.spring_mm;
+  const double length_mm = input.contact ? spring_mm : 0;
   const double stored_mj =
       springEnergyMj(gain * options.stiffness_n_per_mm, length_mm, options.limit_n) +
       gain * input.fields_mj;
@@ -135,18 +136,29 @@ DeviceN knockOn(const ForceOptions& options, const ForceInput& input, DeviceN su
 }
 }  // namespace
 
+namespace {
+/// Spring and damper.
+DeviceN pressedForce(const ForceOptions& options, const ForceInput& input) RELIEVO_REALTIME {
+  const DeviceN spring = springForce(options, input);
+  return options.damping_n_s_per_mm > 0 ? spring + dampingForce(options, input) : spring;
+}
+}  // namespace
+
+ForceResult bareForce(const ForceOptions& options, const ForceInput& input,
+                      ForceState state) RELIEVO_REALTIME {
+  DeviceN sum = pressedForce(options, input) + input.fields;
+  sum = finiteOrZero(sum + knockOn(options, input, sum, state));
+  state.last = sum;
+  return {sum, norm(sum), false, options.limit_n, {}, state};
+}
+
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME {
-  DeviceN pressed = springForce(options, input);
-  if (options.damping_n_s_per_mm > 0) pressed = pressed + dampingForce(options, input);
+  const DeviceN pressed = pressedForce(options, input);
   DeviceN sum = pressed + input.fields;
   const DeviceN knocked = knockOn(options, input, sum, state);
   sum = sum + knocked;
   ForceResult result;
-  if (!options.safety) {
-    state.last = sum;
-    return {sum, norm(sum), false, options.limit_n, {}, state};
-  }
   state = engage(options, input, pressed, state);
   result.limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
   sum = passiveSum(options, input, sum, state, result);

@@ -28,8 +28,6 @@ struct ForceOptions {
   PassivityOptions passivity;
   OscillationOptions oscillation;
   bool forces_on = false;  ///< Asked for; what happens then is EngagePhase.
-  bool safety =
-      true;  ///< false: F is exactly the spring's force. Only where no device is attached.
 };
 
 /// k of Detail 1, 2, 3 and of all finer ones, N per mm of hand.
@@ -55,11 +53,12 @@ struct ForceState {
 
 struct ForceInput {
   DeviceMm proxy, hip;
+  double spring_mm = -1;  ///< Length of the spring where it is not from proxy to hip; < 0: it is.
   DeviceMm normal{0, 0, 1};       ///< Unit normal of the surface at the proxy.
   DeviceMm velocity;              ///< Of the hand, mm/s, filtered.
   DeviceMm moved;                 ///< The hand's last step, mm.
   double speed_window_s = 0.008;  ///< Over which `velocity` was measured.
-  DeviceN fields;                 ///< Of texture, softness and magnet; N at full strength.
+  DeviceN fields;                 ///< Of texture, softness, magnet, cushion; N at full strength.
   double fields_mj = 0;           ///< Energy that stands in them.
   bool contact = false;
   bool measured = true;  ///< Ground under the proxy.
@@ -104,6 +103,12 @@ bool zeroDemanded(const ForceOptions& options, const ForceInput& input,
 /// finite check. Where zero is demanded the force is zero in this very tick.
 ForceResult force(const ForceOptions& options, const ForceInput& input,
                   ForceState state) RELIEVO_REALTIME;
+
+/// The spring with its fields and knocks and only the finite check after them: no ramp, slew, cap
+/// or zero on a fault, so that F = -k d can be checked from outside. Only for a hand that nobody
+/// holds; force() never comes here.
+ForceResult bareForce(const ForceOptions& options, const ForceInput& input,
+                      ForceState state) RELIEVO_REALTIME;
 
 /// A new surface or the end of a fault: what was engaged fades in anew.
 ForceState refade(ForceState state) RELIEVO_REALTIME;

@@ -17,7 +17,7 @@ double work(DeviceN force, DeviceMm way) RELIEVO_REALTIME {
 PassivityState observe(const PassivityOptions& options, DeviceMm moved, double stored_mj,
                        PassivityState state) RELIEVO_REALTIME {
   if (state.started) {
-    const int ago = 1 + std::clamp(options.force_delay_ticks, 0, 2);
+    const int ago = std::clamp(options.force_delay_ticks, 0, 2);
     const double taken_mj = -work(state.sent[static_cast<std::size_t>(ago)], moved);
     const double margin = state.margin_mj + taken_mj - (stored_mj - state.stored_mj);
     state.margin_mj =

@@ -17,7 +17,7 @@ struct PassivityOptions {
   double most_debt_mj = 50;  ///< More is forgiven: one hard event must not be felt for long; >= 0.
   // From the device's record.
   double position_step_mm = 0;  ///< One encoder count; below it a speed is noise.
-  int force_delay_ticks = 0;    ///< From exchange() until the force is felt; 0 .. 2.
+  int force_delay_ticks = 0;    ///< From send() until the force is felt; 0 .. 2.
 };
 
 struct PassivityState {
@@ -28,7 +28,7 @@ struct PassivityState {
 };
 
 /// The observer. In the last period the hand moved by `moved` while it felt a force that was
-/// computed 2 + force_delay_ticks ticks ago and held since: that much energy flowed. What now
+/// computed 1 + force_delay_ticks ticks ago and held since: that much energy flowed. What now
 /// stands in the surface's springs is not lost.
 /// @param moved   the hand's last step, mm
 /// @param stored  energy of the springs at this place and this strength, mJ

@@ -23,5 +23,7 @@ using SnapshotRing = SpscRing<CoreSnapshot, 4>;
 
 /// Bit of HapticSample::options_id: forces were off whatever the options say, as the loop left.
 inline constexpr std::uint64_t kLeavingBit = std::uint64_t{1} << 63U;
+/// Likewise: the window was silent for too long (ForceStopOptions::window_silent).
+inline constexpr std::uint64_t kSilentBit = std::uint64_t{1} << 62U;
 
 }  // namespace relievo

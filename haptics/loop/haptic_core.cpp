@@ -23,6 +23,9 @@ void HapticCore::reset() RELIEVO_REALTIME {
   places_seen_ = 0;
   soft_ = {};
   force_ = {};
+  stop_ = {};
+  settings_.reset();
+  felt_now_ = {};
   fault_ = DeviceFault::none;
   resume_ = false;
 }
@@ -31,13 +34,34 @@ bool HapticCore::pausedUntil(std::int64_t now_ns) const RELIEVO_REALTIME {
   return resume_ || (placed_ && now_ns - last_ns_ > kPauseNs);
 }
 
-HapticOptions withinDevice(HapticOptions options, const DeviceInfo& device) RELIEVO_REALTIME {
-  if (device.max_force_n > 0) {
-    options.force.limit_n = std::min(options.force.limit_n, device.max_force_n);
+HapticOptions HapticCore::settled(HapticOptions asked) RELIEVO_REALTIME {
+  if (chain_ == ForceChain::bare) return asked;
+  FeltSettings wanted{.strength = asked.force.strength,
+                      .stiffness_n_per_mm = asked.detail_stiffness,
+                      .damping_n_s_per_mm = asked.force.damping_n_s_per_mm,
+                      .static_friction = asked.proxy.static_friction,
+                      .dynamic_friction = asked.proxy.dynamic_friction,
+                      .fields = asked.fields};
+  if (!asked.stiffness_by_detail) {
+    wanted.stiffness_n_per_mm.fill(asked.force.stiffness_n_per_mm);
   }
-  options.force.passivity.position_step_mm = device.position_step_mm;
-  options.force.passivity.force_delay_ticks = device.force_delay_ticks;
-  return options;
+  const FeltSettings now = settings_.toward(wanted, felt_now_, change_.running());
+  asked.force.strength = now.strength;
+  asked.detail_stiffness = now.stiffness_n_per_mm;
+  asked.stiffness_by_detail = true;
+  asked.force.damping_n_s_per_mm = now.damping_n_s_per_mm;
+  asked.proxy.static_friction = now.static_friction;
+  asked.proxy.dynamic_friction = now.dynamic_friction;
+  asked.fields = now.fields;
+  return asked;
+}
+
+FeltSpring HapticCore::feltSpring(const HapticOptions& options) const RELIEVO_REALTIME {
+  if (chain_ == ForceChain::bare) return {.pull_n = options.fields.magnet_n};
+  if (options.gate.on) return {.gain = 0};
+  return {.gain = options.force.strength * force_.rise,
+          .limit_n = options.force.limit_n,
+          .pull_n = options.fields.magnet_n};
 }
 
 DeviceFault HapticCore::latch(const HapticOptions& options,
@@ -53,18 +77,24 @@ DeviceFault HapticCore::latch(const HapticOptions& options,
   return fault_;
 }
 
-void HapticCore::measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_REALTIME {
-  if (places_seen_ > 0) {
+void HapticCore::measureSpeed(std::int64_t reading_ns, ForceInput& input) RELIEVO_REALTIME {
+  const auto newest = [this]() RELIEVO_REALTIME -> HandPlace& {
+    return places_[(places_seen_ - 1) % kSpeedTicks];
+  };
+  if (places_seen_ > 0) input.moved = hip_ - newest().position;
+  const bool twice =
+      places_seen_ > 0 && newest().time_ns == reading_ns && hip_ == newest().position;
+  if (!twice) {
+    // The one that is overwritten is the oldest that counts.
     const std::uint64_t back = std::min(places_seen_, kSpeedTicks);
-    const HandPlace& oldest = places_[(places_seen_ - back) % kSpeedTicks];
-    const double seconds = 1e-9 * static_cast<double>(now_ns - oldest.time_ns);
-    // Fewer than 8 ticks count as 8: the first steps of a hand are too coarse for a speed.
-    const double least = 1e-3 * static_cast<double>(kSpeedTicks);
-    input.velocity = (1 / std::max(seconds, least)) * (hip_ - oldest.position);
-    input.moved = hip_ - places_[(places_seen_ - 1) % kSpeedTicks].position;
+    oldest_ = back > 0 ? places_[(places_seen_ - back) % kSpeedTicks] : HandPlace{hip_, reading_ns};
+    places_[places_seen_ % kSpeedTicks] = {hip_, reading_ns};
+    ++places_seen_;
   }
-  places_[places_seen_ % kSpeedTicks] = {hip_, now_ns};
-  ++places_seen_;
+  const double seconds = 1e-9 * static_cast<double>(reading_ns - oldest_.time_ns);
+  // Fewer than 8 places count as 8: the first steps of a hand are too coarse for a speed.
+  const double least = 1e-3 * static_cast<double>(kSpeedTicks);
+  input.velocity = (1 / std::max(seconds, least)) * (hip_ - oldest_.position);
 }
 
 double HapticCore::stiffness(const HapticSpace& space,
@@ -93,14 +123,15 @@ Fields HapticCore::yielding(const HapticSpace& space, Fields felt, GridPoint hel
     soft_ = {};
     return felt;
   }
-  if (change_.running() || !(held == proxy_.hip)) {  // The surface pays, or the frame does.
+  if (change_.running()) {  // The surface pays.
     soft_.watched = false;
   } else {
     const GridPoint way = space.deviceMmPerCell() * (proxy_.position - held);
     const DeviceMm out{way.x, way.y, way.z};
     const DeviceMm aside = (1 / k) * DeviceMm{felt.soft.x, felt.soft.y, felt.soft.z};
-    soft_ = yielded(soft_, {0.5 * felt.part * dot(out, out), felt.part * out + aside, hip_,
-                            softest / felt.part});
+    DeviceMm pull = felt.part * out + aside;
+    pull = {hand_.along_x * pull.x, hand_.along_y * pull.y, pull.z};
+    soft_ = yielded(soft_, {0.5 * felt.part * dot(out, out), pull, hip_, softest / felt.part});
   }
   felt.force = felt.force - (1 - soft_.share) * felt.soft;
   felt.part *= soft_.share;
@@ -110,7 +141,8 @@ Fields HapticCore::yielding(const HapticSpace& space, Fields felt, GridPoint hel
 void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
                         const HapticOptions& options) RELIEVO_REALTIME {
   const GridPoint hand = space.gridFromDevice(hip_);
-  const GridPoint hip = options.frame ? SceneFrame::confined(hand) : hand;
+  hand_ = options.frame ? SceneFrame::framed(space, hand) : FramedHand{.place = hand};
+  const GridPoint hip = hand_.place;
   const bool is_new = !placed_ || !isFelt(space);
   const bool from_previous = is_new && placed_ && previous != nullptr && isFelt(*previous);
   if (from_previous) {
@@ -132,7 +164,7 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
   surface_ = space.surface;
   placed_ = true;
   if (change_.running() && previous != nullptr) {
-    proxy_ = change_.follow(*previous, space, proxy_, hip, options.proxy);
+    proxy_ = change_.follow(*previous, space, proxy_, hip, options.proxy, feltSpring(options));
   } else if (!is_new) {
     proxy_ = proxyTick(space, proxy_, hip, options.proxy);
   }
@@ -161,6 +193,22 @@ HapticSample HapticCore::describeTick(const HapticSpace& space,
   return sample;
 }
 
+// With V(h) = spring(c(h)) + cushion(h), c the framed place: the slope over the hand is the slope
+// over the place times dc/dh.
+void HapticCore::throughFrame(const HapticSpace& space, const HapticOptions& options, Fields& felt,
+                              ForceInput& input) const RELIEVO_REALTIME {
+  if (!hand_.whole()) {
+    const DeviceMm out = input.proxy - space.deviceFromGrid(hand_.place);
+    input.spring_mm = norm(out);
+    input.hip = input.proxy - DeviceMm{hand_.along_x * out.x, hand_.along_y * out.y, out.z};
+    felt.force = {hand_.along_x * felt.force.x, hand_.along_y * felt.force.y, felt.force.z};
+  }
+  if (!options.frame && !options.cushion) return;
+  const Cushion cushion = SceneFrame::cushion(space, options.workspace, hip_, options.frame);
+  felt.force = felt.force + cushion.force;
+  felt.energy_mj += cushion.energy_mj;
+}
+
 ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input,
                                    ForceOptions& options) const RELIEVO_REALTIME {
   // A gate is softer than any surface and its own potential: no spring's energy to watch.
@@ -182,7 +230,7 @@ ForceInput HapticCore::throughGate(const MoveGate& gate, const ForceInput& input
 
 void HapticCore::check(const ForceOptions& options, const ForceInput& input, bool paused,
                        DeviceN before, DeviceN sent) RELIEVO_REALTIME {
-  if (!options.safety) return;
+  if (chain_ == ForceChain::bare) return;
   const bool engaged = force_.phase == EngagePhase::rising || force_.phase == EngagePhase::on;
   ForceBounds bounds;
   bounds.zero = paused || !options.forces_on || input.fault || !engaged ||
@@ -209,8 +257,9 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticSpace& previ
 }
 
 HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* previous,
-                                const HapticOptions& options, const DeviceReading& reading,
+                                const HapticOptions& asked, const DeviceReading& reading,
                                 std::int64_t now_ns) RELIEVO_REALTIME {
+  const HapticOptions options = settled(asked);
   const DeviceFault fault = latch(options, reading);
   const bool paused = pausedUntil(now_ns);
   if (paused) force_ = resumed(force_);
@@ -229,32 +278,28 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   ForceInput input;
   input.proxy = sample.proxy;
   input.hip = sample.hip;
-  GridPoint held = proxy_.hip;
+  const GridPoint held = proxy_.hip;
   if (options.frame) {
-    const GridPoint hand = space.gridFromDevice(hip_);
-    sample.frame = frame_.push(space, hand, sample.contact);
-    if (!(SceneFrame::confined(hand) == hand)) {
-      held = SceneFrame::felt(space, hand, proxy_.position);
-      input.hip = space.deviceFromGrid(held);
-    }
+    sample.frame = frame_.push(space, space.gridFromDevice(hip_), sample.contact);
   }
-  ForceOptions force_options = options.force;
+  ForceOptions force_options = stop_.applied(options.force, options.stop, reading.buttons, now_ns);
   const double firm = stiffness(space, options) * force_.oscillation.factor;
-  const Fields felt =
-      yielding(space, fields(space, previous, held, firm, options), held, firm, options);
+  Fields felt = yielding(space, fields(space, previous, held, firm, options), held, firm, options);
   force_options.stiffness_n_per_mm = felt.part * firm;
+  throughFrame(space, options, felt, input);
   input.fields = felt.force;
   input.fields_mj = felt.energy_mj;
   input.measured = sample.origin == Origin::measured || sample.origin == Origin::steep;
   input.normal = {sample.normal.x, sample.normal.y, sample.normal.z};
-  measureSpeed(now_ns, input);
+  measureSpeed(reading.time_ns, input);
   input.contact = sample.contact;
   input.fault = fault != DeviceFault::none;
   input.resumed = paused;
   input.age_s = 1e-9 * static_cast<double>(now_ns - reading.time_ns);
   if (options.gate.on) input = throughGate(options.gate, input, force_options);
   const DeviceN before = force_.last;
-  const ForceResult result = force(force_options, input, force_);
+  const ForceResult result = chain_ == ForceChain::bare ? bareForce(force_options, input, force_)
+                                                        : force(force_options, input, force_);
   force_ = result.state;
   check(force_options, input, paused, before, result.force);
   sample.force = result.force;
@@ -269,7 +314,12 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   sample.stiffness_n_per_mm = force_options.stiffness_n_per_mm;
   sample.firm_stiffness_n_per_mm = firm;
   sample.options_id = options.id;
+  felt_now_ = {.detail = space.detail,
+               .depth_mm = sample.contact ? norm(input.proxy - input.hip) : 0,
+               .speed_mm_per_s = norm(input.velocity),
+               .rise = force_.rise};
   sample.engaged = force_.phase;
+  sample.stopped = stop_.reason();
   return sample;
 }
 

@@ -9,8 +9,10 @@
 #include "haptics/force/force_audit.h"
 #include "haptics/force/force_model.h"
 #include "haptics/force/move_gate.h"
+#include "haptics/loop/force_stop.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
+#include "haptics/loop/settings_blend.h"
 #include "haptics/loop/soft_spring.h"
 #include "haptics/loop/surface_fields.h"
 #include "haptics/proxy/proxy.h"
@@ -18,6 +20,11 @@
 #include "haptics/space/haptic_space.h"
 
 namespace relievo {
+
+/// What stands between the spring and the device. `bare`: nothing, bareForce(); for strokes and
+/// simulated hands alone, chosen when the core is made and not by options that change while it
+/// runs.
+enum class ForceChain : std::uint8_t { whole, bare };
 
 struct HapticOptions {
   ProxyOptions proxy;
@@ -29,8 +36,13 @@ struct HapticOptions {
   /// Keeps the proxy over the window and asks the hand back gently; false: beyond its outermost
   /// samples the surface goes on as a constant.
   bool frame = false;
+  /// A cushion at the workspace's edge; with a frame always. withinDevice() asks for it where a
+  /// person holds a device that pushes.
+  bool cushion = false;
+  Workspace workspace;   ///< The device's.
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
   MoveGate gate;         ///< While on, felt in place of the surface.
+  ForceStopOptions stop;
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
 
@@ -59,6 +71,7 @@ struct HapticSample {
   DeviceFault fault = DeviceFault::none;
   Origin origin = Origin::outside;  ///< Of the sample under the proxy.
   EngagePhase engaged = EngagePhase::off;
+  StopReason stopped = StopReason::none;  ///< Asked for, and the loop itself ended them.
   bool contact = false;
   bool clamped = false;    ///< A limit changed the force.
   std::uint8_t frame = 0;  ///< Sides of the window that the hand pushes over: pan that way.
@@ -70,6 +83,8 @@ static_assert(std::is_trivially_copyable_v<HapticSample>);
 /// The loop without a thread, a clock or a device: the loop's thread, tests and `touch` drive it.
 class HapticCore {
  public:
+  HapticCore() RELIEVO_REALTIME = default;
+  explicit HapticCore(ForceChain chain) RELIEVO_REALTIME : chain_(chain) {}
   /// Given where the hand is, what should it feel? `now_ns` is the time of this tick on the clock
   /// of the readings. A window with a new id keeps the hand, places the proxy on or above the new
   /// surface and fades the force in. A fault, or a hand that is no finite place, gives zero force
@@ -110,10 +125,13 @@ class HapticCore {
   }
   void check(const ForceOptions& options, const ForceInput& input, bool paused, DeviceN before,
              DeviceN sent) RELIEVO_REALTIME;
+  /// The same with what people set on its way.
+  HapticOptions settled(HapticOptions asked) RELIEVO_REALTIME;
+  FeltSpring feltSpring(const HapticOptions& options) const RELIEVO_REALTIME;
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
-  /// Velocity of the hand over the last 8 ticks, by their own times: one step of a coarse encoder
-  /// is 63 mm/s from tick to tick.
-  void measureSpeed(std::int64_t now_ns, ForceInput& input) RELIEVO_REALTIME;
+  /// Velocity of the hand over its last 8 places, by their own times: one step of a coarse encoder
+  /// is 63 mm/s from tick to tick. A reading that is handed over twice is one place.
+  void measureSpeed(std::int64_t reading_ns, ForceInput& input) RELIEVO_REALTIME;
   void follow(const HapticSpace& space, const HapticSpace* previous,
               const HapticOptions& options) RELIEVO_REALTIME;
   double stiffness(const HapticSpace& space, const HapticOptions& options) const RELIEVO_REALTIME;
@@ -123,18 +141,26 @@ class HapticCore {
   Fields yielding(const HapticSpace& space, Fields felt, GridPoint held, double k,
                   const HapticOptions& options) RELIEVO_REALTIME;
   HapticSample tickOn(const HapticSpace& space, const HapticSpace* previous,
-                      const HapticOptions& options, const DeviceReading& reading,
+                      const HapticOptions& asked, const DeviceReading& reading,
                       std::int64_t now_ns) RELIEVO_REALTIME;
+  /// What the frame leaves of spring and fields at this hand, with the cushions.
+  void throughFrame(const HapticSpace& space, const HapticOptions& options, Fields& felt,
+                    ForceInput& input) const RELIEVO_REALTIME;
   ForceInput throughGate(const MoveGate& gate, const ForceInput& input,
                          ForceOptions& options) const RELIEVO_REALTIME;
   HapticSample describeTick(const HapticSpace& space,
                             const HapticSpace* previous) const RELIEVO_REALTIME;
 
   ProxyState proxy_;
+  ForceChain chain_ = ForceChain::whole;
   SceneChange change_;
+  SettingsBlend settings_;
+  FeltNow felt_now_;  // Of the last tick.
   SceneFrame frame_;
+  FramedHand hand_;  // Of this tick.
   SoftSpring soft_;
   ForceState force_;
+  ForceStop stop_;
   ForceAudit audit_;
 
   static constexpr std::uint64_t kSpeedTicks = 8;
@@ -143,6 +169,7 @@ class HapticCore {
     std::int64_t time_ns = 0;
   };
   std::array<HandPlace, kSpeedTicks> places_;  // The last ones; the newest is at places_seen_ - 1.
+  HandPlace oldest_;                           // That the newest is compared with.
   std::uint64_t places_seen_ = 0;
   DeviceMm hip_;  // The last hand that was a place.
   DeviceFault fault_ = DeviceFault::none;
@@ -156,9 +183,5 @@ class HapticCore {
 };
 
 static_assert(std::is_trivially_copyable_v<HapticCore>);
-
-/// What is asked for, within what the device can do: its largest force caps, its encoders and its
-/// delay are made known to the passivity stage.
-HapticOptions withinDevice(HapticOptions options, const DeviceInfo& device) RELIEVO_REALTIME;
 
 }  // namespace relievo

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "haptics/loop/device_limits.h"
 #include "haptics/loop/watchdog.h"
 
 namespace relievo {
@@ -23,7 +24,8 @@ std::int64_t nextDeadline(std::int64_t deadline, std::int64_t now,
 }  // namespace
 
 struct HapticLoop::Impl {
-  Impl(std::unique_ptr<Device> d, LoopOptions o) : device(std::move(d)), loop_options(o) {}
+  Impl(std::unique_ptr<Device> d, LoopOptions o)
+      : device(std::move(d)), loop_options(o), core(o.chain) {}
 
   std::unique_ptr<Device> device;
   LoopOptions loop_options;
@@ -40,14 +42,15 @@ struct HapticLoop::Impl {
   ButtonRing buttons;
   SnapshotRing snapshots;
   std::atomic<bool> snapshot_wanted{false};
+  std::atomic<std::int64_t> alive_ns{0};
 
   HapticCore core;  // [haptic loop], as all that follows.
   LoopMeter meter;
-  DeviceN force;
   std::uint32_t last_buttons = 0;
 
   void run(std::promise<RealtimeGrant> started);
   void settle();
+  HapticOptions optionsNow(std::int64_t now_ns, bool forces_allowed) RELIEVO_REALTIME;
   void tick(std::int64_t deadline_ns, std::int64_t now_ns, bool forces_allowed) RELIEVO_REALTIME;
   void reportButtons(const HapticSample& sample) RELIEVO_REALTIME;
 };
@@ -61,23 +64,32 @@ void HapticLoop::Impl::reportButtons(const HapticSample& sample) RELIEVO_REALTIM
   }
 }
 
+/// What is asked for, and what the loop overrules: bits of its id say so.
+HapticOptions HapticLoop::Impl::optionsNow(std::int64_t now_ns,
+                                           bool forces_allowed) RELIEVO_REALTIME {
+  options.update();
+  HapticOptions now = options.front();
+  if (!forces_allowed) {
+    now.force.forces_on = false;
+    now.id |= kLeavingBit;
+  }
+  const double silent_s =
+      1e-9 * static_cast<double>(now_ns - alive_ns.load(std::memory_order_relaxed));
+  if (now.stop.window_silence_s > 0 && silent_s > now.stop.window_silence_s) {
+    now.stop.window_silent = true;
+    now.id |= kSilentBit;
+  }
+  return withinDevice(now, device->info());
+}
+
 void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
                             bool forces_allowed) RELIEVO_REALTIME {
   const bool late = meter.wake(deadline_ns, now_ns, loop_options.period_ns);
   if (!core.changing()) spaces.update();  // One change at a time; the newest window waits.
-  options.update();
-  HapticOptions now_options = options.front();
-  if (!forces_allowed) {
-    now_options.force.forces_on = false;
-    now_options.id |= kLeavingBit;
-  }
-  now_options = withinDevice(now_options, device->info());
+  const HapticOptions now_options = optionsNow(now_ns, forces_allowed);
   if (watchdog->beat(now_ns)) core.resume();
-  if (core.pausedUntil(now_ns)) {
-    force = {};
-    meter.paused();
-  }
-  const DeviceReading reading = device->exchange(force, now_ns);
+  if (core.pausedUntil(now_ns)) meter.paused();
+  const DeviceReading reading = device->read(now_ns);
   const std::int64_t before_ns = monotonicNs();
   // A device that cannot push back is shown the new surface at once.
   const bool gradual = device->info().max_force_n > 0;
@@ -91,11 +103,11 @@ void HapticLoop::Impl::tick(std::int64_t deadline_ns, std::int64_t now_ns,
               : core.tick(spaces.front(), now_options, reading, now_ns);
   sample.tick_ns =
       static_cast<std::int32_t>(std::min<std::int64_t>(monotonicNs() - before_ns, 2'000'000'000));
+  device->send(sample.force, now_ns);  // Before anything else: what waits now is a hand.
   meter.computed(sample.tick_ns);
   meter.note(core.audit(), watchdog->cuts());
   sample.late = late;
   sample.rate_hz = meter.stats().rate_hz;
-  force = sample.force;
   latest.write(sample);
   meter.faulted(threadPageFaults());
   stats.write(meter.stats());
@@ -130,12 +142,15 @@ void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
     deadline = nextDeadline(deadline, now, period);
   }
   watchdog->rest();
-  device->exchange({}, monotonicNs());
+  device->send({}, monotonicNs());
 }
 
 HapticLoop::HapticLoop(std::unique_ptr<Device> device, LoopOptions options)
     : impl_(std::make_unique<Impl>(std::move(device), options)) {
   if (!impl_->device) throw ArgumentError("The haptic loop needs a device.");
+  if (options.chain == ForceChain::bare && !impl_->device->info().simulated) {
+    throw ArgumentError("A device that a person holds never gets the bare spring.");
+  }
   if (options.period_ns <= 0) throw ArgumentError("The haptic loop's period must be above 0 ns.");
 }
 
@@ -147,6 +162,7 @@ void HapticLoop::start() {
   if (impl_->thread.joinable()) return;
   impl_->device->open();
   impl_->stopping.store(false, std::memory_order_release);
+  sayAlive();
   std::promise<RealtimeGrant> started;
   std::future<RealtimeGrant> granted = started.get_future();
   try {
@@ -198,6 +214,9 @@ void HapticLoop::wantSnapshot() noexcept {
 }
 SnapshotRing& HapticLoop::snapshots() noexcept {
   return impl_->snapshots;
+}
+void HapticLoop::sayAlive() noexcept {
+  impl_->alive_ns.store(monotonicNs(), std::memory_order_relaxed);
 }
 
 }  // namespace relievo

@@ -21,6 +21,7 @@ struct LoopOptions {
   /// Exchanges at zero force before the first tick, until one tells where the hand is. A core whose
   /// first reading is a fault keeps zero until the forces are switched off and on.
   int settling_exchanges = 0;
+  ForceChain chain = ForceChain::whole;  ///< `bare` for a simulated device alone.
 };
 
 /// A button edge. Its own queue: a press shorter than a GUI frame must not be lost.
@@ -33,12 +34,14 @@ struct ButtonEvent {
 using SampleRing = SpscRing<HapticSample, 8192>;  ///< About 8 s at 1 kHz.
 using ButtonRing = SpscRing<ButtonEvent, 64>;
 
-/// The dedicated thread: read the newest surface, talk to the device, tick, publish.
+/// The dedicated thread: read the newest surface and the hand, compute, send, publish.
 /// A late tick is one tick: the proxy solves the hand's way since the last one; missed periods are
 /// skipped and never made up for. After a pause of more than 20 ms, or a cut by the watchdog, the
-/// first exchange carries zero and the force rises anew.
+/// first force is zero and the force rises anew.
 class HapticLoop {
  public:
+  /// @throw ArgumentError  no device, no period, or the bare spring for a device that a person
+  /// holds
   explicit HapticLoop(std::unique_ptr<Device> device, LoopOptions options = {});
   ~HapticLoop();  ///< stop().
   HapticLoop(const HapticLoop&) = delete;
@@ -60,6 +63,8 @@ class HapticLoop {
   /// [any thread] Asks for a snapshot before one of the next ticks; it is there before its sample.
   void wantSnapshot() noexcept;
   SnapshotRing& snapshots() noexcept;  ///< [drain thread reads]
+  /// [any thread] The window lives; see ForceStopOptions::window_silence_s. start() says it, too.
+  void sayAlive() noexcept;
 
  private:
   struct Impl;

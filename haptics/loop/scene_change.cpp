@@ -22,15 +22,15 @@ ProxyState liftedOn(const BlendedSurface& surface, ProxyState proxy) RELIEVO_REA
 }
 }  // namespace
 
-/// What the whole change would do to the force of a proxy that keeps its place, in newtons: the
-/// height moves it, the slope turns the force, the spring scales it.
-double SceneChange::wholeDifference(const HapticSpace& was, const HapticSpace& now,
-                                    const ProxyState& proxy) const RELIEVO_REALTIME {
+/// What the whole change would do to the force of a proxy that keeps its place and its depth, in
+/// newtons: the slope turns the force, the spring scales it.
+double SceneChange::differenceInPlace(const HapticSpace& was, const HapticSpace& now,
+                                      const ProxyState& proxy) const RELIEVO_REALTIME {
   const GridPoint p = proxy.position;
   const Jet a = BlendedSurface(was, now, 0).patch(p.x, p.y, 0, 0).jet(p.x, p.y);
   const Jet b = BlendedSurface(was, now, 1).patch(p.x, p.y, 0, 0).jet(p.x, p.y);
   const double depth = proxy.contact ? norm(p - proxy.hip) : 0;
-  const double moved = std::abs(a.f - b.f) + norm(normalOf(a) - normalOf(b)) * depth;
+  const double turned = norm(normalOf(a) - normalOf(b)) * depth;
   // Ground that was soft may be firm now.
   const GridPoint q = gridFromGrid(was, now)(p);
   const auto part = [&](const HapticSpace& space, GridPoint at) RELIEVO_REALTIME {
@@ -39,7 +39,7 @@ double SceneChange::wholeDifference(const HapticSpace& was, const HapticSpace& n
   const double scaled =
       std::abs(spring_.now_n_per_mm * part(now, p) - spring_.was_n_per_mm * part(was, q)) * depth;
   return now.deviceMmPerCell() *
-         (std::max(spring_.was_n_per_mm, spring_.now_n_per_mm) * moved + scaled);
+         (std::max(spring_.was_n_per_mm, spring_.now_n_per_mm) * turned + scaled);
 }
 
 ProxyState SceneChange::begin(const HapticSpace& was, const HapticSpace& now, ProxyState proxy,
@@ -48,30 +48,41 @@ ProxyState SceneChange::begin(const HapticSpace& was, const HapticSpace& now, Pr
   proxy.position = now_from_was(proxy.position);
   proxy.hip = proxy.contact ? now_from_was(proxy.hip) : proxy.position;
   running_ = true;
-  weight_ = ticks_ = 0;
+  weight_ = creep_ticks_ = 0;
   spring_ = spring;
-  // The steepest part of the smooth step is 1.5 times its mean.
-  length_ = std::max(kLeastTicks, 1.5 * wholeDifference(was, now, proxy) / kMostStepN);
   return proxy;
 }
 
+/// Largest step of the weight that anything but the surface's height allows.
+double SceneChange::mostStep(const HapticSpace& was, const HapticSpace& now,
+                             const ProxyState& proxy,
+                             const FeltSpring& felt) const RELIEVO_REALTIME {
+  if (!(felt.gain > 0)) return 1;
+  if (!proxy.contact) return felt.pull_n > 0 ? kMostStepN / (felt.gain * felt.pull_n) : 1;
+  const double other_n = felt.gain * differenceInPlace(was, now, proxy);
+  return std::min(1 / kLeastTicks, kMostStepN / std::max(other_n, 1e-9));
+}
+
 ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, ProxyState proxy,
-                               GridPoint hip, const ProxyOptions& options) RELIEVO_REALTIME {
-  constexpr int kMostHalvings = 12;
-  ticks_ += 1;
+                               GridPoint hip, const ProxyOptions& options,
+                               const FeltSpring& felt) RELIEVO_REALTIME {
+  constexpr int kMostHalvings = 16;
   const double cell_mm = now.deviceMmPerCell();
   const auto force = [&](const ProxyState& state) RELIEVO_REALTIME {
-    return state.contact ? stiffness() * cell_mm * (state.position - state.hip) : GridPoint{};
+    const GridPoint out = state.position - state.hip;
+    // A surface that has sunk below the hand lets it go.
+    if (!state.contact || !(out.z > 0)) return GridPoint{};
+    const GridPoint n = felt.gain * stiffness() * cell_mm * out;
+    const double size = norm(n);
+    return size > felt.limit_n ? (felt.limit_n / size) * n : n;
   };
   const GridPoint before = force(proxy);
   const auto changed = [&](const ProxyState& state)
                            RELIEVO_REALTIME { return norm(force(state) - before); };
 
-  // The surface takes a touching proxy with it and picks a free one up from below, along a smooth
-  // step, or slower where the hand has moved to more of a difference.
-  const double s = std::min(1.0, ticks_ / length_);
+  // The surface takes a touching proxy with it and picks a free one up from below.
   const double weight = weight_;
-  double step = std::max(0.0, s * s * (3 - 2 * s) - weight);
+  double step = std::min(1 - weight, mostStep(was, now, proxy, felt));
   ProxyState lifted;
   for (int i = 0; i < kMostHalvings; ++i, step *= 0.5) {
     weight_ = std::min(1.0, weight + step);
@@ -83,7 +94,7 @@ ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, P
   // next at once: then it creeps there.
   const BlendedSurface surface(was, now, weight_);
   ProxyState state = Follower(surface, lifted, options).to(hip);
-  const double hand_n = stiffness() * cell_mm * norm(hip - proxy.hip);
+  const double hand_n = felt.gain * stiffness() * cell_mm * norm(hip - proxy.hip);
   bool creeps = false;
   double part = 1;
   const GridPoint goal = state.position;
@@ -95,7 +106,8 @@ ProxyState SceneChange::follow(const HapticSpace& was, const HapticSpace& now, P
     p = lifted.position + part * (goal - lifted.position);
     p.z = surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
   }
-  running_ = weight_ < 1 || (creeps && ticks_ < length_ + kMostCreepTicks);
+  if (weight_ >= 1) creep_ticks_ += 1;
+  running_ = weight_ < 1 || (creeps && creep_ticks_ < kMostCreepTicks);
   return state;
 }
 

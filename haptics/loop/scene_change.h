@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
 #include "haptics/space/haptic_space.h"
@@ -13,12 +15,20 @@ struct SpringChange {
   double softest_part = 1;                        ///< FieldOptions::softest_part.
 };
 
+/// How much of the spring's force reaches the hand.
+struct FeltSpring {
+  double gain = 1;                                           ///< Strength times rise; 0: nothing.
+  double limit_n = std::numeric_limits<double>::infinity();  ///< More is not felt.
+  double pull_n = 0;                                         ///< Of the fields above a surface.
+};
+
 /// One surface turning into the next under the hand: level, window, gain, fill or view changed. The
 /// proxy stays on the blended surface, and surface and spring change no faster than the hand should
-/// feel. [haptic loop]
+/// feel: by the force that it does feel, not by the surfaces' heights. A hand that touches neither
+/// has the new one at once, and lifting off ends it. [haptic loop]
 class SceneChange {
  public:
-  static constexpr double kLeastTicks = 200;       ///< Of a change without contact or difference.
+  static constexpr double kLeastTicks = 200;       ///< Of a change in contact without difference.
   static constexpr double kMostStepN = 0.004;      ///< Aimed at: change of force in a tick at rest.
   static constexpr double kMostCreepTicks = 2000;  ///< Then the next window has waited enough.
 
@@ -35,7 +45,7 @@ class SceneChange {
   /// One tick: the surface moves on and takes the proxy with it, then the hand moves to `hip`.
   /// Works with the converged proxy, whatever options.kind says.
   ProxyState follow(const HapticSpace& was, const HapticSpace& now, ProxyState proxy, GridPoint hip,
-                    const ProxyOptions& options) RELIEVO_REALTIME;
+                    const ProxyOptions& options, const FeltSpring& felt) RELIEVO_REALTIME;
   /// Unit normal of the blended surface at the proxy.
   GridPoint normal(const HapticSpace& was, const HapticSpace& now,
                    const ProxyState& proxy) const RELIEVO_REALTIME;
@@ -44,11 +54,13 @@ class SceneChange {
   double stiffnessAt(double weight) const RELIEVO_REALTIME {
     return spring_.was_n_per_mm + weight * (spring_.now_n_per_mm - spring_.was_n_per_mm);
   }
-  double wholeDifference(const HapticSpace& was, const HapticSpace& now,
-                         const ProxyState& proxy) const RELIEVO_REALTIME;
+  double differenceInPlace(const HapticSpace& was, const HapticSpace& now,
+                           const ProxyState& proxy) const RELIEVO_REALTIME;
+  double mostStep(const HapticSpace& was, const HapticSpace& now, const ProxyState& proxy,
+                  const FeltSpring& felt) const RELIEVO_REALTIME;
 
   bool running_ = false;
-  double ticks_ = 0, length_ = kLeastTicks;
+  double creep_ticks_ = 0;  // Since the new surface is there.
   double weight_ = 1;
   SpringChange spring_;
 };

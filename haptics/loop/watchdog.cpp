@@ -21,7 +21,8 @@ bool Watchdog::beat(std::int64_t now_ns) RELIEVO_REALTIME {
 }
 
 void Watchdog::watch(int fifo_priority) {
-  [[maybe_unused]] const RealtimeGrant grant = requestRealtime(fifo_priority, {});
+  [[maybe_unused]] const RealtimeGrant grant =
+      requestRealtime(fifo_priority > 0 ? fifo_priority + 1 : 0, {});
   std::int64_t cut_at = 0;  // The heartbeat that a cut was made for: one cut per stall.
   std::int64_t look_ns = monotonicNs();
   while (!stopping_.load(std::memory_order_acquire)) {

@@ -12,20 +12,21 @@ namespace relievo {
 
 /// Cuts the force when the loop alone stalls: a thread that looks at the loop's heartbeat every
 /// 2 ms. While the whole computer stands still nobody can send anything; then the loop's own first
-/// exchange carries zero.
+/// force is zero.
 class Watchdog {
  public:
   static constexpr std::int64_t kLookNs = 2'000'000;
   /// A heartbeat older than this is a stall: with one look it is recognised within 20 ms.
   static constexpr std::int64_t kStallNs = 16'000'000;
 
-  /// @param fifo_priority  as the loop's, or 0; a refusal is the loop's to tell
+  /// @param fifo_priority  the loop's, or 0: its own is one above, so that a loop that spins cannot
+  ///                       keep it from running; a refusal is the loop's to tell
   Watchdog(Device& device, int fifo_priority);
   ~Watchdog();  ///< Joins.
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// [haptic loop] Once per tick, before the exchange.
+  /// [haptic loop] Once per tick, before the hand is read.
   /// @return the force was cut since the last beat
   bool beat(std::int64_t now_ns) RELIEVO_REALTIME;
   /// [haptic loop] No more beats are to come.

@@ -69,6 +69,7 @@ class Follower {
       state_.position = hit.point;
       state_.contact = hit.found;
       state_.slides = true;
+      state_.still = 0;
       have_patch_ = false;
     }
     const bool rubs = state_.contact && options_.static_friction > 0;

@@ -14,6 +14,13 @@ namespace relievo {
 // within the static cone about the normal, else it goes toward its place without friction only as
 // far as the dynamic cone asks. The proxy's move is all the memory there is, so that a hand at rest
 // feels no drift, and every move lets the spring relax: work is only ever lost.
+//
+// A hand that goes on slowly stands still between two counts of its encoders. Rest is therefore a
+// proxy that has stayed for kRestTicks (Karnopp 1985: a speed too small to be told from none counts
+// as none); before, it slides on, and the static cone does not come back at every count.
+
+/// At 1 kHz: a count of 0.0635 mm in so many ticks is 2.5 mm/s.
+inline constexpr std::uint8_t kRestTicks = 25;
 
 /// Tangent of the angle between the force at p and the surface's normal; infinite if it pulls.
 inline double forceSlope(const Jet& jet, GridPoint p, GridPoint hip) RELIEVO_REALTIME {
@@ -44,7 +51,12 @@ bool sticks(const Surface& surface, ProxyState& state,
   const double cone = state.slides ? std::min(options.dynamic_friction, options.static_friction)
                                    : options.static_friction;
   const bool holds = leastForceSlope(surface, state.position, state.hip) <= cone * kRounding;
-  state.slides = !holds;
+  if (!holds) {
+    state.slides = true;
+    state.still = 0;
+  } else if (state.slides && ++state.still >= kRestTicks) {
+    state.slides = false;
+  }
   return holds;
 }
 

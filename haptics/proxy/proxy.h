@@ -31,7 +31,8 @@ struct ProxyState {
   GridPoint position;
   GridPoint hip;
   bool contact = false;
-  bool slides = false;  ///< With friction: moved in the last tick, so that the dynamic cone holds.
+  bool slides = false;     ///< With friction: has not rested yet, so that the dynamic cone holds.
+  std::uint8_t still = 0;  ///< Ticks in a row in which it stayed, while it slides.
 };
 
 /// Start of a stroke: free at the HIP, or, if the HIP is below the surface, on the surface straight

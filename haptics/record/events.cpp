@@ -82,6 +82,10 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
   if (now.window_id != before.window_id) events.add("new window: " + windowText(now));
   if (now.fault != before.fault) events.add(std::string(describe(now.fault)));
   if (now.engaged != before.engaged) events.add(std::string(phaseText(now.engaged)));
+  if (now.stopped != before.stopped && now.stopped != StopReason::none) {
+    events.add(now.stopped == StopReason::held ? "stopped by a held button"
+                                               : "the window is silent: forces fade out");
+  }
   if (now.softened > before.softened) events.add("softened against swinging");
   if (now.firm_stiffness_n_per_mm != before.firm_stiffness_n_per_mm) {
     events.add(stiffnessText(now));

@@ -43,6 +43,30 @@ void FlightRecord::take(std::span<const HapticSample> batch) {
   }
 }
 
+/// Leaves what is not its own alone. What cannot be removed stays; nobody has to know.
+void FlightRecord::prune() {
+  struct Old {
+    std::filesystem::file_time_type written;
+    std::filesystem::path file;
+  };
+  std::vector<Old> files;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder_, error), end; !error && at != end;
+       at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with("flight-") || !name.ends_with(".csv")) continue;
+    std::error_code gone;
+    const auto written = at->last_write_time(gone);
+    if (!gone) files.push_back({written, at->path()});
+  }
+  if (files.size() <= kMostKept) return;
+  std::sort(files.begin(), files.end(),
+            [](const Old& a, const Old& b) { return a.written < b.written; });
+  for (std::size_t i = 0; i + kMostKept < files.size(); ++i) {
+    std::filesystem::remove(files[i].file, error);
+  }
+}
+
 void FlightRecord::save() {
   auto end = std::make_unique<RecordingEnd>();
   try {
@@ -67,6 +91,7 @@ void FlightRecord::save() {
     }
     log.close();
     end->samples = log.rows();
+    prune();
   } catch (const Error& error) {
     end->error = error.what();
   }

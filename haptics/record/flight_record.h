@@ -19,6 +19,8 @@ class FlightRecord {
  public:
   static constexpr std::size_t kTicks = 30'000;
   static constexpr int kMostFiles = 20;  ///< Then no more are written in this run.
+  /// So many stay in the folder, of all runs; the oldest go when a new one is written.
+  static constexpr std::size_t kMostKept = 40;
 
   /// @param folder  is made when it is first needed
   FlightRecord(std::filesystem::path folder, std::string header);
@@ -31,7 +33,8 @@ class FlightRecord {
   std::optional<RecordingEnd> written();
 
  private:
-  void save();  // [drain thread]
+  void save();   // [drain thread]
+  void prune();  // [drain thread]
 
   std::filesystem::path folder_;
   std::string header_;

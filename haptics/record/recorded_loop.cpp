@@ -84,6 +84,25 @@ class Checksum {
   std::uint64_t sum_ = 14695981039346656037ULL;
 };
 
+/// The bytes with their checksum behind them: what was altered since is refused, not run.
+template <class T>
+std::string sealedHex(const T& value) {
+  std::string text = hexOf(value);
+  Checksum sum;
+  sum.add(text.data(), text.size());
+  return text + hexOf(sum.sum());
+}
+
+template <class T>
+bool fromSealedHex(std::string_view text, T& value) {
+  constexpr std::size_t kBytes = 2 * sizeof(T);
+  std::uint64_t told = 0;
+  if (text.size() < kBytes || !fromHex(text.substr(kBytes), told)) return false;
+  Checksum sum;
+  sum.add(text.data(), kBytes);
+  return sum.sum() == told && fromHex(text.substr(0, kBytes), value);
+}
+
 std::vector<std::string_view> wordsOf(std::string_view line) {
   std::vector<std::string_view> words;
   while (!line.empty()) {
@@ -173,13 +192,13 @@ std::string mapLine(std::uint64_t map, std::string_view state) {
 }
 
 std::string optionsLine(const HapticOptions& options) {
-  return "replay options " + std::to_string(options.id) + " " + hexOf(options) + "\n";
+  return "replay options " + std::to_string(options.id) + " " + sealedHex(options) + "\n";
 }
 
 std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
                          std::string_view build) {
   return "replay core " + std::string(build) + " " + std::to_string(first_ns) + " " +
-         hexOf(snapshot) + "\n";
+         sealedHex(snapshot) + "\n";
 }
 
 std::string changeLine(const HapticSample* before, const HapticSample& now) {
@@ -221,6 +240,36 @@ RecordedFiles recordedFiles(std::string_view footer) {
   return files;
 }
 
+std::map<std::uint64_t, LoopChange> loopChanges(std::string_view footer) {
+  std::map<std::uint64_t, LoopChange> changes;
+  forEachReplayLine(footer, [&changes](const std::vector<std::string_view>& words) {
+    if (words[1] != "at") return;
+    const int fault = words.size() == 7 ? numberOf<int>(words[5]) : -1;
+    if (fault < 0 || fault > static_cast<int>(DeviceFault::not_ready)) {
+      refuse("what changed at one of its ticks is damaged");
+    }
+    changes[numberOf<std::uint64_t>(words[2])] = {
+        numberOf<std::uint64_t>(words[3]), numberOf<std::uint64_t>(words[4]),
+        static_cast<DeviceFault>(fault), numberOf<int>(words[6]) != 0};
+  });
+  return changes;
+}
+
+bool ChangeCursor::at(std::uint64_t tick) {
+  new_fault_ = false;
+  const auto change = changes_.find(tick);
+  if (change == changes_.end()) return false;
+  new_fault_ = change->second.fault != now_.fault;
+  now_ = change->second;
+  return true;
+}
+
+void ChangeCursor::tell(HapticCore& core, const HapticOptions& options,
+                        DeviceReading& reading) const {
+  if (now_.resumed) core.resume();
+  if (new_fault_ || !options.force.forces_on) reading.fault = now_.fault;
+}
+
 std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build) {
   RecordedLoop loop;
   bool started = false;
@@ -230,25 +279,29 @@ std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_vi
         refuse("it was made by build " + std::string(words[2]) + ", and this is " +
                std::string(build));
       }
-      if (words.size() != 5 || !fromHex(words[4], loop.start)) refuse("its start is damaged");
+      if (words.size() != 5 || !fromSealedHex(words[4], loop.start)) refuse("its start is damaged");
       loop.first_ns = numberOf<std::int64_t>(words[3]);
       started = true;
     } else if (words[1] == "options") {
       HapticOptions options;
-      if (!fromHex(words[3], options)) refuse("its options are damaged");
+      if (!fromSealedHex(words[3], options)) refuse("its options are damaged");
       loop.options[numberOf<std::uint64_t>(words[2])] = options;
     } else if (words[1] == "scene") {
       const RecordedScene scene = sceneOf(words);
       loop.scenes[scene.id] = scene;
-    } else if (words[1] == "at" && words.size() == 7) {
-      loop.changes[numberOf<std::uint64_t>(words[2])] = {
-          numberOf<std::uint64_t>(words[3]), numberOf<std::uint64_t>(words[4]),
-          static_cast<DeviceFault>(numberOf<std::uint8_t>(words[5])), numberOf<int>(words[6]) != 0};
     }
   });
+  loop.changes = loopChanges(footer);
   loop.files = recordedFiles(footer);
   if (!started) return std::nullopt;
   return loop;
+}
+
+HapticOptions asTheLoopHad(HapticOptions options, std::uint64_t id) {
+  options.id = id;
+  if ((id & kLeavingBit) != 0) options.force.forces_on = false;
+  options.stop.window_silent = (id & kSilentBit) != 0;
+  return options;
 }
 
 namespace {
@@ -259,12 +312,9 @@ const RecordedScene& sceneNamed(const RecordedLoop& loop, std::uint64_t id) {
 }
 
 HapticOptions optionsNamed(const RecordedLoop& loop, std::uint64_t id) {
-  const auto found = loop.options.find(id & ~kLeavingBit);
+  const auto found = loop.options.find(id & ~(kLeavingBit | kSilentBit));
   if (found == loop.options.end()) refuse("it does not tell options " + std::to_string(id));
-  HapticOptions options = found->second;
-  options.id = id;
-  if ((id & kLeavingBit) != 0) options.force.forces_on = false;
-  return options;
+  return asTheLoopHad(found->second, id);
 }
 }  // namespace
 
@@ -282,29 +332,23 @@ ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
   if (core.looksBackFrom(*now) && loop.scenes.contains(loop.start.previous_scene_id)) {
     before = &space(sceneNamed(loop, loop.start.previous_scene_id));
   }
-  LoopChange state;  // Before the first row: none, as every change is told there.
+  ChangeCursor changes(loop.changes);
   HapticOptions options;
   std::uint64_t tick = loop.start.tick;
   for (const LogRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
     if (tickOf(row) != tick) refuse("samples were dropped before tick " + std::to_string(tick));
-    bool new_fault = false;
-    if (const auto change = loop.changes.find(tick); change != loop.changes.end()) {
-      new_fault = change->second.fault != state.fault;
-      state = change->second;
-      options = optionsNamed(loop, state.options_id);
-      if (state.scene_id != scene) {
-        scene = state.scene_id;
+    if (changes.at(tick)) {
+      options = optionsNamed(loop, changes.now().options_id);
+      if (changes.now().scene_id != scene) {
+        scene = changes.now().scene_id;
         before = now;
         now = &space(sceneNamed(loop, scene));
       }
     }
-    if (state.resumed) core.resume();
     DeviceReading reading = readingOf(row, loop.first_ns);
-    // The core keeps a fault while forces are on; whether the device still had it is not known, and
-    // need not be: the row has the hand that was used.
-    if (new_fault || !options.force.forces_on) reading.fault = state.fault;
+    changes.tell(core, options, reading);
     const std::int64_t now_ns = loop.first_ns + nanosecondsOf(row);
     HapticSample sample = loop.start.gradual ? core.tick(*now, *before, options, reading, now_ns)
                                              : core.tick(*now, options, reading, now_ns);

@@ -67,8 +67,31 @@ struct RecordedLoop {
   std::map<std::uint64_t, LoopChange> changes;  ///< By tick.
   RecordedFiles files;
 };
+/// What changed at which tick; empty: no line tells of any. @throw FileError  a line is damaged
+std::map<std::uint64_t, LoopChange> loopChanges(std::string_view footer);
+
+/// What the loop knew and no row says, while rows are replayed one after the other.
+class ChangeCursor {
+ public:
+  explicit ChangeCursor(const std::map<std::uint64_t, LoopChange>& changes) : changes_(changes) {}
+  /// On to this tick. @return something changed
+  bool at(std::uint64_t tick);
+  const LoopChange& now() const { return now_; }
+  /// Gives the core what the device told it: a fault as long as the core did not know of it, and
+  /// while forces are off, when it keeps none. Later the row has the hand that was used.
+  void tell(HapticCore& core, const HapticOptions& options, DeviceReading& reading) const;
+
+ private:
+  const std::map<std::uint64_t, LoopChange>& changes_;
+  LoopChange now_;  // Before the first row: none, as every change is told there.
+  bool new_fault_ = false;
+};
+
 /// Nothing: the log has no such lines. @throw FileError  another build wrote them; or damaged
 std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build);
+
+/// Options as the loop used them under that id: its upper bits say what it overruled.
+HapticOptions asTheLoopHad(HapticOptions options, std::uint64_t id);
 
 /// As replay(), from a running loop.
 /// @param space  the surface of a scene; stays valid

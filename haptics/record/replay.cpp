@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "haptics/record/hdf5_log.h"
 #include "haptics/record/log_writer.h"
+#include "haptics/record/recorded_loop.h"
 
 namespace relievo {
 
@@ -143,16 +144,26 @@ void compare(HapticSample& sample, const LogRow& row, ReplayResult& result,
   }
 }
 
-ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
+ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options, ForceChain chain,
                     const LogTable& log,
                     const std::function<void(const HapticSample&, double t_s)>& each,
                     const Task& task) {
   ReplayResult result;
-  HapticCore core;
+  HapticCore core(chain);
+  const std::map<std::uint64_t, LoopChange> told = loopChanges(log.footer);
+  ChangeCursor changes(told);
   for (const LogRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
+    if (tickOf(row) != result.ticks) {
+      throw FileError("This recording cannot be replayed: samples were dropped before tick " +
+                      std::to_string(result.ticks) + ".");
+    }
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
-    HapticSample sample = core.tick(space, core_options, readingOf(row, 0), nanosecondsOf(row));
+    changes.at(tickOf(row));
+    const HapticOptions options = asTheLoopHad(core_options, changes.now().options_id);
+    DeviceReading reading = readingOf(row, 0);
+    changes.tell(core, options, reading);
+    HapticSample sample = core.tick(space, options, reading, nanosecondsOf(row));
     compare(sample, row, result, each);
   }
   return result;

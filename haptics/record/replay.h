@@ -54,10 +54,12 @@ struct ReplayResult {
   std::optional<ReplayDifference> first;
 };
 
-/// Gives a new core the hands, times and buttons of a log and compares what it makes of them with
-/// what the log says, bit by bit. `core`: as the log's loop had it from its first tick on.
-/// @throw Cancelled
-ReplayResult replay(const HapticSpace& space, const HapticOptions& core, const LogTable& log,
+/// Gives a new core of that chain the hands, times and buttons of a log and compares what it makes
+/// of them with what the log says, bit by bit. `core`: as the log's loop had it from its first tick
+/// on; faults, cuts and the end of forces that the log's last lines tell of are given to it, too.
+/// @throw FileError  samples were dropped, or such a line is damaged  @throw Cancelled
+ReplayResult replay(const HapticSpace& space, const HapticOptions& core, ForceChain chain,
+                    const LogTable& log,
                     const std::function<void(const HapticSample&, double t_s)>& each,
                     const Task& task = {});
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "haptics/loop/device_limits.h"
 
 namespace relievo {
 
@@ -72,7 +73,6 @@ HapticOptions strokeHapticOptions(const StrokeOptions& options) {
   core.force.damping_n_s_per_mm = options.damping_n_s_per_mm;
   core.force.strength = 1;
   core.force.forces_on = true;
-  core.force.safety = options.safety;
   return options.device != nullptr ? withinDevice(core, options.device->info()) : core;
 }
 
@@ -139,8 +139,7 @@ std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
   const double start_s = stroke.points.front().t_s;
   const std::uint64_t ticks = strokeTicks(stroke);
   StrokeCursor cursor(stroke);
-  HapticCore core;
-  DeviceN force;  // Of the tick before.
+  HapticCore core(options.chain);
   for (std::uint64_t n = 0; n < ticks; ++n) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (n % kTicksPerCheck == 0) task.check();
@@ -152,10 +151,10 @@ std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
     DeviceReading reading{aim, 0, now_ns, DeviceFault::none};
     if (options.device != nullptr) {
       n == 0 ? options.device->placeAt(aim) : options.device->moveTo(aim);
-      reading = options.device->exchange(force, now_ns);
+      reading = options.device->read(now_ns);
     }
     HapticSample sample = core.tick(space, core_options, reading, now_ns);
-    force = sample.force;
+    if (options.device != nullptr) options.device->send(sample.force, now_ns);
     sample.rate_hz = 1000;
     each(sample, t_s);
   }

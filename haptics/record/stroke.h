@@ -41,7 +41,8 @@ struct StrokeOptions {
   DetailStiffness detail_stiffness = kDetailStiffness;
   FieldOptions fields;
   TransientOptions transient;
-  bool safety = false;  ///< true: ramp, slew, cap, as in the window, at full strength.
+  /// `whole`: ramp, slew, cap, as in the window, at full strength.
+  ForceChain chain = ForceChain::bare;
   StrokeFrame frame = StrokeFrame::view;
   /// An open device that follows the stroke and feels the force; null: the hand is the stroke.
   SteeredDevice* device = nullptr;

@@ -70,6 +70,7 @@ void DeviceButtons::setSettings(const ButtonSettings& settings) {
 
 void DeviceButtons::frame(const HapticSample& sample, double now_s) {
   sample_ = sample;
+  commands_.setForcesOn(sample.engaged != EngagePhase::off);
   readHid(now_s);
   if (gate_.on && !host_.shownWindow()) cancelMoving();
   commands_.hand(sample.hip);

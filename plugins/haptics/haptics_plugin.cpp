@@ -181,6 +181,7 @@ void HapticsPlugin::connectButtons() {
   connect(buttons_panel_, &ButtonsPanel::settingsChanged, this, [this] {
     button_settings_ = buttons_panel_->settings();
     buttons_->setSettings(button_settings_);
+    applySettings();
   });
   connect(actions_.use_mouse, &QAction::triggered, this, [this] { chooseDevice(kMouse); });
   connect(actions_.move_mode, &QAction::triggered, this, [this] {
@@ -224,10 +225,13 @@ void HapticsPlugin::applySettings() {
   if (!session_) return;
   HapticOptions options = hapticOptions(settings_, forces_asked_);
   if (buttons_) options.gate = buttons_->gate();
+  constexpr std::uint32_t kAnyButton = 0b1111;
+  if (button_settings_.one_button) options.stop.buttons = kAnyButton;
   session_->setOptions(options);
 }
 
 void HapticsPlugin::frame() {
+  session_->loop().sayAlive();
   const HapticSample sample = session_->update();
   if (session_->hasWindow() && sample.window_id != 0) {
     const Probe probe = probeOf(sample);
@@ -242,6 +246,8 @@ void HapticsPlugin::frame() {
     if (panel_) panel_->plot(plot);
   }
   watchFault(sample);
+  watchStop(sample);
+  watchEdge(sample);
   watchSoftening(sample);
   watchRecording();
   runButtons(sample);
@@ -340,6 +346,24 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   if (fault_ == DeviceFault::none) return;
   setForces(false);
   host_->announce(tr("Forces off: %1.").arg(spokenText(describe(fault_))));
+}
+
+/// The loop has ended the forces already; the window follows.
+void HapticsPlugin::watchStop(const HapticSample& sample) {
+  if (!forces_asked_ || sample.stopped == StopReason::none) return;
+  const bool silent = sample.stopped == StopReason::window_silent;
+  setForces(false);
+  if (silent) {
+    host_->announce(tr("Forces went off, because the window did not answer for %1 s. Press F5 to "
+                       "switch them on.")
+                        .arg(settings_.window_silence_s));
+  }
+}
+
+void HapticsPlugin::watchEdge(const HapticSample& sample) {
+  const bool at_edge = forces_asked_ && sample.frame != 0;
+  if (at_edge && !at_edge_) host_->announce(tr("The hand pushes over the edge of the window."));
+  at_edge_ = at_edge;
 }
 
 void HapticsPlugin::watchSoftening(const HapticSample& sample) {

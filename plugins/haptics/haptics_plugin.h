@@ -62,6 +62,8 @@ class HapticsPlugin : public QObject, public Plugin {
   void slowReadouts();  // About 8 times a second.
   void watchSoftening(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
+  void watchStop(const HapticSample& sample);
+  void watchEdge(const HapticSample& sample);
   void watchRecording();
   QString folderOfRecording() const;     ///< Of the running one, or of the next.
   void endRecording();                   // Before its loop goes.
@@ -108,6 +110,7 @@ class HapticsPlugin : public QObject, public Plugin {
   QString firmness_awaited_;                     // Being read.
   bool firmness_chosen_now_ = false;             // Not remembered.
   bool forces_asked_ = false;
+  bool at_edge_ = false;  // Said.
   DeviceFault fault_ = DeviceFault::none;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "haptics/loop/device_limits.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/haptics_plugin.h"
 #include "plugins/haptics/recording_file.h"
@@ -38,9 +39,11 @@ void HapticsPlugin::setRecording(bool on) {
     const QString file = proposedRecording(host_->recordingFolder(), host_->scanName(),
                                            host_->recordingEnding(), now.date());
     const DeviceInfo& device = session_->loop().device();
+    const HapticOptions asked = hapticOptions(settings_, forces_asked_);
+    const QString limited = QString::fromStdString(limitedText(asked, device));
     const QString header = recordingHeaderLines(
-        host_->recordingHeader(file), QString::fromStdString(device.name),
-        withinDevice(hapticOptions(settings_, forces_asked_), device), settings_.feel.surface,
+        host_->recordingHeader(file) + (limited.isEmpty() ? QString() : "\nlimits " + limited),
+        QString::fromStdString(device.name), withinDevice(asked, device), settings_.feel.surface,
         firmness_fits_ ? firmness_.get() : nullptr, now);
     const auto window = host_->shownWindow();
     const auto surface = window ? spaceOf(*window, settings_.feel.surface) : nullptr;

@@ -8,6 +8,7 @@
 
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
+#include "haptics/loop/device_limits.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/rt/build_id.h"
 #include "plugins/haptics/recording_file.h"

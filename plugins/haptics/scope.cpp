@@ -11,12 +11,11 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
-#include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
-#include "core/base/replaceable.h"
+#include "core/io/text_file.h"
 
 namespace relievo {
 
@@ -315,17 +314,14 @@ void ScopeDialog::add(std::span<const PlotSample> samples) {
 }
 
 QString ScopeDialog::exportTo(const QString& file) const {
+  const bool table = file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+  const QString text = table ? scopeCsv(view_->shown()) : scopeSvg(view_->shown());
   try {
-    requireReplaceable(QFile::encodeName(file).toStdString());
+    writeTextFile(QFile::encodeName(file).toStdString(), text.toStdString());
   } catch (const WriteError& error) {
     return QString::fromUtf8(error.what());
   }
-  QSaveFile out(file);
-  const bool table = file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
-  const QString text = table ? scopeCsv(view_->shown()) : scopeSvg(view_->shown());
-  if (out.open(QIODevice::WriteOnly) && out.write(text.toUtf8()) >= 0 && out.commit()) return {};
-  return tr("%1 could not be written (%2). Nothing was saved. Choose another place.")
-      .arg(file, out.errorString());
+  return {};
 }
 
 void ScopeDialog::ask(const QString& filter, const QString& ending) {

@@ -15,12 +15,14 @@ struct TouchSettings {
   SurfaceFeel feel;
   std::string firmness;          ///< A raster that says where it is firm; empty: the origins do.
   std::string device = "mouse";  ///< An id of deviceCatalog().
+  double window_silence_s = 2;   ///< ForceStopOptions; only in the settings' file.
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };
 
 inline constexpr double kLeastStiffness = 0.05, kMostStiffness = 1.5;  ///< N per mm of hand.
 inline constexpr double kMostFrictionAsked = 1;
 inline constexpr double kMostDamping = 0.002;  ///< N s per mm of hand.
+inline constexpr double kLeastSilenceS = 0.5, kMostSilenceS = 30;
 inline constexpr int kStrengthStep = 10;  ///< Percent; a smaller change of force is hardly felt.
 
 /// For the loop, which keeps them within what the device can do.

@@ -31,6 +31,7 @@
 #include "ui/detail_view.h"
 #include "ui/figure/figure.h"
 #include "ui/main_window.h"
+#include "ui/prepare/prepare_dialog.h"
 #include "ui/video/video.h"
 #include "ui/video_control.h"
 #include "ui/vtk/depth_capture.h"
@@ -252,12 +253,34 @@ void run(const QString& scan) {
       "its end", [&] { window.videoControl().stopLive(); },
       [&] { return !window.videoControl().live(); });
 
+  const auto dialog = [&] { return window.findChild<PrepareDialog*>(); };
+  measured(
+      "Prepare opens", [&] { window.runCommand("prepare"); },
+      [&] { return dialog() != nullptr && !dialog()->isStale() && !dialog()->isBusy(); });
+  measured(
+      "a step of it, before and after drawn",
+      [&] {
+        PrepareChoices next = dialog()->state().now();
+        next.steps.push_back({Lonely{}});
+        dialog()->state().change(next);
+        dialog()->findChild<QPushButton*>("prepare_recompute")->click();
+      },
+      [&] { return !dialog()->isStale() && !dialog()->isBusy(); });
+  dialog()->reject();
+  settle();
+
   std::printf("\n| Cancel of | ms until it has stopped |\n|---|---|\n");
   SurfaceOptions options = window.document().state().options;
   for (const double after_ms : {50.0, 300.0, 700.0}) {
     cancelled("load", after_ms, [&](const Task& task) {
       loadSurface(scan.toStdString(), options, rasterize, {}, task);
     });
+  }
+  const std::shared_ptr<const Scan> points = window.document().source().scan;
+  const Recipe slow{.steps = {Outliers{.neighbours = kMostNeighbours}}};
+  for (const double after_ms : {20.0, 200.0, 2000.0}) {
+    cancelled("steps of Prepare", after_ms,
+              [&](const Task& task) { prepare({points.get()}, slow, {}, task); });
   }
   const auto surface = window.document().surface();
   Project project = window.project();

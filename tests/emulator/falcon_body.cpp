@@ -42,19 +42,50 @@ std::optional<Triple> FalconBody::anglesDeg(const Triple& place) {
 
 void FalconBody::hold(const Triple& place) {
   held_ = true;
+  carried_ = false;
   wanted_ = place;
   velocity_ = {};
   moveTo(place);
 }
 
+void FalconBody::carry(const Triple& place) {
+  if (homed_ != 7) return hold(place);
+  if (!held_) velocity_ = {};
+  held_ = carried_ = true;
+  wanted_ = place;
+}
+
+void FalconBody::carryOn(double seconds) {
+  constexpr double kMostMmPerS = 2000, kMostMmPerS2 = 150'000, kStep = 2.5e-4, kThereMm = 0.01;
+  for (double left = std::min(seconds, 0.1); left > 0 && carried_; left -= kStep) {
+    const double dt = std::min(left, kStep);
+    Triple way{};
+    double far = 0, change = 0;
+    for (std::size_t i = 0; i < 3; ++i) way[i] = wanted_[i] - grip_[i];
+    far = std::hypot(way[0], way[1], way[2]);
+    if (far < kThereMm) return hold(wanted_);
+    const double speed = std::min({kMostMmPerS, std::sqrt(1.6 * kMostMmPerS2 * far), far / dt});
+    Triple faster{};
+    for (std::size_t i = 0; i < 3; ++i) faster[i] = speed * way[i] / far - velocity_[i];
+    change = std::hypot(faster[0], faster[1], faster[2]);
+    const double part = std::min(1.0, kMostMmPerS2 * dt / std::max(change, 1e-12));
+    Triple next = grip_;
+    for (std::size_t i = 0; i < 3; ++i) {
+      velocity_[i] += part * faster[i];
+      next[i] += dt * velocity_[i];
+    }
+    moveTo(next);
+  }
+}
+
 void FalconBody::letGo(double weight_n) {
-  held_ = false;
+  held_ = carried_ = false;
   let_go_ = true;
   weight_n_ = weight_n;
 }
 
 void FalconBody::pullToward(const Triple& place) {
-  held_ = let_go_ = false;
+  held_ = let_go_ = carried_ = false;
   wanted_ = place;
 }
 
@@ -91,6 +122,7 @@ Triple FalconBody::force() const {
 }
 
 void FalconBody::advance(double seconds) {
+  if (carried_) carryOn(seconds);
   if (held_) return;
   constexpr double kStep = 2.5e-4;
   for (double left = std::min(seconds, 0.1); left > 0; left -= kStep) {

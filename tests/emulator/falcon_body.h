@@ -16,6 +16,9 @@ class FalconBody {
  public:
   /// The hand holds the grip exactly here.
   void hold(const Triple& place);
+  /// The hand carries the grip there as fast as a hand can and then holds it; as hold() while an
+  /// arm is not homed.
+  void carry(const Triple& place);
   /// The hand pulls the grip toward a place like a spring and lets itself be pushed.
   void pullToward(const Triple& place);
   /// The motors' counts from now on.
@@ -42,9 +45,10 @@ class FalconBody {
 
  private:
   void moveTo(const Triple& place);
+  void carryOn(double seconds);
 
   Triple grip_{0, 0, 110}, velocity_{}, wanted_{0, 0, 110};
-  bool held_ = true, let_go_ = false;
+  bool held_ = true, let_go_ = false, carried_ = false;
   double weight_n_ = 0;
   std::array<int, 3> counts_{};
   std::array<bool, 3> was_out_{};

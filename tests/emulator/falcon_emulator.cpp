@@ -266,6 +266,7 @@ void FalconEmulator::answerCommand(std::int64_t now) {
   const int homed = homing_on_ ? body.homed() : 0;
   answer.push_back(static_cast<char>('A' + homed * 16 + buttons));
   answer += "A>";
+  if (troubles.altered_nibbles > 0) alterNibble(answer);
   if (troubles.short_answers > 0) {
     --troubles.short_answers;
     answer.erase(5, 2);
@@ -275,6 +276,30 @@ void FalconEmulator::answerCommand(std::int64_t now) {
     answer.insert(0, "<BA");
   }
   for (const char c : answer) send(static_cast<std::uint8_t>(c), now);
+}
+
+void FalconEmulator::alterNibble(std::string& answer) {
+  --troubles.altered_nibbles;
+  random_ = random_ * 1664525U + 1013904223U;
+  const std::size_t at = 1 + (random_ >> 8U) % 12;
+  const int other = 1 + static_cast<int>((random_ >> 20U) % 15);
+  answer[at] = static_cast<char>('A' + ((answer[at] - 'A') ^ other));
+}
+
+/// Within the alphabet: only the status tells that it is not what was sent.
+void FalconEmulator::damage(std::vector<std::uint8_t>& packet) {
+  constexpr std::uint8_t kOverrun = 0x02, kParity = 0x04, kFraming = 0x08;
+  if (troubles.overruns > 0) {
+    --troubles.overruns;
+    packet[1] |= kOverrun;
+    packet.erase(packet.begin() + 4);
+  }
+  for (auto* const count : {&troubles.framing_errors, &troubles.parity_errors}) {
+    if (*count <= 0) continue;
+    --*count;
+    packet[1] |= count == &troubles.framing_errors ? kFraming : kParity;
+    packet[5] = static_cast<std::uint8_t>('A' + ((packet[5] - 'A') ^ 2));
+  }
 }
 
 std::size_t FalconEmulator::readyBytes(std::int64_t now) const {
@@ -304,11 +329,7 @@ std::optional<std::vector<std::uint8_t>> FalconEmulator::bulkIn(std::int64_t now
     packet.push_back(to_host_.front().byte);
     to_host_.pop_front();
   }
-  if (troubles.overruns > 0 && packet.size() > 6) {
-    --troubles.overruns;
-    packet[1] |= 0x02;
-    packet.erase(packet.begin() + 4);
-  }
+  if (packet.size() > 6) damage(packet);
   return packet;
 }
 

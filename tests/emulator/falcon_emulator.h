@@ -36,6 +36,9 @@ struct Troubles {
   int short_answers = 0;       ///< Answers of fourteen bytes.
   int noisy_answers = 0;       ///< Answers behind three stray bytes.
   int overruns = 0;            ///< Packets that tell of an overrun and lack a byte.
+  int framing_errors = 0;      ///< Packets that tell of one and have an altered byte ...
+  int parity_errors = 0;       ///< ... likewise.
+  int altered_nibbles = 0;     ///< Answers with another value in one nibble of an encoder, drawn.
   int deaf_hellos = 0;         ///< Hellos without an answer.
   int late_hellos = 0;         ///< Hellos that are answered only after the next one.
   int wrong_echoes = 0;        ///< Uploads that echo one byte wrongly ...
@@ -121,6 +124,8 @@ class FalconEmulator {
   void loadByte(std::uint8_t byte, std::int64_t now);
   void frameByte(std::uint8_t byte, std::int64_t now);
   void answerCommand(std::int64_t now);
+  void alterNibble(std::string& answer);
+  void damage(std::vector<std::uint8_t>& packet);
   void send(std::uint8_t byte, std::int64_t now);
   double byteNs() const;
   std::size_t readyBytes(std::int64_t now) const;
@@ -150,6 +155,7 @@ class FalconEmulator {
   int owed_hellos_ = 0;
   bool homing_on_ = false;
   std::array<int, 3> frozen_{};
+  std::uint32_t random_ = 1;
 
   std::vector<SeenCommand> commands_, unheeded_;
   std::vector<SeenRequest> requests_;

@@ -51,7 +51,7 @@ void followInput(SharedFalcon& falcon, std::stop_source& stop) {
     int button = 0;
     falcon.with([&](FalconEmulator& f) {
       if (std::sscanf(line.c_str(), "%lf %lf %lf", &x, &y, &z) == 3) {
-        f.body.hold({x, y, z});
+        f.body.carry({x, y, z});
       } else if (std::sscanf(line.c_str(), "button %d", &button) == 1 && button >= 0 &&
                  button < 4) {
         f.buttons |= 1 << button;

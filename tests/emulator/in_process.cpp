@@ -71,9 +71,8 @@ class InProcessPort : public falcon::Port {
         falcon::LineStatus line;
         const std::size_t bytes = falcon::stripStatus(*packet, into, line);
         cts_ = line.clear_to_send;
-        if (line.overrun) ++errors_.overruns;
-        if (line.framing) ++errors_.framing;
-        if (bytes > 0) return {bytes, falcon::PortResult::ok};
+        errors_.add(line);
+        if (bytes > 0 || line.damaged()) return {bytes, falcon::PortResult::ok, line.damaged()};
         continue;
       }
       if (clock_->now() >= until_ns) return {0, falcon::PortResult::timeout};

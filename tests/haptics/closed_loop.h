@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "haptics/device/virtual_hand.h"
+#include "haptics/loop/device_limits.h"
 #include "haptics/loop/haptic_core.h"
 
 namespace relievo::test {
@@ -22,9 +23,8 @@ class ClosedLoop {
   HapticSample tick(DeviceMm target) {
     hand_.moveTo(target);
     now_ns_ += 1'000'000;
-    const DeviceReading reading = hand_.exchange(force_, now_ns_);
-    const HapticSample sample = core_.tick(space_, options_, reading, now_ns_);
-    force_ = sample.force;
+    const HapticSample sample = core_.tick(space_, options_, hand_.read(now_ns_), now_ns_);
+    hand_.send(sample.force, now_ns_);
     return sample;
   }
   /// Ticks in free space until forces are fully on.
@@ -43,7 +43,6 @@ class ClosedLoop {
   VirtualHand hand_;
   HapticOptions options_;
   HapticCore core_;
-  DeviceN force_;
   std::int64_t now_ns_ = 0;
 };
 

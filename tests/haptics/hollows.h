@@ -35,7 +35,6 @@ inline Work workOverHollows(SurfaceKind kind, double depth_mm) {
   const auto space = hollowsOfDifferingFirmness(kind);
   HapticOptions options;
   options.stiffness_by_detail = false;
-  options.force.safety = false;
   options.fields.softest_part = 0.5;
   constexpr int kRounds = 20, kSideTicks = 500;
   constexpr double kSoftX = -4.65, kFirmX = 0.57, kAboveMm = 1;
@@ -43,7 +42,7 @@ inline Work workOverHollows(SurfaceKind kind, double depth_mm) {
                                          {kSoftX, 0.1, -depth_mm},
                                          {kFirmX, 0.1, -depth_mm},
                                          {kFirmX, 0.1, kAboveMm}}};
-  HapticCore core;
+  HapticCore core(ForceChain::bare);
   HapticSample before;
   Work work;
   for (int i = 0; i <= 4 * kRounds * kSideTicks; ++i) {

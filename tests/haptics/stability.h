@@ -37,7 +37,7 @@ inline std::vector<StabilityScene> stabilityScenes() {
   return scenes;
 }
 
-/// One try: a hand lands, slides for a second at 30 mm/s, and rests for one and a half.
+/// One try: a hand lands, slides for a second at 30 mm/s, and rests for two and a half.
 struct StabilityTry {
   double k_n_per_mm = 0.5;
   double push_n = 2;  ///< What the hand means to press with.
@@ -45,12 +45,21 @@ struct StabilityTry {
   bool passivity = true;
   ProxyOptions proxy = {};
   double damping_n_s_per_mm = 0;
+  VirtualHandOptions device = {};  ///< Its own delay, counts and friction; the grip is apart.
 };
+
+/// What the Falcon's driver declares of it, in the same arms and hand.
+inline VirtualHandOptions likeTheFalcon() {
+  VirtualHandOptions device;
+  device.delay_ticks = 2;
+  device.position_step_mm = 0.048;
+  return device;
+}
 
 /// How much the force still swings above 20 Hz in the last half second, on the worst axis, N.
 inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
                           const StabilityTry& what) {
-  VirtualHandOptions hand;
+  VirtualHandOptions hand = what.device;
   hand.hand = grip;
   HapticOptions options;
   options.stiffness_by_detail = false;
@@ -72,7 +81,9 @@ inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
     return DeviceMm{x, kRowMm, topAt(x, kRowMm) + height_mm};
   };
   loop.switchOn(aim(3));
-  constexpr int kLandTicks = 500, kSlideTicks = 1000, kRestTicks = 1500, kJudgedTicks = 500;
+  constexpr int kLandTicks = 500, kSlideTicks = 1000, kJudgedTicks = 500;
+  // In dry friction a hand slips once more long after it seems to rest; that is no swing.
+  constexpr int kRestTicks = 2500;
   for (int i = 0; i < kLandTicks; ++i) loop.tick(aim(-reach_mm));
   for (int i = 0; i < kSlideTicks; ++i) {
     x += 0.03;
@@ -95,13 +106,15 @@ inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
 inline constexpr double kStillN = 0.05;
 
 /// Largest stiffness up to which every try is still, in steps of 0.1 N/mm.
-inline double largestStable(const HapticSpace& space, const HandImpedance& grip, bool passivity) {
+inline double largestStable(const HapticSpace& space, const HandImpedance& grip, bool passivity,
+                            const VirtualHandOptions& device = {}) {
   constexpr double kStep = 0.1, kMost = 3;
   double stable = 0;
   for (int i = 1; i * kStep <= kMost + 1e-9; ++i) {
     for (const double push : {0.5, 2.0, 4.0}) {
       for (const double start : {-20.3, -8.1}) {
-        if (swingAtRest(space, grip, {i * kStep, push, start, passivity}) > kStillN) return stable;
+        const StabilityTry what{i * kStep, push, start, passivity, {}, 0, device};
+        if (swingAtRest(space, grip, what) > kStillN) return stable;
       }
     }
     stable = i * kStep;

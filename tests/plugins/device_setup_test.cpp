@@ -65,12 +65,12 @@ class DeviceSetupTest : public ::testing::Test {
     return eventually([&] { return dialog_->status().state == state; });
   }
   void hold(double z) {
-    emulated_->with([z](auto& f) { f.body.hold({0, 0, z}); });
+    emulated_->with([z](auto& f) { f.body.carry({0, 0, z}); });
   }
   /// Once, by keys, with 100 g on a grip that pulls with 0.3 N by itself.
   void calibrate() {
     emulated_->with([](auto& f) {
-      f.body.hold({0, 0, 125});
+      f.body.carry({0, 0, 125});
       f.body.letGo(0.3);
     });
     auto* button = child<QPushButton>("setupCalibrate");
@@ -195,7 +195,7 @@ TEST_F(DeviceSetupTest, TestsAndCalibratesByKeyboard) {
   for (int i = 0; i < 4; ++i) {
     emulated_->with([i](auto& f) {
       f.buttons = 1 << i;
-      f.body.hold({0, 0, 100.0 + 20 * i});
+      f.body.carry({0, 0, 100.0 + 20 * i});
     });
     QTest::qWait(150);
   }

@@ -174,7 +174,7 @@ void saySelfTest(SaidByHaptics& said) {
     if (ms == 0) f.body.pullToward({0, 0, 125});
     if (phase != Phase::person) return;
     f.buttons = 1 << (ms / 50 % 4);
-    f.body.hold({0, 0, 110.0 + ms % 40});
+    f.body.carry({0, 0, 110.0 + ms % 40});
   });
   ReadyFalcon(said).test([](auto& /*falcon*/, Phase, int) {});  // A hand that holds still.
   ReadyFalcon(said).test([](auto& f, Phase phase, int) {        // It only presses.
@@ -192,7 +192,7 @@ void sayCalibration(SaidByHaptics& said) {
     if (ms % 40 == 0) f.troubles.lose_answer_bytes = 1;
   });
   ReadyFalcon(said).calibrate(100, [](auto& f, int ms) {  // A hand that swings it.
-    f.body.hold({0, ms / 400 % 2 == 0 ? 6.0 : -6.0, 125});
+    f.body.carry({0, ms / 400 % 2 == 0 ? 6.0 : -6.0, 125});
   });
   ReadyFalcon(said).calibrate(100, [](auto& f, int ms) {
     if (ms == 100) f.unplug();

@@ -33,6 +33,8 @@ FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
   info_.workspace.half_extent = {40, 40, 35};
   info_.max_force_n = limits.max_force_n;
   info_.max_stiffness_n_per_mm = 1.5;
+  info_.max_damping_n_s_per_mm = 0.006;  // Its encoders are too coarse for more at 1 kHz.
+  info_.max_slew_n_per_s = 200;
   info_.position_step_mm = 0.048;  // Sideways in the middle; 0.028 in and out.
   info_.force_delay_ticks = 2;     // Up to one until it is sent, one until the motors show it.
   setGain(settings_.counts_per_n_mm);
@@ -82,11 +84,14 @@ void FalconDevice::close() noexcept {
   thread_.join();
 }
 
-DeviceReading FalconDevice::exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
+void FalconDevice::send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME {
+  mailbox_.orders.write({force, now_ns, mailbox_.readings.front().epoch, cuts_seen_});
+}
+
+DeviceReading FalconDevice::read(std::int64_t /*now_ns*/) RELIEVO_REALTIME {
+  cuts_seen_ = mailbox_.cuts.load();
   mailbox_.readings.update();
   const LinkReading& newest = mailbox_.readings.front();
-  mailbox_.cut.store(false, std::memory_order_relaxed);
-  mailbox_.orders.write({force, now_ns, newest.epoch});
   DeviceReading reading{newest.position, newest.buttons, newest.time_ns, newest.fault};
   if (settings_.left_handed) reading.buttons = withPlusAndMinusSwapped(reading.buttons);
   if (newest.told != told_seen_) {

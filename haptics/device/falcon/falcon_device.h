@@ -19,11 +19,13 @@ struct FalconSettings {
   std::string firmware;      ///< The file to load; empty: it is searched for.
 };
 inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
-inline constexpr double kMostCountsPerNmm = kNominalCountsPerNmm;
+/// Motors that give 8 N outward at full counts, as CHAI3D's table says, and not the 16.2 N that
+/// the nominal gain and the arms' geometry make of them.
+inline constexpr double kMostCountsPerNmm = 2 * kNominalCountsPerNmm;
 
 inline constexpr const char* kFalconId = "falcon:0";
 
-/// The Novint Falcon. `exchange` never waits: a thread of its own (docs/threads.md) keeps the
+/// The Novint Falcon. `read` and `send` never wait: a thread of its own (docs/threads.md) keeps the
 /// device going at its own pace and leaves the newest place of the hand for the loop. Until
 /// firmware and homing are done, readings carry the fault `not_ready`; after an unplugging they
 /// carry `disconnected` until it is back and homed. No force is shown meanwhile.
@@ -40,8 +42,9 @@ class FalconDevice : public Device {
   /// As open(), but one that is absent, forbidden or busy is waited for.
   void openWhenPlugged();
   void close() noexcept override;
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
-  void cutForce() noexcept override { mailbox_.cut.store(true); }
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override;
+  void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override;
+  void cutForce() noexcept override { mailbox_.cuts.fetch_add(1); }
 
   /// The newest. [owner]
   const LinkStatus& status();
@@ -64,8 +67,10 @@ class FalconDevice : public Device {
   FirmwareSource firmware_;
   LinkLimits limits_;
   LinkMailbox mailbox_;
-  LinkWish wish_;                // [owner]
-  std::uint32_t told_seen_ = 0;  // [haptic loop]
+  LinkWish wish_;  // [owner]
+  // [haptic loop]
+  std::uint32_t told_seen_ = 0;
+  std::uint32_t cuts_seen_ = 0;  // Before the newest reading was taken.
   std::jthread thread_;
 };
 

@@ -146,6 +146,7 @@ PortResult Link::write(std::span<const std::uint8_t> bytes) {
 bool Link::read(std::span<std::uint8_t> into, std::int64_t until_ns, std::size_t& bytes) {
   const Port::Incoming in = port_->read(into, until_ns);
   bytes = in.bytes;
+  if (in.damaged) reader_.reset();
   if (in.result == PortResult::gone || in.result == PortResult::failed) lost_ = in.result;
   return lost_ == PortResult::ok;
 }
@@ -234,6 +235,7 @@ void Link::publishStatus() {
     const LineErrors errors = port_->lineErrors();
     status_.counts.overruns = errors.overruns;
     status_.counts.framing = errors.framing;
+    status_.counts.parity = errors.parity;
   }
   status_.counts.malformed = reader_.malformed();
   mailbox_.status.write(status_);

@@ -14,6 +14,7 @@
 #include "haptics/device/falcon/kinematics.h"
 #include "haptics/device/falcon/link_status.h"
 #include "haptics/device/falcon/port.h"
+#include "haptics/device/falcon/pose_gate.h"
 #include "haptics/rt/triple_buffer.h"
 
 namespace relievo::falcon {
@@ -36,6 +37,7 @@ struct ForceOrder {
   DeviceN force;
   std::int64_t time_ns = 0;
   std::uint32_t epoch = 0;
+  std::uint32_t cuts = 0;  ///< LinkMailbox::cuts before its reading was taken.
 };
 
 /// What the owner tells the link. [owner writes, link thread reads]
@@ -54,7 +56,9 @@ struct LinkMailbox {
   TripleBuffer<ForceOrder> orders;
   TripleBuffer<LinkWish> wishes;
   TripleBuffer<LinkStatus> status;
-  std::atomic<bool> cut{false};  ///< No force until the next order. [watchdog sets, loop clears]
+  /// The watchdog's so far: an order that was begun before the last one is not shown. Nobody clears
+  /// it, so that no order slips in between. [watchdog writes]
+  std::atomic<std::uint32_t> cuts{0};
 };
 
 /// The firmware's bytes. @throw FileError  says where was looked, or what is wrong with the file
@@ -107,7 +111,8 @@ class Link {
   // link_operate.cpp
   Leave operate(const std::stop_token& stop);
   void takeReport(const Report& report, std::int64_t now_ns);
-  void follow(const Report& report);
+  bool follow(const Report& report, std::int64_t now_ns);
+  void takeDamage(std::int64_t now_ns);
   void debounce(std::uint8_t raw);
   void forgetButtons();
   bool takeFailure(std::int64_t now_ns);
@@ -146,6 +151,7 @@ class Link {
   std::int64_t slept_ = 0;
 
   // Of operate().
+  PoseGate gate_;
   std::optional<AngleJacobian> jacobian_;  // Nothing: no force in this pose.
   std::int64_t last_answer_ns_ = 0, asked_ns_ = 0, gate_ns_ = 0, force_ns_ = 0;
   std::int64_t published_ns_ = 0, rate_mark_ns_ = 0, homing_since_ns_ = 0, operates_since_ns_ = 0;

@@ -38,6 +38,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
   rate_frames_ = status_.counts.frames;
   under_way_ = silence_step_ = homed_frames_ = failed_reads_ = 0;
   seen_unhomed_ = resting_ = doubtful_ = false;
+  gate_.reset();
   status_.homed = 0;
   forgetButtons();
   jacobian_.reset();
@@ -64,6 +65,7 @@ Link::Leave Link::operate(const std::stop_token& stop) {
       if (!takePause(now)) return Leave::gone;
       continue;
     }
+    if (in.damaged) takeDamage(now);
     for (std::size_t i = 0; i < in.bytes; ++i) {
       if (const auto report = reader_.take(bytes[i])) takeReport(*report, now);
     }
@@ -121,6 +123,14 @@ bool Link::takeFailure(std::int64_t now_ns) {
   return true;
 }
 
+/// The bridge chip tells of bytes that are missing or altered: what came is of no use, and the
+/// answer is lost. Zero with the next question.
+void Link::takeDamage(std::int64_t now_ns) {
+  reader_.reset();
+  zero_next_ = true;
+  gate_ns_ = now_ns;
+}
+
 void Link::takeReport(const Report& report, std::int64_t now_ns) {
   under_way_ = std::max(0, under_way_ - 1);
   if (under_way_ == 0) doubtful_ = false;
@@ -129,7 +139,7 @@ void Link::takeReport(const Report& report, std::int64_t now_ns) {
   last_answer_ns_ = now_ns;
   silence_step_ = failed_reads_ = 0;
   if (now_ns - operates_since_ns_ > kHealthyNs) status_.failed_openings = 0;
-  follow(report);
+  if (!follow(report, now_ns)) return;
   homed_frames_ = report.homed == kAllHomed ? std::min(homed_frames_ + 1, kSureFrames) : 0;
   status_.homed = report.homed;
   status_.encoders = report.encoders;
@@ -156,17 +166,33 @@ void Link::takeReport(const Report& report, std::int64_t now_ns) {
   }
 }
 
-void Link::follow(const Report& report) {
+/// @return false: the hand cannot be there; nothing of this answer is believed, what is felt stays,
+/// and if it goes on, the line is at fault
+bool Link::follow(const Report& report, std::int64_t now_ns) {
   const Angles angles = anglesFromEncoders(report.encoders);
   const std::optional<BaseMm> grip = gripFromAngles(angles);
-  jacobian_.reset();
   if (!grip) {
+    jacobian_.reset();
     ++status_.counts.impossible_poses;  // The last pose stays, without force.
     zero_next_ = true;
-    return;
+    return true;
   }
-  reading_.position = deviceFromBase(*grip);
+  const DeviceMm place = deviceFromBase(*grip);
+  // Where no force is shown places may jump: encoders begin anywhere until an arm is homed.
+  const bool believed = status_.state != LinkState::ready || report.homed != kAllHomed ||
+                        reading_.fault != DeviceFault::none;
+  if (believed) gate_.reset();
+  if (!gate_.takes(place, {asked_ns_, now_ns})) {
+    ++status_.counts.held_poses;
+    if (gate_.held() > PoseGate::kMostHeld) {
+      gate_.reset();
+      interrupt(DeviceFault::protocol, now_ns);
+    }
+    return false;
+  }
+  reading_.position = place;
   jacobian_ = angleJacobian(*grip, angles);
+  return true;
 }
 
 void Link::debounce(std::uint8_t raw) {
@@ -285,8 +311,8 @@ bool Link::ask(std::int64_t now_ns, bool neutral) {
 std::array<std::int16_t, kArms> Link::motorCounts(std::int64_t now_ns) {
   mailbox_.orders.update();
   const ForceOrder& order = mailbox_.orders.front();
-  const bool fresh = !mailbox_.cut.load() && order.epoch == reading_.epoch && order.time_ns != 0 &&
-                     now_ns - order.time_ns <= limits_.stale_order_ns;
+  const bool fresh = order.cuts == mailbox_.cuts.load() && order.epoch == reading_.epoch &&
+                     order.time_ns != 0 && now_ns - order.time_ns <= limits_.stale_order_ns;
   if (status_.state != LinkState::ready || !fresh || !jacobian_ || !isFinite(order.force)) {
     gate_ns_ = now_ns;
     return {};

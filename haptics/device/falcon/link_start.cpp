@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starting: hello to the boot loader, then the firmware, every byte echoed.
+#include <pthread.h>
+#include <sched.h>
+
 #include <algorithm>
+#include <future>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
@@ -14,13 +19,30 @@ constexpr std::int64_t kMs = 1'000'000;
 constexpr int kAttemptsAtOnce = 4;
 constexpr std::int64_t kLongerPauseNs = 1000 * kMs;
 constexpr std::int64_t kLookForFirmwareNs = 1000 * kMs, kUntilAsked = INT64_MAX;
+
+/// Reads in a worker at ordinary priority while this thread waits: files, checksums and the
+/// terminal are nothing for a thread that keeps others from running. @throw FileError, as the
+/// source does
+std::vector<std::uint8_t> readAtEase(const FirmwareSource& source) {
+  const auto read = [&source] {
+    const sched_param ordinary{};  // A thread begins with the urgency of the one that made it.
+    [[maybe_unused]] const int refused =
+        pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);  // Less is never refused.
+    return source();
+  };
+  try {
+    return std::async(std::launch::async, read).get();
+  } catch (const std::system_error&) {
+    return source();  // No thread can be had: slower for others is better than not at all.
+  }
+}
 }  // namespace
 
 bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
   while (!stop.stop_requested()) {
     std::vector<std::uint8_t> firmware;
     try {
-      firmware = firmware_();
+      firmware = readAtEase(firmware_);
     } catch (const FileError& error) {
       setState(LinkState::no_firmware, error.what());
       // Whoever installs it, here or in a terminal, need not say so.

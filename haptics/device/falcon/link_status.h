@@ -41,7 +41,8 @@ struct LinkCounts {
   std::uint64_t purges = 0;        ///< None for 500 ms: buffers emptied.
   std::uint64_t failed_reads = 0;  ///< The USB system broke one off: asked again, with zero force.
   std::uint64_t impossible_poses = 0;
-  std::uint64_t overruns = 0, framing = 0;  ///< Told by the bridge chip.
+  std::uint64_t held_poses = 0;  ///< The hand cannot have come there; not believed.
+  std::uint64_t overruns = 0, framing = 0, parity = 0;  ///< Told by the bridge chip.
   std::int64_t worst_gap_ns = 0;  ///< Since times were last measured anew, or the link runs.
   std::array<std::uint64_t, kGapEdgesNs.size() + 1> gaps{};
 };

@@ -20,7 +20,12 @@ enum class PortResult : std::uint8_t {
 
 /// Errors that the bridge chip has reported since the port was opened.
 struct LineErrors {
-  std::uint64_t overruns = 0, framing = 0;
+  std::uint64_t overruns = 0, framing = 0, parity = 0;  ///< A break counts as framing.
+  void add(const LineStatus& status) {
+    overruns += status.overrun ? 1 : 0;
+    framing += status.framing || status.broken ? 1 : 0;
+    parity += status.parity ? 1 : 0;
+  }
 };
 
 /// One open Falcon: the only place where the driver waits. All calls: one thread.
@@ -39,6 +44,7 @@ class Port {
   struct Incoming {
     std::size_t bytes = 0;
     PortResult result = PortResult::ok;
+    bool damaged = false;  ///< Bytes before these were thrown away: begin anew with them.
   };
   /// What has come, line status taken out; waits for the first byte until `until_ns`. A failure is
   /// told at once, before what came after it; the next read takes up reading again, after 5 ms.

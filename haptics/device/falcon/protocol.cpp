@@ -96,10 +96,18 @@ std::size_t stripStatus(std::span<const std::uint8_t> transfer, std::span<std::u
     const auto packet = transfer.subspan(at, std::min(kPacketBytes, transfer.size() - at));
     if (packet.size() < 2) break;
     status.clear_to_send = (packet[0] & 0x10U) != 0;
-    status.overrun = status.overrun || (packet[1] & 0x02U) != 0;
-    status.parity = status.parity || (packet[1] & 0x04U) != 0;
-    status.framing = status.framing || (packet[1] & 0x08U) != 0;
-    status.broken = status.broken || (packet[1] & 0x10U) != 0;
+    const LineStatus now{.overrun = (packet[1] & 0x02U) != 0,
+                         .parity = (packet[1] & 0x04U) != 0,
+                         .framing = (packet[1] & 0x08U) != 0,
+                         .broken = (packet[1] & 0x10U) != 0};
+    status.overrun = status.overrun || now.overrun;
+    status.parity = status.parity || now.parity;
+    status.framing = status.framing || now.framing;
+    status.broken = status.broken || now.broken;
+    if (now.damaged()) {
+      written = 0;
+      continue;
+    }
     const auto data = packet.subspan(2);
     std::copy(data.begin(), data.end(), payload.begin() + static_cast<std::ptrdiff_t>(written));
     written += data.size();

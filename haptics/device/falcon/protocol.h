@@ -82,11 +82,14 @@ constexpr BridgeRequest latencyTimer(std::uint8_t ms) {
 struct LineStatus {
   bool clear_to_send = false;
   bool overrun = false, parity = false, framing = false, broken = false;
+  /// Bytes are missing, or not what was sent.
+  bool damaged() const RELIEVO_REALTIME { return overrun || parity || framing || broken; }
 };
 
 /// Takes the status bytes out of what one read brought: one or more packets of 64 bytes, the last
-/// one possibly shorter. @return number of bytes written to `payload`, which must hold as many as
-/// `transfer`.
+/// one possibly shorter. What stands in a damaged packet and before it is thrown away: nobody knows
+/// which of its bytes are right. @return number of bytes written to `payload`, which must hold as
+/// many as `transfer`.
 std::size_t stripStatus(std::span<const std::uint8_t> transfer, std::span<std::uint8_t> payload,
                         LineStatus& status) RELIEVO_REALTIME;
 

@@ -151,13 +151,13 @@ class UsbPort : public Port {
         read_again_ns_ = monotonicNs() + 5 * kMs;
         return {0, PortResult::failed};
       }
-      if (received_ > 0) {
+      if (received_ > 0 || damaged_) {
         const std::size_t bytes = std::min(into.size(), received_);
         std::copy_n(buffer_.begin(), bytes, into.begin());
         std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(bytes),
                   buffer_.begin() + static_cast<std::ptrdiff_t>(received_), buffer_.begin());
         received_ -= bytes;
-        return {bytes, PortResult::ok};
+        return {bytes, PortResult::ok, std::exchange(damaged_, false)};
       }
       if (gone_) return {0, PortResult::gone};
       const std::int64_t now = monotonicNs();
@@ -212,11 +212,14 @@ class UsbPort : public Port {
   }
 
   void take(std::span<const std::uint8_t> packet) {
-    line_.overrun = line_.framing = false;
+    line_ = {};
     std::array<std::uint8_t, kPacketBytes> payload{};
     const std::size_t bytes = stripStatus(packet, payload, line_);
-    if (line_.overrun) ++errors_.overruns;
-    if (line_.framing) ++errors_.framing;
+    errors_.add(line_);
+    if (line_.damaged()) {
+      damaged_ = true;
+      received_ = 0;
+    }
     const std::size_t room = buffer_.size() - received_;
     const std::size_t kept = std::min(bytes, room);
     std::copy_n(payload.begin(), kept, buffer_.begin() + static_cast<std::ptrdiff_t>(received_));
@@ -257,6 +260,7 @@ class UsbPort : public Port {
   LineStatus line_;
   LineErrors errors_;
   std::int64_t read_again_ns_ = 0;
+  bool damaged_ = false;                   // Not told yet.
   bool failed_ = false, stalled_ = false;  // Of reading; not told yet, not cleared yet.
   bool writing_ = false, written_ = true, gone_ = false, closing_ = false;
 };

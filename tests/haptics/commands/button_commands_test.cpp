@@ -101,6 +101,8 @@ TEST_F(Buttons, MoveModeGivesTheButtonsOtherMeanings) {
   EXPECT_FALSE(buttons_.moving());
   hold(kForward, 0.2);
   EXPECT_THAT(hold(kCentre, 1.7), ElementsAre(toggle_forces)) << "stopping works everywhere";
+  buttons_.setForcesOn(true);
+  EXPECT_THAT(hold(kCentre, 1.7), ElementsAre(stop_forces)) << "what the loop has stopped is off";
 }
 
 TEST_F(Buttons, PushingTheGripAsideMovesOneStepPerPush) {

@@ -75,12 +75,13 @@ TEST(Force, IsSofterWhereTheDetailIsFiner) {
 }
 
 TEST(Force, IsTheBareSpringWithoutSafety) {
-  ForceOptions options;
-  options.safety = false;
-  const ForceResult result = force(options, pressedIn(100), {});
+  const ForceOptions options;
+  const ForceResult result = bareForce(options, pressedIn(100), {});
   EXPECT_DOUBLE_EQ(result.force.z, 50);
   EXPECT_DOUBLE_EQ(result.command_n, 50);
   EXPECT_FALSE(result.limited);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(bareForce(options, pressedIn(nan), {}).force, DeviceN{}) << "a number all the same";
 }
 
 TEST(Force, StaysOffUntilItIsAskedFor) {
@@ -127,6 +128,21 @@ TEST(Force, RisesByAtMostTwentyNewtonsPerSecondWhileComingOn) {
     state = result.state;
   }
   EXPECT_GT(norm(state.last), 1);
+}
+
+TEST(Force, AHandThatLetsGoDuringTheRiseIsLetGoFast) {
+  const ForceOptions options = forcesOn();
+  ForceState state;
+  for (int i = 0; i < 505; ++i) state = force(options, pressedIn(0), state).state;
+  for (int i = 0; i < 400; ++i) state = force(options, pressedIn(12), state).state;
+  ASSERT_EQ(state.phase, EngagePhase::rising);
+  const double pressed_n = norm(state.last);
+  ASSERT_GT(pressed_n, 1);
+  int ticks = 0;
+  for (; norm(state.last) > 0 && ticks < 400; ++ticks) {
+    state = force(options, pressedIn(0), state).state;
+  }
+  EXPECT_LE(ticks, static_cast<int>(pressed_n / 0.2) + 1) << "200 N/s, not 20";
 }
 
 TEST(Force, ChangesByAtMostTwoHundredNewtonsPerSecondInContact) {

@@ -69,6 +69,26 @@ TEST(MoveGate, AtTheObjectsEdgeThereIsAWallInPlaceOfAClick) {
   EXPECT_EQ(at(gate, -15, 0), at(kGate, -15, 0)) << "the other ways stay as they are";
 }
 
+TEST(MoveGate, EachOfTheFourWallsStandsOnItsOwnSide) {
+  struct Side {
+    std::uint8_t bit;
+    int x, y;
+  };
+  for (const Side& blocked : {Side{1, -1, 0}, Side{2, 1, 0}, Side{4, 0, -1}, Side{8, 0, 1}}) {
+    MoveGate gate = kGate;
+    gate.blocked = blocked.bit;
+    for (const Side& way : {Side{1, -1, 0}, Side{2, 1, 0}, Side{4, 0, -1}, Side{8, 0, 1}}) {
+      const DeviceN force = at(gate, 15 * way.x, 15 * way.y);
+      const DeviceN open = at(kGate, 15 * way.x, 15 * way.y);
+      if (way.bit == blocked.bit) {
+        EXPECT_GT(norm(force), norm(open) + 1) << int{way.bit};
+      } else {
+        EXPECT_EQ(force, open) << int{blocked.bit} << " is no wall on side " << int{way.bit};
+      }
+    }
+  }
+}
+
 TEST(MoveGate, NobodyGainsEnergyByGoingRound) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> size(2, 30), phase(0, 2 * std::numbers::pi);

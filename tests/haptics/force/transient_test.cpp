@@ -37,6 +37,25 @@ TEST(Transient, ALandingKnocksAsHardAsTheHandCameAndNoHarderThanAllowed) {
   EXPECT_EQ(landing(options, -100), 0) << "a hand that leaves";
 }
 
+/// A surface came to a hand that moves away; then the hand lands. The first was no landing, and
+/// must not keep the second one quiet.
+TEST(Transient, AContactWhileMovingAwayIsNoLandingAndDelaysNone) {
+  const TransientOptions options{.contact_n = 0.3, .contact_n_s_per_mm = 0.002};
+  TransientState state;
+  double largest = 0;
+  for (int i = 0; i < 40; ++i) {
+    TransientInput input = touching(i < 5 ? -100 : 100);
+    input.contact = i < 5 || i >= 10;
+    const Knock now = knock(options, input, state);
+    state = now.state;
+    if (i < 10) {
+      EXPECT_EQ(now.force, DeviceN{}) << i;
+    }
+    largest = std::max(largest, now.force.z);
+  }
+  EXPECT_GT(largest, 0.1);
+}
+
 TEST(Transient, DecaysAndIsOverWithin24Ticks) {
   TransientState state;
   double early = 0, late = 0;

@@ -51,7 +51,7 @@ TEST_F(Core, TakesTheStiffnessThatTheDetailSuggests) {
   EXPECT_NEAR(sample.force.z, 1.2, 1e-9);
   options_.stiffness_by_detail = false;
   options_.force.stiffness_n_per_mm = 0.25;
-  EXPECT_NEAR(pressFor(100, -2).force.z, 0.5, 1e-9);
+  EXPECT_NEAR(pressFor(400, -2).force.z, 0.5, 1e-9) << "gradually";
 }
 
 TEST_F(Core, LatchesAFaultUntilForcesWereSwitchedOff) {
@@ -222,6 +222,52 @@ TEST_F(Core, StaysWithinItsLimitsForAHundredThousandWildTicks) {
     EXPECT_LE(belowMm(*space_, s.proxy_view), 1e-6) << i;
     last = s.force;
   }
+}
+
+/// One count of a coarse encoder in the first tick is no hand of 63 mm/s.
+TEST(CoreSpeed, TheFirstStepsOfAHandAreTooCoarseForASpeed) {
+  const auto space = test::spaceOf(80, [](double, double) { return 0.0; });
+  HapticOptions options;
+  options.stiffness_by_detail = false;
+  options.force.stiffness_n_per_mm = 0.1;
+  options.force.damping_n_s_per_mm = 0.002;
+  const double plane_mm = space->deviceFromView({40, 40, 0}).z;
+  HapticCore core(ForceChain::bare);
+  for (int ms = 0; ms < 20; ++ms) {
+    DeviceReading reading;
+    reading.time_ns = ms * 1'000'000LL;
+    reading.position = {0, 0, plane_mm - 1 - 0.0635 * std::min(ms, 3)};
+    const HapticSample s = core.tick(*space, options, reading, reading.time_ns);
+    const double damped_n = s.force.z - 0.1 * (s.proxy.z - s.hip.z);
+    EXPECT_LE(damped_n, 0.002 * 1000 * 3 * 0.0635 / 8 + 1e-9) << ms;
+  }
+}
+
+/// A device at its own pace: now and then the loop gets a reading twice and then misses one.
+TEST(CoreSpeed, IsTakenOverTheReadingsOwnTimes) {
+  const auto space = test::spaceOf(80, [](double, double) { return 0.0; });
+  HapticOptions options;
+  options.stiffness_by_detail = false;
+  options.force.stiffness_n_per_mm = 0.1;
+  options.force.damping_n_s_per_mm = 0.002;
+  constexpr double kMmPerMs = 0.05;
+  const double plane_mm = space->deviceFromView({40, 40, 0}).z;
+  HapticCore core(ForceChain::bare);
+  double least = 1, most = 0;
+  for (int ms = 0; ms < 400; ++ms) {
+    const int sampled = ms - (ms % 10 == 3 ? 1 : 0);
+    DeviceReading reading;
+    reading.time_ns = sampled * 1'000'000LL;
+    reading.position = {0, 0, plane_mm + 5 - kMmPerMs * sampled};
+    const HapticSample s = core.tick(*space, options, reading, ms * 1'000'000LL);
+    if (ms < 150) continue;
+    const double damped_n = s.force.z - 0.1 * (s.proxy.z - s.hip.z);
+    least = std::min(least, damped_n);
+    most = std::max(most, damped_n);
+  }
+  const double expected_n = 0.002 * 1000 * kMmPerMs;
+  EXPECT_NEAR(least, expected_n, 0.01 * expected_n);
+  EXPECT_NEAR(most, expected_n, 0.01 * expected_n);
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ HapticOptions bare() {
   HapticOptions options;
   options.stiffness_by_detail = false;
   options.force.stiffness_n_per_mm = kStiffness;
-  options.force.safety = false;
   return options;
 }
 
@@ -40,7 +39,7 @@ class Hand {
 
  private:
   HapticOptions options_;
-  HapticCore core_;
+  HapticCore core_{ForceChain::bare};
   std::int64_t now_ns_ = 0;
 };
 
@@ -139,6 +138,73 @@ TEST(SceneChange, PicksUpAHandThatTheNewSurfaceRisesOver) {
     if (i > 20 && !hand.changing()) break;
   }
   EXPECT_NEAR(norm(last), kStiffness * 4, 1e-6) << "6 mm above a hand at 2 mm";
+}
+
+std::unique_ptr<HapticSpace> flat(double height_mm, std::uint64_t id, const HapticSpace* like) {
+  auto space = test::spaceOf(
+      80, [height_mm](double, double) { return height_mm; }, id);
+  if (like != nullptr) space->device_translation = like->device_translation;
+  return space;
+}
+
+TEST(SceneChange, AHandThatTouchesNeitherSurfaceGetsTheNewOneAtOnce) {
+  const auto low = flat(0, 1, nullptr), high = flat(20, 2, low.get());
+  for (const bool rises : {true, false}) {
+    const HapticSpace& was = rises ? *low : *high;
+    const HapticSpace& now = rises ? *high : *low;
+    Hand hand;
+    for (int i = 0; i < 10; ++i) hand.to(was, was, {3, 4, 25});
+    const HapticSample sample = hand.to(now, was, {3, 4, 25});
+    EXPECT_FALSE(hand.changing()) << "20 mm of height took 6 s";
+    EXPECT_FALSE(sample.contact);
+    EXPECT_EQ(hand.to(now, now, {3, 4, 19}).contact, rises);
+  }
+}
+
+TEST(SceneChange, LastsAsLongAsTheForceThatIsFeltAndNotAsTheHeight) {
+  const auto low = flat(0, 1, nullptr), high = flat(20, 2, low.get());
+  const Change sinks = changeUnderAStillHand(*high, *low, {3, 4, 19});
+  EXPECT_LE(sinks.largest_step_n, kMostStepN);
+  EXPECT_EQ(sinks.last_n, 0);
+  EXPECT_GT(sinks.ticks, kStiffness * 1 / kMostStepN);
+  EXPECT_LT(sinks.ticks, kStiffness * 1 / 0.002 + 5) << "0.5 N, not 10 N";
+  // Lifting off ends it.
+  Hand hand;
+  for (int i = 0; i < 10; ++i) hand.to(*high, *high, {3, 4, i < 5 ? 25.0 : 19.0});
+  hand.to(*low, *high, {3, 4, 19});
+  EXPECT_TRUE(hand.changing());
+  hand.to(*low, *high, {3, 4, 22});
+  hand.to(*low, *high, {3, 4, 22});
+  EXPECT_FALSE(hand.changing());
+}
+
+/// With strength, rise and cap, as in the loop: beyond the cap no difference is felt.
+TEST(SceneChange, UnderTheWholeChainItLastsAsLongAsTheCappedForce) {
+  const auto low = flat(0, 1, nullptr), high = flat(40, 2, low.get());
+  HapticOptions options;
+  options.force.forces_on = true;
+  options.force.limit_n = 3;
+  options.force.passivity.on = options.force.oscillation.on = false;
+  HapticCore core;
+  std::int64_t now_ns = 0;
+  const auto tick = [&](const HapticSpace& now, const HapticSpace& was, double z) {
+    DeviceReading reading;
+    reading.position = {3, 4, z};
+    reading.time_ns = now_ns += 1'000'000;
+    return core.tick(now, was, options, reading, now_ns);
+  };
+  for (int i = 0; i < 1500; ++i) tick(*low, *low, 5);
+  DeviceN last;
+  for (int i = 0; i < 500; ++i) last = tick(*low, *low, -0.5).force;
+  int ticks = 0;
+  do {
+    const DeviceN now = tick(*high, *low, -0.5).force;
+    ASSERT_LE(norm(now - last), kMostStepN) << ticks;
+    last = now;
+  } while (core.changing() && ++ticks < 10'000);
+  EXPECT_NEAR(norm(last), 3, 0.01);
+  EXPECT_GT(ticks, 500);
+  EXPECT_LT(ticks, 3 / 0.002);
 }
 
 TEST(SceneChange, AnotherFirmnessOfTheSameWindowComesGradually) {

@@ -55,7 +55,6 @@ HapticOptions bare() {
   HapticOptions options;
   options.stiffness_by_detail = false;
   options.force.stiffness_n_per_mm = kStiffness;
-  options.force.safety = false;
   return options;
 }
 
@@ -107,7 +106,7 @@ TEST(SurfaceFields, AClosedWayOfAHandWithoutFrictionGivesNoWork) {
     const auto space = scene(kind);
     HapticOptions options = bare();
     options.fields = everything();
-    HapticCore core;
+    HapticCore core(ForceChain::bare);
     DeviceN before;
     DeviceMm was;
     double work_mj = 0, gross_mj = 0;
@@ -192,7 +191,7 @@ TEST(SurfaceFields, UnmeasuredGroundIsSofterAndTheWayThereIsSmooth) {
 TEST(SurfaceFields, SwitchedOffTheyChangeNotOneBit) {
   const auto plain = test::spaceOf(kSideMm, hills, 1, {}, SurfaceKind::gated);
   const auto rich = scene();
-  HapticCore a, b;
+  HapticCore a(ForceChain::bare), b(ForceChain::bare);
   for (int i = 0; i < 3000; ++i) {
     DeviceReading reading;
     reading.time_ns = i * 1'000'000LL;
@@ -287,7 +286,6 @@ TEST(SurfaceFields, AHandRestsOnAllOfThemAndThePassivityStageIsEnough) {
 TEST(SurfaceFields, CrossingToUnmeasuredGroundTicksFaintlyOnce) {
   const auto space = scene();
   HapticOptions options = bare();
-  options.force.safety = true;
   options.force.forces_on = true;
   options.force.strength = 1;
   const auto run = [&](double crossing_n) {

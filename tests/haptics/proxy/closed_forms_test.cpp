@@ -21,7 +21,6 @@ HapticOptions bare(ProxyKind kind = ProxyKind::converged) {
   options.proxy.kind = kind;
   options.stiffness_by_detail = false;
   options.force.stiffness_n_per_mm = 0.5;
-  options.force.safety = false;
   return options;
 }
 
@@ -41,7 +40,7 @@ class Hand {
  private:
   const HapticSpace& space_;
   HapticOptions options_;
-  HapticCore core_;
+  HapticCore core_{ForceChain::bare};
   std::int64_t now_ns_ = 0;
 };
 

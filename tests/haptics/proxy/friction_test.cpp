@@ -4,6 +4,9 @@
 
 #include <random>
 
+#include "haptics/loop/haptic_core.h"
+#include "haptics/loop/surface_preset.h"
+#include "haptics/proxy/friction.h"
 #include "tests/haptics/proxy/measure.h"
 
 namespace relievo {
@@ -104,6 +107,73 @@ TEST(Friction, KeepsTheForceWithinTheConeAndTheProxyOutside) {
     contacts += state.contact ? 1 : 0;
   }
   EXPECT_GT(contacts, 10000);
+}
+
+/// How much the force swings while a hand slides steadily whose places are counts of `step_mm`.
+double ripple(const SurfaceFeel& feel, double step_mm, double mm_per_s, DeviceMm along) {
+  const auto space = flat(SurfaceKind::gated);
+  HapticOptions options;
+  setFeel(options, feel);
+  const double k = feel.stiffness_by_detail ? 0.8 : feel.stiffness_n_per_mm;
+  HapticCore core(ForceChain::bare);
+  const double plane_mm = space->deviceFromView({40, 40, 0}).z;
+  const auto counted = [step_mm](double mm) {
+    return step_mm > 0 ? step_mm * std::round(mm / step_mm) : mm;
+  };
+  DeviceN low{9, 9, 9}, high{-9, -9, -9};
+  for (int ms = 0; ms < 2500; ++ms) {
+    // Down with 2 N, and along for a second before it is judged.
+    const double depth_mm = std::min(2 / k, 0.02 * ms - 1),
+                 way = 1e-3 * mm_per_s * std::max(0, ms - 400);
+    DeviceReading reading;
+    reading.time_ns = ms * 1'000'000LL;
+    reading.position = {counted(-20 + way * along.x), counted(-20 + way * along.y),
+                        counted(plane_mm - depth_mm)};
+    const DeviceN f = core.tick(*space, options, reading, reading.time_ns).force;
+    if (ms < 1400) continue;
+    low = {std::min(low.x, f.x), std::min(low.y, f.y), std::min(low.z, f.z)};
+    high = {std::max(high.x, f.x), std::max(high.y, f.y), std::max(high.z, f.z)};
+  }
+  return norm(high - low);
+}
+
+TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
+  constexpr double kMostRippleN = 0.03;
+  for (const SurfacePreset& preset : kSurfacePresets) {
+    if (preset.feel.proxy != ProxyKind::converged) continue;  // The paper's knows no friction.
+    // Exact, the Falcon's in and out and sideways, the virtual hand's.
+    for (const double step_mm : {0.0, 0.028, 0.048, 0.0635}) {
+      for (const double mm_per_s : {5.0, 20.0, 40.0}) {
+        EXPECT_LE(ripple(preset.feel, step_mm, mm_per_s, {1, 0, 0}), kMostRippleN)
+            << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s";
+      }
+    }
+  }
+}
+
+/// What a real material shows is left: it holds harder at rest, and lets go at once.
+TEST(Friction, AHandThatHasRestedIsHeldHarderBeforeItSlides) {
+  const auto space = flat(SurfaceKind::gated);
+  const ProxyOptions options = rubbing(0.5, 0.3);
+  ProxyState state = proxyPlace(*space, {100.3, 100.4, 1});
+  const auto slide = [&](double from, double to) {
+    double most = 0;
+    for (double x = from; x <= to; x += 0.05) {
+      state = proxyTick(*space, state, {x, 100.4, -2}, options);
+      most = std::max(most, x - state.position.x);
+    }
+    return most;
+  };
+  state = proxyTick(*space, state, {100.3, 100.4, -2}, options);
+  for (int n = 0; n < kRestTicks; ++n)
+    state = proxyTick(*space, state, {100.3, 100.4, -2}, options);
+  EXPECT_NEAR(slide(100.3, 104), 0.5 * 2, 0.06) << "from rest";
+  for (int n = 0; n + 5 < kRestTicks; ++n) {
+    state = proxyTick(*space, state, state.hip, options);
+  }
+  EXPECT_NEAR(slide(104, 106), 0.3 * 2, 0.06) << "a moment is no rest";
+  for (int n = 0; n < kRestTicks; ++n) state = proxyTick(*space, state, state.hip, options);
+  EXPECT_NEAR(slide(106, 108), 0.5 * 2, 0.06) << "rested";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
 
@@ -54,6 +55,33 @@ TEST(FlightRecord, WritesTheLastThirtySecondsWhenAFaultAppearsAndOncePerFault) {
   const auto second = record.written();
   ASSERT_TRUE(second);
   EXPECT_NE(second->file, end->file) << "the first is not lost";
+}
+
+TEST(FlightRecord, OnlyTheNewestOfAllRunsStay) {
+  const auto folder = emptyFolder("pruned");
+  std::filesystem::create_directories(folder);
+  const auto now = std::filesystem::file_time_type::clock::now();
+  for (int i = 1; i <= 60; ++i) {
+    const auto file = folder / ("flight-" + std::to_string(i) + ".csv");
+    std::ofstream(file) << "old";
+    std::filesystem::last_write_time(file, now - std::chrono::hours(1 + i));
+  }
+  std::ofstream(folder / "notes.txt") << "not ours";
+  FlightRecord record(folder, "relievo flight record");
+  auto broken = ticks(0, 3);
+  for (HapticSample& sample : broken) sample.fault = DeviceFault::timeout;
+  record.take(broken);
+  const auto end = record.written();
+  ASSERT_TRUE(end);
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    files += entry.path().extension() == ".csv" ? 1 : 0;
+  }
+  EXPECT_EQ(files, FlightRecord::kMostKept);
+  EXPECT_TRUE(std::filesystem::exists(end->file));
+  EXPECT_TRUE(std::filesystem::exists(folder / "flight-1.csv")) << "an hour old";
+  EXPECT_FALSE(std::filesystem::exists(folder / "flight-60.csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "notes.txt"));
 }
 
 TEST(FlightRecord, SaysWhyThereIsNone) {

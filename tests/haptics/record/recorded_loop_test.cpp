@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "haptics/device/virtual_hand.h"
+#include "haptics/loop/device_limits.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
 #include "haptics/record/recorder.h"
@@ -222,6 +223,13 @@ TEST(RecordedLoop, SaysWhatCannotBeRepeated) {
   LogTable broken = log;
   broken.footer.replace(broken.footer.find("replay core b1 ") + 30, 1, "x");
   EXPECT_THROW(recordedLoop(broken.footer, kBuild), FileError);
+  // Another digit is as good as the first one: bytes of a structure that would be run as they are.
+  for (const char* line : {"replay options 1 ", "replay core b1 "}) {
+    LogTable altered = log;
+    char& digit = altered.footer[altered.footer.find(line) + 60];
+    digit = digit == '7' ? '8' : '7';
+    EXPECT_THROW(recordedLoop(altered.footer, kBuild), FileError) << line;
+  }
 }
 
 TEST(RecordedLoop, LinesOfASurfaceSayAllThatItIsMadeFrom) {

@@ -24,7 +24,7 @@ std::filesystem::path temporary(const std::string& name) {
 class Replay : public ::testing::Test {
  protected:
   Replay() {
-    options_.safety = true;
+    options_.chain = ForceChain::whole;
     options_.device = &hand_;
     hand_.open();
   }
@@ -35,7 +35,8 @@ class Replay : public ::testing::Test {
     log->close("loop ticks 3751");
   }
   ReplayResult replayed(const LogTable& log) {
-    return replay(*space_, strokeHapticOptions(options_), log, [](const HapticSample&, double) {});
+    return replay(*space_, strokeHapticOptions(options_), options_.chain, log,
+                  [](const HapticSample&, double) {});
   }
 
   std::unique_ptr<HapticSpace> space_ = test::spaceOf(

@@ -114,7 +114,7 @@ TEST(Stroke, HasNoLimitsUnlessAskedFor) {
   StrokeOptions options;
   options.stiffness_n_per_mm = 2;
   EXPECT_NEAR(run(*space, press, options).back().first.force.z, 40, 1e-9);
-  options.safety = true;
+  options.chain = ForceChain::whole;
   double largest = 0;
   for (const auto& [sample, t_s] : run(*space, press, options)) {
     largest = std::max(largest, norm(sample.force));

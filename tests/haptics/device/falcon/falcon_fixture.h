@@ -2,6 +2,8 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <atomic>
 #include <functional>
@@ -30,6 +32,8 @@ class FalconTest : public ::testing::Test {
         std::move(bus),
         [this] {
           ++firmware_asked_;
+          sched_param parameters{};
+          pthread_getschedparam(pthread_self(), &firmware_policy_, &parameters);
           if (firmware_.empty()) throw FileError("No firmware. Places searched: none.");
           return firmware_;
         },
@@ -95,7 +99,7 @@ class FalconTest : public ::testing::Test {
     return stepUntil([&] { return device_->status().state == state; }, most_ms);
   }
   void hold(double x, double y, double z) {
-    falcon([&](auto& f) { f.body.hold({x, y, z}); });
+    falcon([&](auto& f) { f.body.carry({x, y, z}); });
   }
   /// Out and in, as E308 asks for first; then out once more, as it asks for when they are homed.
   bool home() {
@@ -122,7 +126,8 @@ class FalconTest : public ::testing::Test {
   emulator::InProcessBus* bus_ = nullptr;  // The device's.
   std::unique_ptr<FalconDevice> device_;
   std::vector<std::uint8_t> firmware_ = relievo::test::madeImage();
-  int firmware_asked_ = 0;  // How often the driver has looked for it.
+  int firmware_policy_ = -1;  // Of the thread that read it.
+  int firmware_asked_ = 0;    // How often the driver has looked for it.
 
   DeviceN force_;
   DeviceReading reading_;

@@ -29,7 +29,7 @@ inline void PrintTo(const Fault& fault, std::ostream* out) {
 }
 constexpr int kForEver = 1 << 30;
 inline void mendsItself(FalconEmulator& /*falcon*/) {}
-inline const std::array<Fault, 12> kFaults{{
+inline const std::array<Fault, 14> kFaults{{
     {"LostByteOfAnAnswer", [](FalconEmulator& f) { f.troubles.lose_answer_bytes = 1; }, mendsItself,
      DeviceFault::none, [](const LinkStatus& s) { return s.counts.hiccups + s.counts.malformed; },
      false},
@@ -44,6 +44,10 @@ inline const std::array<Fault, 12> kFaults{{
      [](const LinkStatus& s) { return s.counts.impossible_poses; }, false},
     {"Overrun", [](FalconEmulator& f) { f.troubles.overruns = 1; }, mendsItself, DeviceFault::none,
      [](const LinkStatus& s) { return s.counts.overruns; }, false},
+    {"FramingError", [](FalconEmulator& f) { f.troubles.framing_errors = 1; }, mendsItself,
+     DeviceFault::none, [](const LinkStatus& s) { return s.counts.framing; }, false},
+    {"ParityError", [](FalconEmulator& f) { f.troubles.parity_errors = 1; }, mendsItself,
+     DeviceFault::none, [](const LinkStatus& s) { return s.counts.parity; }, false},
     {"LateAnswers", [](FalconEmulator& f) { f.hold_answers_ns = 8'000'000; },
      [](FalconEmulator& f) { f.hold_answers_ns = 0; }, DeviceFault::none,
      [](const LinkStatus& s) { return s.counts.hiccups; }, false},

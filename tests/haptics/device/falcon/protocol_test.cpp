@@ -105,7 +105,7 @@ TEST(FalconLine, StatusIsTakenOutOfEveryPacketOfATransfer) {
   std::vector<std::uint8_t> transfer;
   std::vector<std::uint8_t> sent;
   for (int packet = 0; packet < 3; ++packet) {
-    transfer.insert(transfer.end(), {0x11, static_cast<std::uint8_t>(packet == 1 ? 0x62 : 0x60)});
+    transfer.insert(transfer.end(), {0x11, 0x60});
     const int bytes = packet < 2 ? 62 : 5;
     for (int i = 0; i < bytes; ++i) {
       sent.push_back(static_cast<std::uint8_t>(100 * packet + i));
@@ -116,9 +116,31 @@ TEST(FalconLine, StatusIsTakenOutOfEveryPacketOfATransfer) {
   LineStatus status;
   payload.resize(stripStatus(transfer, payload, status));
   EXPECT_EQ(payload, sent);
-  EXPECT_TRUE(status.overrun);
+  EXPECT_FALSE(status.damaged());
   EXPECT_TRUE(status.clear_to_send);
-  EXPECT_FALSE(status.framing);
+}
+
+TEST(FalconLine, OfADamagedPacketAndThoseBeforeItNothingIsUsed) {
+  const auto transfer = [](std::uint8_t second) {
+    std::vector<std::uint8_t> bytes(2 * kPacketBytes + 5, 'B');
+    bytes[0] = bytes[64] = bytes[128] = 0x01;
+    bytes[1] = bytes[129] = 0x60;
+    bytes[65] = second;
+    bytes[130] = 'E';
+    return bytes;
+  };
+  std::array<std::uint8_t, 256> payload{};
+  for (const int bit : {0x02, 0x04, 0x08, 0x10}) {
+    LineStatus status;
+    EXPECT_EQ(stripStatus(transfer(static_cast<std::uint8_t>(0x60 | bit)), payload, status), 3U);
+    EXPECT_EQ(payload[0], 'E');
+    EXPECT_TRUE(status.damaged());
+    EXPECT_EQ(status.overrun, bit == 0x02);
+    EXPECT_EQ(status.parity, bit == 0x04);
+    EXPECT_EQ(status.framing, bit == 0x08);
+  }
+  LineStatus status;
+  EXPECT_EQ(stripStatus(transfer(0x60), payload, status), 127U);
 }
 
 TEST(FalconLine, APacketOfStatusAloneHasNoData) {

@@ -315,5 +315,12 @@ TEST_F(RunningFalconTest, OneThatIsBusyIsTakenWhenItIsFree) {
   EXPECT_TRUE(becomes(LinkState::ready, 1500));
 }
 
+TEST_F(FalconTest, FilesAreReadAtOrdinaryPriorityWhateverTheLinksOwn) {
+  begin();
+  ASSERT_TRUE(becomes(LinkState::homing, 3000));
+  EXPECT_GE(firmware_asked_, 1);
+  EXPECT_EQ(firmware_policy_, SCHED_OTHER);
+}
+
 }  // namespace
 }  // namespace relievo::falcon

@@ -3,8 +3,10 @@
 // wire carries zero, and it recovers without a restart.
 #include <gmock/gmock.h>
 
+#include "haptics/loop/haptic_core.h"
 #include "tests/haptics/device/falcon/falcon_fixture.h"
 #include "tests/haptics/device/falcon/faults.h"
+#include "tests/haptics/haptic_fixture.h"
 
 namespace relievo::falcon {
 namespace {
@@ -441,6 +443,74 @@ TEST_F(FrozenFalconTest, EncodersThatStandStillAfterTheStartGetNoForce) {
   falcon([](auto& f) { f.troubles.frozen_encoders = false; });
   ASSERT_TRUE(becomes(LinkState::ready, 100));
   EXPECT_TRUE(stepUntil([this] { return norm(felt()) > 1.9; }, 400));
+}
+
+TEST_F(FalconTroubleTest, AnAlteredNibbleIsNotBelieved) {
+  beginTouching();
+  step(300);
+  const DeviceMm place = reading_.position;
+  int held_up = 0;
+  for (int i = 0; i < 200; ++i) {
+    falcon([](auto& f) { f.troubles.altered_nibbles = 1; });
+    for (int ms = 0; ms < 20; ++ms) {
+      step();
+      // The lowest three bits of a count are less than a hand trembles.
+      ASSERT_LT(norm(reading_.position - place), 0.35) << i;
+      ASSERT_LT(felt().z, 2.1) << i;
+      held_up += felt().z > 1.9 ? 1 : 0;
+    }
+  }
+  // Some angles belong to no place at all; of those the force rises anew.
+  EXPECT_GT(held_up, 1000);
+  EXPECT_EQ(fault_, DeviceFault::none);
+  EXPECT_GT(device_->status().counts.held_poses, 100U);
+}
+
+TEST_F(FalconTroubleTest, NibblesThatGoOnBeingAlteredAreAFaultOfTheLine) {
+  trouble([](auto& f) { f.troubles.altered_nibbles = test::kForEver; });
+  const DeviceMm place = reading_.position;
+  ASSERT_TRUE(stepUntil(
+      [&] {
+        EXPECT_LT(norm(reading_.position - place), 1.5);
+        return fault_ == DeviceFault::protocol;
+      },
+      60));
+  falcon([](auto& f) { f.troubles.altered_nibbles = 0; });
+  EXPECT_TRUE(touchesAgain());
+}
+
+/// A fin between two halves, a hand that presses against it from the left and over the ground, and
+/// bursts of altered nibbles: two of them believed could lead the hand over the fin and down.
+TEST_F(FalconTroubleTest, TheProxyNeverEndsBehindAWallByAlteredNibbles) {
+  constexpr double kFinMm = 13;  // Of hand, from the middle.
+  const auto space = relievo::test::spaceOf(
+      80, [](double x, double) { return std::abs(x - 40 - kFinMm) < 1 ? 6.0 : 0.0; });
+  const double ground_mm = space->deviceFromView({40, 40, 0}).z;
+  HapticOptions options;
+  options.force.forces_on = true;
+  HapticCore core;
+  hold(10, -5, kCentre.z + ground_mm + 2);
+  begin();
+  ASSERT_TRUE(becomes(LinkState::ready, 100));
+  std::uint32_t random = 99;
+  for (int ms = 0; ms < 8000; ++ms) {
+    random = random * 1664525U + 1013904223U;
+    if (ms % 40 == 0) {
+      falcon([&](auto& f) { f.troubles.altered_nibbles = static_cast<int>(random >> 16U) % 6; });
+    }
+    const double t = 1e-3 * ms;
+    falcon([&](auto& f) {
+      f.body.carry({10.5 + 2 * std::sin(3 * t), -5 + 4 * std::cos(2 * t),
+                    kCentre.z + ground_mm + 2 + 3 * std::sin(1.7 * t)});
+    });
+    step();
+    ASSERT_EQ(fault_ == DeviceFault::protocol, false) << ms;
+    const HapticSample s = core.tick(*space, options, reading_, clock_->now());
+    force_ = s.force;
+    ASSERT_LT(s.proxy.x, kFinMm) << "in tick " << ms;
+  }
+  EXPECT_GT(device_->status().counts.held_poses, 100U);
+  EXPECT_EQ(core.audit().violations(), 0U);
 }
 
 TEST_F(FalconTroubleTest, RandomTroublesNeverShowMoreThanWasAsked) {

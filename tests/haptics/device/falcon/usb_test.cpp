@@ -12,6 +12,7 @@
 #include <csignal>
 #include <functional>
 #include <thread>
+#include <vector>
 
 #include "core/base/error.h"
 #include "haptics/device/falcon/falcon_device.h"
@@ -195,7 +196,7 @@ TEST_F(FalconUsbTest, UnpluggedWhileTouchingThenReplugged) {
   });
 }
 
-class FalconUsbFaultTest : public FalconUsbTest, public ::testing::WithParamInterface<test::Fault> {
+class FalconUsbTroubleTest : public FalconUsbTest {
  protected:
   void exchange() {
     const DeviceFault fault = device_->exchange({0, 0, 2}, monotonicNs()).fault;
@@ -229,6 +230,9 @@ class FalconUsbFaultTest : public FalconUsbTest, public ::testing::WithParamInte
   DeviceFault told_ = DeviceFault::none;
 };
 
+class FalconUsbFaultTest : public FalconUsbTroubleTest,
+                           public ::testing::WithParamInterface<test::Fault> {};
+
 TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   const test::Fault& fault = GetParam();
   device_->open();
@@ -259,6 +263,29 @@ TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   EXPECT_TRUE(touches());
   EXPECT_EQ(falcon_->with([](auto& f) { return f.uploads(); }), 0);
 }
+TEST_F(FalconUsbTroubleTest, AlteredNibblesAreNotBelieved) {
+  device_->open();
+  ASSERT_TRUE(becomes(*device_, LinkState::ready)) << describe(device_->status()).screen;
+  ASSERT_TRUE(touches());
+  const DeviceMm place = device_->status().position;
+  std::vector<double> farthest_mm;  // Of each round.
+  for (int i = 0; i < 30; ++i) {
+    farthest_mm.push_back(0);
+    falcon_->with([](auto& f) { f.troubles.altered_nibbles = 2; });
+    ASSERT_TRUE(whileTouching([&] {
+      const DeviceMm now = device_->exchange({0, 0, 2}, monotonicNs()).position;
+      farthest_mm.back() = std::max(farthest_mm.back(), norm(now - place));
+      return falcon_->with([](auto& f) { return f.troubles.altered_nibbles == 0; });
+    }));
+  }
+  // Altered nibbles are up to 200 mm away. The mocked port answers late, and a hand may have gone
+  // farther meanwhile: so most rounds are judged, not the worst, and generously. PoseGate's own
+  // test judges each place to the millimetre, on a clock of its own.
+  std::sort(farthest_mm.begin(), farthest_mm.end());
+  EXPECT_LT(farthest_mm[20], 40);
+  EXPECT_TRUE(whileTouching([&] { return device_->status().counts.held_poses > 10; }));
+}
+
 /// Without the plug, which is the port's: UnpluggedWhileTouchingThenReplugged.
 std::vector<test::Fault> faultsOfTheLine() {
   std::vector<test::Fault> faults(test::kFaults.begin(), test::kFaults.end());
