@@ -2,25 +2,25 @@
 #include "app/options.h"
 
 #include <array>
-#include <charconv>
+#include <cmath>
 
 #include "core/base/error.h"
+#include "core/io/lines.h"
 
 namespace relievo {
 namespace {
+
+constexpr double kLargestNumber = 1e9;  // mm; farther than any scan.
+constexpr int kMostDetails = 64;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw ArgumentError(what + " See relievo --help.");
 }
 
-template <class Number>
-Number number(const std::string& option, std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    refuse(option + " needs a number, not '" + std::string(text) + "'.");
-  }
-  return value;
+double number(const std::string& option, std::string_view text) {
+  const auto value = parseNumber(text);
+  if (value && std::abs(*value) <= kLargestNumber) return *value;  // Not a number fails as well.
+  refuse(option + " needs a number from -1e9 to 1e9, not '" + std::string(text) + "'.");
 }
 
 RectMm rectangle(const std::string& option, std::string_view text) {
@@ -30,7 +30,7 @@ RectMm rectangle(const std::string& option, std::string_view text) {
     if ((comma == std::string_view::npos) != (i + 1 == values.size())) {
       refuse(option + " needs four numbers: X,Y,W,H in millimetres.");
     }
-    values[i] = number<double>(option, text.substr(0, comma));
+    values[i] = number(option, text.substr(0, comma));
     text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
   }
   return {values[0], values[1], values[2], values[3]};
@@ -81,8 +81,11 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
     } else if (option == "--lang") {
       options.language = value();
     } else if (option == "--detail") {
-      options.detail = number<int>(option, value());
-      if (*options.detail < 1) refuse("--detail counts from 1, the whole object.");
+      const double detail = number(option, value());
+      if (detail < 1 || detail > kMostDetails || detail != std::floor(detail)) {
+        refuse("--detail counts from 1, the whole object, to 64.");
+      }
+      options.detail = static_cast<int>(detail);
     } else if (option == "--region") {
       options.region = rectangle(option, value());
     } else {

@@ -23,7 +23,8 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "Writing levels"), QT_TRANSLATE_NOOP("Core", "checking pages"),
     QT_TRANSLATE_NOOP("Core", "opening"), QT_TRANSLATE_NOOP("Core", "reading mesh"),
     QT_TRANSLATE_NOOP("Core", "reading points"), QT_TRANSLATE_NOOP("Core", "Video"),
-    QT_TRANSLATE_NOOP("Core", "reading heights"),
+    QT_TRANSLATE_NOOP("Core", "reading heights"), QT_TRANSLATE_NOOP("Core", "preparing"),
+    QT_TRANSLATE_NOOP("Core", "Writing the scan"),
     // Rules.
     QT_TRANSLATE_NOOP("Core", "front-most point"),
     QT_TRANSLATE_NOOP("Core", "second point from the front"),
@@ -38,6 +39,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "area of the surface"), QT_TRANSLATE_NOOP("Core", "height"),
     QT_TRANSLATE_NOOP("Core", "distance"), QT_TRANSLATE_NOOP("Core", "depth difference"),
     QT_TRANSLATE_NOOP("Core", "angle"), QT_TRANSLATE_NOOP("Core", "length of the cut"),
+    QT_TRANSLATE_NOOP("Core", "length on the map"),
     // Relief images and their colours.
     QT_TRANSLATE_NOOP("Core", "slope"), QT_TRANSLATE_NOOP("Core", "local relief"),
     QT_TRANSLATE_NOOP("Core", "sky-view factor"), QT_TRANSLATE_NOOP("Core", "openness"),

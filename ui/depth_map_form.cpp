@@ -151,7 +151,7 @@ void DepthMapForm::addGrid(QFormLayout* layout) {
                                   tr("How much coarser each level of the pyramid is; 2 in the "
                                      "paper"));
   factor_->setDecimals(3);
-  factor_->setRange(1.1, kMostFactor);
+  factor_->setRange(kLeastFactor, kMostFactor);
   factor_->setSingleStep(0.5);
   factor_->setKeyboardTracking(false);
 }

@@ -107,6 +107,11 @@ void Document::cancel() {
   if (worker_.cancel()) Q_EMIT cancelled();
 }
 
+const OpenedFile& Document::openedFile() const {
+  static const OpenedFile none;
+  return state_.file ? *state_.file : none;
+}
+
 int Document::detail() const {
   return isOpen() ? state_.surface->ladder.detailOf(state_.region.level) : 0;
 }
@@ -168,7 +173,7 @@ bool Document::canRemake() {
 void Document::remake(const SurfaceOptions& options, const QString& name) {
   if (!canRemake()) return;
   Work work;
-  work.source = source_;
+  work.source = source();
   work.options = options;
   work.name = name;
   start(std::move(work));
@@ -256,7 +261,7 @@ void Document::finish(const Work& work) {
 void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOptions& options,
                      const QString& name) {
   revert();
-  DocumentState next{std::move(surface), options, {}, state_.gain};
+  DocumentState next{std::move(surface), options, {}, state_.gain, state_.file};
   next.region =
       sameGrid(*state_.surface, *next.surface) ? state_.region : wholeRegion(next.surface->ladder);
   push(std::move(next), name);
@@ -265,7 +270,19 @@ void Document::adopt(std::shared_ptr<const Surface> surface, const SurfaceOption
 void Document::showOpened(const Work& work) {
   revert();
   DocumentState next{work.outcome.surface, work.options, wholeRegion(work.outcome.surface->ladder),
-                     1};
+                     1,
+                     std::make_shared<const OpenedFile>(
+                         OpenedFile{.name = work.open.file,
+                                    .sha256 = work.sha256,
+                                    .accept_incomplete = work.open.accept_incomplete,
+                                    .scan = work.open.scan,
+                                    .source = work.source})};
+  if (!work.open.step.isEmpty() && isOpen()) {
+    if (sameGrid(*state_.surface, *next.surface)) next.region = state_.region;
+    next.gain = state_.gain;
+    push(std::move(next), work.open.step);
+    return;
+  }
   const DetailLadder& ladder = next.surface->ladder;
   try {
     if (work.open.exact_region && work.open.exact_region->level.value < ladder.levels()) {
@@ -281,13 +298,10 @@ void Document::showOpened(const Work& work) {
     Q_EMIT failed(spokenError(error), {}, work.open.file);
   }
   if (next.surface->tiles && !windowFor(next)) return;  // What was shown stays.
-  file_ = work.open.file;
-  sha256_ = work.sha256;
-  source_ = work.source;
   history_.clear();
   ahead_ = next.surface->tiles ? std::make_unique<TilePrefetcher>(next.surface->tiles) : nullptr;
   restoreSteps(work, next);
-  Q_EMIT opened(file_);
+  Q_EMIT opened(file());
 }
 
 // Each step began where its record says, and ended where the next one began.
@@ -482,7 +496,9 @@ bool Document::apply(const DocumentState& state) {
     if (!window) return false;
     window_ = std::move(window);
   }
+  const bool other_file = state.file != state_.file;
   state_ = state;
+  if (other_file) Q_EMIT fileChanged(file());
   if (ahead_ && other_window) ahead_->around(state_.region);
   if (other_surface) Q_EMIT surfaceChanged();
   if (other_window) Q_EMIT windowChanged();

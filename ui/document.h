@@ -38,6 +38,17 @@ struct OpenRequest {
   std::vector<std::string> history;  ///< As Project has them.
   std::vector<NamedRegion> undo;
   double gain = 1;
+  /// Name of a step: the file takes the present one's place and can be undone; empty: a new
+  /// beginning.
+  QString step = {};
+};
+
+/// Which file a surface was made from, and what of it.
+struct OpenedFile {
+  QString name, sha256;  ///< Of the bytes that were read, hexadecimal.
+  bool accept_incomplete = false;
+  ScanChoices scan;
+  SurfaceSource source;
 };
 
 /// Everything that undo and redo bring back. Surfaces are shared and never change.
@@ -46,6 +57,7 @@ struct DocumentState {
   SurfaceOptions options;  ///< How `surface` was made.
   Region region;
   double gain = 1;
+  std::shared_ptr<const OpenedFile> file = nullptr;  ///< What `surface` was made from.
   friend bool operator==(const DocumentState& a, const DocumentState& b) {
     return a.surface == b.surface && a.region == b.region && a.gain == b.gain;
   }
@@ -71,10 +83,12 @@ class Document : public QObject {
   const DocumentState& state() const { return state_; }
   std::shared_ptr<const Surface> surface() const { return state_.surface; }
   std::shared_ptr<const RegionWindow> window() const { return window_; }
-  const SurfaceSource& source() const { return source_; }
+  /// The file of state(), of no name while nothing is open.
+  const OpenedFile& openedFile() const;
+  const SurfaceSource& source() const { return openedFile().source; }
   const DepthEngine& depthBuffer() const { return depth_buffer_; }
-  QString file() const { return file_; }
-  QString fileSha256() const { return sha256_; }  ///< Of the bytes that were read, hexadecimal.
+  QString file() const { return openedFile().name; }
+  QString fileSha256() const { return openedFile().sha256; }
   /// "Detail 2 of 4" numbers; 0 while nothing is open.
   int detail() const;
   int details() const;
@@ -132,6 +146,8 @@ class Document : public QObject {
   /// while it is read; a better one may follow. Nothing of the document is changed by it.
   void firstView(const QString& file, const QImage& picture, quint64 used, quint64 all);
   void opened(const QString& file);  ///< A file was read; surfaceChanged came before.
+  /// Another file is shown, by a step, its undo or redo; surfaceChanged comes after.
+  void fileChanged(const QString& file);
   void surfaceChanged();
   void windowChanged();  ///< Region, level, gain or surface: `window()` is another one.
   void busyChanged(bool busy);
@@ -157,8 +173,6 @@ class Document : public QObject {
   DepthEngine depth_buffer_;
   std::uint64_t first_view_from_ = FirstViewOptions{}.least_points;
   std::weak_ptr<Work> in_hand_;  ///< The newest work.
-  QString file_, sha256_;
-  SurfaceSource source_;
   DocumentState state_;
   std::shared_ptr<const RegionWindow> window_;
   std::optional<DocumentState> gesture_start_;

@@ -214,6 +214,11 @@ void MainWindow::connectParts() {
     detail_->setFocus();
     replay_->showWaiting();
   });
+  connect(&document_, &Document::fileChanged, this, [this](const QString& file) {
+    settings_.addRecentFile(file);
+    showRecent();
+    showTitle();
+  });
   connect(status_, &StatusFields::cancelAsked, &document_, &Document::cancel);
   for (const auto signal : {&QUndoStack::undoTextChanged, &QUndoStack::redoTextChanged}) {
     connect(&document_.history(), signal, this, &MainWindow::showHistory);
@@ -233,6 +238,7 @@ void MainWindow::connectParts() {
     reference_->setStereo(stereo);
     detail_->setStereo(stereo);
     command("stereo")->setChecked(stereo.mode != StereoMode::off);
+    warnOfRivalry();
   });
 
   connect(detail_, &DetailView::turned, this, [this](bool turned) {
@@ -385,13 +391,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
   const QList<QUrl> urls = event->mimeData()->urls();
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
-  if (urls.size() > 1) {
-    strip_->show(
-        tr("%n files were dropped. Nothing was opened. Drop one file.", nullptr, urls.size()));
-  } else if (!urls.front().isLocalFile()) {
+  QStringList files;
+  for (const QUrl& url : urls) {
+    if (url.isLocalFile()) files << url.toLocalFile();
+  }
+  if (files.size() < urls.size()) {
     strip_->show(tr("Only files on this computer can be opened. Nothing was opened."));
+  } else if (files.size() == 1 && QFileInfo(files.front()).isDir()) {
+    openFolder(files.front());
   } else {
-    open(urls.front().toLocalFile());
+    openTogether(files);
   }
 }
 

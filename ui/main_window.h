@@ -49,6 +49,7 @@ class ViewPanel;
 class WorkKeeper;
 
 struct PackageChoice;
+struct PrepareStart;
 
 enum class ImageSource { reference, detail, window };
 
@@ -87,6 +88,9 @@ class MainWindow : public QMainWindow {
 
   void open(const OpenRequest& request);
   void open(const QString& file);
+  /// Several scans of one object: the dialog Prepare joins them into the one that is opened.
+  void openTogether(const QStringList& files);
+  void openFolder(const QString& folder);
   /// The present state, as projects and figures keep it.
   Project project();
   /// Brings a state back; `from` is the project or picture it came from.
@@ -231,6 +235,13 @@ class MainWindow : public QMainWindow {
   void connectExports();
   void chooseExport();
 
+  // main_window_prepare.cpp
+  void makePrepareCommands();
+  void chooseFolder();
+  void choosePrepare();
+  /// @param then  with the file that was prepared
+  void showPrepare(const PrepareStart& start, const std::function<void(const QString&)>& then);
+
   // main_window_package.cpp
   void makePackageCommand();
   void connectPackages();
@@ -256,6 +267,7 @@ class MainWindow : public QMainWindow {
   void showTitle();    ///< Which project or scan, and whether a file holds all of the work.
   /// As lit stone, and says so, where the open scan lacks what the look shows.
   void showLook(const ReliefLook& wanted);
+  void warnOfRivalry();
   void showStereo(const StereoOptions& stereo);
   void showParallax();
 
@@ -366,7 +378,8 @@ class MainWindow : public QMainWindow {
   bool touch_present_ = false;
   QByteArray layout_before_full_screen_;
   bool closes_when_saved_ = false;
-  ShownWork noted_;           ///< As of the last step.
+  ShownWork noted_;  ///< As of the last step.
+  std::shared_ptr<const Surface> warned_of_rivalry_;
   bool stepping_ = false;     ///< Through the history: no new steps.
   QStringList figures_made_;  ///< Since the scan was opened; offered for a package.
   CompanionsOf companions_;

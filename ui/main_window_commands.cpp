@@ -142,6 +142,7 @@ void MainWindow::makeCommands() {
   makePlaceCommands();
   makePackageCommand();
   makeExportCommand();
+  makePrepareCommands();
   makeReplayCommands();
   makeVideoCommands();
 }

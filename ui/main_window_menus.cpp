@@ -46,7 +46,7 @@ void MainWindow::makeMenus() {
     }
   };
   QMenu* file = menu(QStringLiteral("file"), tr("&File"));
-  add(file, {"open"});
+  add(file, {"open", "open_folder"});
   recent_menu_ = file->addMenu(tr("Open &recent"));
   recent_menu_->menuAction()->setToolTip(tr("Files opened before"));
   recent_menu_->setToolTipsVisible(true);
@@ -79,7 +79,7 @@ void MainWindow::makeMenus() {
   QMenu* surface = menu(QStringLiteral("surface"), tr("&Surface"));
   add(surface, {"finer", "coarser", "whole", "-", "move_left", "move_right", "move_up", "move_down",
                 "type_window", "-", "name_place", "next_place", "previous_place", "beacon", "-",
-                "depth_map", "units"});
+                "prepare", "depth_map", "units"});
   QMenu* engine = surface->addMenu(tr("Depth &engine"));
   engine->menuAction()->setToolTip(tr("How the depth map is made"));
   add(engine, {"engine_cpu", "engine_depthbuffer"});
@@ -230,7 +230,7 @@ void MainWindow::enableCommands() {
     command(name)->setEnabled(is_open);
   }
   for (const char* name : {"front", "back", "left", "right", "top", "bottom", "auto", "engine_cpu",
-                           "engine_depthbuffer"}) {
+                           "engine_depthbuffer", "prepare"}) {
     command(name)->setEnabled(is_open && !is_raster);
   }
   command("use_view")->setEnabled(is_open && !is_raster && detail_->isTurned());
@@ -240,8 +240,9 @@ void MainWindow::enableCommands() {
   }
   if (!is_open) return;
   if (replay_->showing()) {  // The recording chooses the window.
-    for (const char* name : {"finer", "coarser", "whole", "move_left", "move_right", "move_up",
-                             "move_down", "type_window", "paste_view", "depth_map", "units"}) {
+    for (const char* name :
+         {"finer", "coarser", "whole", "move_left", "move_right", "move_up", "move_down",
+          "type_window", "paste_view", "prepare", "depth_map", "units"}) {
       command(name)->setEnabled(false);
     }
     return;
@@ -260,7 +261,7 @@ void MainWindow::chooseFile() {
   auto* dialog = new QFileDialog(this, tr("Open"));
   dialog->setObjectName(QStringLiteral("open_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
   dialog->setNameFilters(
       {tr("Scans, height maps, projects and figures (%1)")
            .arg((scanPatterns() << QStringLiteral("*.json") << QStringLiteral("*.png")
@@ -269,9 +270,9 @@ void MainWindow::chooseFile() {
        tr("All files (*)")});
   const QString folder = settings_.layout(QStringLiteral("folder")).toString();
   if (!folder.isEmpty()) dialog->setDirectory(folder);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-    settings_.setLayout(QStringLiteral("folder"), QFileInfo(file).absolutePath());
-    open(file);
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
+    settings_.setLayout(QStringLiteral("folder"), QFileInfo(files.front()).absolutePath());
+    openTogether(files);
   });
   dialog->open();
 }

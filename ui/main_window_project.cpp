@@ -65,6 +65,8 @@ Project MainWindow::project() {
   p.file = document_.file().toStdString();
   p.sha256 = document_.fileSha256().toStdString();
   p.bytes = static_cast<std::uint64_t>(QFileInfo(document_.file()).size());
+  p.accept_incomplete = document_.openedFile().accept_incomplete;
+  p.scan = document_.openedFile().scan;
   p.picture.reset();
   p.saved_as.clear();
   p.options = document_.state().options;
@@ -286,6 +288,20 @@ void MainWindow::chooseFigure() {
   dialog->show();
 }
 
+/// Once for each surface: whoever has been told and goes on knows.
+void MainWindow::warnOfRivalry() {
+  const auto window = document_.window();
+  if (!document_.isOpen() || !window || document_.surface() == warned_of_rivalry_) return;
+  const SceneState& shown = detail_->sceneState();
+  const double share =
+      rivalShare(*document_.surface(), *window, shown.look.kind, printed(shown.stereo.mode));
+  if (share <= kMostRivalShare) return;
+  warned_of_rivalry_ = document_.surface();
+  announce(tr("%1 % of this picture is a strong red or cyan, which one eye sees dark through the "
+              "glasses. Grey stereo shows it to both")
+               .arg(std::lround(100 * share)));
+}
+
 void MainWindow::showLook(const ReliefLook& wanted) {
   ReliefLook look = wanted;
   if (document_.isOpen() && !canShow(*document_.surface(), look.kind)) {
@@ -297,6 +313,7 @@ void MainWindow::showLook(const ReliefLook& wanted) {
   view_panel_->showShading(look.shading, showsOwnColours(look.kind));
   reference_->setLook(look);
   detail_->setLook(look);
+  warnOfRivalry();
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
     const std::string name = "relief_" + std::string(kReliefKindNames[i]);
     command(name.c_str())->setChecked(static_cast<std::size_t>(look.kind) == i);

@@ -15,6 +15,25 @@ namespace {
 // languages, and its error carries the sentence alone. A sentence that was reworded there is shown
 // in English until it is here; language_test provokes the errors.
 constexpr std::array kSentences{
+    // What is said of scans that are prepared.
+    QT_TRANSLATE_NOOP("Core", "The reference."),
+    QT_TRANSLATE_NOOP("Core", "As stored."),
+    QT_TRANSLATE_NOOP("Core", "The pose that was found before was used."),
+    QT_TRANSLATE_NOOP("Core", "%1 rms over %2 in common."),
+    QT_TRANSLATE_NOOP("Core", "%1 rms over %2 in common. Weak %3: about %4."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies "
+                      "as it was placed by hand."),
+    QT_TRANSLATE_NOOP("Core", "%1 was left out: Not aligned: %2."),
+    QT_TRANSLATE_NOOP("Core", "Not aligned: %1."),
+    QT_TRANSLATE_NOOP("Core", "%1 states no classes; all its points stay."),
+    QT_TRANSLATE_NOOP("Core", "%1 states no intensities; all its points stay."),
+    QT_TRANSLATE_NOOP("Core",
+                      "No point is left after all steps. Nothing was written. Take a step out, or "
+                      "widen its limits."),
+    QT_TRANSLATE_NOOP("Core",
+                      "'%1' has changed since it was read. Nothing was written. Close the dialog "
+                      "and open the file again."),
     QT_TRANSLATE_NOOP("Core",
                       "Cannot read %1: there is no such file. Check the name and the folder."),
     QT_TRANSLATE_NOOP(
@@ -58,6 +77,12 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1: what has this name is no regular file. It was left as it "
                       "is. Choose another name."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot write %1: it is read-only. It was left as it is. Choose another "
+                      "name."),
+    QT_TRANSLATE_NOOP("Core",
+                      "Cannot write %1: its symbolic links lead in a circle. It was left as it is. "
+                      "Choose another name."),
     QT_TRANSLATE_NOOP(
         "Core",
         "There is not enough memory to draw: the graphics driver needs 512 MB of "
@@ -143,8 +168,6 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core",
                       "Two of the figure's files would be '%1'. Nothing was drawn. Give one of "
                       "them another name."),
-    QT_TRANSLATE_NOOP("Core",
-                      "Cannot write the figure '%1'. Choose another folder or free some space."),
     QT_TRANSLATE_NOOP(
         "Core", "Cannot write the picture '%1' (%2). Choose another folder or free some space."),
     QT_TRANSLATE_NOOP("Core",

@@ -8,19 +8,20 @@
 #include <limits>
 #include <string_view>
 
+#include "app/batch/number_option.h"
 #include "core/base/error.h"
 #include "core/depth/point_rule.h"
+#include "core/io/lines.h"
 
 namespace relievo::batch {
 namespace {
 
+constexpr double kLargestNumber = 1e12;  // What follows may square it.
+
 double number(const std::string& option, std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw ArgumentError(option + ": '" + std::string(text) + "' is not a number.");
-  }
-  return value;
+  const auto value = parseNumber(text);
+  if (value && std::abs(*value) <= kLargestNumber) return *value;  // Not a number fails as well.
+  throw ArgumentError(option + ": '" + std::string(text) + "' is not a number from -1e12 to 1e12.");
 }
 
 /// base, none, membrane, interpolate:MAX_MM2 or membrane:MAX_MM2.
@@ -131,9 +132,13 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("--view", a.view,
                   "front back left right top bottom; auto: upright, what shows most; fit: "
                   "on the best-fit plane; axes: by the principal axes");
-  verb.add_option("--turn", a.turn, "X,Y,Z: then turned about the view's axes by so many degrees");
-  verb.add_option("--cells", a.cells, "Samples across the longer side");
-  verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm");
+  takesList(verb.add_option("--turn", a.turn,
+                            "X,Y,Z: then turned about the view's axes by so many degrees"),
+            3, {.low = -360, .high = 360, .unit = "degrees"});
+  takes(verb.add_option("--cells", a.cells, "Samples across the longer side"),
+        {.low = 2, .high = 1e6});
+  takes(verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm"),
+        {.low = 1e-4, .high = 1e6, .unit = "mm"});
   verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
   verb.add_option("--rule", a.rule,
                   "A cell's height from its points: auto front second topmean median mean splat "
@@ -144,7 +149,8 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
                   "Few points far from all others, which stretch the box: drop or keep; drop");
   verb.add_option("--nodata", a.nodata,
                   "A height of the file that stands for none, as -9999; none: every height is one");
-  verb.add_option("--factor", a.factor, "The paper's M between levels: above 1, at most 8; 2");
+  takes(verb.add_option("--factor", a.factor, "The paper's M between levels: 1.1 to 8; 2"),
+        {.low = kLeastFactor, .high = kMostFactor});
   addScanOptions(verb, a.scan);
 }
 
@@ -171,8 +177,8 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
   if (a.cells && *a.cells < 2) throw ArgumentError("--cells must be at least 2.");
   if (a.spacing_mm && !(*a.spacing_mm > 0)) throw ArgumentError("--spacing must be above 0 mm.");
   if (a.cells && a.spacing_mm) throw ArgumentError("Give --cells or --spacing, not both.");
-  if (!(a.factor > 1) || !(a.factor <= kMostFactor)) {
-    throw ArgumentError("--factor must be above 1 and at most 8.");
+  if (!(a.factor >= kLeastFactor) || !(a.factor <= kMostFactor)) {
+    throw ArgumentError("--factor must be from 1.1 to 8.");
   }
   options.cells = a.cells;
   options.spacing_mm = a.spacing_mm;
@@ -185,9 +191,12 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
 }
 
 void addRegionOptions(CLI::App& verb, RegionArguments& a) {
-  verb.add_option("--level", a.level, "Pyramid level, 0 = finest");
-  verb.add_option("--region", a.region, "X,Y,W,H in view mm; X,Y is the lower left corner");
-  verb.add_option("--gain", a.gain, "Factor on heights; 1 is true to scale");
+  takes(verb.add_option("--level", a.level, "Pyramid level, 0 = finest"), {.low = 0, .high = 63});
+  takesList(
+      verb.add_option("--region", a.region, "X,Y,W,H in view mm; X,Y is the lower left corner"), 4,
+      {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
+  takes(verb.add_option("--gain", a.gain, "Factor on heights; 1 is true to scale"),
+        {.low = 1e-3, .high = 1e3});
   verb.add_option("--window-out", a.window_out, "Also write the 200 x 200 samples as a GeoTIFF");
 }
 

@@ -10,23 +10,26 @@
 #include <system_error>
 #include <thread>
 
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
 #include "core/session/load.h"
+#include "core/session/surface_colours.h"
 #include "ui/vtk/depth_capture.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
 namespace batch {
-namespace {
 
-std::vector<Verb> verbs(const std::vector<std::string>& words = {}) {
+std::vector<Verb> verbs(const std::vector<std::string>& words) {
   return {infoVerb(),    prepareVerb(),    depthmapVerb(),    fillVerb(),    pyramidVerb(),
           convertVerb(), renderVerb(),     figureVerb(),      measureVerb(), projectVerb(),
           devicesVerb(), touchVerb(words), recordVerb(words), replayVerb(),  videoVerb()};
 }
+
+namespace {
 
 int exitCodeOf(const std::exception& error) {
   if (dynamic_cast<const ArgumentError*>(&error) != nullptr) return 1;
@@ -39,13 +42,21 @@ int exitCodeOf(const std::exception& error) {
   return 2;
 }
 
-/// Turns Ctrl+C and termination into a stop request; signals are blocked everywhere else.
+/// As nohup leaves it; a signal that is blocked would be kept for us all the same.
+bool isIgnored(int signal) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+/// Turns Ctrl+C, termination and a closed terminal into a stop request; signals are blocked
+/// everywhere else.
 class InterruptWatch {
  public:
   InterruptWatch() {
     sigemptyset(&signals_);
     sigaddset(&signals_, SIGINT);
     sigaddset(&signals_, SIGTERM);
+    if (!isIgnored(SIGHUP)) sigaddset(&signals_, SIGHUP);  // The terminal was closed.
     pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
     thread_ = std::jthread([this](const std::stop_token& ended) {
       while (!ended.stop_requested()) {
@@ -107,6 +118,12 @@ void warnIfAliased(const Surface& surface, const Region& region) {
   tell("Level " + std::to_string(region.level.value) +
        " is finer than 200 samples across this region can carry; fine structure aliases. Level " +
        std::to_string(fitting.value) + " fits, or choose a smaller region.");
+}
+
+void tellRivalry(const Surface& surface, const RegionWindow& window, ReliefKind kind,
+                 StereoPrint print) {
+  const std::string words = rivalryWords(rivalShare(surface, window, kind, print));
+  if (!words.empty()) tell(words);
 }
 
 void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
@@ -193,6 +210,7 @@ int runBatch(int argc, char** argv) {
     verb.declare(*sub);
     sub->add_option("--report", format, "json: one object on standard output")
         ->check(CLI::IsMember({"json", "text"}));
+    batch::refuseEmptyTexts(*sub);
   }
   try {
     app.parse(argc, argv);

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/batch/number_option.h"
 #include "core/base/error.h"
 
 namespace relievo::batch {
@@ -54,14 +55,18 @@ constexpr std::array<const char*, 8> kMarks{"scalebar", "heightbar", "up",      
 
 void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   verb.add_option("--layout", a.layout, listOf(kFigureLayoutNames));
-  verb.add_option("--width-mm", a.width_mm, "Width on paper; 180");
-  verb.add_option("--dpi", a.dpi, "Dots per inch; 300");
+  takes(verb.add_option("--width-mm", a.width_mm, "Width on paper; 180"),
+        {.low = 20, .high = 2000, .unit = "mm"});
+  takes(verb.add_option("--dpi", a.dpi, "Dots per inch; 300"), {.low = 30, .high = 2400});
   verb.add_option("--scale", a.scale, "N or 1:N: the region at this scale instead of a width");
-  verb.add_option("--text-pt", a.text_pt, "Text size in points; 8");
+  takes(verb.add_option("--text-pt", a.text_pt, "Text size in points; 8"),
+        {.low = 4, .high = 36, .unit = "pt"});
   addLookOptions(verb, a.look);
   verb.add_option("--stereo", a.stereo, listOf(kStereoPrintNames));
-  verb.add_option("--eye-angle", a.eye_angle_deg, "Between the eyes' directions, degrees; 4");
-  verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height");
+  takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Between the eyes' directions, degrees; 4"),
+        {.low = 0.01, .high = 20, .unit = "degrees"});
+  takes(verb.add_option("--zero-plane", a.zero_plane_mm, "Height of zero parallax, mm; mid height"),
+        {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
   verb.add_flag("--swap-eyes", a.swap_eyes, "Left and right eye change places");
   verb.add_flag("--any-parallax", a.any_parallax, "Do not keep to the comfort limit of 1 degree");
   verb.add_flag("--both-eyes", a.both_eyes, "Also write NAME.left.png and NAME.right.png");

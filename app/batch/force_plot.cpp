@@ -2,11 +2,11 @@
 #include "app/batch/force_plot.h"
 
 #include <algorithm>
-#include <fstream>
 #include <functional>
 
 #include "app/batch/svg.h"
 #include "core/base/error.h"
+#include "core/io/text_file.h"
 
 namespace relievo::batch {
 namespace {
@@ -43,6 +43,16 @@ class Panel {
     svg += textAt(16, middle, "middle", label,
                   " transform='rotate(-90 16 " + fixedDigits(middle, 1) + ")'");
     return svg;
+  }
+
+  /// A dashed line across at a value, with its name; nothing where the diagram does not reach it.
+  std::string mark(double value, const std::string& name) const {
+    if (value < value_.low || value > value_.high) return {};
+    const double at = y(value);
+    return "<line x1='" + fixedDigits(kLeft, 1) + "' y1='" + fixedDigits(at, 1) + "' x2='" +
+           fixedDigits(kWidth - kRight, 1) + "' y2='" + fixedDigits(at, 1) +
+           "' stroke='#d02020' stroke-width='1.2' stroke-dasharray='8 4'/>\n" +
+           textAt(kLeft + 4, at - 4, "start", name, " fill='#d02020'");
   }
 
   std::string curve(const std::vector<PlotRow>& rows,
@@ -83,7 +93,8 @@ Axis rangeOf(const std::vector<PlotRow>& rows,
 
 }  // namespace
 
-std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title) {
+std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title,
+                         const ForceLimit& limit) {
   const auto hip = [](const PlotRow& row) { return row.hip_z_mm; };
   const auto proxy = [](const PlotRow& row) { return row.proxy_z_mm; };
   const auto force = [](const PlotRow& row) { return row.force_n; };
@@ -105,19 +116,18 @@ std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& ti
   svg += heights.curve(rows, proxy, "stroke='#1f5fd0' stroke-width='2'");
   svg += heights.curve(rows, hip, "stroke='#d02020' stroke-width='1.3' stroke-dasharray='5 2'");
   svg += forces.curve(rows, force, "stroke='#222222' stroke-width='1.5'");
+  if (limit.force_n > 0) {
+    svg += forces.mark(limit.force_n,
+                       escaped(limit.device) + " at most " + tickText(limit.force_n, 0.1) + " N");
+  }
   svg += textAt(kWidth - kRight - 4, 50, "end", "HIP", " fill='#d02020'");
   svg += textAt(kWidth - kRight - 34, 50, "end", "proxy", " fill='#1f5fd0'");
   return svg + "</svg>\n";
 }
 
 void writeForcePlot(const std::filesystem::path& file, const std::vector<PlotRow>& rows,
-                    const std::string& title) {
-  std::ofstream stream(file);
-  stream << forcePlotSvg(rows, title);
-  stream.close();
-  if (!stream) {
-    throw WriteError(file.string() + ": the plot could not be written. Choose another place.");
-  }
+                    const std::string& title, const ForceLimit& limit) {
+  writeTextFile(file, forcePlotSvg(rows, title, limit));
 }
 
 }  // namespace relievo::batch

@@ -14,12 +14,20 @@ struct PlotRow {
   double force_n = 0;
 };
 
+/// The largest force of a device: what is beyond it no hand has felt.
+struct ForceLimit {
+  std::string device;
+  double force_n = 0;  ///< 0: none is drawn.
+};
+
 /// The paper's force figure as SVG: z of HIP (red) and proxy (blue) above, force below, against
 /// time. Text stays text, lines stay lines.
-std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title);
+/// @param limit  a dashed line, where the forces reach it
+std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title,
+                         const ForceLimit& limit = {});
 
 /// Writes it. @throw WriteError
 void writeForcePlot(const std::filesystem::path& file, const std::vector<PlotRow>& rows,
-                    const std::string& title);
+                    const std::string& title, const ForceLimit& limit = {});
 
 }  // namespace relievo::batch

@@ -8,7 +8,9 @@
 
 #include "app/batch/json.h"
 #include "app/batch/map_report.h"
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
+#include "core/io/colour_raster.h"
 #include "core/project/caption.h"
 #include "core/session/large_map.h"
 #include "core/session/tiled_surface.h"
@@ -75,11 +77,12 @@ Json reportOf(const LargeMap& map) {
   json["shares"] = sharesJson(map.shares);
   json["view_from_file"] = batch::jsonOf(map.view_from_file);
   json["height_mm"] = {{"min", map.heights.min_mm}, {"max", map.heights.max_mm}};
-  json["seconds"] = {{"first_view", map.first_view_s},
-                     {"read", map.seconds.read},
-                     {"grid", map.seconds.grid},
-                     {"fill", map.seconds.fill},
-                     {"pyramid", map.seconds.pyramid}};
+  json["seconds"] = {{"first_view", map.first_view_s}, {"read", map.seconds.read},
+                     {"grid", map.seconds.grid},       {"fill", map.seconds.fill},
+                     {"pyramid", map.seconds.pyramid}, {"colours", map.seconds.colours}};
+  json["colour_file"] = map.has_colours ? Json(colourFileOf(map.file).string()) : Json(nullptr);
+  json["intensity_file"] =
+      map.has_intensities ? Json(intensityFileOf(map.file).string()) : Json(nullptr);
   json["spilled_bytes"] = map.spilled_bytes;
   json["view"] = map.view_name;
   json["unit"] = name(map.unit);
@@ -96,9 +99,11 @@ Json reportOf(const LargeMap& map) {
 }  // namespace
 
 void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
-  verb.add_option("--memory", memory_mb,
-                  "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all "
-                  "levels are written");
+  takes(verb.add_option(
+            "--memory", memory_mb,
+            "Make the map by tiles within so many MB (LAS, LAZ, binary PLY, rasters); all "
+            "levels are written"),
+        {.low = 64, .high = 1e9, .unit = "MB"});
 }
 
 Outcome runByTiles(const MapArguments& arguments, double memory_mb,

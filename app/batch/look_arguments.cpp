@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/batch/arguments.h"
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "core/base/error.h"
 #include "core/relief/relief_image.h"
@@ -45,16 +46,21 @@ void refuseWord(const char* option, const std::string& text, const std::string& 
 
 void addValueOptions(CLI::App& verb, LookArguments& a) {
   verb.add_option("--relief", a.relief, listOf(kReliefKindNames));
-  verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45");
-  verb.add_option("--radius", a.radius_mm, "Of local, skyview and openness, mm; 10 samples");
+  takesList(verb.add_option("--light", a.light, "AZIMUTH,ELEVATION in degrees; 315,45"), 2,
+            {.low = -360, .high = 360, .unit = "degrees"});
+  takes(verb.add_option("--radius", a.radius_mm, "Of local, skyview and openness, mm; 10 samples"),
+        {.low = 0, .high = 1e6, .unit = "mm"});
 }
 
 void addLookOptions(CLI::App& verb, LookArguments& a) {
   addValueOptions(verb, a);
   verb.add_option("--colours", a.colours, listOf(kColourMapNames));
-  verb.add_option("--range", a.range, "LOW,HIGH: values at the colours' ends");
-  verb.add_option("--shading", a.shading,
-                  "Of natural and intensity: 0 as photographed ... 1 under the full light; 0.5");
+  takesList(verb.add_option("--range", a.range, "LOW,HIGH: values at the colours' ends"), 2,
+            {.low = -kFarMm, .high = kFarMm});
+  takes(verb.add_option(
+            "--shading", a.shading,
+            "Of natural and intensity: 0 as photographed ... 1 under the full light; 0.5"),
+        {.low = 0, .high = 1});
 }
 
 ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/batch/arguments.h"
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -37,11 +38,16 @@ CropBox cropOf(const std::string& text) {
   return {.min = {c[0], c[1], c[2]}, .max = {c[3], c[4], c[5]}};
 }
 
+/// As many numbers as there are.
+std::vector<double> anyNumbers(const std::string& option, const std::string& text) {
+  const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+  return numberList(option, text, commas + 1);
+}
+
 /// Numbers, or "ground" and the like would be another table to keep.
 Classes classesOf(const std::string& text) {
   Classes step;
-  const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
-  for (const double number : numberList("--classes", text, count)) {
+  for (const double number : anyNumbers("--classes", text)) {
     const int kept = wholeNumber("--classes", number);
     if (kept < 0 || kept > 255) throw ArgumentError("--classes: a class is from 0 to 255.");
     step.keep.push_back(static_cast<std::uint8_t>(kept));
@@ -111,6 +117,17 @@ Align alignOf(const PrepareArguments& a) {
   return step;
 }
 
+Sparse sparseOf(const std::string& text) {
+  const std::vector<double> v = anyNumbers("--sparse", text);
+  if (v.size() != 2 && v.size() != 3) {
+    throw ArgumentError("--sparse needs two or three numbers separated by commas, not '" + text +
+                        "'.");
+  }
+  return {.neighbours = wholeNumber("--sparse", v[0]),
+          .factor = v[1],
+          .off_surface = v.size() == 3 ? v[2] : 0};
+}
+
 Base baseOf(const PrepareArguments& a) {
   if (a.base != "lay" && a.base != "crop") {
     throw ArgumentError("--base: '" + a.base + "' is neither lay nor crop.");
@@ -138,10 +155,7 @@ std::vector<Step> stepsOf(const PrepareArguments& a) {
     steps.emplace_back(Outliers{.neighbours = wholeNumber("--outliers", v[0]), .deviations = v[1]});
   }
   if (!a.lonely.empty()) steps.emplace_back(lonelyOf(a.lonely));
-  if (!a.sparse.empty()) {
-    const std::vector<double> v = numberList("--sparse", a.sparse, 2);
-    steps.emplace_back(Sparse{.neighbours = wholeNumber("--sparse", v[0]), .factor = v[1]});
-  }
+  if (!a.sparse.empty()) steps.emplace_back(sparseOf(a.sparse));
   if (a.files.size() > 1 || !a.align.empty()) steps.emplace_back(alignOf(a));
   if (a.thin_mm) steps.emplace_back(Thin{.spacing_mm = *a.thin_mm});
   if (!a.base.empty()) steps.emplace_back(baseOf(a));
@@ -187,9 +201,13 @@ void addStepOptions(CLI::App& verb, PrepareArguments& a) {
   verb.add_option("FILE", a.files, "Scans of one object; none: those that the recipe names");
   verb.add_option("--recipe", a.recipe, "Do what this file says, in its order");
   verb.add_option("--unit", a.unit, "Unit of all coordinates: mm cm m in ft us-ft");
-  verb.add_option("--crop", a.crop, "X0,Y0,Z0,X1,Y1,Z1: keep this box, in the file's coordinates");
+  takesList(verb.add_option("--crop", a.crop,
+                            "X0,Y0,Z0,X1,Y1,Z1: keep this box, in the file's coordinates"),
+            6, {.low = -kFarMm, .high = kFarMm});
   verb.add_option("--classes", a.classes, "Keep these LAS classes, such as 2,6");
-  verb.add_option("--intensity", a.intensity, "LOW,HIGH: keep points of this stored intensity");
+  takesList(
+      verb.add_option("--intensity", a.intensity, "LOW,HIGH: keep points of this stored intensity"),
+      2, {.low = -1e12, .high = 1e12});
   verb.add_flag("--drop-duplicates", a.drop_duplicates, "Of equal points keep the first");
   verb.add_flag("--clean", a.clean, "Leave out stray points, by steps that suit most scans");
   verb.add_option("--outliers", a.outliers,
@@ -200,15 +218,18 @@ void addStepOptions(CLI::App& verb, PrepareArguments& a) {
                   "spacings");
   verb.add_option("--sparse", a.sparse,
                   "K,F: leave out points F times as far from their K nearest as the densest of "
-                  "these from theirs");
+                  "these from theirs; K,F,T: then those T times as far off the surface as others");
   verb.add_option("--align", a.align, "points:P.csv, auto, or stored (where the files have them)");
-  verb.add_option("--reference", a.reference, "The scan that stays where it is, from 1");
-  verb.add_option("--seed", a.seed, "Of what is drawn by chance; 1");
-  verb.add_option("--thin", a.thin_mm, "Keep one point in every cube of so many mm");
+  takes(verb.add_option("--reference", a.reference, "The scan that stays where it is, from 1"),
+        {.low = 1, .high = 1e6});
+  takes(verb.add_option("--seed", a.seed, "Of what is drawn by chance; 1"),
+        {.low = 0, .high = 4294967295});
+  takes(verb.add_option("--thin", a.thin_mm, "Keep one point in every cube of so many mm"),
+        {.low = 1e-6, .high = 1e6, .unit = "mm"});
   verb.add_option("--base", a.base, "lay: the plane under the object level; crop: leave it out");
-  verb.add_option("--normals", a.normals, "Add normals, each from so many nearest points");
-  verb.add_flag("--load-incomplete", a.accept_incomplete,
-                "Load the complete records of cut files (E101)");
+  takes(verb.add_option("--normals", a.normals, "Add normals, each from so many nearest points"),
+        {.low = 3, .high = 1000});
+  addScanOptions(verb, a.scan);
 }
 
 Recipe recipeOf(const PrepareArguments& a) {
@@ -260,8 +281,7 @@ PreparedFiles preparedFiles(const PrepareArguments& a, const PrepareOptions& opt
   Recipe recipe = recipeOf(a);
   const std::vector<fs::path> files = scansOf(a, recipe);
   const fs::path folder = out.parent_path();
-  ImportOptions import;
-  import.accept_incomplete = a.accept_incomplete;
+  const ImportOptions given = importOptions(a.scan);
   std::optional<LengthUnit> unit;
   if (!a.unit.empty()) {
     unit = lengthUnit(a.unit);
@@ -274,13 +294,22 @@ PreparedFiles preparedFiles(const PrepareArguments& a, const PrepareOptions& opt
   std::vector<ScanSource> sources;
   for (std::size_t i = 0; i < files.size(); ++i) {
     result.inputs.push_back(inputFile(files[i], folder.empty() ? fs::path(".") : folder, task));
-    ScanSource source{.file = files[i].string()};
+    ScanSource source{.file = files[i].string(),
+                      .unit = std::nullopt,
+                      .parts = given.scan.parts,
+                      .keep_withheld = given.scan.keep_withheld};
     if (i < recipe.scans.size() && a.files.empty()) {
       checkInput(result.inputs.back(), recipe.scans[i], a.recipe);
       source.unit = recipe.scans[i].unit;
+      // What was given beside the recipe goes before it, as the unit does.
+      if (source.parts.empty()) source.parts = recipe.scans[i].parts;
+      source.keep_withheld = source.keep_withheld || recipe.scans[i].keep_withheld;
     }
     if (unit) source.unit = unit;
     sources.push_back(source);
+    ImportOptions import = given;
+    import.scan.parts = source.parts;
+    import.scan.keep_withheld = source.keep_withheld;
     scans.push_back(importScan(files[i], import, task));
     result.points.push_back(scans.back().info.points);
     for (const std::string& warning : scans.back().info.warnings) tell(warning);

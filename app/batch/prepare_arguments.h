@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/batch/arguments.h"
 #include "core/prepare/prepare.h"
 #include "core/provenance/sha256.h"
 
@@ -25,7 +26,7 @@ struct PrepareArguments {
   std::optional<unsigned> reference, seed;
   std::optional<double> thin_mm;
   std::optional<int> normals;
-  bool accept_incomplete = false;
+  ScanArguments scan;  ///< Of all files.
 };
 void addStepOptions(CLI::App& verb, PrepareArguments& arguments);
 

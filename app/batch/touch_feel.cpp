@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/batch/json.h"
+#include "app/batch/number_option.h"
 #include "app/batch/touch_setup.h"
 
 namespace relievo::batch {
@@ -116,33 +117,44 @@ void addFeelOptions(CLI::App& verb, TouchArguments& arguments) {
                   "auto: smooth, broken at walls and creases; exact: bilinear; spline");
   verb.add_option("--proxy", arguments.proxy,
                   "converged, equation (the paper's eq. 2) or successive");
-  verb.add_option("--stiffness", arguments.stiffness_n_per_mm, "N per mm of hand");
-  verb.add_option("--level-stiffness", arguments.detail_stiffness_n_per_mm,
-                  "N per mm of hand for Detail 1, 2, 3 and all finer ones")
-      ->delimiter(',')
+  takes(verb.add_option("--stiffness", arguments.stiffness_n_per_mm, "N per mm of hand"),
+        {.low = 1e-3, .high = 100, .unit = "N/mm"});
+  takes(verb.add_option("--level-stiffness", arguments.detail_stiffness_n_per_mm,
+                        "N per mm of hand for Detail 1, 2, 3 and all finer ones"),
+        {.low = 1e-3, .high = 100, .unit = "N/mm"})
+      .delimiter(',')
       ->expected(1, 4);
-  verb.add_option("--friction", arguments.friction,
-                  "Coulomb friction of the surface: MU, or STATIC,DYNAMIC; 0 is off")
-      ->delimiter(',')
+  takes(verb.add_option("--friction", arguments.friction,
+                        "Coulomb friction of the surface: MU, or STATIC,DYNAMIC; 0 is off"),
+        {.low = 0, .high = kMostFriction})
+      .delimiter(',')
       ->expected(1, 2);
-  verb.add_option("--damping", arguments.damping,
-                  "N s per mm of hand, against pressing in; 0 is off");
-  verb.add_option("--soft", arguments.softest_part,
-                  "Part of the stiffness that ground keeps which was not measured, 0.25 to 1");
+  takes(verb.add_option("--damping", arguments.damping,
+                        "N s per mm of hand, against pressing in; 0 is off"),
+        {.low = 0, .high = 1, .unit = "N s/mm"});
+  takes(
+      verb.add_option("--soft", arguments.softest_part,
+                      "Part of the stiffness that ground keeps which was not measured, 0.25 to 1"),
+      {.low = kLeastSoftPart, .high = 1});
   verb.add_option(
       "--firmness", arguments.firmness,
       "Raster of numbers from 0 (as soft as --soft says) to 1, laid over the whole map; "
       "instead of where it was measured");
-  verb.add_option("--tick", arguments.crossing_n,
-                  "N, on the way from measured ground to other ground and back; 0 is off");
-  verb.add_option("--texture", arguments.texture_mm,
-                  "Largest rise of the next finer level that is felt, mm of hand; 0 is off");
-  verb.add_option("--knock", arguments.contact_n,
-                  "Largest N of the knock of a new contact; 0 is off");
-  verb.add_option("--magnet", arguments.magnet_n,
-                  "Largest N of a pull toward the surface; 0 is off");
-  verb.add_option("--magnet-reach", arguments.magnet_reach_mm,
-                  "It begins so many mm of hand above");
+  takes(verb.add_option("--tick", arguments.crossing_n,
+                        "N, on the way from measured ground to other ground and back; 0 is off"),
+        {.low = 0, .high = kMostCrossingN, .unit = "N"});
+  takes(verb.add_option("--texture", arguments.texture_mm,
+                        "Largest rise of the next finer level that is felt, mm of hand; 0 is off"),
+        {.low = 0, .high = kMostTextureMm, .unit = "mm"});
+  takes(verb.add_option("--knock", arguments.contact_n,
+                        "Largest N of the knock of a new contact; 0 is off"),
+        {.low = 0, .high = kMostContactN, .unit = "N"});
+  takes(verb.add_option("--magnet", arguments.magnet_n,
+                        "Largest N of a pull toward the surface; 0 is off"),
+        {.low = 0, .high = kMostMagnetN, .unit = "N"});
+  takes(verb.add_option("--magnet-reach", arguments.magnet_reach_mm,
+                        "It begins so many mm of hand above"),
+        {.low = kLeastReachMm, .high = kMostReachMm, .unit = "mm"});
 }
 
 std::string feelJson(const TouchArguments& a) {

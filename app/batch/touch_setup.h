@@ -53,7 +53,8 @@ struct TouchSetup {
   RegionWindow window;
   std::unique_ptr<HapticSpace> space;  ///< On the heap: 900 kB by value.
   StrokeOptions options;
-  HapticOptions core;  ///< The same for the core, within what the device can do.
+  HapticOptions core;   ///< The same for the core, within what the device can do.
+  std::string limited;  ///< What was asked for and is more than that, in a sentence; or empty.
 };
 /// @throw ArgumentError, FileError, DeviceError (no such device)
 TouchSetup prepareTouch(const TouchArguments& arguments, const Task& task);

@@ -10,6 +10,7 @@
 #include "app/batch/arguments.h"
 #include "app/batch/verb_files.h"
 #include "core/base/task.h"
+#include "core/relief/stereo.h"
 
 namespace relievo::batch {
 
@@ -48,6 +49,9 @@ Verb recordVerb(std::vector<std::string> words);
 Verb replayVerb();
 Verb videoVerb();
 
+/// All verbs, in the order in which --help lists them. `words`: the command line, which logs keep.
+std::vector<Verb> verbs(const std::vector<std::string>& words = {});
+
 /// Loads a surface with the engine the options name, and tells its messages on stderr.
 Surface loadForVerb(const MapArguments& arguments, const Task& task);
 
@@ -61,6 +65,9 @@ Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
 
 /// Says so on stderr where a level is much finer than the 200 samples across its region.
 void warnIfAliased(const Surface& surface, const Region& region);
+/// Warns where coloured glasses would show much of the picture to one eye only.
+void tellRivalry(const Surface& surface, const RegionWindow& window, ReliefKind kind,
+                 StereoPrint print);
 
 /// Writes the window's samples if asked to.
 void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,

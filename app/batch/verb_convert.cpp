@@ -3,6 +3,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/look_arguments.h"
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -170,12 +171,16 @@ Verb convertVerb() {
                             "unit (the default for rasters)");
             verb.add_flag("--cog", arguments->cloud,
                           "OUT.tif as cloud-optimised GeoTIFF: compressed, with overviews");
-            verb.add_option("--level", arguments->level,
-                            "Only this level of the pyramid, 0 the finest");
-            verb.add_option("--region", arguments->region,
-                            "Only the 200 x 200 samples of this window: X,Y,W,H in view mm");
-            verb.add_option("--plate", arguments->plate_mm,
-                            "STL: thickness below the lowest height in mm; 3");
+            takes(verb.add_option("--level", arguments->level,
+                                  "Only this level of the pyramid, 0 the finest"),
+                  {.low = 0, .high = 63});
+            takesList(
+                verb.add_option("--region", arguments->region,
+                                "Only the 200 x 200 samples of this window: X,Y,W,H in view mm"),
+                4, {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
+            takes(verb.add_option("--plate", arguments->plate_mm,
+                                  "STL: thickness below the lowest height in mm; 3"),
+                  {.low = 0.01, .high = 1e4, .unit = "mm"});
             addValueOptions(verb, arguments->look);
           },
       .files = [arguments] { return filesOf(*arguments); },

@@ -10,6 +10,7 @@
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/project/caption.h"
+#include "core/session/surface_colours.h"
 
 namespace relievo::batch {
 namespace {
@@ -85,7 +86,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   }
   const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   const auto start = std::chrono::steady_clock::now();
-  const GridColours own = surface.colours.empty() ? GridColours{} : surface.colours.front();
+  const GridColours own = finestColours(surface);
   writeColours(a.out, surface.map, own);
   writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .state = state});
   if (a.quality && !surface.quality.empty()) writeQuality(a.out, surface);

@@ -5,6 +5,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
+#include "app/batch/number_option.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_devices_falcon.h"
 #include "haptics/device/falcon/falcon_device.h"
@@ -175,22 +176,23 @@ Outcome installFirmware(const DevicesArguments& a) {
 namespace {
 void declareFalcon(CLI::App& verb, const std::shared_ptr<DevicesArguments>& a) {
   const auto until_ready = [&a](CLI::App& falcon) {
-    falcon.add_option("--ready", a->test.ready_s, "Seconds until it must be homed")
-        ->check(CLI::Range(1.0, 600.0));
+    takes(falcon.add_option("--ready", a->test.ready_s, "Seconds until it must be homed"),
+          {.low = 1, .high = 600, .unit = "s"});
   };
   CLI::App* selftest = verb.add_subcommand(
       "selftest", "Rate, lights, nudges of 0.5 N; buttons and encoders with --wait");
   selftest->add_flag("--no-nudges", a->test.no_nudges, "Leave the motors at zero force");
-  selftest->add_option("--seconds", a->test.rate_s, "How long the rate is measured; 2")
-      ->check(CLI::Range(0.5, 3600.0));
-  selftest->add_option("--wait", a->test.wait_s, "Seconds for you to press and move")
-      ->check(CLI::Range(0.0, 600.0));
+  takes(selftest->add_option("--seconds", a->test.rate_s, "How long the rate is measured; 2"),
+        {.low = 0.5, .high = 3600, .unit = "s"});
+  takes(selftest->add_option("--wait", a->test.wait_s, "Seconds for you to press and move"),
+        {.low = 0, .high = 600, .unit = "s"});
   until_ready(*selftest);
   selftest->callback([a] { a->selftest = true; });
   CLI::App* calibrate = verb.add_subcommand(
       "calibrate", "The Falcon's force by a known weight that you hang on its grip");
-  calibrate->add_option("--weight", a->weight_g, "Grams, 20 to 300")
-      ->required()
+  takes(calibrate->add_option("--weight", a->weight_g, "Grams, 20 to 300"),
+        {.low = 20, .high = 300, .unit = "g"})
+      .required()
       ->check(CLI::Range(20.0, 300.0));
   until_ready(*calibrate);
   calibrate->callback([a] { a->calibrate = true; });

@@ -83,6 +83,8 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   if (!a.region.window_out.empty()) {
     writeWindowIfAsked(a.region, surface, windowOf(surface, project.region, project.gain));
   }
+  tellRivalry(surface, windowOf(surface, project.region, project.gain), project.figure.look.kind,
+              project.figure.stereo);
   const DisplayGuard display;
   const FigureSession session;
   const FigureWritten written = writeFigureFiles(surface, project, files, task);

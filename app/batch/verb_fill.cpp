@@ -11,6 +11,7 @@
 #include "core/depth/fill.h"
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
+#include "core/session/surface_colours.h"
 
 namespace relievo::batch {
 namespace {
@@ -50,7 +51,7 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   as_it_is.holes = "base";
   const Surface surface = loadForVerb(as_it_is, task);
   const FilledMap filled = refilled(surface.map, choice, task);
-  GridColours own = surface.colours.empty() ? GridColours{} : surface.colours.front();
+  GridColours own = finestColours(surface);
   fillColours(own, filled.map, task);
   writeColours(a.out, filled.map, own);
   writeMap(a.out, filled.map, {.view_from_file = surface.view_from_file});

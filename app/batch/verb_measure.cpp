@@ -9,6 +9,7 @@
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/look_arguments.h"
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/text_file.h"
@@ -258,7 +259,9 @@ void declareMeasure(CLI::App& verb, MeasureArguments& a) {
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);
   }
-  verb.add_option("--plane", a.plane_mm, "Height in mm from which the volume of --area counts");
+  takes(
+      verb.add_option("--plane", a.plane_mm, "Height in mm from which the volume of --area counts"),
+      {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
   verb.add_option("-o,--output", a.out, "List of all as CSV, or as JSON if it ends so");
   verb.add_option("--profile-csv", a.profile_csv, "The profile's heights as CSV");
   verb.add_option("--profile-svg", a.profile_svg, "The profile as a drawing");

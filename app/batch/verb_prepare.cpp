@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
+#include "app/batch/number_option.h"
 #include "app/batch/prepare_arguments.h"
 #include "app/batch/verb.h"
 #include "core/base/replaceable.h"
@@ -161,8 +162,9 @@ Verb prepareVerb() {
                 verb.add_option("-o,--output", arguments->out, "OUT.ply")->required();
                 verb.add_option("--write-recipe", arguments->write_recipe,
                                 "Also write what was done, to do it again");
-                verb.add_option("--memory", arguments->memory_mb,
-                                "MB that the steps may take; 6144");
+                takes(verb.add_option("--memory", arguments->memory_mb,
+                                      "MB that the steps may take; 6144"),
+                      {.low = 64, .high = 1e9, .unit = "MB"});
               },
           .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runPrepare(*arguments, task); }};

@@ -41,7 +41,7 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
                  .heights_mm = {level.heights_mm.begin(), level.heights_mm.end()},
                  .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
     const std::filesystem::path file = levelFile(a.out, l);
-    writeColours(file, map, surface.colours.empty() ? GridColours{} : surface.colours[l]);
+    writeColours(file, map, surface.colours.empty() ? GridColours{} : surface.colours[l].all());
     writeMap(file, map,
              {.view_from_file = surface.view_from_file, .write_origins = false, .state = state});
     levels.push_back({{"level", l},

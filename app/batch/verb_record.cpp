@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <atomic>
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
+#include "app/batch/number_option.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_files.h"
@@ -14,49 +13,12 @@
 #include "haptics/device_catalog.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/events.h"
+#include "haptics/record/loop_recording.h"
 #include "haptics/record/sample_drain.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {
-
-/// Writes a fixed number of samples from the drain thread; an error is kept for the main thread.
-class Sink {
- public:
-  Sink(SampleLog& log, std::uint64_t ticks) : log_(log), left_(ticks) {}
-
-  void take(std::span<const HapticSample> batch) {
-    for (const HapticSample& sample : batch) {
-      if (left_ == 0 || !error_.empty()) break;
-      if (!before_) start_ns_ = sample.time_ns;
-      try {
-        log_.write(sample, 1e-9 * static_cast<double>(sample.time_ns - start_ns_),
-                   before_ ? eventBetween(*before_, sample) : eventAtStart(sample));
-      } catch (const WriteError& error) {
-        error_ = error.what();
-      }
-      gaps_ += before_ && sample.tick != before_->tick + 1 ? 1 : 0;
-      before_ = sample;
-      --left_;
-    }
-    if (left_ == 0 || !error_.empty()) done_.store(true, std::memory_order_release);
-  }
-  bool done() const { return done_.load(std::memory_order_acquire); }
-  // [drain joined]
-  const std::string& error() const { return error_; }
-  /// Of the device at the end: from there on there was no force.
-  DeviceFault fault() const { return before_ ? before_->fault : DeviceFault::none; }
-  int gaps() const { return gaps_; }
-
- private:
-  SampleLog& log_;
-  std::uint64_t left_;
-  std::optional<HapticSample> before_;
-  std::int64_t start_ns_ = 0;
-  std::string error_;
-  int gaps_ = 0;
-  std::atomic<bool> done_{false};
-};
 
 /// The stroke's place at a time since its start; its last one afterwards.
 DeviceMm placeAt(const Stroke& stroke, double t_s, const HapticSpace& space, StrokeFrame frame) {
@@ -73,8 +35,8 @@ DeviceMm placeAt(const Stroke& stroke, double t_s, const HapticSpace& space, Str
 
 /// Leads the hand along the stroke until the sink has all it wants.
 /// @return false: the computer is about to sleep
-bool drive(SteeredDevice* hand, const Stroke& stroke, const TouchSetup& setup, const Sink& sink,
-           EndBeforeSleep& sleep, const Task& task) {
+bool drive(SteeredDevice* hand, const Stroke& stroke, const TouchSetup& setup,
+           const LoopRecording& sink, EndBeforeSleep& sleep, const Task& task) {
   const std::int64_t start_ns = monotonicNs();
   for (std::int64_t next_ns = start_ns; !sink.done(); next_ns += 1'000'000) {
     task.check();
@@ -96,8 +58,8 @@ void makeReady(Device& device, double seconds, const Task& task) {
   waitUntilReady(*falcon, seconds, "nothing was recorded", task);
 }
 
-Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop, const Sink& sink,
-                 bool slept) {
+Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
+                 const LoopRecording& sink, const std::string& limited, bool slept) {
   const LoopStats& stats = loop.stats().front();
   const bool failed = sink.fault() != DeviceFault::none;
   const std::string fault(describe(sink.fault()));
@@ -114,6 +76,7 @@ Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop, 
   json["violations"] = stats.audit.violations();
   json["largest_force_n"] = stats.audit.largest_n;
   json["realtime"] = loop.realtime().realtime;
+  json["limited"] = limited.empty() ? Json() : Json(limited);
   json["fault"] = failed ? Json(fault) : Json();
   if (slept) {
     tell("The computer went to sleep: the recording ended there and is saved.");
@@ -133,8 +96,14 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
     throw ArgumentError("--seconds must be above 0 and at most 86400.");
   }
   const Stroke stroke = a.stroke.empty() ? Stroke{} : readStroke(a.stroke);
-  const TouchSetup setup = prepareTouch(a, task);
   std::unique_ptr<Device> device = makeDevice(a.device);
+  if (a.safety == "off" && !device->info().simulated) {
+    throw ArgumentError("--safety off is for a simulated hand, and a person holds the device '" +
+                        a.device +
+                        "'. Nothing was recorded. Leave it out, or record with --device virtual.");
+  }
+  const TouchSetup setup = prepareTouch(a, task);
+  if (!setup.limited.empty()) tell(setup.limited);
   makeReady(*device, a.ready_s, task);
   auto* hand = dynamic_cast<SteeredDevice*>(device.get());
   if (hand != nullptr && !stroke.points.empty()) {
@@ -142,10 +111,11 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
   }
   const std::unique_ptr<SampleLog> log =
       openLog(a.out, touchHeader(a, setup, task), setup.space.get(), LogKind::recording);
-  Sink sink(*log, static_cast<std::uint64_t>(std::ceil(1000 * a.seconds)));
+  LoopRecording sink(*log, static_cast<std::uint64_t>(std::ceil(1000 * a.seconds)));
   constexpr int kSettlingExchanges = 1000;
-  auto loop = std::make_unique<HapticLoop>(std::move(device),
-                                           LoopOptions{.settling_exchanges = kSettlingExchanges});
+  auto loop = std::make_unique<HapticLoop>(
+      std::move(device),
+      LoopOptions{.settling_exchanges = kSettlingExchanges, .chain = setup.options.chain});
   // Before the start: the first tick already sees both, and a replay can begin with it.
   loop->spaces().write(*setup.space);
   loop->options().write(setup.core);
@@ -166,8 +136,8 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
   sleep.atZero();
   if (!sink.error().empty()) throw WriteError(sink.error(), "E401");
   loop->stats().update();
-  log->close(loopLines(loop->stats().front()));
-  return reported(a.out, log->rows(), *loop, sink, slept);
+  log->close(loopLines(loop->stats().front()) + sink.replayLines());
+  return reported(a.out, log->rows(), *loop, sink, setup.limited, slept);
 }
 
 }  // namespace
@@ -176,9 +146,10 @@ void declareRecord(CLI::App& verb, TouchArguments& arguments) {
   arguments.device = "virtual";
   addTouchOptions(verb, arguments);
   verb.add_option("--device", arguments.device, "virtual[:GRIP], falcon or mouse");
-  verb.add_option("--seconds", arguments.seconds, "How long; 10");
-  verb.add_option("--ready", arguments.ready_s, "Seconds until a Falcon must be homed; 60")
-      ->check(CLI::Range(1.0, 600.0));
+  takes(verb.add_option("--seconds", arguments.seconds, "How long; 10"),
+        {.low = 1e-3, .high = 86400, .unit = "s"});
+  takes(verb.add_option("--ready", arguments.ready_s, "Seconds until a Falcon must be homed; 60"),
+        {.low = 1, .high = 600, .unit = "s"});
   verb.add_option("--stroke", arguments.stroke, "CSV that leads a simulated hand");
   verb.add_option("-o,--output", arguments.out, "LOG.csv or LOG.h5")->required();
   verb.add_option("--frame", arguments.frame, "Frame of the stroke: view or device")

@@ -5,6 +5,7 @@
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/look_arguments.h"
+#include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -156,6 +157,7 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
     checkZeroPlane(*p.stereo.zero_plane_mm, window.min_mm, window.max_mm, p.region.side_mm);
   }
   writeWindowIfAsked(a.region, surface, window);
+  tellRivalry(surface, window, p.look.kind, printed(p.stereo.mode));
   const DisplayGuard display;
   const ViewPictureFacts facts = writeViewPicture(surface, window, p, a.out, task);
 
@@ -202,33 +204,34 @@ void checkUse(const CLI::App& verb, const RenderArguments& a) {
 
 Verb renderVerb() {
   auto arguments = std::make_shared<RenderArguments>();
-  return {.name = "render",
-          .help = "Picture of a region at its level, as the detail view shows it",
-          .declare =
-              [arguments](CLI::App& verb) {
-                addMapOptions(verb, arguments->map);
-                addRegionOptions(verb, arguments->region);
-                verb.add_option("--stereo", arguments->stereo,
-                                std::string("Red/cyan, or two pictures: ") + kStereoWords);
-                verb.add_flag("--swap-eyes", arguments->swap_eyes,
-                              "Left and right eye change places");
-                verb.add_option("--eye-angle", arguments->eye_angle_deg,
-                                "Angle between the eyes' directions in degrees")
-                    ->check(CLI::Range(0.5, 10.0));
-                verb.add_option("--zero-plane", arguments->zero_plane_mm,
-                                "Height of zero parallax in mm; default mid height");
-                addLookOptions(verb, arguments->look);
-                verb.add_option("--pixels", arguments->pixels, "Width and height of the image")
-                    ->check(CLI::Range(16, 16384));
-                verb.add_flag("--scale-bar", arguments->scale_bar, "Draw a scale bar");
-                verb.add_option("-o,--output", arguments->out, "FIG.png or .tif")->required();
-                verb.add_option("--caption", arguments->caption,
-                                "Also write the text under the picture: FILE, or - for the report");
-                addCarrierOptions(verb, arguments->carrier);
-                verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
-              },
-          .files = [arguments] { return filesOf(*arguments); },
-          .run = [arguments](const Task& task) { return runRender(*arguments, task); }};
+  return {
+      .name = "render",
+      .help = "Picture of a region at its level, as the detail view shows it",
+      .declare =
+          [arguments](CLI::App& verb) {
+            addMapOptions(verb, arguments->map);
+            addRegionOptions(verb, arguments->region);
+            verb.add_option("--stereo", arguments->stereo,
+                            std::string("Red/cyan, or two pictures: ") + kStereoWords);
+            verb.add_flag("--swap-eyes", arguments->swap_eyes, "Left and right eye change places");
+            takes(verb.add_option("--eye-angle", arguments->eye_angle_deg,
+                                  "Angle between the eyes' directions in degrees"),
+                  {.low = 0.5, .high = 10, .unit = "degrees"});
+            takes(verb.add_option("--zero-plane", arguments->zero_plane_mm,
+                                  "Height of zero parallax in mm; default mid height"),
+                  {.low = -kFarMm, .high = kFarMm, .unit = "mm"});
+            addLookOptions(verb, arguments->look);
+            takes(verb.add_option("--pixels", arguments->pixels, "Width and height of the image"),
+                  {.low = 16, .high = 16384});
+            verb.add_flag("--scale-bar", arguments->scale_bar, "Draw a scale bar");
+            verb.add_option("-o,--output", arguments->out, "FIG.png or .tif")->required();
+            verb.add_option("--caption", arguments->caption,
+                            "Also write the text under the picture: FILE, or - for the report");
+            addCarrierOptions(verb, arguments->carrier);
+            verb.final_callback([arguments, &verb] { checkUse(verb, *arguments); });
+          },
+      .files = [arguments] { return filesOf(*arguments); },
+      .run = [arguments](const Task& task) { return runRender(*arguments, task); }};
 }
 
 }  // namespace relievo::batch

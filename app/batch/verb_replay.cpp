@@ -69,7 +69,7 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
     touch.firmness = foundInput(recording, raster->file, raster->sha256, task).string();
   }
   const TouchSetup setup = prepareTouch(touch, task);
-  return replay(*setup.space, setup.core, log, each, task);
+  return replay(*setup.space, setup.core, setup.options.chain, log, each, task);
 }
 
 /// What became of one recording of a package. @return false if it is not the same
@@ -183,7 +183,7 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     input = touch.map.file;
     const TouchSetup setup = prepareTouch(touch, task);
     if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
-    of_window = replay(*setup.space, setup.core, log, each, task);
+    of_window = replay(*setup.space, setup.core, setup.options.chain, log, each, task);
   }
   const ReplayResult& result = *of_window;
   if (out) out->close();

@@ -18,7 +18,9 @@
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
 #include "core/session/tiled_surface.h"
+#include "haptics/device/falcon/link.h"
 #include "haptics/device_catalog.h"
+#include "haptics/loop/device_limits.h"
 #include "haptics/proxy/surface.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/record/events.h"
@@ -59,7 +61,7 @@ StrokeOptions strokeOptions(const TouchArguments& a) {
   options.damping_n_s_per_mm = feel.damping_n_s_per_mm;
   options.fields = feel.fields;
   options.transient = feel.transient;
-  options.safety = safetyOf(a);
+  options.chain = safetyOf(a) ? ForceChain::whole : ForceChain::bare;
   options.frame = a.frame == "device" ? StrokeFrame::device : StrokeFrame::view;
   return options;
 }
@@ -73,7 +75,9 @@ std::string proxyName(const TouchArguments& a) {
 struct StrokeFindings {
   const RegionWindow& window;
   const HapticSpace& space;
+  double limit_n = 0;  ///< Of a device.
   double largest_force_n = 0;
+  std::uint64_t beyond_ticks = 0;  ///< With more than a device gives.
   double off_surface_mm = 0;       ///< Largest distance in z of a touching proxy from the surface.
   double force_to_normal_deg = 0;  ///< Largest angle between force and surface normal.
   std::uint64_t contact_ticks = 0;
@@ -88,6 +92,7 @@ struct StrokeFindings {
     ++contact_ticks;
     const double force_n = norm(sample.force);
     largest_force_n = std::max(largest_force_n, force_n);
+    beyond_ticks += force_n > limit_n ? 1 : 0;
     const ViewMm& proxy = sample.proxy_view;
     off_surface_mm = std::max(off_surface_mm, std::abs(proxy.z - heightUnder(proxy)));
     if (force_n < 1e-6) return;
@@ -98,6 +103,14 @@ struct StrokeFindings {
     force_to_normal_deg = std::max(force_to_normal_deg, angle * 180 / 3.14159265358979323846);
   }
 };
+
+/// The device's own limit; without a device the Falcon's, which a hand might hold.
+ForceLimit limitOf(const Device* device) {
+  if (device != nullptr && device->info().max_force_n > 0) {
+    return {device->info().name, device->info().max_force_n};
+  }
+  return {"Falcon", falcon::LinkLimits{}.max_force_n};
+}
 
 /// Where the log comes from, in one line; what decides the force stands in the header's parameters.
 std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
@@ -143,9 +156,11 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     device->open();
   }
 
+  if (!setup.limited.empty()) tell(setup.limited);
   const std::unique_ptr<SampleLog> log =
       openLog(a.out, touchHeader(a, setup, task), setup.space.get());
-  StrokeFindings findings{window, *setup.space};
+  const ForceLimit limit = limitOf(device.get());
+  StrokeFindings findings{window, *setup.space, limit.force_n};
   std::optional<HapticSample> before;
   std::vector<PlotRow> plot;
   const std::uint64_t ticks = runStroke(
@@ -165,7 +180,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   log->close();
   if (!a.plot.empty()) {
     writeForcePlot(a.plot, plot,
-                   setup.surface.info.file.filename().string() + ", proxy " + proxyName(a));
+                   setup.surface.info.file.filename().string() + ", proxy " + proxyName(a), limit);
   }
 
   const HandMapping hand = handMapping(window);
@@ -175,9 +190,9 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["scale_device_per_view"] = hand.device_per_view;
   json["device_from_view"] = jsonOf(hand.device_from_view);
   json["stiffness_n_per_mm"] =
-      setup.options.stiffness_by_detail
-          ? stiffnessForDetail(setup.space->detail, setup.options.detail_stiffness)
-          : setup.options.stiffness_n_per_mm;
+      setup.core.stiffness_by_detail
+          ? stiffnessForDetail(setup.space->detail, setup.core.detail_stiffness)
+          : setup.core.force.stiffness_n_per_mm;
   const Json feel = Json::parse(feelJson(a));
   for (const char* entry : {"preset", "damping_n_s_per_mm", "surface", "friction", "proxy",
                             "softest_part", "texture_mm", "magnet_n", "contact_n", "crossing_n"}) {
@@ -187,15 +202,24 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["view_from_file"] = jsonOf(setup.surface.view_from_file);
   json["gain"] = window.gain;
   json["safety"] = safetyOf(a) ? "on" : "off";
+  json["limited"] = setup.limited.empty() ? Json() : Json(setup.limited);
   json["device"] = a.device.empty() ? Json() : Json(device->info().id);
   json["largest_force_n"] = findings.largest_force_n;
+  json["device_limit"] = {{"device", limit.device}, {"force_n", limit.force_n}};
+  json["largest_device_force_n"] = std::min(findings.largest_force_n, limit.force_n);
+  json["beyond_device_ticks"] = findings.beyond_ticks;
   json["contact_ticks"] = findings.contact_ticks;
   json["proxy_off_surface_mm"] = findings.off_surface_mm;
   json["force_to_normal_deg"] = findings.force_to_normal_deg;
-  return {.json = json.dump(2),
-          .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
-                    shortNumber(findings.largest_force_n) + " N, 1 mm of hand = " +
-                    shortNumber(hand.objectMmPerHandMm()) + " mm on the object"}};
+  return {
+      .json = json.dump(2),
+      .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
+                shortNumber(findings.largest_force_n) + " N" +
+                (findings.beyond_ticks > 0
+                     ? " (" + limit.device + ": " + shortNumber(limit.force_n) + " N at most, in " +
+                           std::to_string(findings.beyond_ticks) + " ticks less than the log says)"
+                     : std::string()) +
+                ", 1 mm of hand = " + shortNumber(hand.objectMmPerHandMm()) + " mm on the object"}};
 }
 
 }  // namespace
@@ -204,7 +228,11 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   TouchSetup setup;
   setup.options = strokeOptions(a);
   setup.core = strokeHapticOptions(setup.options);
-  if (!a.device.empty()) setup.core = withinDevice(setup.core, makeDevice(a.device)->info());
+  if (!a.device.empty()) {
+    const DeviceInfo device = makeDevice(a.device)->info();
+    setup.limited = limitedText(setup.core, device);
+    setup.core = withinDevice(setup.core, device);
+  }
   setup.surface = openForVerb(a.map, task);
   const Surface& surface = setup.surface;
   const Region region = chosenRegion(surface, a.region);
@@ -243,8 +271,8 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
                                                     : std::string("by detail")) +
          " N/mm, friction " + parameters["friction"].dump() + ", damping " +
          parameters["damping_n_s_per_mm"].dump() + " N s/mm, safety " +
-         (safetyOf(a) ? "on" : "off") + "\nparameters " + parameters.dump() + "\n" +
-         stateOfTouch(a, setup, task);
+         (safetyOf(a) ? "on" : "off") + (setup.limited.empty() ? "" : "\nlimits " + setup.limited) +
+         "\nparameters " + parameters.dump() + "\n" + stateOfTouch(a, setup, task);
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
@@ -252,7 +280,8 @@ void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {
   addRegionOptions(verb, arguments.region);
   addFeelOptions(verb, arguments);
   verb.add_option("--safety", arguments.safety,
-                  "on: ramp, slew, limit and passivity as at a device; default with --device")
+                  "on: ramp, slew, limit and passivity as at a device; default with --device. off "
+                  "only without one, or with a simulated one")
       ->check(CLI::IsMember({"on", "off"}));
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/look_arguments.h"
+#include "app/batch/number_option.h"
 #include "app/batch/recording.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
@@ -183,20 +184,25 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
                   "talk: plays everywhere; archive: without loss; anaglyph: full colour "
                   "resolution; images: PNG files, without ffmpeg");
   verb.add_option("--size", a.size, "WIDTHxHEIGHT in pixels, even; 1280x720");
-  verb.add_option("--fps", a.request.fps, "Frames per second; 30");
-  verb.add_option("--speed", a.request.speed, "1 as it was; 0.25 four times slower");
-  verb.add_option("--from", a.request.from_s, "Seconds since the recording's start");
-  verb.add_option("--to", a.request.to_s, "Likewise");
+  takes(verb.add_option("--fps", a.request.fps, "Frames per second; 30"), {.low = 1, .high = 120});
+  takes(verb.add_option("--speed", a.request.speed, "1 as it was; 0.25 four times slower"),
+        {.low = 0.01, .high = 100});
+  takes(verb.add_option("--from", a.request.from_s, "Seconds since the recording's start"),
+        {.low = 0, .high = 1e6, .unit = "s"});
+  takes(verb.add_option("--to", a.request.to_s, "Likewise"), {.low = 0, .high = 1e6, .unit = "s"});
   verb.add_option("--without", a.without, "plots, overview, scalebar")
       ->delimiter(',')
       ->check(CLI::IsMember({"plots", "overview", "scalebar"}));
   verb.add_option("--stereo", a.stereo, "off, grey, half or dubois; anaglyph: grey");
-  verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4");
+  takes(verb.add_option("--eye-angle", a.eye_angle_deg, "Degrees between the eyes; 4"),
+        {.low = 0.01, .high = 20, .unit = "degrees"});
   verb.add_flag("--swap-eyes", a.request.swap_eyes, "Red for the right eye");
   verb.add_option("--relief", a.look.relief, "How heights are painted, as for figure");
   verb.add_option("--colours", a.look.colours, "grey, viridis, cividis or batlow");
-  verb.add_option("--light", a.look.light, "AZIMUTH,ELEVATION in degrees; 315,45");
-  verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG");
+  takesList(verb.add_option("--light", a.look.light, "AZIMUTH,ELEVATION in degrees; 315,45"), 2,
+            {.low = -360, .high = 360, .unit = "degrees"});
+  takes(verb.add_option("--frame", a.frame, "Only this frame, counted from 0, as a PNG"),
+        {.low = 0, .high = 1e8});
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ class FalconWindowTest : public ::testing::Test {
     });
   }
   void hold(const Triple& place) {
-    falcon_->with([&](FalconEmulator& f) { f.body.hold(place); });
+    falcon_->with([&](FalconEmulator& f) { f.body.carry(place); });
   }
   /// The hand as a spring that pulls the grip there and lets itself be pushed.
   void handTo(const Triple& place) {
@@ -136,6 +136,14 @@ class FalconWindowTest : public ::testing::Test {
     hold(kFarIn);
     ASSERT_TRUE(lit(falcon::blue)) << "not homed";
     hold(kFarOut);
+    // A hand takes its time; the driver has seen the grip fully out some exchanges later.
+    ASSERT_TRUE(eventually([this] {
+      return falcon_->with([](FalconEmulator& f) { return f.body.grip()[2] > kFarOut[2] - 1; });
+    }));
+    falcon_->with([](FalconEmulator& f) { f.forgetCommands(); });
+    ASSERT_TRUE(eventually([this] {
+      return falcon_->with([](FalconEmulator& f) { return f.commands().size() > 20; });
+    }));
   }
   /// On a busy computer the mocked port may answer too late in the very moment of F5; forces then
   /// stay off, as they must, and one presses again.

@@ -46,7 +46,7 @@ TEST_F(OptionUse, OfFiguresAndPicturesIsAsInTheWindow) {
     verb({"--range", "0,5"}, "--range needs a --relief with colours");
     verb({"--relief", "hillshade", "--colours", "grey"}, "--colours needs a --relief with colours");
     verb({"--shading", "0.5"}, "--shading needs --relief natural or intensity");
-    verb({"--relief", "natural", "--shading", "2"}, "--shading: it must be between 0");
+    verb({"--relief", "natural", "--shading", "2"}, "--shading: '2' is not a number from 0 to 1.");
     verb({"--relief", "natural"},
          "The relief image 'natural' cannot be drawn: this surface has no ");
     verb({"--relief", "intensity"},
@@ -100,13 +100,13 @@ TEST_F(OptionUse, ThatIsWrongIsToldInASentence) {
   const std::string m = map(), out = path("f.png");
   const std::string none = " Nothing was done. 'relievo figure --help' says what there is.\n";
   isRefused({"figure", m, "--dpi", "abc", "-o", out},
-            "--dpi: 'abc' is not a number that it takes." + none, out);
+            "--dpi: 'abc' is not a number from 30 to 2400." + none, out);
   isRefused({"figure", m}, "--output is required." + none, out);
   isRefused({"figure", m, "--colour", "-o", out},
             "The following argument was not expected: --colour." + none, out);
   const std::string render = " Nothing was done. 'relievo render --help' says what there is.\n";
   isRefused({"render", m, "--pixels", "15", "-o", out},
-            "--pixels: 15 is not from 16 to 16384." + render, out);
+            "--pixels: '15' is not a number from 16 to 16384." + render, out);
   isRefused({"render", m, "--report", "xml", "-o", out},
             "--report: 'xml' is none of json,text." + render, out);
   isRefused({"figure", m, "--width-mm", "2000", "--dpi", "2400", "-o", out}, "A picture of ", out);
@@ -136,8 +136,8 @@ TEST_F(OptionUse, TakesAScaleAsItIsWritten) {
   EXPECT_EQ(paper("1:0.5"), 0.5);
   EXPECT_EQ(paper("2:1"), 0.5);
   EXPECT_EQ(paper("1:0.25"), paper("0.25"));
-  isRefused({"figure", m, "--scale", "1:x", "-o", path("g.png")}, "--scale: 'x' is not a number.",
-            path("g.png"));
+  isRefused({"figure", m, "--scale", "1:x", "-o", path("g.png")},
+            "--scale: 'x' is not a number from -1e12 to 1e12.", path("g.png"));
   isRefused({"figure", m, "--scale", "0:1", "-o", path("g.png")},
             "--scale: '0:1' is not of the form 1:N.", path("g.png"));
 }

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // No output takes the place of what it is made from, or of another output.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <fstream>
 #include <map>
 
 #include "tests/app/command_test.h"
@@ -139,6 +143,38 @@ TEST_F(Outputs, DoNotReplaceWhatAStateNames) {
   fs::create_directory(path("moved"));
   fs::rename(m, path("moved/m.tif"));
   must({"project", "relink", project});  // Its own file, as is meant.
+}
+
+/// The system's name of an open file, behind which there may be a regular one.
+TEST_F(Outputs, DoNotReplaceTheNameOfAnOpenFile) {
+  const std::string m = map("m.tif");
+  const std::string opened = path("opened.txt"), link = path("stdout.png");
+  const int descriptor = ::open(opened.c_str(), O_RDWR | O_CREAT, 0600);
+  ASSERT_GE(descriptor, 0);
+  const std::string name = "/proc/" + std::to_string(::getpid()) + "/fd/";
+  fs::create_symlink(name + std::to_string(descriptor), link);
+  const CommandResult result = runRelievo({"render", m, "--pixels", "64", "-o", link});
+  ::close(descriptor);
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_NE(result.err.find("is no regular file"), std::string::npos) << result.err;
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(fs::file_size(opened), 0U);
+}
+
+TEST_F(Outputs, GoBehindLinksAndStopAtReadOnlyFiles) {
+  const std::string m = map("m.tif"), kept = path("kept.png"), link = path("link.png");
+  std::ofstream(kept) << "old";
+  fs::permissions(kept, fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  fs::create_symlink("kept.png", link);
+  must({"render", m, "--pixels", "64", "-o", link});
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_GT(fs::file_size(kept), 100U);
+  EXPECT_EQ(fs::status(kept).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+  fs::permissions(kept, fs::perms::owner_read);
+  const CommandResult result = runRelievo({"render", m, "--pixels", "32", "-o", kept});
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_NE(result.err.find("it is read-only"), std::string::npos) << result.err;
 }
 
 TEST_F(Outputs, OfOneCommandAreDifferentFiles) {

@@ -61,6 +61,35 @@ TEST_F(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
   EXPECT_EQ(runRelievo({"replay", log}).exit_code, 0) << "without --verify it only tells";
 }
 
+TEST_F(ReplayVerb, ADeviceThatAPersonHoldsIsNeverRecordedWithoutItsSafety) {
+  for (const char* device : {"mouse", "falcon"}) {
+    const std::string log = path("held.csv");
+    const CommandResult record = made("record", log, {"--device", device, "--safety", "off"});
+    EXPECT_EQ(record.exit_code, 1) << record.err;
+    EXPECT_NE(record.err.find("a person holds the device"), std::string::npos) << record.err;
+    EXPECT_FALSE(std::filesystem::exists(log));
+  }
+}
+
+TEST_F(ReplayVerb, WhatIsMoreThanTheDevicesDataSheetIsSaidOnceAndRecorded) {
+  const std::string said = "stiffness 3 N/mm instead of 50";
+  for (const char* verb : {"record", "touch"}) {
+    const std::string log = path("stiff.csv");
+    std::vector<std::string> more{"--device", "virtual", "--stiffness", "50"};
+    if (std::string(verb) == "record") more.insert(more.end(), {"--seconds", "0.3"});
+    const CommandResult result = made(verb, log, more);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const std::size_t once = result.err.find(said);
+    EXPECT_NE(once, std::string::npos) << result.err;
+    EXPECT_EQ(result.err.find(said, once + 1), std::string::npos) << result.err;
+    const std::string text = test::bytesOf(log);
+    EXPECT_LT(text.find("\n# limits More was asked for"), text.find("\nt_s,tick"));
+    EXPECT_NE(nlohmann::json::parse(result.out)["limited"].get<std::string>().find(said),
+              std::string::npos);
+    EXPECT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
+  }
+}
+
 TEST_F(ReplayVerb, RecordingsSayWhatTheyWereMadeFromAndHowTheLoopRan) {
   const std::string sha256 = sha256OfFile(test::kReliefF);
   const auto check = [&](const std::string& state) {

@@ -102,6 +102,27 @@ TEST_F(TouchVerb, TouchOnAPlaneFindsTheFootOfThePerpendicular) {
   EXPECT_NEAR(log.number(last, "nz"), 1 / n, 1e-5);
 }
 
+TEST_F(TouchVerb, SaysWhichPartOfAForceADeviceCouldGive) {
+  const std::string deep = write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.2,50,50,-20\n");
+  const std::string shallow = write("t.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.2,50,50,3\n");
+  const std::string plot = path("p.svg");
+  const auto touched = [&](const std::string& stroke) {
+    return reportOf(
+        runRelievo({"touch", plane(), "--unit", "mm", "--stroke", stroke, "-o", path("log.csv"),
+                    "--region", "25,25,50,50", "--plot", plot, "--report", "json"}));
+  };
+  const json report = touched(deep);
+  EXPECT_GT(report["largest_force_n"], 10);
+  EXPECT_EQ(report["device_limit"]["device"], "Falcon");
+  EXPECT_EQ(report["largest_device_force_n"], report["device_limit"]["force_n"]);
+  EXPECT_GT(report["beyond_device_ticks"], 10);
+  EXPECT_THAT(test::bytesOf(plot), HasSubstr("Falcon at most 5"));
+  const json gentle = touched(shallow);
+  EXPECT_EQ(gentle["beyond_device_ticks"], 0);
+  EXPECT_EQ(gentle["largest_device_force_n"], gentle["largest_force_n"]);
+  EXPECT_THAT(test::bytesOf(plot), testing::Not(HasSubstr("at most")));
+}
+
 TEST_F(TouchVerb, ThePapersEquationIsSelectableAndChatters) {
   const std::string stroke =
       write("s.csv", "t_s,x_mm,y_mm,z_mm\n0,50,50,9\n0.1,50,50,4\n0.4,60,50,4\n");

@@ -11,11 +11,14 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
@@ -29,6 +32,7 @@
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/places_panel.h"
+#include "ui/prepare/prepare_dialog.h"
 #include "ui/reference_view.h"
 #include "ui/stereo_panel.h"
 #include "ui/surface_view.h"
@@ -198,6 +202,21 @@ void takeAll(Photographer& p) {
   p.take(*places, QStringLiteral("panel_places"));
   p.takeDialog("depth_map", QStringLiteral("dialog_depth_map"),
                [](QDialog&) { QTest::qWait(4000); });
+  p.takeDialog("prepare", QStringLiteral("dialog_prepare"), [](QDialog& dialog) {
+    auto& prepare = static_cast<PrepareDialog&>(dialog);
+    const auto made = [&] { return !prepare.isStale() && !prepare.isBusy(); };
+    waitFor(made, "the scan");
+    QMenu* menu = dialog.findChild<QPushButton*>(QStringLiteral("prepare_add_step"))->menu();
+    Q_EMIT menu->aboutToShow();
+    for (const char* step : {"add_lonely_all", "add_crop_box"}) {
+      menu->findChild<QAction*>(QLatin1String(step))->trigger();
+      Q_EMIT menu->aboutToShow();
+    }
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("crop_x_max"))->setValue(180);
+    waitFor(made, "the steps");
+    // Where this computer has the panel is nobody's business.
+    dialog.findChild<QLineEdit*>(QStringLiteral("prepare_file"))->setText("panel-prepared.ply");
+  });
   p.takeDialog("figure", QStringLiteral("dialog_figure"), [](QDialog& dialog) {
     auto* caption = dialog.findChild<QPlainTextEdit*>(QStringLiteral("figure_caption"));
     waitFor([caption] { return !caption->toPlainText().isEmpty(); }, "the caption");

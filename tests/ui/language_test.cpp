@@ -219,7 +219,8 @@ TEST_F(PseudoTest, WhatFiguresAreRefusedForIsTranslated) {
 
 TEST_F(PseudoTest, DialogsShowNothingUntranslated) {
   openRelief();
-  for (const char* command : {"preferences", "keys", "figure", "depth_map", "image", "history"}) {
+  for (const char* command :
+       {"preferences", "keys", "figure", "depth_map", "prepare", "image", "history"}) {
     window().runCommand(command);
     QApplication::processEvents();
     for (auto* dialog : window().findChildren<QDialog*>()) {

@@ -13,6 +13,7 @@
 
 #include "tests/ui/gui_fixture.h"
 #include "ui/message_strip.h"
+#include "ui/prepare/prepare_dialog.h"
 #include "ui/start_page.h"
 
 namespace relievo {
@@ -149,9 +150,17 @@ TEST_F(OpenTest, ADroppedFileOpens) {
   ASSERT_TRUE(waitFor([this] { return document().isOpen(); }));
 }
 
-TEST_F(OpenTest, SeveralDroppedFilesOpenNothingAndSaySo) {
-  const QUrl file = QUrl::fromLocalFile(writeRelief());
-  drop({file, file});
+TEST_F(OpenTest, SeveralDroppedFilesAreScansOfOneObject) {
+  drop({QUrl::fromLocalFile(writeRelief("a.ply")), QUrl::fromLocalFile(writeRelief("b.ply"))});
+  auto* dialog = window().findChild<PrepareDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->state().now().inputs.size(), 2U);
+  dialog->reject();
+  EXPECT_FALSE(document().isOpen());
+}
+
+TEST_F(OpenTest, DroppedFilesOfOtherComputersOpenNothingAndSaySo) {
+  drop({QUrl::fromLocalFile(writeRelief()), QUrl("https://example.org/b.ply")});
   EXPECT_FALSE(document().busy());
   EXPECT_TRUE(window().message().contains("Nothing was opened"));
 }

@@ -8,7 +8,6 @@
 #include <QFile>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 #include <set>
 
@@ -44,17 +43,8 @@ std::string lowerEnding(const fs::path& file) {
   return ending;
 }
 
-[[noreturn]] void cannotWrite(const fs::path& file, const QString& reason) {
-  throw WriteError("Cannot write the figure '" + file.string() + "' (" + reason.toStdString() +
-                   "). Choose another folder or free some space.");
-}
-
 void save(const QByteArray& bytes, const fs::path& file) {
-  requireReplaceable(file);
-  QSaveFile out(QFile::decodeName(file.c_str()));
-  if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
-    cannotWrite(file, out.errorString());
-  }
+  writeTextFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 std::string entry(const PictureText& text, std::string_view key) {

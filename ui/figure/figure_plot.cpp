@@ -190,14 +190,20 @@ ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows
   return boxes;
 }
 
-void drawCurve(FigureInk& ink, const std::vector<QPointF>& curve, const QRectF& box,
+void drawCurve(FigureInk& ink, const std::vector<std::vector<QPointF>>& pieces, const QRectF& box,
                const QString& x_title, const QString& y_title) {
-  if (curve.empty()) return;
-  const auto [low, high] = range(curve);
-  Plot plot(ink, box, axisFor(curve.front().x(), curve.back().x(), kMostSteps, AxisEnds::exact),
+  if (pieces.empty()) return;
+  auto [low, high] = range(pieces.front());
+  for (const std::vector<QPointF>& piece : pieces) {
+    const auto [lowest, highest] = range(piece);
+    low = std::min(low, lowest);
+    high = std::max(high, highest);
+  }
+  const double from = pieces.front().front().x(), to = pieces.back().back().x();
+  Plot plot(ink, box, axisFor(from, to, kMostSteps, AxisEnds::exact),
             axisFor(low, high, kMostSteps));
   plot.frame(y_title, x_title);
-  plot.curve(curve, ink.pen(kProxy, 1.2));
+  for (const std::vector<QPointF>& piece : pieces) plot.curve(piece, ink.pen(kProxy, 1.2));
 }
 
 }  // namespace relievo

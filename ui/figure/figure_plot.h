@@ -23,8 +23,9 @@ inline constexpr double kPlotGapEm = 1.3;
 ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows,
                           const ForcePlots& papers);
 
-/// A curve (x, y) with axes named after their units, for a profile.
-void drawCurve(FigureInk& ink, const std::vector<QPointF>& curve, const QRectF& box,
+/// A curve (x, y) in pieces, left to right, with axes named after their units: of a profile that
+/// leaves the object and comes back. None of the pieces is empty.
+void drawCurve(FigureInk& ink, const std::vector<std::vector<QPointF>>& pieces, const QRectF& box,
                const QString& x_title, const QString& y_title);
 
 }  // namespace relievo

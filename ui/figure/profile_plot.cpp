@@ -31,10 +31,12 @@ std::string profileSvg(const std::vector<ProfileRow>& rows) {
   generator.setTitle(QStringLiteral("Profile"));
   QPainter painter(&generator);
   FigureInk ink(painter, kDpi, 8, FigureInk::Target::vectors);
-  std::vector<QPointF> curve;
-  curve.reserve(rows.size());
-  for (const ProfileRow& row : rows) curve.emplace_back(row.along_mm, row.point.at.z);
-  drawCurve(ink, curve, kBoxMm, QStringLiteral("along the line (mm)"),
+  std::vector<std::vector<QPointF>> pieces;
+  for (const ProfileRow& row : rows) {
+    if (!row.joined) pieces.emplace_back();
+    pieces.back().emplace_back(row.along_mm, row.point.at.z);
+  }
+  drawCurve(ink, pieces, kBoxMm, QStringLiteral("along the line (mm)"),
             QStringLiteral("height (mm)"));
   painter.end();
   return bytes.toStdString();

@@ -108,6 +108,10 @@
         <translation>Länge</translation>
     </message>
     <message>
+        <source>length on the map</source>
+        <translation>Länge auf der Karte</translation>
+    </message>
+    <message>
         <source>height range</source>
         <translation>Höhenspanne</translation>
     </message>
@@ -404,6 +408,14 @@
         <translation>%1 kann nicht geschrieben werden: Was diesen Namen trägt, ist keine gewöhnliche Datei. Es blieb, wie es ist. Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
+        <source>Cannot write %1: it is read-only. It was left as it is. Choose another name.</source>
+        <translation>%1 kann nicht geschrieben werden: Die Datei ist schreibgeschützt. Sie blieb, wie sie ist. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its symbolic links lead in a circle. It was left as it is. Choose another name.</source>
+        <translation>%1 kann nicht geschrieben werden: Die symbolischen Verknüpfungen führen im Kreis. Nichts wurde geändert. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
         <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
         <translation>Zum Zeichnen reicht der Speicher nicht: Der Grafiktreiber braucht 512 MB Adressraum, und eine gesetzte Grenze (ulimit -v) lässt weniger. Nichts wurde gezeichnet. Heben Sie die Grenze an.</translation>
     </message>
@@ -426,10 +438,6 @@
     <message>
         <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
         <translation>Zwei Dateien der Abbildung hießen „%1“. Nichts wurde gezeichnet. Geben Sie einer davon einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Cannot write the figure &apos;%1&apos;. Choose another folder or free some space.</source>
-        <translation>Die Abbildung „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
     </message>
     <message>
         <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
@@ -594,6 +602,62 @@
     <message>
         <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
         <translation>%1 kann nicht gelesen werden: Die Datei enthält die Intensitäten der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>Aufbereiten</translation>
+    </message>
+    <message>
+        <source>Writing the scan</source>
+        <translation>Scan wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The reference.</source>
+        <translation>Die Referenz.</translation>
+    </message>
+    <message>
+        <source>As stored.</source>
+        <translation>Wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>The pose that was found before was used.</source>
+        <translation>Die vorher gefundene Lage wurde verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common.</source>
+        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche.</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Weak %3: about %4.</source>
+        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche. Schwach gehalten %3: etwa %4.</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies as it was placed by hand.</source>
+        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche. Nichts in der Form hält ihn %3: dort liegt er, wie er von Hand gelegt wurde.</translation>
+    </message>
+    <message>
+        <source>%1 was left out: Not aligned: %2.</source>
+        <translation>%1 wurde weggelassen: nicht ausgerichtet: %2.</translation>
+    </message>
+    <message>
+        <source>Not aligned: %1.</source>
+        <translation>Nicht ausgerichtet: %1.</translation>
+    </message>
+    <message>
+        <source>%1 states no classes; all its points stay.</source>
+        <translation>%1 nennt keine Klassen; alle seine Punkte bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 states no intensities; all its points stay.</source>
+        <translation>%1 nennt keine Intensitäten; alle seine Punkte bleiben.</translation>
+    </message>
+    <message>
+        <source>No point is left after all steps. Nothing was written. Take a step out, or widen its limits.</source>
+        <translation>Nach allen Schritten ist kein Punkt übrig. Nichts wurde geschrieben. Nehmen Sie einen Schritt heraus oder weiten Sie seine Grenzen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
+        <translation>&apos;%1&apos; hat sich seit dem Lesen geändert. Nichts wurde geschrieben. Schließen Sie den Dialog und öffnen Sie die Datei neu.</translation>
     </message>
 </context>
 <context>
@@ -886,6 +950,174 @@
         <source>Memory locked: %1 kB</source>
         <translation>Speicher gesperrt: %1 kB</translation>
     </message>
+    <message>
+        <source>&amp;Crop to a box</source>
+        <translation>Auf einen &amp;Quader zuschneiden</translation>
+    </message>
+    <message>
+        <source>Crop to an outline on the &amp;view</source>
+        <translation>Auf einen &amp;Umriss in der Ansicht zuschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Stray points, as for most scans</source>
+        <translation>&amp;Streupunkte, wie für die meisten Scans</translation>
+    </message>
+    <message>
+        <source>&amp;Outliers, statistical</source>
+        <translation>&amp;Ausreißer, statistisch</translation>
+    </message>
+    <message>
+        <source>Outliers, within a &amp;radius</source>
+        <translation>Ausreißer, in einem &amp;Radius</translation>
+    </message>
+    <message>
+        <source>Thin &amp;beside dense</source>
+        <translation>Dünnes neben &amp;Dichtem</translation>
+    </message>
+    <message>
+        <source>&amp;Equal points</source>
+        <translation>&amp;Gleiche Punkte</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses of points</source>
+        <translation>&amp;Klassen der Punkte</translation>
+    </message>
+    <message>
+        <source>&amp;Intensities</source>
+        <translation>&amp;Intensitäten</translation>
+    </message>
+    <message>
+        <source>&amp;Thin out</source>
+        <translation>Aus&amp;dünnen</translation>
+    </message>
+    <message>
+        <source>Leave out the &amp;plane under the object</source>
+        <translation>&amp;Ebene unter dem Objekt weglassen</translation>
+    </message>
+    <message>
+        <source>Lay the plane under the object le&amp;vel</source>
+        <translation>Ebene unter dem Objekt &amp;waagerecht legen</translation>
+    </message>
+    <message>
+        <source>&amp;Normals</source>
+        <translation>&amp;Normalen</translation>
+    </message>
+    <message>
+        <source>what is outside stays</source>
+        <translation>was außen liegt, bleibt</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>%1, what is outside stays</source>
+        <translation>%1, was außen liegt, bleibt</translation>
+    </message>
+    <message>
+        <source>all but noise</source>
+        <translation>alle außer Rauschen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 neighbours, %2 deviations</source>
+        <translation>%1 Nachbarn, %2 Abweichungen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 spacings</source>
+        <translation>%1 Punktabständen</translation>
+    </message>
+    <message>
+        <source>fewer than %1 within %2</source>
+        <translation>weniger als %1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 neighbours, %2 times</source>
+        <translation>%1 Nachbarn, %2-fach</translation>
+    </message>
+    <message>
+        <source>one in %1 mm</source>
+        <translation>einer in %1 mm</translation>
+    </message>
+    <message>
+        <source>laid level</source>
+        <translation>waagerecht gelegt</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>weggelassen</translation>
+    </message>
+    <message>
+        <source>%1 neighbours</source>
+        <translation>%1 Nachbarn</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>wie gespeichert</translation>
+    </message>
+    <message>
+        <source>by picked pairs</source>
+        <translation>über gewählte Paare</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Crop to a box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Crop to an outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>Classes of points</source>
+        <translation>Klassen der Punkte</translation>
+    </message>
+    <message>
+        <source>Intensities</source>
+        <translation>Intensitäten</translation>
+    </message>
+    <message>
+        <source>Equal points</source>
+        <translation>Gleiche Punkte</translation>
+    </message>
+    <message>
+        <source>Outliers, statistical</source>
+        <translation>Ausreißer, statistisch</translation>
+    </message>
+    <message>
+        <source>Outliers, within a radius</source>
+        <translation>Ausreißer, in einem Radius</translation>
+    </message>
+    <message>
+        <source>Thin beside dense</source>
+        <translation>Dünnes neben Dichtem</translation>
+    </message>
+    <message>
+        <source>Thin out</source>
+        <translation>Ausdünnen</translation>
+    </message>
+    <message>
+        <source>Plane under the object</source>
+        <translation>Ebene unter dem Objekt</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Align and join</source>
+        <translation>Ausrichten und verbinden</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ButtonsPanel</name>
@@ -936,6 +1168,28 @@
     <message>
         <source>SpaceMouse moves</source>
         <translation>SpaceMouse bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::CloudView</name>
+    <message>
+        <source>A point under the cross: %1, %2, %3</source>
+        <translation>Ein Punkt unter dem Kreuz: %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>No point under the cross</source>
+        <translation>Kein Punkt unter dem Kreuz</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corner(s) so far</source>
+        <translation>
+            <numerusform>%n Ecke bisher</numerusform>
+            <numerusform>%n Ecken bisher</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An outline needs three corners</source>
+        <translation>Ein Umriss braucht drei Ecken</translation>
     </message>
 </context>
 <context>
@@ -2902,6 +3156,14 @@
         <translation>Die Kräfte sind nach dem Ruhezustand aus. F5 schaltet sie ein.</translation>
     </message>
     <message>
+        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
+        <translation>Die Kräfte sind aus, weil das Fenster %1 s lang nicht geantwortet hat. F5 schaltet sie ein.</translation>
+    </message>
+    <message>
+        <source>The hand pushes over the edge of the window.</source>
+        <translation>Die Hand drückt über den Rand des Fensters.</translation>
+    </message>
+    <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
     </message>
@@ -3951,13 +4213,6 @@
         <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
         <translation>Die Punkte tragen keine Einheit. %1 – %2. Am wahrscheinlichsten %3. Als Millimeter gezeigt, bis Sie es sagen. (E103)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n files were dropped. Nothing was opened. Drop one file.</source>
-        <translation>
-            <numerusform>%n Datei wurde abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform>
-            <numerusform>%n Dateien wurden abgelegt. Nichts wurde geöffnet. Legen Sie eine Datei ab.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
         <translation>Nur Dateien auf diesem Rechner lassen sich öffnen. Nichts wurde geöffnet.</translation>
@@ -4479,6 +4734,10 @@
         <translation>Wie stark das Licht des Scanners zurückkam</translation>
     </message>
     <message>
+        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
+        <translation>%1 % dieses Bildes sind ein kräftiges Rot oder Cyan, das ein Auge durch die Brille dunkel sieht. Graues Stereo zeigt es beiden</translation>
+    </message>
+    <message>
         <source>This scan has no colours; it is shown as lit stone</source>
         <translation>Dieser Scan hat keine Farben; er wird als beleuchteter Stein gezeigt</translation>
     </message>
@@ -4545,6 +4804,38 @@
     <message>
         <source>Shading of colours</source>
         <translation>Schattierung der Farben</translation>
+    </message>
+    <message>
+        <source>Open fol&amp;der…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open all scans of a folder: parts of one object</source>
+        <translation>Alle Scans eines Ordners öffnen: Teile eines Objekts</translation>
+    </message>
+    <message>
+        <source>Prep&amp;are…</source>
+        <translation>Auf&amp;bereiten…</translation>
+    </message>
+    <message>
+        <source>Crop, clean, thin and join scans before the depth map</source>
+        <translation>Scans vor der Tiefenkarte zuschneiden, säubern, ausdünnen und verbinden</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>There is no scan in %1. Nothing was opened.</source>
+        <translation>In %1 ist kein Scan. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
+        <translation>%1 Dateien sind mehr als die %2 Scans, die verbunden werden können. Nichts wurde geöffnet.</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Aufbereiten</translation>
     </message>
 </context>
 <context>
@@ -5185,6 +5476,454 @@
     <message>
         <source>Where recordings go that are made from now on; empty: relievo in the documents folder</source>
         <translation>Wohin Aufnahmen von jetzt an kommen; leer: relievo im Ordner der Dokumente</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PrepareDialog</name>
+    <message>
+        <source>The scans are still being read</source>
+        <translation>Die Scans werden noch gelesen</translation>
+    </message>
+    <message>
+        <source>Scan %1: %2</source>
+        <translation>Scan %1: %2</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>Referenz: %1</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the reference</source>
+        <translation>Jetzt Stelle %1 auf der Referenz</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the scan</source>
+        <translation>Jetzt Stelle %1 auf dem Scan</translation>
+    </message>
+    <message>
+        <source>Choose place %1 on the scan, then the same on the reference</source>
+        <translation>Stelle %1 auf dem Scan wählen, dann dieselbe auf der Referenz</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
+        <translation>
+            <numerusform>%n Paar. Escape oder die Schaltfläche beendet; mehr Paare schaden nicht.</numerusform>
+            <numerusform>%n Paare. Escape oder die Schaltfläche beendet; mehr Paare schaden nicht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Arrow keys carry the cross, Enter sets a corner, Ctrl+Enter closes the outline</source>
+        <translation>Pfeiltasten tragen das Kreuz, Eingabe setzt eine Ecke, Strg+Eingabe schließt den Umriss</translation>
+    </message>
+    <message>
+        <source>Drag the mouse round what is meant, or set corners with Enter; Ctrl+Enter closes.</source>
+        <translation>Mit der Maus umfahren, was gemeint ist, oder Ecken mit Eingabe setzen; Strg+Eingabe schließt.</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>Scans</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Further scans of the same object</source>
+        <translation>Weitere Scans desselben Objekts</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen scan off the list</source>
+        <translation>Den gewählten Scan aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The chosen scan stays where it is; the others are laid on it</source>
+        <translation>Der gewählte Scan bleibt, wo er ist; die anderen werden auf ihn gelegt</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k pairs…</source>
+        <translation>&amp;Paare wählen…</translation>
+    </message>
+    <message>
+        <source>Show the same three places on the chosen scan and on the reference</source>
+        <translation>Dieselben drei Stellen auf dem gewählten Scan und auf der Referenz zeigen</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Forget the place picked last</source>
+        <translation>Die zuletzt gewählte Stelle vergessen</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Aufteilen</translation>
+    </message>
+    <message>
+        <source>Each of the file&apos;s scans for itself, to leave some out or align them</source>
+        <translation>Jeder Scan der Datei für sich, um einige wegzulassen oder auszurichten</translation>
+    </message>
+    <message>
+        <source>With withheld points</source>
+        <translation>Mit zurückgehaltenen Punkten</translation>
+    </message>
+    <message>
+        <source>Points of the chosen scan that its file marks as not to be used</source>
+        <translation>Punkte des gewählten Scans, die seine Datei als nicht zu verwenden kennzeichnet</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Add s&amp;tep</source>
+        <translation>Schritt h&amp;inzufügen</translation>
+    </message>
+    <message>
+        <source>Choose what is done next</source>
+        <translation>Wählen, was als Nächstes geschieht</translation>
+    </message>
+    <message>
+        <source>Leave the chosen step out (Delete)</source>
+        <translation>Den gewählten Schritt weglassen (Entf)</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>Schritt entfernen</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Do the chosen step earlier (Ctrl+Up)</source>
+        <translation>Den gewählten Schritt früher tun (Strg+Auf)</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Do the chosen step later (Ctrl+Down)</source>
+        <translation>Den gewählten Schritt später tun (Strg+Ab)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>Die letzte Änderung zurücknehmen (Strg+Z)</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Redo it (Ctrl+Y)</source>
+        <translation>Sie wiederholen (Strg+Y)</translation>
+    </message>
+    <message>
+        <source>Seen &amp;from:</source>
+        <translation>Gesehen &amp;von:</translation>
+    </message>
+    <message>
+        <source>From which side the points are seen</source>
+        <translation>Von welcher Seite die Punkte gesehen werden</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w:</source>
+        <translation>Zei&amp;gen:</translation>
+    </message>
+    <message>
+        <source>Points before and after the steps</source>
+        <translation>Punkte vor und nach den Schritten</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Both, red goes</source>
+        <translation>Beides, Rotes geht</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Nachher</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours:</source>
+        <translation>&amp;Farben:</translation>
+    </message>
+    <message>
+        <source>What the colours of the points say</source>
+        <translation>Was die Farben der Punkte sagen</translation>
+    </message>
+    <message>
+        <source>Their own</source>
+        <translation>Ihre eigenen</translation>
+    </message>
+    <message>
+        <source>One for each scan</source>
+        <translation>Eine je Scan</translation>
+    </message>
+    <message>
+        <source>Distance of the scans</source>
+        <translation>Abstand der Scans</translation>
+    </message>
+    <message>
+        <source>From the surface of the other scans: blue at 0, red at three spacings, grey where there is none</source>
+        <translation>Von der Fläche der anderen Scans: blau bei 0, rot bei drei Punktabständen, grau, wo keiner ist</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn, the right button moves, the wheel or + and - bring it nearer, Home shows all</source>
+        <translation>Ziehen oder Pfeiltasten drehen, die rechte Taste schiebt, Rad oder + und - holen heran, Pos1 zeigt alles</translation>
+    </message>
+    <message>
+        <source>Points of the reference</source>
+        <translation>Punkte der Referenz</translation>
+    </message>
+    <message>
+        <source>How many points stay</source>
+        <translation>Wie viele Punkte bleiben</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>Was getan wurde</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>L&amp;ive</source>
+        <translation>&amp;Laufend</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>Laufende Vorschau</translation>
+    </message>
+    <message>
+        <source>Do the steps anew after each change</source>
+        <translation>Die Schritte nach jeder Änderung neu tun</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute</source>
+        <translation>Neu &amp;berechnen</translation>
+    </message>
+    <message>
+        <source>Do the steps as they are shown</source>
+        <translation>Die Schritte tun, wie sie gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation>Neu berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>Anhal&amp;ten</translation>
+    </message>
+    <message>
+        <source>Stop the work; the picture before stays</source>
+        <translation>Die Arbeit anhalten; das Bild von vorher bleibt</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>What is being done</source>
+        <translation>Was gerade geschieht</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve recipe…</source>
+        <translation>Re&amp;zept sichern…</translation>
+    </message>
+    <message>
+        <source>Keep these steps as a file, to do them again</source>
+        <translation>Diese Schritte als Datei behalten, um sie wieder zu tun</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y as command</source>
+        <translation>Als Bef&amp;ehl kopieren</translation>
+    </message>
+    <message>
+        <source>The command that does the same, once the recipe is saved</source>
+        <translation>Der Befehl, der dasselbe tut, sobald das Rezept gesichert ist</translation>
+    </message>
+    <message>
+        <source>Prepared scan</source>
+        <translation>Aufbereiteter Scan</translation>
+    </message>
+    <message>
+        <source>The file that the prepared scan is written to; the scans stay as they are</source>
+        <translation>Die Datei, in die der aufbereitete Scan geschrieben wird; die Scans bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>It is there already and will be replaced.</source>
+        <translation>Sie ist schon da und wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Another place or name</source>
+        <translation>Ein anderer Ort oder Name</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Die Datei wählen</translation>
+    </message>
+    <message>
+        <source>P&amp;repared scan:</source>
+        <translation>Aufbereiteter S&amp;can:</translation>
+    </message>
+    <message>
+        <source>Write the prepared scan and open it</source>
+        <translation>Den aufbereiteten Scan schreiben und öffnen</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Aufbereiten</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute *</source>
+        <translation>Neu &amp;berechnen *</translation>
+    </message>
+    <message>
+        <source>No scan is chosen. Tick one in the list of scans.</source>
+        <translation>Kein Scan ist gewählt. Haken Sie einen in der Liste der Scans an.</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>Rezept sichern</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Rezepte (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 ist gespeichert</translation>
+    </message>
+    <message>
+        <source>The command is in the clipboard</source>
+        <translation>Der Befehl ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Scans (*.ply)</source>
+        <translation>Scans (*.ply)</translation>
+    </message>
+    <message>
+        <source>The chain of scans %1 misses its beginning by %2 mm.</source>
+        <translation>Die Kette der Scans %1 verfehlt ihren Anfang um %2 mm.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number, scan</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>nicht getan</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>wie gespeichert</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>Pairs are pic&amp;ked</source>
+        <translation>&amp;Paare sind gewählt</translation>
+    </message>
+    <message>
+        <source>Pairs are picked</source>
+        <translation>Paare sind gewählt</translation>
+    </message>
+    <message>
+        <source>Pick pairs</source>
+        <translation>Paare wählen</translation>
+    </message>
+    <message>
+        <source>%1 % of its points lie within one spacing.</source>
+        <translation>%1 % seiner Punkte liegen innerhalb eines Punktabstands.</translation>
+    </message>
+    <message>
+        <source>It may be off by %1 mm.</source>
+        <translation>Er kann um %1 mm daneben liegen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>scan, words</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points stay.</source>
+        <translation>%1 von %2 Punkten bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 points.</source>
+        <translation>%1 Punkte.</translation>
+    </message>
+    <message>
+        <source>%1 of them are drawn.</source>
+        <translation>%1 davon sind gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Blue lies on the surface of the other scans, red three spacings from it; grey: no other scan is near.</source>
+        <translation>Blau liegt auf der Fläche der anderen Scans, Rot drei Punktabstände davon entfernt; grau: kein anderer Scan ist nah.</translation>
+    </message>
+    <message>
+        <source>%1 points that the file marks as withheld are left out.</source>
+        <translation>%1 Punkte, die die Datei als zurückgehalten kennzeichnet, sind weggelassen.</translation>
+    </message>
+    <message>
+        <source>Add scans</source>
+        <translation>Scans hinzufügen</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>Zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation>Wiederholt</translation>
     </message>
 </context>
 <context>
@@ -6210,6 +6949,229 @@
     <message>
         <source>Working</source>
         <translation>In Arbeit</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StepForm</name>
+    <message>
+        <source>What is inside</source>
+        <translation>Was innen liegt</translation>
+    </message>
+    <message>
+        <source>What is outside</source>
+        <translation>Was außen liegt</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>Bleibt</translation>
+    </message>
+    <message>
+        <source>Which part of the scan stays</source>
+        <translation>Welcher Teil des Scans bleibt</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x von</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x bis</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y von</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y bis</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z von</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z bis</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s coordinates</source>
+        <translation>In den Koordinaten der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Draw on the view</source>
+        <translation>Auf der Ansicht zeich&amp;nen</translation>
+    </message>
+    <message>
+        <source>&amp;Draw it anew</source>
+        <translation>Neu zeich&amp;nen</translation>
+    </message>
+    <message>
+        <source>Drag the mouse round what is meant; or arrow keys and Enter for each corner, Ctrl+Enter to close</source>
+        <translation>Mit der Maus umfahren, was gemeint ist; oder Pfeiltasten und Eingabe für jede Ecke, Strg+Eingabe zum Schließen</translation>
+    </message>
+    <message>
+        <source>No outline is drawn yet; nothing is left out.</source>
+        <translation>Noch ist kein Umriss gezeichnet; nichts wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 Ecken</translation>
+    </message>
+    <message>
+        <source>Classes that stay</source>
+        <translation>Klassen, die bleiben</translation>
+    </message>
+    <message>
+        <source>Numbers of LAS classes such as 2, 6; none: all</source>
+        <translation>Nummern von LAS-Klassen wie 2, 6; keine: alle</translation>
+    </message>
+    <message>
+        <source>Noise stays, too</source>
+        <translation>Rauschen bleibt auch</translation>
+    </message>
+    <message>
+        <source>Classes 7 and 18 are marked as noise</source>
+        <translation>Klassen 7 und 18 sind als Rauschen gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Lowest intensity that stays, as stored</source>
+        <translation>Kleinste Intensität, die bleibt, wie gespeichert</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>Highest intensity that stays, as stored</source>
+        <translation>Größte Intensität, die bleibt, wie gespeichert</translation>
+    </message>
+    <message>
+        <source>Of points with equal coordinates the first stays.</source>
+        <translation>Von Punkten mit gleichen Koordinaten bleibt der erste.</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>How many nearest points are looked at</source>
+        <translation>Wie viele nächste Punkte angesehen werden</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>Points farther from these than the mean and so many standard deviations go</source>
+        <translation>Punkte, die von ihnen weiter entfernt sind als der Mittelwert und so viele Standardabweichungen, gehen</translation>
+    </message>
+    <message>
+        <source>Radius in</source>
+        <translation>Radius in</translation>
+    </message>
+    <message>
+        <source>Whether the radius follows the scan&apos;s density</source>
+        <translation>Ob der Radius der Dichte des Scans folgt</translation>
+    </message>
+    <message>
+        <source>Spacings of the scan</source>
+        <translation>Punktabständen des Scans</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>How far neighbours may be</source>
+        <translation>Wie weit Nachbarn entfernt sein dürfen</translation>
+    </message>
+    <message>
+        <source>Points with fewer neighbours within the radius go</source>
+        <translation>Punkte mit weniger Nachbarn im Radius gehen</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Points so many times as far from these as the densest of them go</source>
+        <translation>Punkte, die so viel Mal so weit von ihnen liegen wie der dichteste von ihnen, gehen</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>In every cube of this side one point stays</source>
+        <translation>In jedem Würfel dieser Kante bleibt ein Punkt</translation>
+    </message>
+    <message>
+        <source>Its points</source>
+        <translation>Ihre Punkte</translation>
+    </message>
+    <message>
+        <source>What becomes of the plane that holds most points</source>
+        <translation>Was aus der Ebene wird, auf der die meisten Punkte liegen</translation>
+    </message>
+    <message>
+        <source>Are left out</source>
+        <translation>Werden weggelassen</translation>
+    </message>
+    <message>
+        <source>Are laid level, with the object above them</source>
+        <translation>Werden waagerecht gelegt, das Objekt darüber</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Nearer points are on the plane; 0: twice the scan&apos;s spacing</source>
+        <translation>Nähere Punkte liegen auf der Ebene; 0: der doppelte Punktabstand des Scans</translation>
+    </message>
+    <message>
+        <source>Twice the spacing</source>
+        <translation>Doppelter Punktabstand</translation>
+    </message>
+    <message>
+        <source>How many nearest points a normal is made of</source>
+        <translation>Aus wie vielen nächsten Punkten eine Normale gemacht wird</translation>
+    </message>
+    <message>
+        <source>Where they lie</source>
+        <translation>Wo sie liegen</translation>
+    </message>
+    <message>
+        <source>How the scans are laid on the reference</source>
+        <translation>Wie die Scans auf die Referenz gelegt werden</translation>
+    </message>
+    <message>
+        <source>As stored</source>
+        <translation>Wie gespeichert</translation>
+    </message>
+    <message>
+        <source>By three picked pairs</source>
+        <translation>Über drei gewählte Paare</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Another number is another search</source>
+        <translation>Eine andere Zahl ist eine andere Suche</translation>
     </message>
 </context>
 <context>

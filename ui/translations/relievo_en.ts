@@ -2,19 +2,22 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_GB">
 <context>
+    <name>relievo::CloudView</name>
+    <message numerus="yes">
+        <source>%n corner(s) so far</source>
+        <translation>
+            <numerusform>%n corner so far</numerusform>
+            <numerusform>%n corners so far</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>relievo::MainWindow</name>
     <message numerus="yes">
         <source>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).</source>
         <translation>
             <numerusform>relievo ended unexpectedly. Work on %1 of %2 was kept (%n step).</numerusform>
             <numerusform>relievo ended unexpectedly. Work on %1 of %2 was kept (%n steps).</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n files were dropped. Nothing was opened. Drop one file.</source>
-        <translation>
-            <numerusform>%n file was dropped. Nothing was opened. Drop one file.</numerusform>
-            <numerusform>%n files were dropped. Nothing was opened. Drop one file.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -32,6 +35,16 @@
         <translation>
             <numerusform>%n curve</numerusform>
             <numerusform>%n curves</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PrepareDialog</name>
+    <message numerus="yes">
+        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
+        <translation>
+            <numerusform>%n pair. Escape or the button ends; more pairs do no harm.</numerusform>
+            <numerusform>%n pairs. Escape or the button ends; more pairs do no harm.</numerusform>
         </translation>
     </message>
 </context>

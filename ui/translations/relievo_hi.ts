@@ -108,6 +108,10 @@
         <translation>लंबाई</translation>
     </message>
     <message>
+        <source>length on the map</source>
+        <translation>मानचित्र पर लंबाई</translation>
+    </message>
+    <message>
         <source>height range</source>
         <translation>ऊँचाई का विस्तार</translation>
     </message>
@@ -404,6 +408,14 @@
         <translation>%1 लिखी नहीं जा सकती: इस नाम पर जो है वह साधारण फ़ाइल नहीं है। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
     </message>
     <message>
+        <source>Cannot write %1: it is read-only. It was left as it is. Choose another name.</source>
+        <translation>%1 लिखी नहीं जा सकती: फ़ाइल केवल पढ़ने के लिए है। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its symbolic links lead in a circle. It was left as it is. Choose another name.</source>
+        <translation>%1 लिखी नहीं जा सकती: उसके प्रतीकात्मक लिंक एक चक्र बनाते हैं। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
         <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
         <translation>चित्र बनाने के लिए मेमोरी पर्याप्त नहीं है: ग्राफ़िक्स ड्राइवर को 512 MB पता-स्थान चाहिए, और लगाई गई सीमा (ulimit -v) कम छोड़ती है। कुछ नहीं बनाया गया। सीमा बढ़ाएँ।</translation>
     </message>
@@ -426,10 +438,6 @@
     <message>
         <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
         <translation>चित्र की दो फ़ाइलों का नाम &apos;%1&apos; होगा। कुछ नहीं बनाया गया। उनमें से एक को दूसरा नाम दें।</translation>
-    </message>
-    <message>
-        <source>Cannot write the figure &apos;%1&apos;. Choose another folder or free some space.</source>
-        <translation>चित्र &apos;%1&apos; लिखा नहीं जा सकता। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
     </message>
     <message>
         <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
@@ -594,6 +602,62 @@
     <message>
         <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
         <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं की तीव्रताएँ हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
+    </message>
+    <message>
+        <source>preparing</source>
+        <translation>तैयार किया जा रहा है</translation>
+    </message>
+    <message>
+        <source>Writing the scan</source>
+        <translation>स्कैन लिखा जा रहा है</translation>
+    </message>
+    <message>
+        <source>The reference.</source>
+        <translation>संदर्भ।</translation>
+    </message>
+    <message>
+        <source>As stored.</source>
+        <translation>जैसा सहेजा गया।</translation>
+    </message>
+    <message>
+        <source>The pose that was found before was used.</source>
+        <translation>पहले मिली स्थिति काम में ली गई।</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common.</source>
+        <translation>%2 साझा सतह पर %1 rms।</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Weak %3: about %4.</source>
+        <translation>%2 साझा सतह पर %1 rms। कमज़ोर पकड़ %3: लगभग %4।</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies as it was placed by hand.</source>
+        <translation>%2 साझा सतह पर %1 rms। आकृति में कुछ भी इसे %3 नहीं रोकता: वहाँ यह वैसे ही है जैसे हाथ से रखा गया।</translation>
+    </message>
+    <message>
+        <source>%1 was left out: Not aligned: %2.</source>
+        <translation>%1 छोड़ा गया: संरेखित नहीं हुआ: %2।</translation>
+    </message>
+    <message>
+        <source>Not aligned: %1.</source>
+        <translation>संरेखित नहीं हुआ: %1।</translation>
+    </message>
+    <message>
+        <source>%1 states no classes; all its points stay.</source>
+        <translation>%1 में वर्ग नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 states no intensities; all its points stay.</source>
+        <translation>%1 में तीव्रता नहीं दी गई; इसके सभी बिंदु रहते हैं।</translation>
+    </message>
+    <message>
+        <source>No point is left after all steps. Nothing was written. Take a step out, or widen its limits.</source>
+        <translation>सभी चरणों के बाद कोई बिंदु नहीं बचा। कुछ नहीं लिखा गया। कोई चरण हटाएँ या उसकी सीमाएँ बढ़ाएँ।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
+        <translation>&apos;%1&apos; पढ़े जाने के बाद बदल गई है। कुछ नहीं लिखा गया। संवाद बंद करें और फ़ाइल फिर खोलें।</translation>
     </message>
 </context>
 <context>
@@ -886,6 +950,174 @@
         <source>Memory locked: %1 kB</source>
         <translation>बँधी मेमोरी: %1 kB</translation>
     </message>
+    <message>
+        <source>&amp;Crop to a box</source>
+        <translation>डिब्बे तक काटें (&amp;C)</translation>
+    </message>
+    <message>
+        <source>Crop to an outline on the &amp;view</source>
+        <translation>दृश्य पर रूपरेखा तक काटें (&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Stray points, as for most scans</source>
+        <translation>भटके बिंदु, अधिकतर स्कैन के लिए (&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Outliers, statistical</source>
+        <translation>सांख्यिकीय बाहरी बिंदु (&amp;O)</translation>
+    </message>
+    <message>
+        <source>Outliers, within a &amp;radius</source>
+        <translation>त्रिज्या के भीतर बाहरी बिंदु (&amp;R)</translation>
+    </message>
+    <message>
+        <source>Thin &amp;beside dense</source>
+        <translation>सघन के पास विरल (&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Equal points</source>
+        <translation>समान बिंदु (&amp;E)</translation>
+    </message>
+    <message>
+        <source>C&amp;lasses of points</source>
+        <translation>बिंदुओं के वर्ग (&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Intensities</source>
+        <translation>तीव्रताएँ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Thin out</source>
+        <translation>विरल करें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Leave out the &amp;plane under the object</source>
+        <translation>वस्तु के नीचे का तल छोड़ें (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Lay the plane under the object le&amp;vel</source>
+        <translation>वस्तु के नीचे का तल समतल करें (&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Normals</source>
+        <translation>अभिलंब (&amp;N)</translation>
+    </message>
+    <message>
+        <source>what is outside stays</source>
+        <translation>जो बाहर है वह रहता है</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 कोने</translation>
+    </message>
+    <message>
+        <source>%1, what is outside stays</source>
+        <translation>%1, जो बाहर है वह रहता है</translation>
+    </message>
+    <message>
+        <source>all but noise</source>
+        <translation>शोर को छोड़ सभी</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 से %2</translation>
+    </message>
+    <message>
+        <source>%1 neighbours, %2 deviations</source>
+        <translation>%1 पड़ोसी, %2 विचलन</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 spacings</source>
+        <translation>%1 अंतराल</translation>
+    </message>
+    <message>
+        <source>fewer than %1 within %2</source>
+        <translation>%2 के भीतर %1 से कम</translation>
+    </message>
+    <message>
+        <source>%1 neighbours, %2 times</source>
+        <translation>%1 पड़ोसी, %2 गुना</translation>
+    </message>
+    <message>
+        <source>one in %1 mm</source>
+        <translation>%1 mm में एक</translation>
+    </message>
+    <message>
+        <source>laid level</source>
+        <translation>समतल रखा</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>छोड़ा गया</translation>
+    </message>
+    <message>
+        <source>%1 neighbours</source>
+        <translation>%1 पड़ोसी</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>जैसा सहेजा गया</translation>
+    </message>
+    <message>
+        <source>by picked pairs</source>
+        <translation>चुने हुए जोड़ों से</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>स्वचालित</translation>
+    </message>
+    <message>
+        <source>Crop to a box</source>
+        <translation>डिब्बे तक काटें</translation>
+    </message>
+    <message>
+        <source>Crop to an outline</source>
+        <translation>रूपरेखा तक काटें</translation>
+    </message>
+    <message>
+        <source>Classes of points</source>
+        <translation>बिंदुओं के वर्ग</translation>
+    </message>
+    <message>
+        <source>Intensities</source>
+        <translation>तीव्रताएँ</translation>
+    </message>
+    <message>
+        <source>Equal points</source>
+        <translation>समान बिंदु</translation>
+    </message>
+    <message>
+        <source>Outliers, statistical</source>
+        <translation>सांख्यिकीय बाहरी बिंदु</translation>
+    </message>
+    <message>
+        <source>Outliers, within a radius</source>
+        <translation>त्रिज्या के भीतर बाहरी बिंदु</translation>
+    </message>
+    <message>
+        <source>Thin beside dense</source>
+        <translation>सघन के पास विरल</translation>
+    </message>
+    <message>
+        <source>Thin out</source>
+        <translation>विरल करें</translation>
+    </message>
+    <message>
+        <source>Plane under the object</source>
+        <translation>वस्तु के नीचे का तल</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <translation>अभिलंब</translation>
+    </message>
+    <message>
+        <source>Align and join</source>
+        <translation>संरेखित करें और जोड़ें</translation>
+    </message>
 </context>
 <context>
     <name>relievo::ButtonsPanel</name>
@@ -936,6 +1168,28 @@
     <message>
         <source>SpaceMouse moves</source>
         <translation>SpaceMouse चलाए</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::CloudView</name>
+    <message>
+        <source>A point under the cross: %1, %2, %3</source>
+        <translation>क्रॉस के नीचे एक बिंदु: %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>No point under the cross</source>
+        <translation>क्रॉस के नीचे कोई बिंदु नहीं</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n corner(s) so far</source>
+        <translation>
+            <numerusform>अब तक %n कोना</numerusform>
+            <numerusform>अब तक %n कोने</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An outline needs three corners</source>
+        <translation>रूपरेखा को तीन कोने चाहिए</translation>
     </message>
 </context>
 <context>
@@ -2902,6 +3156,14 @@
         <translation>नींद के बाद बल बंद हैं। चालू करने के लिए F5 दबाएँ।</translation>
     </message>
     <message>
+        <source>Forces went off, because the window did not answer for %1 s. Press F5 to switch them on.</source>
+        <translation>बल बंद हो गए, क्योंकि विंडो ने %1 से. तक उत्तर नहीं दिया। चालू करने के लिए F5 दबाएँ।</translation>
+    </message>
+    <message>
+        <source>The hand pushes over the edge of the window.</source>
+        <translation>हाथ विंडो के किनारे से बाहर धकेल रहा है।</translation>
+    </message>
+    <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
     </message>
@@ -3951,13 +4213,6 @@
         <source>The points carry no unit. %1 – %2. Most likely %3. Shown as millimetres until you say. (E103)</source>
         <translation>बिंदुओं में कोई इकाई नहीं है। %1 – %2। सबसे संभव %3। आपके बताने तक मिलीमीटर माने गए। (E103)</translation>
     </message>
-    <message numerus="yes">
-        <source>%n files were dropped. Nothing was opened. Drop one file.</source>
-        <translation>
-            <numerusform>%n फ़ाइल छोड़ी गई। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform>
-            <numerusform>%n फ़ाइलें छोड़ी गईं। कुछ नहीं खोला गया। एक फ़ाइल छोड़ें।</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Only files on this computer can be opened. Nothing was opened.</source>
         <translation>केवल इस कंप्यूटर की फ़ाइलें खोली जा सकती हैं। कुछ नहीं खोला गया।</translation>
@@ -4479,6 +4734,10 @@
         <translation>स्कैनर का प्रकाश कितना तेज़ लौटा</translation>
     </message>
     <message>
+        <source>%1 % of this picture is a strong red or cyan, which one eye sees dark through the glasses. Grey stereo shows it to both</source>
+        <translation>इस चित्र का %1 % गहरा लाल या सियान है, जो चश्मे से एक आँख को काला दिखता है। धूसर स्टीरियो दोनों को दिखाता है</translation>
+    </message>
+    <message>
         <source>This scan has no colours; it is shown as lit stone</source>
         <translation>इस स्कैन में रंग नहीं हैं; यह प्रकाशित पत्थर के रूप में दिखता है</translation>
     </message>
@@ -4545,6 +4804,38 @@
     <message>
         <source>Shading of colours</source>
         <translation>रंगों का छायांकन</translation>
+    </message>
+    <message>
+        <source>Open fol&amp;der…</source>
+        <translation>फ़ोल्डर खोलें (&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Open all scans of a folder: parts of one object</source>
+        <translation>फ़ोल्डर के सभी स्कैन खोलें: एक वस्तु के भाग</translation>
+    </message>
+    <message>
+        <source>Prep&amp;are…</source>
+        <translation>तैयार करें (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Crop, clean, thin and join scans before the depth map</source>
+        <translation>गहराई मानचित्र से पहले स्कैन काटें, साफ़ करें, विरल करें और जोड़ें</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>फ़ोल्डर खोलें</translation>
+    </message>
+    <message>
+        <source>There is no scan in %1. Nothing was opened.</source>
+        <translation>%1 में कोई स्कैन नहीं है। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>%1 files are more than the %2 scans that can be joined. Nothing was opened.</source>
+        <translation>%1 फ़ाइलें जोड़े जा सकने वाले %2 स्कैन से अधिक हैं। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>तैयार करें</translation>
     </message>
 </context>
 <context>
@@ -5185,6 +5476,454 @@
     <message>
         <source>Where recordings go that are made from now on; empty: relievo in the documents folder</source>
         <translation>अब से बनने वाली रिकॉर्डिंग कहाँ जाएँगी; खाली: दस्तावेज़ों के फ़ोल्डर में relievo</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::PrepareDialog</name>
+    <message>
+        <source>The scans are still being read</source>
+        <translation>स्कैन अभी पढ़े जा रहे हैं</translation>
+    </message>
+    <message>
+        <source>Scan %1: %2</source>
+        <translation>स्कैन %1: %2</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>संदर्भ: %1</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the reference</source>
+        <translation>अब संदर्भ पर जगह %1</translation>
+    </message>
+    <message>
+        <source>Now place %1 on the scan</source>
+        <translation>अब स्कैन पर जगह %1</translation>
+    </message>
+    <message>
+        <source>Choose place %1 on the scan, then the same on the reference</source>
+        <translation>स्कैन पर जगह %1 चुनें, फिर वही संदर्भ पर</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s). Escape or the button ends; more pairs do no harm.</source>
+        <translation>
+            <numerusform>%n जोड़ा। Escape या बटन से समाप्त; अधिक जोड़ों से हानि नहीं।</numerusform>
+            <numerusform>%n जोड़े। Escape या बटन से समाप्त; अधिक जोड़ों से हानि नहीं।</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Arrow keys carry the cross, Enter sets a corner, Ctrl+Enter closes the outline</source>
+        <translation>तीर कुंजियाँ क्रॉस ले जाती हैं, Enter कोना रखता है, Ctrl+Enter रूपरेखा बंद करता है</translation>
+    </message>
+    <message>
+        <source>Drag the mouse round what is meant, or set corners with Enter; Ctrl+Enter closes.</source>
+        <translation>माउस से चारों ओर खींचें, या Enter से कोने रखें; Ctrl+Enter बंद करता है।</translation>
+    </message>
+    <message>
+        <source>Scans</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>स्कैन</translation>
+    </message>
+    <message>
+        <source>Lies</source>
+        <translation>स्थिति</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>जोड़ें (&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Further scans of the same object</source>
+        <translation>उसी वस्तु के और स्कैन</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>हटाएँ</translation>
+    </message>
+    <message>
+        <source>Take the chosen scan off the list</source>
+        <translation>चुना स्कैन सूची से हटाएँ</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>संदर्भ</translation>
+    </message>
+    <message>
+        <source>The chosen scan stays where it is; the others are laid on it</source>
+        <translation>चुना स्कैन जहाँ है वहीं रहता है; बाकी उस पर रखे जाते हैं</translation>
+    </message>
+    <message>
+        <source>Pic&amp;k pairs…</source>
+        <translation>जोड़े चुनें (&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Show the same three places on the chosen scan and on the reference</source>
+        <translation>चुने स्कैन और संदर्भ पर वही तीन जगहें दिखाएँ</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>वापस लें</translation>
+    </message>
+    <message>
+        <source>Forget the place picked last</source>
+        <translation>अंतिम चुनी जगह भूलें</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>अलग करें</translation>
+    </message>
+    <message>
+        <source>Each of the file&apos;s scans for itself, to leave some out or align them</source>
+        <translation>फ़ाइल का हर स्कैन अलग, ताकि कुछ छोड़े या संरेखित किए जा सकें</translation>
+    </message>
+    <message>
+        <source>With withheld points</source>
+        <translation>रोके गए बिंदुओं सहित</translation>
+    </message>
+    <message>
+        <source>Points of the chosen scan that its file marks as not to be used</source>
+        <translation>चुने स्कैन के वे बिंदु जिन्हें फ़ाइल काम में न लेने को चिह्नित करती है</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>चरण</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>बिंदु</translation>
+    </message>
+    <message>
+        <source>Add s&amp;tep</source>
+        <translation>चरण जोड़ें (&amp;T)</translation>
+    </message>
+    <message>
+        <source>Choose what is done next</source>
+        <translation>चुनें कि आगे क्या हो</translation>
+    </message>
+    <message>
+        <source>Leave the chosen step out (Delete)</source>
+        <translation>चुना चरण छोड़ें (Delete)</translation>
+    </message>
+    <message>
+        <source>Remove step</source>
+        <translation>चरण हटाएँ</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>पहले</translation>
+    </message>
+    <message>
+        <source>Do the chosen step earlier (Ctrl+Up)</source>
+        <translation>चुना चरण पहले करें (Ctrl+Up)</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>बाद में</translation>
+    </message>
+    <message>
+        <source>Do the chosen step later (Ctrl+Down)</source>
+        <translation>चुना चरण बाद में करें (Ctrl+Down)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>पूर्ववत (&amp;U)</translation>
+    </message>
+    <message>
+        <source>Undo the last change (Ctrl+Z)</source>
+        <translation>अंतिम बदलाव पूर्ववत करें (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>R&amp;edo</source>
+        <translation>फिर करें (&amp;E)</translation>
+    </message>
+    <message>
+        <source>Redo it (Ctrl+Y)</source>
+        <translation>उसे फिर करें (Ctrl+Y)</translation>
+    </message>
+    <message>
+        <source>Seen &amp;from:</source>
+        <translation>किस ओर से (&amp;F):</translation>
+    </message>
+    <message>
+        <source>From which side the points are seen</source>
+        <translation>बिंदु किस ओर से दिखते हैं</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w:</source>
+        <translation>दिखाएँ (&amp;W):</translation>
+    </message>
+    <message>
+        <source>Points before and after the steps</source>
+        <translation>चरणों से पहले और बाद के बिंदु</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>पहले</translation>
+    </message>
+    <message>
+        <source>Both, red goes</source>
+        <translation>दोनों, लाल जाता है</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>बाद में</translation>
+    </message>
+    <message>
+        <source>Co&amp;lours:</source>
+        <translation>रंग (&amp;L):</translation>
+    </message>
+    <message>
+        <source>What the colours of the points say</source>
+        <translation>बिंदुओं के रंग क्या बताते हैं</translation>
+    </message>
+    <message>
+        <source>Their own</source>
+        <translation>उनके अपने</translation>
+    </message>
+    <message>
+        <source>One for each scan</source>
+        <translation>हर स्कैन का एक</translation>
+    </message>
+    <message>
+        <source>Distance of the scans</source>
+        <translation>स्कैनों की दूरी</translation>
+    </message>
+    <message>
+        <source>From the surface of the other scans: blue at 0, red at three spacings, grey where there is none</source>
+        <translation>दूसरे स्कैनों की सतह से: 0 पर नीला, तीन अंतराल पर लाल, जहाँ कोई नहीं वहाँ धूसर</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys turn, the right button moves, the wheel or + and - bring it nearer, Home shows all</source>
+        <translation>खींचने या तीर कुंजियों से घूमता है, दायाँ बटन खिसकाता है, पहिया या + और - पास लाते हैं, Home सब दिखाता है</translation>
+    </message>
+    <message>
+        <source>Points of the reference</source>
+        <translation>संदर्भ के बिंदु</translation>
+    </message>
+    <message>
+        <source>How many points stay</source>
+        <translation>कितने बिंदु रहते हैं</translation>
+    </message>
+    <message>
+        <source>What was done</source>
+        <translation>क्या किया गया</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>समस्या</translation>
+    </message>
+    <message>
+        <source>L&amp;ive</source>
+        <translation>साथ-साथ (&amp;I)</translation>
+    </message>
+    <message>
+        <source>Live preview</source>
+        <translation>साथ-साथ पूर्वावलोकन</translation>
+    </message>
+    <message>
+        <source>Do the steps anew after each change</source>
+        <translation>हर बदलाव के बाद चरण फिर करें</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute</source>
+        <translation>फिर गणना (&amp;P)</translation>
+    </message>
+    <message>
+        <source>Do the steps as they are shown</source>
+        <translation>चरण जैसे दिखते हैं वैसे करें</translation>
+    </message>
+    <message>
+        <source>Recompute</source>
+        <translation>फिर गणना</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>रोकें (&amp;S)</translation>
+    </message>
+    <message>
+        <source>Stop the work; the picture before stays</source>
+        <translation>काम रोकें; पहले की तस्वीर रहती है</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>प्रगति</translation>
+    </message>
+    <message>
+        <source>What is being done</source>
+        <translation>क्या हो रहा है</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve recipe…</source>
+        <translation>विधि सहेजें (&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Keep these steps as a file, to do them again</source>
+        <translation>ये चरण फ़ाइल में रखें, ताकि फिर किए जा सकें</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y as command</source>
+        <translation>आदेश के रूप में कॉपी (&amp;Y)</translation>
+    </message>
+    <message>
+        <source>The command that does the same, once the recipe is saved</source>
+        <translation>विधि सहेजने के बाद वही करने वाला आदेश</translation>
+    </message>
+    <message>
+        <source>Prepared scan</source>
+        <translation>तैयार स्कैन</translation>
+    </message>
+    <message>
+        <source>The file that the prepared scan is written to; the scans stay as they are</source>
+        <translation>वह फ़ाइल जिसमें तैयार स्कैन लिखा जाता है; स्कैन जैसे हैं वैसे रहते हैं</translation>
+    </message>
+    <message>
+        <source>It is there already and will be replaced.</source>
+        <translation>यह पहले से है और बदल दी जाएगी।</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>चुनें…</translation>
+    </message>
+    <message>
+        <source>Another place or name</source>
+        <translation>दूसरी जगह या नाम</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>फ़ाइल चुनें</translation>
+    </message>
+    <message>
+        <source>P&amp;repared scan:</source>
+        <translation>तैयार स्कैन (&amp;R):</translation>
+    </message>
+    <message>
+        <source>Write the prepared scan and open it</source>
+        <translation>तैयार स्कैन लिखें और खोलें</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>तैयार करें</translation>
+    </message>
+    <message>
+        <source>Recom&amp;pute *</source>
+        <translation>फिर गणना (&amp;P) *</translation>
+    </message>
+    <message>
+        <source>No scan is chosen. Tick one in the list of scans.</source>
+        <translation>कोई स्कैन नहीं चुना गया। स्कैन सूची में एक पर निशान लगाएँ।</translation>
+    </message>
+    <message>
+        <source>Save recipe</source>
+        <translation>विधि सहेजें</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>विधियाँ (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 is saved</source>
+        <translation>%1 सहेजा गया</translation>
+    </message>
+    <message>
+        <source>The command is in the clipboard</source>
+        <translation>आदेश क्लिपबोर्ड में है</translation>
+    </message>
+    <message>
+        <source>Scans (*.ply)</source>
+        <translation>स्कैन (*.ply)</translation>
+    </message>
+    <message>
+        <source>The chain of scans %1 misses its beginning by %2 mm.</source>
+        <translation>स्कैनों %1 की शृंखला अपने आरंभ से %2 mm चूकती है।</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>number, scan</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>नहीं हुआ</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>संदर्भ</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>as stored</source>
+        <translation>जैसा सहेजा गया</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>अभी नहीं</translation>
+    </message>
+    <message>
+        <source>Pairs are pic&amp;ked</source>
+        <translation>जोड़े चुन लिए (&amp;K)</translation>
+    </message>
+    <message>
+        <source>Pairs are picked</source>
+        <translation>जोड़े चुन लिए</translation>
+    </message>
+    <message>
+        <source>Pick pairs</source>
+        <translation>जोड़े चुनें</translation>
+    </message>
+    <message>
+        <source>%1 % of its points lie within one spacing.</source>
+        <translation>इसके %1 % बिंदु एक अंतराल के भीतर हैं।</translation>
+    </message>
+    <message>
+        <source>It may be off by %1 mm.</source>
+        <translation>यह %1 mm हटा हो सकता है।</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>scan, words</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points stay.</source>
+        <translation>%2 में से %1 बिंदु रहते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 points.</source>
+        <translation>%1 बिंदु।</translation>
+    </message>
+    <message>
+        <source>%1 of them are drawn.</source>
+        <translation>इनमें से %1 खींचे गए हैं।</translation>
+    </message>
+    <message>
+        <source>Blue lies on the surface of the other scans, red three spacings from it; grey: no other scan is near.</source>
+        <translation>नीला दूसरे स्कैनों की सतह पर है, लाल उससे तीन अंतराल दूर; धूसर: पास में कोई दूसरा स्कैन नहीं।</translation>
+    </message>
+    <message>
+        <source>%1 points that the file marks as withheld are left out.</source>
+        <translation>%1 बिंदु जिन्हें फ़ाइल रोका हुआ बताती है, छोड़े गए हैं।</translation>
+    </message>
+    <message>
+        <source>Add scans</source>
+        <translation>स्कैन जोड़ें</translation>
+    </message>
+    <message>
+        <source>Undone</source>
+        <translation>पूर्ववत किया</translation>
+    </message>
+    <message>
+        <source>Redone</source>
+        <translation>फिर किया</translation>
     </message>
 </context>
 <context>
@@ -6210,6 +6949,229 @@
     <message>
         <source>Working</source>
         <translation>काम चल रहा है</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::StepForm</name>
+    <message>
+        <source>What is inside</source>
+        <translation>जो भीतर है</translation>
+    </message>
+    <message>
+        <source>What is outside</source>
+        <translation>जो बाहर है</translation>
+    </message>
+    <message>
+        <source>Stays</source>
+        <translation>रहता है</translation>
+    </message>
+    <message>
+        <source>Which part of the scan stays</source>
+        <translation>स्कैन का कौन सा भाग रहता है</translation>
+    </message>
+    <message>
+        <source>x from</source>
+        <translation>x से</translation>
+    </message>
+    <message>
+        <source>x to</source>
+        <translation>x तक</translation>
+    </message>
+    <message>
+        <source>y from</source>
+        <translation>y से</translation>
+    </message>
+    <message>
+        <source>y to</source>
+        <translation>y तक</translation>
+    </message>
+    <message>
+        <source>z from</source>
+        <translation>z से</translation>
+    </message>
+    <message>
+        <source>z to</source>
+        <translation>z तक</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s coordinates</source>
+        <translation>फ़ाइल के निर्देशांकों में</translation>
+    </message>
+    <message>
+        <source>&amp;Draw on the view</source>
+        <translation>दृश्य पर खींचें (&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Draw it anew</source>
+        <translation>नए सिरे से खींचें (&amp;D)</translation>
+    </message>
+    <message>
+        <source>Drag the mouse round what is meant; or arrow keys and Enter for each corner, Ctrl+Enter to close</source>
+        <translation>माउस से चारों ओर खींचें; या हर कोने के लिए तीर कुंजियाँ और Enter, बंद करने को Ctrl+Enter</translation>
+    </message>
+    <message>
+        <source>No outline is drawn yet; nothing is left out.</source>
+        <translation>अभी कोई रूपरेखा नहीं खींची गई; कुछ नहीं छोड़ा जाता।</translation>
+    </message>
+    <message>
+        <source>%1 corners</source>
+        <translation>%1 कोने</translation>
+    </message>
+    <message>
+        <source>Classes that stay</source>
+        <translation>जो वर्ग रहते हैं</translation>
+    </message>
+    <message>
+        <source>Numbers of LAS classes such as 2, 6; none: all</source>
+        <translation>LAS वर्गों की संख्याएँ जैसे 2, 6; कोई नहीं: सभी</translation>
+    </message>
+    <message>
+        <source>Noise stays, too</source>
+        <translation>शोर भी रहता है</translation>
+    </message>
+    <message>
+        <source>Classes 7 and 18 are marked as noise</source>
+        <translation>वर्ग 7 और 18 शोर के रूप में चिह्नित हैं</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>से</translation>
+    </message>
+    <message>
+        <source>Lowest intensity that stays, as stored</source>
+        <translation>सबसे कम तीव्रता जो रहती है, जैसी सहेजी गई</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>तक</translation>
+    </message>
+    <message>
+        <source>Highest intensity that stays, as stored</source>
+        <translation>सबसे अधिक तीव्रता जो रहती है, जैसी सहेजी गई</translation>
+    </message>
+    <message>
+        <source>Of points with equal coordinates the first stays.</source>
+        <translation>समान निर्देशांक वाले बिंदुओं में पहला रहता है।</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>पड़ोसी</translation>
+    </message>
+    <message>
+        <source>How many nearest points are looked at</source>
+        <translation>कितने निकटतम बिंदु देखे जाते हैं</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>विचलन</translation>
+    </message>
+    <message>
+        <source>Points farther from these than the mean and so many standard deviations go</source>
+        <translation>जो बिंदु इनसे औसत और इतने मानक विचलन से अधिक दूर हैं, वे जाते हैं</translation>
+    </message>
+    <message>
+        <source>Radius in</source>
+        <translation>त्रिज्या किसमें</translation>
+    </message>
+    <message>
+        <source>Whether the radius follows the scan&apos;s density</source>
+        <translation>क्या त्रिज्या स्कैन के घनत्व के अनुसार हो</translation>
+    </message>
+    <message>
+        <source>Spacings of the scan</source>
+        <translation>स्कैन के अंतराल</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>मिलीमीटर</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>त्रिज्या</translation>
+    </message>
+    <message>
+        <source>How far neighbours may be</source>
+        <translation>पड़ोसी कितनी दूर हो सकते हैं</translation>
+    </message>
+    <message>
+        <source>Points with fewer neighbours within the radius go</source>
+        <translation>त्रिज्या के भीतर कम पड़ोसी वाले बिंदु जाते हैं</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>गुना</translation>
+    </message>
+    <message>
+        <source>Points so many times as far from these as the densest of them go</source>
+        <translation>जो बिंदु इनमें सबसे सघन से इतने गुना दूर हैं, वे जाते हैं</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>अंतराल</translation>
+    </message>
+    <message>
+        <source>In every cube of this side one point stays</source>
+        <translation>इस भुजा के हर घन में एक बिंदु रहता है</translation>
+    </message>
+    <message>
+        <source>Its points</source>
+        <translation>उसके बिंदु</translation>
+    </message>
+    <message>
+        <source>What becomes of the plane that holds most points</source>
+        <translation>जिस तल पर सबसे अधिक बिंदु हैं उसका क्या हो</translation>
+    </message>
+    <message>
+        <source>Are left out</source>
+        <translation>छोड़े जाते हैं</translation>
+    </message>
+    <message>
+        <source>Are laid level, with the object above them</source>
+        <translation>समतल रखे जाते हैं, वस्तु ऊपर</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>दूरी</translation>
+    </message>
+    <message>
+        <source>Nearer points are on the plane; 0: twice the scan&apos;s spacing</source>
+        <translation>निकट के बिंदु तल पर हैं; 0: स्कैन के अंतराल का दुगुना</translation>
+    </message>
+    <message>
+        <source>Twice the spacing</source>
+        <translation>अंतराल का दुगुना</translation>
+    </message>
+    <message>
+        <source>How many nearest points a normal is made of</source>
+        <translation>कितने निकटतम बिंदुओं से अभिलंब बनता है</translation>
+    </message>
+    <message>
+        <source>Where they lie</source>
+        <translation>वे कहाँ हैं</translation>
+    </message>
+    <message>
+        <source>How the scans are laid on the reference</source>
+        <translation>स्कैन संदर्भ पर कैसे रखे जाते हैं</translation>
+    </message>
+    <message>
+        <source>As stored</source>
+        <translation>जैसा सहेजा गया</translation>
+    </message>
+    <message>
+        <source>By three picked pairs</source>
+        <translation>तीन चुने हुए जोड़ों से</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>स्वचालित</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>बीज</translation>
+    </message>
+    <message>
+        <source>Another number is another search</source>
+        <translation>दूसरी संख्या दूसरी खोज है</translation>
     </message>
 </context>
 <context>

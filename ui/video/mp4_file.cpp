@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/replaced_file.h"
 #include "core/io/spawn.h"
 #include "ui/video/mp4_boxes.h"
 #include "ui/video/video_file.h"
@@ -122,26 +123,18 @@ std::vector<std::string> repacking(const fs::path& from, const fs::path& to) {
 class Mp4File : public VideoFile {
  public:
   Mp4File(fs::path file, const VideoFormat& format)
-      : program_(findFfmpeg()), file_(std::move(file)), fps_(format.fps) {
+      : program_(findFfmpeg()), file_(std::move(file)), part_(file_), fps_(format.fps) {
     if (program_.empty()) {
       throw WriteError(
           "The program ffmpeg is not installed, which packs videos. Nothing was written. Install "
           "the package ffmpeg, or choose the profile images: a folder of pictures.");
     }
-    part_ = file_;
-    part_ += ".part" + std::to_string(::getpid());
-    out_.reset(::open(part_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+    out_.reset(::open(part_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (out_.get() < 0) {
       throw WriteError("The video \"" + file_.string() +
                        "\" cannot be written: " + std::strerror(errno) + ". Choose another place.");
     }
     start(format);
-  }
-
-  ~Mp4File() override {
-    if (kept_) return;
-    std::error_code ignored;
-    fs::remove(part_, ignored);
   }
 
   void add(const RgbaImage& frame, const Task& task) override {
@@ -173,7 +166,6 @@ class Mp4File : public VideoFile {
     if (::close(::dup(out_.get())) != 0) diskFull(errno);  // Some file systems tell only now.
     out_.reset();
     repack(task);
-    kept_ = true;
   }
 
   std::uint64_t frames() const noexcept override { return frames_; }
@@ -234,13 +226,10 @@ class Mp4File : public VideoFile {
     const auto whole = static_cast<off_t>(boxes_.wholeBytes());
     if (frames_ > 0 && ::ftruncate(out_.get(), whole) == 0) {
       out_.reset();
-      std::error_code error;
-      fs::rename(part_, file_, error);
-      kept_ = !error;
+      part_.keep();
       saved = numberText(std::round(10 * static_cast<double>(frames_) / fps_) / 10) + " s (" +
-              std::to_string(frames_) + " frames) are saved and complete in \"" +
-              (kept_ ? file_ : part_).string() + "\".";
-      kept_ = true;
+              std::to_string(frames_) + " frames) are saved and complete in \"" + file_.string() +
+              "\".";
     }
     throw WriteError("Video stopped: " + why + ". " + saved, "E401");
   }
@@ -258,11 +247,11 @@ class Mp4File : public VideoFile {
   /// Takes as much room again for a moment; where there is none, the fragments are kept as they
   /// are: most players take them, too.
   void repack(const Task& task) {
-    fs::path ordinary = part_;
-    ordinary += ".mp4";
+    fs::path ordinary = part_.path();
+    ordinary += ".mp4";  // Such a name is removed like the other, should this process be killed.
     ChildProcess packer;
     packer.start({.program = program_,
-                  .arguments = repacking(part_, ordinary),
+                  .arguments = repacking(part_.path(), ordinary),
                   .more_environment = {},
                   .fds = {}});
     std::error_code error;
@@ -277,18 +266,16 @@ class Mp4File : public VideoFile {
       throw;
     }
     const bool done = packer.exited() && packer.number() == 0;
-    fs::remove(done ? part_ : ordinary, error);
-    fs::rename(done ? ordinary : part_, file_, error);
-    if (error) {
-      throw WriteError("The video \"" + file_.string() +
-                       "\" cannot take its place: " + error.message() + ".");
-    }
+    if (done) fs::rename(ordinary, part_.path(), error);
+    fs::remove(ordinary, error);
+    part_.keep();
   }
 
-  fs::path program_, file_, part_;
+  fs::path program_, file_;
+  ReplacedFile part_;
   double fps_;
   OwnedFd out_, in_, encoded_, words_;  // Ours.
-  bool words_open_ = true, kept_ = false;
+  bool words_open_ = true;
   std::string said_;
   Mp4Boxes boxes_;
   std::vector<std::uint8_t> raw_;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <png.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +9,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/base/replaceable.h"
+#include "core/io/replaced_file.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 
@@ -98,22 +97,16 @@ void writeRows(const std::filesystem::path& file, const PngShape& shape,
   for (int row = 0; row < shape.height; ++row) {
     rows.push_back(bytes.data() + row_bytes * static_cast<std::size_t>(row));
   }
-  requireReplaceable(file);
-  std::filesystem::path part = file;
-  part += ".part" + std::to_string(getpid());
-  std::FILE* const out = std::fopen(part.c_str(), "wb");
+  ReplacedFile replaced(file);
+  std::FILE* const out = std::fopen(replaced.path().c_str(), "wb");
   const bool opened = out != nullptr;
   const bool encoded = opened && encode(out, shape, rows.data(), entries);
   const bool closed = opened && std::fclose(out) == 0;
-  std::error_code error;
-  if (encoded && closed) {
-    std::filesystem::rename(part, file, error);
-    if (!error) return;
+  if (!encoded || !closed) {
+    throw WriteError("Cannot write the picture '" + file.string() + "' (" + std::strerror(errno) +
+                     "). Choose another folder or free some space.");
   }
-  const std::string reason = error ? error.message() : std::strerror(errno);
-  if (opened) std::filesystem::remove(part, error);
-  throw WriteError("Cannot write the picture '" + file.string() + "' (" + reason +
-                   "). Choose another folder or free some space.");
+  replaced.keep();
 }
 
 }  // namespace

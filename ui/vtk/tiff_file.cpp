@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <tiffio.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -9,7 +8,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/base/replaceable.h"
+#include "core/io/replaced_file.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo {
@@ -68,15 +67,13 @@ void describe(TIFF* tiff, const TiffShape& shape, const PictureText& text) {
 
 void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t* bytes,
                const PictureText& text) {
-  requireReplaceable(file);
+  ReplacedFile replaced(file);
   TIFFSetErrorHandler(beQuiet);
   TIFFSetWarningHandler(beQuiet);
-  fs::path part = file;
-  part += ".part" + std::to_string(getpid());
   bool good = shape.width > 0 && shape.height > 0;
   errno = 0;
   if (good) {
-    const TiffFile tiff(TIFFOpen(part.c_str(), "w"));
+    const TiffFile tiff(TIFFOpen(replaced.path().c_str(), "w"));
     good = tiff != nullptr;
     if (good) describe(tiff.get(), shape, text);
     const std::size_t row_bytes = static_cast<std::size_t>(shape.width) *
@@ -88,16 +85,13 @@ void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t*
     }
     good = good && TIFFFlush(tiff.get()) == 1;
   }
-  std::string reason = errno == 0 ? std::string() : std::string(" (") + std::strerror(errno) + ")";
-  std::error_code error;
-  if (good) {
-    fs::rename(part, file, error);
-    if (!error) return;
-    reason = " (" + error.message() + ")";
+  if (!good) {
+    const std::string reason =
+        errno == 0 ? std::string() : std::string(" (") + std::strerror(errno) + ")";
+    throw WriteError("Cannot write the picture '" + file.string() + "'" + reason +
+                     ". Choose another folder or free some space.");
   }
-  fs::remove(part, error);
-  throw WriteError("Cannot write the picture '" + file.string() + "'" + reason +
-                   ". Choose another folder or free some space.");
+  replaced.keep();
 }
 
 }  // namespace
