@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The thread: starts, ticks, fades, joins, and says what the system refused. No timed assertions.
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,6 +15,7 @@
 #include "core/base/error.h"
 #include "haptics/device/mouse_device.h"
 #include "haptics/device/scripted_device.h"
+#include "haptics/device/virtual_hand.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/loop/watchdog.h"
 #include "haptics/record/sample_drain.h"
@@ -140,11 +143,30 @@ TEST(HapticLoop, SendsZeroInTheFirstTickAfterForcesAreSwitchedOff) {
   EXPECT_LT(audit.zero_demanded, audit.ticks);
 }
 
-/// Blocks once in an exchange while it shows a force, as a stuck bus does, and remembers the calls.
+/// A device as a person would hold it.
+class Held : public Device {
+ public:
+  Held() {
+    info_.id = info_.name = "held";
+    info_.max_force_n = 5;
+  }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  void open() override {}
+  void close() noexcept override {}
+  void send(DeviceN, std::int64_t) RELIEVO_REALTIME override {}
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override {
+    return {{}, 0, now_ns, DeviceFault::none};
+  }
+
+ private:
+  DeviceInfo info_;
+};
+
+/// Blocks once while it sends a force, as a stuck bus does, and remembers the calls.
 class StuckDevice : public ScriptedDevice {
  public:
   StuckDevice() : ScriptedDevice(pressAfterRising(), 8) {}
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
+  void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
     if (after_stall_ == 0) {
       first_ = force;
       after_stall_ = 1;
@@ -155,19 +177,28 @@ class StuckDevice : public ScriptedDevice {
       while (!cut_.load() && monotonicNs() < give_up_ns) sleepUntil(monotonicNs() + 1'000'000);
       stalled_ns_ = monotonicNs() - now_ns;
       sleepUntil(now_ns + 40'000'000);
+      sleepUntil(monotonicNs() + 10'000'000);  // Five more looks of the watchdog at least.
+      cuts_of_stall_ = cuts_.load();
       after_stall_ = 0;
     }
-    return ScriptedDevice::exchange(force, now_ns);
+    ScriptedDevice::send(force, now_ns);
   }
-  void cutForce() noexcept override { cut_.store(true); }
+  void cutForce() noexcept override {
+    cut_.store(true);
+    cuts_.fetch_add(1);
+  }
+  int cuts() const { return cuts_.load(); }
 
   // [loop stopped]
+  int cutsOfTheStall() const { return cuts_of_stall_; }
   bool wasCut() const { return cut_.load(); }
   DeviceN firstAfterStall() const { return first_; }
   std::int64_t stalledNs() const { return stalled_ns_; }
 
  private:
   std::atomic<bool> cut_{false};
+  std::atomic<int> cuts_{0};
+  int cuts_of_stall_ = 0;
   int after_stall_ = -1;  // -1: no stall yet, 0: just over, 1: past.
   DeviceN first_{1, 1, 1};
   std::int64_t stalled_ns_ = 0;
@@ -180,19 +211,26 @@ TEST(HapticLoop, AWatchdogCutsTheForceOfAStuckExchangeAndTheNextFrameIsZero) {
   showFlat(loop, 8);
   loop.options().write(fullForces());
   loop.start();
-  const HapticSample resumed = waitFor(loop, [](const HapticSample& s) { return s.resumed; });
+  // A pause of the whole computer resumes as well: the one after the cut is meant.
+  const HapticSample resumed =
+      waitFor(loop, [stuck](const HapticSample& s) { return s.resumed && stuck->wasCut(); });
   EXPECT_EQ(resumed.force, DeviceN{}) << "the force computed next is zero, too";
   EXPECT_EQ(resumed.engaged, EngagePhase::rising);
   DeviceN before;
+  std::int64_t last_ns = resumed.time_ns;
   for (int i = 0; i < 50; ++i) {
     const HapticSample s = waitFor(loop, [](const HapticSample&) { return true; });
+    last_ns = s.time_ns;
     if (!s.resumed) {
       EXPECT_LE(norm(s.force - before), 0.02 + 1e-9) << "and rises gently";
     }
     before = s.force;
   }
+  // Each tick waits for its own deadline on the grid: what was missed is not made up in a burst.
+  EXPECT_GE(last_ns - resumed.time_ns, 49'000'000 - 1'000'000);
   loop.stop();
   EXPECT_TRUE(stuck->wasCut());
+  EXPECT_EQ(stuck->cutsOfTheStall(), 1) << "one cut per stall";
   EXPECT_GE(stuck->stalledNs(), Watchdog::kStallNs) << "not before it was a stall";
   EXPECT_EQ(stuck->firstAfterStall(), DeviceN{});
   loop.stats().update();
@@ -201,6 +239,44 @@ TEST(HapticLoop, AWatchdogCutsTheForceOfAStuckExchangeAndTheNextFrameIsZero) {
   EXPECT_GE(stats.pauses, 1U);
   EXPECT_GE(stats.worst_period_ms, 40) << "no tick of the stall is made up for";
   EXPECT_EQ(stats.audit.violations(), 0U);
+}
+
+/// Where the kernel grants priorities at all.
+class Prioritized : public StuckDevice {
+ public:
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override {
+    loop_.store(priority());
+    return StuckDevice::read(now_ns);
+  }
+  void cutForce() noexcept override {
+    watchdog_.store(priority());
+    StuckDevice::cutForce();
+  }
+  int loopPriority() const { return loop_.load(); }
+  int watchdogPriority() const { return watchdog_.load(); }
+
+ private:
+  static int priority() {
+    sched_param parameters{};
+    int policy = 0;
+    pthread_getschedparam(pthread_self(), &policy, &parameters);
+    return policy == SCHED_OTHER ? 0 : parameters.sched_priority;
+  }
+  std::atomic<int> loop_{0}, watchdog_{0};
+};
+
+TEST(HapticLoop, TheWatchdogIsMoreUrgentThanTheLoopThatItWatches) {
+  auto device = std::make_unique<Prioritized>();
+  const Prioritized* prioritized = device.get();
+  HapticLoop loop(std::move(device));
+  showFlat(loop, 8);
+  loop.options().write(fullForces());
+  loop.start();
+  if (!loop.realtime().realtime) GTEST_SKIP() << loop.realtime().note;
+  waitFor(loop, [&](const HapticSample&) { return prioritized->wasCut(); });
+  loop.stop();
+  // A loop that spins at the watchdog's own priority would never let it run.
+  EXPECT_GT(prioritized->watchdogPriority(), prioritized->loopPriority());
 }
 
 TEST(HapticLoop, AWatchdogLeavesARunningLoopAlone) {
@@ -232,6 +308,92 @@ TEST(HapticLoop, TicksOnWhileItsOwnerIsBlocked) {
   EXPECT_GT(seconds, 1);
   EXPECT_GT(static_cast<double>(seen), 100 * seconds);
   EXPECT_LT(static_cast<double>(seen), 1001 * seconds + 2);
+}
+
+/// Presses, and holds these buttons once the hand feels the force: after a pause of the whole
+/// computer forces rise anew, so a count of ticks would not do.
+class HoldsWhatItFeels : public ScriptedDevice {
+ public:
+  explicit HoldsWhatItFeels(std::uint32_t buttons)
+      : ScriptedDevice(pressAfterRising(), 8), buttons_(buttons) {}
+  void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
+    if (force.z > 4) felt_ = true;
+    ScriptedDevice::send(force, now_ns);
+  }
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override {
+    DeviceReading reading = ScriptedDevice::read(now_ns);
+    if (felt_) reading.buttons = buttons_;
+    return reading;
+  }
+
+ private:
+  std::uint32_t buttons_;
+  bool felt_ = false;
+};
+
+TEST(HapticLoop, AHeldCentreStopsTheForcesWhileTheOwnerIsBlocked) {
+  constexpr std::uint32_t kCentre = 1U << 2U;
+  HapticLoop loop(std::make_unique<HoldsWhatItFeels>(kCentre));
+  showFlat(loop, 8);
+  loop.options().write(fullForces());
+  loop.start();
+  const HapticSample pressed =
+      waitFor(loop, [](const HapticSample& s) { return s.buttons == kCentre; });
+  // Nobody but the loop does anything.
+  sleepUntil(pressed.time_ns + 1'700'000'000);
+  std::int64_t before_ns = pressed.time_ns;
+  const HapticSample zero = waitFor(loop, [&before_ns](const HapticSample& s) {
+    if (s.stopped == StopReason::held) return true;
+    before_ns = s.time_ns;
+    return false;
+  });
+  loop.stop();
+  EXPECT_EQ(zero.force, DeviceN{}) << "in the tick in which it has been held for so long";
+  const auto since = [&](std::int64_t ns) {
+    return 1e-9 * static_cast<double>(ns - pressed.time_ns);
+  };
+  EXPECT_GE(since(zero.time_ns), ForceStop::kHeldS);
+  EXPECT_LT(since(before_ns), ForceStop::kHeldS);
+  RecordProperty("press_to_zero_ms", static_cast<int>(1e3 * since(zero.time_ns)));
+}
+
+TEST(HapticLoop, ForcesFadeOutWhenTheWindowSaysNothing) {
+  HapticLoop loop(std::make_unique<ScriptedDevice>(pressAfterRising(), 8));
+  showFlat(loop, 8);
+  HapticOptions options = fullForces();
+  // Longer than a busy computer keeps this thread from running.
+  options.stop.window_silence_s = 1;
+  loop.options().write(options);
+  loop.start();
+  const auto aliveUntil = [&loop](const auto& holds) {
+    return waitFor(loop, [&](const HapticSample& s) {
+      loop.sayAlive();
+      return holds(s);
+    });
+  };
+  const HapticSample pressed = aliveUntil([](const HapticSample& s) { return s.force.z > 4; });
+  EXPECT_EQ(pressed.stopped, StopReason::none);
+  const std::int64_t last_word_ns = monotonicNs();
+  sleepUntil(last_word_ns + 1'800'000'000);
+  std::int64_t last_felt_ns = 0, first_ns = 0;
+  DeviceN last;
+  for (HapticSample s; loop.samples().pop(s);) {
+    if (s.stopped == StopReason::window_silent && first_ns == 0) first_ns = s.time_ns;
+    if (!(s.force == DeviceN{})) last_felt_ns = s.time_ns;
+    last = s.force;
+  }
+  loop.stop();
+  EXPECT_EQ(last, DeviceN{});
+  EXPECT_GT(first_ns, last_word_ns + 1'000'000'000 - 50'000'000);
+  EXPECT_LE(last_felt_ns, first_ns + 500'000'000) << "0.5 s later it is zero";
+}
+
+TEST(HapticLoop, OnlyASimulatedDeviceGetsTheBareSpring) {
+  const LoopOptions bare{.chain = ForceChain::bare};
+  EXPECT_THROW(HapticLoop(std::make_unique<MouseDevice>(), bare), ArgumentError);
+  EXPECT_THROW(HapticLoop(std::make_unique<Held>(), bare), ArgumentError);
+  EXPECT_NO_THROW(HapticLoop(std::make_unique<VirtualHand>(), bare));
+  EXPECT_NO_THROW(HapticLoop(std::make_unique<ScriptedDevice>(pressAfterRising(), 8), bare));
 }
 
 TEST(HapticLoop, RefusesToRunWithoutADevice) {
@@ -297,7 +459,7 @@ TEST(Realtime, MemoryThatCannotBeLockedIsSaidInWords) {
   EXPECT_NE(said.find("memlock"), std::string::npos) << "and what helps: " << said;
 }
 
-/// A device that waits for memory in each exchange: it touches a page that nobody has touched.
+/// A device that waits for memory in each reading: it touches a page that nobody has touched.
 class FaultingDevice : public MouseDevice {
  public:
   FaultingDevice()
@@ -307,9 +469,9 @@ class FaultingDevice : public MouseDevice {
     ::madvise(pages_, kPages * kPage, MADV_NOHUGEPAGE);
   }
   ~FaultingDevice() override { ::munmap(pages_, kPages * kPage); }
-  DeviceReading exchange(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
+  DeviceReading read(std::int64_t now_ns) RELIEVO_REALTIME override {
     if (next_ < kPages) pages_[kPage * next_++] = 1;
-    return MouseDevice::exchange(force, now_ns);
+    return MouseDevice::read(now_ns);
   }
 
  private:
