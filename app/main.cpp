@@ -84,19 +84,18 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
                                 ? MainWindow::tr("the haptics plugin was not found.")
                                 : plugins.problems().join(' '));
   }
-  if (!options.file.empty()) {
+  QStringList files;
+  for (const std::string& file : options.files) files << QFile::decodeName(file.c_str());
+  if (options.saysHow() && files.size() == 1) {
     OpenRequest request;
-    request.file = QFile::decodeName(options.file.c_str());
+    request.file = files.front();
     request.unit = options.unit;
     request.view = options.view;
     request.detail = options.detail;
     request.region = options.region;
-    const bool as_asked = request.unit || request.view || request.detail || request.region;
-    if (as_asked) {
-      window.open(request);
-    } else {
-      window.open(request.file);  // A project or a picture brings its own state.
-    }
+    window.open(request);
+  } else if (!files.isEmpty()) {
+    window.openPaths(files);
   }
   const int status = QApplication::exec();
   app.tellTo({});  // The window goes first.

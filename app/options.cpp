@@ -51,8 +51,7 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     std::string option = arguments[i];
     if (option.empty() || option.front() != '-') {
-      if (!options.file.empty()) refuse("Only one file can be open; '" + option + "' is a second.");
-      options.file = option;
+      options.files.push_back(option);
       continue;
     }
     std::optional<std::string> attached;
@@ -92,11 +91,15 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
       refuse("There is no option '" + option + "'.");
     }
   }
+  if (options.files.size() > 1 && options.saysHow()) {
+    refuse("--unit, --view, --detail and --region belong to one file; several are joined first.");
+  }
   return options;
 }
 
 std::string windowHelp() {
   return "relievo [FILE]   opens the window; VERB ... works without one (relievo VERB --help)\n"
+         "relievo FILE...  several scans of one object, or a folder of them: to be joined\n"
          "\n"
          "  --unit mm|cm|m|in|ft|us-ft   length unit of the file's coordinates\n"
          "  --view NAME                  front, back, left, right, top, bottom or auto\n"

@@ -13,7 +13,7 @@ namespace relievo {
 
 /// What the command line says about the window (verbs are app/batch's).
 struct WindowOptions {
-  std::string file;  ///< Empty: the start page.
+  std::vector<std::string> files;  ///< Empty: the start page; several: scans of one object.
   std::optional<LengthUnit> unit;
   std::optional<ViewChoice> view;
   std::optional<int> detail;
@@ -22,10 +22,14 @@ struct WindowOptions {
   bool safe_mode = false;
   bool help = false;
   bool version = false;
+
+  /// How the file is to be opened; a project or picture says so itself.
+  bool saysHow() const { return unit || view || detail || region; }
 };
 
 /// @param arguments  without the program's name
-/// @throw ArgumentError  unknown option, missing or malformed value, or more than one file
+/// @throw ArgumentError  unknown option, missing or malformed value, or what is said of one
+///                       file beside several
 WindowOptions parseWindowOptions(const std::vector<std::string>& arguments);
 
 /// The text of --help.

@@ -397,10 +397,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
   }
   if (files.size() < urls.size()) {
     strip_->show(tr("Only files on this computer can be opened. Nothing was opened."));
-  } else if (files.size() == 1 && QFileInfo(files.front()).isDir()) {
-    openFolder(files.front());
   } else {
-    openTogether(files);
+    openPaths(files);
   }
 }
 

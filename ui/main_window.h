@@ -91,6 +91,8 @@ class MainWindow : public QMainWindow {
   /// Several scans of one object: the dialog Prepare joins them into the one that is opened.
   void openTogether(const QStringList& files);
   void openFolder(const QString& folder);
+  /// What was dropped or named when the program started: a folder, a file, or several.
+  void openPaths(const QStringList& paths);
   /// The present state, as projects and figures keep it.
   Project project();
   /// Brings a state back; `from` is the project or picture it came from.

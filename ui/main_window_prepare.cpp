@@ -79,6 +79,14 @@ void MainWindow::openFolder(const QString& folder) {
   openTogether(files);
 }
 
+void MainWindow::openPaths(const QStringList& paths) {
+  if (paths.size() == 1 && QFileInfo(paths.front()).isDir()) {
+    openFolder(paths.front());
+  } else {
+    openTogether(paths);
+  }
+}
+
 void MainWindow::openTogether(const QStringList& files) {
   if (files.size() == 1) {
     open(files.front());

@@ -55,6 +55,14 @@ Classes classesOf(const std::string& text) {
   return step;
 }
 
+Returns returnsOf(const std::string& text) {
+  const auto* const known = std::find(kReturnNames.begin(), kReturnNames.end(), text);
+  if (known == kReturnNames.end()) {
+    throw ArgumentError("--returns: '" + text + "' is none of first, last and single.");
+  }
+  return {static_cast<ReturnChoice>(known - kReturnNames.begin())};
+}
+
 Lonely lonelyOf(const std::string& text) {
   constexpr std::string_view kAuto = "auto,";
   if (text.starts_with(kAuto)) {
@@ -142,6 +150,7 @@ std::vector<Step> stepsOf(const PrepareArguments& a) {
   std::vector<Step> steps;
   if (!a.crop.empty()) steps.emplace_back(cropOf(a.crop));
   if (!a.classes.empty()) steps.emplace_back(classesOf(a.classes));
+  if (!a.returns.empty()) steps.emplace_back(returnsOf(a.returns));
   if (!a.intensity.empty()) {
     const std::vector<double> range = numberList("--intensity", a.intensity, 2);
     steps.emplace_back(Intensities{.low = range[0], .high = range[1]});
@@ -165,9 +174,10 @@ std::vector<Step> stepsOf(const PrepareArguments& a) {
 
 /// The option that would give a step.
 std::string stepOption(const PrepareArguments& a) {
-  const std::array<std::pair<const char*, bool>, 14> given{
+  const std::array<std::pair<const char*, bool>, 15> given{
       {{"--crop", !a.crop.empty()},
        {"--classes", !a.classes.empty()},
+       {"--returns", !a.returns.empty()},
        {"--intensity", !a.intensity.empty()},
        {"--drop-duplicates", a.drop_duplicates},
        {"--clean", a.clean},
@@ -205,6 +215,8 @@ void addStepOptions(CLI::App& verb, PrepareArguments& a) {
                             "X0,Y0,Z0,X1,Y1,Z1: keep this box, in the file's coordinates"),
             6, {.low = -kFarMm, .high = kFarMm});
   verb.add_option("--classes", a.classes, "Keep these LAS classes, such as 2,6");
+  verb.add_option("--returns", a.returns,
+                  "first, last or single: keep these returns of a pulse (LAS)");
   takesList(
       verb.add_option("--intensity", a.intensity, "LOW,HIGH: keep points of this stored intensity"),
       2, {.low = -1e12, .high = 1e12});

@@ -21,7 +21,7 @@ struct PrepareArguments {
   std::vector<std::string> files;  ///< Empty: as the recipe names them.
   std::string recipe;              ///< Empty: from the options below.
   std::string unit;                ///< Of all scans; empty: as each file says.
-  std::string crop, classes, intensity, outliers, lonely, sparse, align, base;
+  std::string crop, classes, returns, intensity, outliers, lonely, sparse, align, base;
   bool drop_duplicates = false, clean = false;
   std::optional<unsigned> reference, seed;
   std::optional<double> thin_mm;

@@ -34,6 +34,7 @@ Scan partOf(const Scan& scan, const std::vector<std::uint8_t>& keep) {
   part.colours = partOfList(scan.colours, kept, keeps_point);
   part.intensities = partOfList(scan.intensities, kept, keeps_point);
   part.classes = partOfList(scan.classes, kept, keeps_point);
+  part.returns = partOfList(scan.returns, kept, keeps_point);
   part.parts = partOfList(scan.parts, kept, keeps_point);
   part.triangles = partOfList(scan.triangles, 0, keeps_triangle);
   part.texture_corners = partOfList(scan.texture_corners, 0, keeps_triangle);

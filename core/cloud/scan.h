@@ -85,6 +85,7 @@ struct Scan {
   std::vector<Rgba> colours;
   std::vector<std::uint16_t> intensities;  ///< As info.intensity says.
   std::vector<std::uint8_t> classes;       ///< Of LAS.
+  std::vector<std::uint8_t> returns;       ///< Of LAS: number of the return | returns of it << 4.
   std::vector<std::uint8_t> parts;         ///< Index into info.parts.
 
   // What it says of each triangle: empty, or as long as `triangles`.

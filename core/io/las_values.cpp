@@ -29,6 +29,7 @@ LasPlaces lasPlaces(int point_format) noexcept {
     places.classification = 16;
     places.class_bits = 0xFF;
     places.withheld_bit = 0x04;
+    places.return_bits = 4;
   }
   return places;
 }
@@ -37,11 +38,12 @@ bool LasSurvey::look(const char* record) noexcept {
   intensities_ = intensities_ || wordAt(record + kLasIntensityAt) != 0;
   classes_ = classes_ ||
              (static_cast<std::uint8_t>(record[places_.classification]) & places_.class_bits) != 0;
+  returns_ = returns_ || isOneOfSeveral(returnsOf(record, places_));
   if (places_.colour) {
     const char* const at = record + *places_.colour;
     most_colour_ = std::max({most_colour_, wordAt(at), wordAt(at + 2), wordAt(at + 4)});
   }
-  return !(intensities_ && classes_ && (!places_.colour || hasWords()));
+  return !(intensities_ && classes_ && returns_ && (!places_.colour || hasWords()));
 }
 
 LasPointMaker::LasPointMaker(const LasHeader& header, const std::optional<LasSurvey>& survey,
@@ -54,6 +56,7 @@ LasPointMaker::LasPointMaker(const LasHeader& header, const std::optional<LasSur
       colours_(survey ? survey->hasColours() : places_.colour.has_value()),
       intensities_(!survey || survey->hasIntensities()),
       classes_(!survey || survey->hasClasses()),
+      returns_(!survey || survey->hasReturns()),
       surveyed_(survey.has_value()),
       colour_shift_(survey && survey->hasWords() ? 8 : 0) {
   builder.expectPoints(count);
@@ -67,6 +70,7 @@ LasPointMaker::LasPointMaker(const LasHeader& header, const std::optional<LasSur
     builder.info().intensity = IntensityRange{0, 65535};
   }
   if (classes_) builder.expectClasses(count);
+  if (returns_) builder.expectReturns(count);
 }
 
 void LasPointMaker::add(const char* record) {
@@ -103,11 +107,17 @@ void LasPointMaker::add(const char* record) {
     any_class_ = any_class_ || number != 0;
     builder_.addClass(number);
   }
+  if (returns_) {
+    const std::uint8_t packed = returnsOf(record, places_);
+    any_returns_ = any_returns_ || isOneOfSeveral(packed);
+    builder_.addReturn(packed);
+  }
 }
 
 void LasPointMaker::finish() {
   if (!any_intensity_) builder_.dropIntensities();
   if (!any_class_) builder_.dropClasses();
+  if (!any_returns_) builder_.dropReturns();
   ScanInfo& info = builder_.info();
   info.withheld = withheld_;
   if (withheld_ == 0) return;

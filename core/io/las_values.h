@@ -17,15 +17,29 @@ struct LasPlaces {
   std::size_t classification = 15;
   std::uint8_t class_bits = 0x1F;    ///< Of the byte there.
   std::uint8_t withheld_bit = 0x80;  ///< Of byte kLasFlagsAt.
+  unsigned return_bits = 3;          ///< Of byte kLasReturnsAt: of the number; that of all follows.
 };
 LasPlaces lasPlaces(int point_format) noexcept;
 
 inline constexpr std::size_t kLasIntensityAt = 12;  ///< 16 bits.
+inline constexpr std::size_t kLasReturnsAt = 14;
 inline constexpr std::size_t kLasFlagsAt = 15;
 
 /// Marked as not to be used?
 inline bool isWithheld(const char* record, const LasPlaces& places) noexcept {
   return (static_cast<std::uint8_t>(record[kLasFlagsAt]) & places.withheld_bit) != 0;
+}
+
+/// As Scan::returns.
+inline std::uint8_t returnsOf(const char* record, const LasPlaces& places) noexcept {
+  const auto byte = static_cast<std::uint8_t>(record[kLasReturnsAt]);
+  const unsigned mask = (1U << places.return_bits) - 1;
+  return static_cast<std::uint8_t>((byte & mask) | (byte >> places.return_bits & mask) << 4U);
+}
+
+/// Several returns of one pulse? Files without any store 0 or 1 everywhere.
+inline bool isOneOfSeveral(std::uint8_t packed) noexcept {
+  return packed >> 4U > 1 || (packed & 15U) > 1;
 }
 
 /// What the records of one file hold, found before the first is read: whether colours have 8 or 16
@@ -41,11 +55,12 @@ class LasSurvey {
   bool hasWords() const noexcept { return most_colour_ > 255; }  ///< 16 bits.
   bool hasIntensities() const noexcept { return intensities_; }
   bool hasClasses() const noexcept { return classes_; }
+  bool hasReturns() const noexcept { return returns_; }
 
  private:
   LasPlaces places_;
   std::uint16_t most_colour_ = 0;
-  bool intensities_ = false, classes_ = false;
+  bool intensities_ = false, classes_ = false, returns_ = false;
 };
 
 /// Turns records into points of `builder`, with what they hold beside coordinates.
@@ -64,8 +79,9 @@ class LasPointMaker {
   const LasHeader& header_;
   LasPlaces places_;
   ScanBuilder& builder_;
-  bool keep_withheld_ = false, colours_ = false, intensities_ = false, classes_ = false;
-  bool surveyed_ = false, any_intensity_ = false, any_class_ = false;
+  bool keep_withheld_ = false;
+  bool colours_ = false, intensities_ = false, classes_ = false, returns_ = false;
+  bool surveyed_ = false, any_intensity_ = false, any_class_ = false, any_returns_ = false;
   unsigned colour_shift_ = 0;
   std::uint64_t withheld_ = 0;
 };

@@ -119,6 +119,10 @@ void ScanBuilder::expectClasses(std::uint64_t count) {
   reserveLarge(scan_.classes, static_cast<std::size_t>(std::min(count, max_points_)));
 }
 
+void ScanBuilder::expectReturns(std::uint64_t count) {
+  reserveLarge(scan_.returns, static_cast<std::size_t>(std::min(count, max_points_)));
+}
+
 void ScanBuilder::beginPart(ScanPart part) {
   if (part_starts_.size() >= kMostParts) {
     if (scan_.info.parts.back().name != kLaterParts) {

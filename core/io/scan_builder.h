@@ -57,6 +57,7 @@ class ScanBuilder {
   void expectColours(std::uint64_t count, bool bytes);
   void expectIntensities(std::uint64_t count, bool words);
   void expectClasses(std::uint64_t count);
+  void expectReturns(std::uint64_t count);
 
   void addColour(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
     if (scan_.colours.size() + 1 < keptCount()) scan_.colours.resize(keptCount() - 1);
@@ -76,6 +77,7 @@ class ScanBuilder {
     wide_intensities_.push_back(intensity);
   }
   void addClass(std::uint8_t number) { scan_.classes.push_back(number); }
+  void addReturn(std::uint8_t packed) { scan_.returns.push_back(packed); }
   /// Points from here on belong to this new part; from the 256th on all to that one. A file of one
   /// part, without a viewpoint, needs none.
   void beginPart(ScanPart part);
@@ -86,6 +88,7 @@ class ScanBuilder {
     wide_intensities_ = {};
   }
   void dropClasses() { scan_.classes = {}; }
+  void dropReturns() { scan_.returns = {}; }
   void dropColours() {
     scan_.colours = {};
     wide_colours_ = {};

@@ -27,7 +27,7 @@ namespace relievo {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x32'6F'76'65'69'6C'65'72;  // "relievo2"
-constexpr std::size_t kArrays = 9;
+constexpr std::size_t kArrays = 10;
 constexpr std::uint32_t kMostTexels = 16384;  ///< Of a side.
 constexpr std::uint64_t kMaxTextBytes = 1 << 24;
 constexpr std::size_t kCheckEvery = 1 << 22;
@@ -249,7 +249,8 @@ bool valuesConsistent(const Scan& scan, const Task& task) {
   const auto fits = [](std::size_t list, std::size_t all) { return list == 0 || list == all; };
   const std::size_t points = scan.points.size(), triangles = scan.triangles.size();
   if (!fits(scan.colours.size(), points) || !fits(scan.intensities.size(), points) ||
-      !fits(scan.classes.size(), points) || !fits(scan.parts.size(), points) ||
+      !fits(scan.classes.size(), points) || !fits(scan.returns.size(), points) ||
+      !fits(scan.parts.size(), points) ||
       !fits(scan.texture_of.size(), triangles) ||
       scan.texture_corners.size() != scan.texture_of.size() ||
       scan.intensities.empty() == scan.info.intensity.has_value() ||
@@ -390,7 +391,8 @@ WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, co
   if (!unpack(unpacker, scan.info) || !isFinite(scan.origin) || !taken(0, scan.points) ||
       !taken(1, scan.triangles) || !taken(2, scan.colours) || !taken(3, scan.intensities) ||
       !taken(4, scan.classes) || !taken(5, scan.parts) || !taken(6, scan.texture_corners) ||
-      !taken(7, scan.texture_of) || !takeTextures(fd, header, unpacker, scan, task) ||
+      !taken(7, scan.texture_of) || !taken(8, scan.returns) ||
+      !takeTextures(fd, header, unpacker, scan, task) ||
       !consistent(scan, task)) {
     return {};
   }
@@ -427,7 +429,7 @@ void sendAnswer(int fd, const Scan& scan) {
   const std::array<std::span<const std::byte>, kArrays - 1> arrays{
       bytes(scan.points),          bytes(scan.triangles), bytes(scan.colours),
       bytes(scan.intensities),     bytes(scan.classes),   bytes(scan.parts),
-      bytes(scan.texture_corners), bytes(scan.texture_of)};
+      bytes(scan.texture_corners), bytes(scan.texture_of), bytes(scan.returns)};
   send(fd, AnswerKind::scan, textOf(scan), arrays, scan.textures);
 }
 

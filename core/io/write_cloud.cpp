@@ -83,6 +83,7 @@ class CloudWriter {
     properties(some_without_colour_, {"uchar alpha"});
     properties(intensities_, {"float intensity"});
     properties(!scan_.classes.empty(), {"uchar classification"});
+    properties(!scan_.returns.empty(), {"uchar return_number", "uchar number_of_returns"});
     properties(parts_, {"uchar part"});
     if (!scan_.triangles.empty()) {
       text += "element face " + std::to_string(scan_.triangles.size()) +
@@ -112,6 +113,11 @@ class CloudWriter {
       add(static_cast<float>(low + (high - low) * scan_.intensities[i] / 65535), block);
     }
     if (!scan_.classes.empty()) add(scan_.classes[i], block);
+    if (!scan_.returns.empty()) {
+      const unsigned packed = scan_.returns[i];
+      add(static_cast<std::uint8_t>(packed & 15U), block);
+      add(static_cast<std::uint8_t>(packed >> 4U), block);
+    }
     if (parts_) add(scan_.parts[i], block);
   }
 

@@ -15,6 +15,7 @@ constexpr std::size_t kCheckEvery = 1U << 18U;
 constexpr std::uint32_t kGone = std::numeric_limits<std::uint32_t>::max();
 constexpr Rgba kNoColour{0, 0, 0, 0};
 constexpr std::uint8_t kNeverClassified = 0;
+constexpr std::uint8_t kOnlyReturn = 0x11;  // The first of one.
 
 class Assembly {
  public:
@@ -28,6 +29,7 @@ class Assembly {
     has_colours_ = any(&Scan::colours);
     has_intensities_ = any(&Scan::intensities);
     has_classes_ = any(&Scan::classes);
+    has_returns_ = any(&Scan::returns);
     has_parts_ = scans.size() > 1 || any(&Scan::parts);
     has_textures_ = any(&Scan::texture_of);
   }
@@ -113,6 +115,9 @@ class Assembly {
       if (has_classes_) {
         out_.classes.push_back(scan.classes.empty() ? kNeverClassified : scan.classes[i]);
       }
+      if (has_returns_) {
+        out_.returns.push_back(scan.returns.empty() ? kOnlyReturn : scan.returns[i]);
+      }
       if (has_parts_) {
         const std::size_t part = first_part + (scan.parts.empty() ? 0 : scan.parts[i]);
         out_.parts.push_back(static_cast<std::uint8_t>(part));
@@ -181,8 +186,8 @@ class Assembly {
   const std::vector<Pose>& poses_;
   const PointBits& kept_;
   const Task& task_;
-  bool has_colours_ = false, has_intensities_ = false, has_classes_ = false, has_parts_ = false,
-       has_textures_ = false;
+  bool has_colours_ = false, has_intensities_ = false, has_classes_ = false, has_returns_ = false,
+       has_parts_ = false, has_textures_ = false;
   std::vector<std::uint32_t> new_number_;  ///< Per point of the scan at hand.
   Scan out_;
 };

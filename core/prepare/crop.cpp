@@ -47,4 +47,17 @@ bool keeps(const Classes& step, std::uint8_t class_of_point) noexcept {
   return step.keep_noise || (class_of_point != kLowNoise && class_of_point != kHighNoise);
 }
 
+bool keeps(const Returns& step, std::uint8_t packed) noexcept {
+  const unsigned number = packed & 15U, of = packed >> 4U;
+  switch (step.keep) {
+    case ReturnChoice::first:
+      return number <= 1;
+    case ReturnChoice::last:
+      return number >= of;
+    case ReturnChoice::single:
+      return of <= 1;
+  }
+  return true;
+}
+
 }  // namespace relievo

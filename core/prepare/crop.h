@@ -13,4 +13,7 @@ bool keeps(const CropOutline& step, const FilePoint& p) noexcept;
 /// Does the step keep points of this LAS class?
 bool keeps(const Classes& step, std::uint8_t class_of_point) noexcept;
 
+/// Does the step keep points of this return? @param packed  as Scan::returns
+bool keeps(const Returns& step, std::uint8_t packed) noexcept;
+
 }  // namespace relievo

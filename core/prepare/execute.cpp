@@ -88,6 +88,17 @@ class Executor {
     }
   }
 
+  void operator()(const Returns& step) {
+    for (std::size_t s = 0; s < job_.scans.size(); ++s) {
+      const PrepareScan& scan = job_.scans[s];
+      if (scan.returns.empty()) {
+        notDone(scan.name + " states no pulses with several returns; all its points stay.");
+        continue;
+      }
+      keepIf(s, [&](std::size_t i) { return keeps(step, scan.returns[i]); });
+    }
+  }
+
   void operator()(const Intensities& step) {
     for (std::size_t s = 0; s < job_.scans.size(); ++s) {
       const PrepareScan& scan = job_.scans[s];

@@ -23,6 +23,7 @@ struct PrepareScan {
   double mm_per_unit = 1;
   std::span<const Point3f> points;
   std::span<const std::uint8_t> classes;       ///< Empty: none.
+  std::span<const std::uint8_t> returns;       ///< Empty: none; else as Scan::returns.
   std::span<const std::uint16_t> intensities;  ///< Empty: none; else as `intensity` says.
   std::optional<IntensityRange> intensity;
 };

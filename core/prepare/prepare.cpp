@@ -54,6 +54,7 @@ PrepareJob jobOf(const std::vector<const Scan*>& scans, const Recipe& recipe, Le
                          .mm_per_unit = mmPer(unit),
                          .points = scan->points,
                          .classes = scan->classes,
+                         .returns = scan->returns,
                          .intensities = scan->intensities,
                          .intensity = scan->info.intensity});
   }

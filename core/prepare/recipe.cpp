@@ -56,6 +56,7 @@ class Checker {
     }
   }
   void operator()(const Classes&) const {}
+  void operator()(const Returns&) const {}
   void operator()(const Intensities& s) const {
     number("low", s.low, -kFarthest, kFarthest);
     number("high", s.high, -kFarthest, kFarthest);
@@ -137,7 +138,8 @@ class Checker {
 std::string_view kindOf(const Step& step) noexcept {
   constexpr std::array<std::string_view, std::variant_size_v<Step>> kKinds{
       "crop_box", "crop_outline", "classes", "intensities", "duplicates", "outliers",
-      "lonely",   "sparse",       "thin",    "base",        "normals",    "align"};
+      "lonely",   "sparse",       "thin",    "base",        "normals",    "align",
+      "returns"};
   return kKinds[step.index()];
 }
 

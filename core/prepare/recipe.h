@@ -48,6 +48,17 @@ struct Classes {
   friend bool operator==(const Classes&, const Classes&) = default;
 };
 
+/// Of the places where a pulse of a laser scanner came back: in woods the first is on the trees, the
+/// last mostly on the ground. A pulse that came back once is first, last and single.
+enum class ReturnChoice { first, last, single };
+inline constexpr std::array<std::string_view, 3> kReturnNames{"first", "last", "single"};
+
+/// Keeps points by their number among the returns of a pulse (LAS).
+struct Returns {
+  ReturnChoice keep = ReturnChoice::last;
+  friend bool operator==(const Returns&, const Returns&) = default;
+};
+
 /// Keeps points whose stored intensity is from `low` to `high`, both included.
 struct Intensities {
   double low = 0, high = 0;
@@ -135,7 +146,7 @@ struct Align {
 };
 
 using Step = std::variant<CropBox, CropOutline, Classes, Intensities, Duplicates, Outliers, Lonely,
-                          Sparse, Thin, Base, Normals, Align>;
+                          Sparse, Thin, Base, Normals, Align, Returns>;
 
 /// The steps that leave stray points out of most scans; tests/benchmark/prepare_benchmark holds
 /// them against planted strays.

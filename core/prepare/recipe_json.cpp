@@ -51,6 +51,9 @@ struct ToJson {
     json["keep"] = s.keep;
     json["keep_noise"] = s.keep_noise;
   }
+  void operator()(const Returns& s) const {
+    json["keep"] = kReturnNames.at(static_cast<std::size_t>(s.keep));
+  }
   void operator()(const Intensities& s) const {
     json["low"] = s.low;
     json["high"] = s.high;
@@ -204,6 +207,14 @@ Step classesFrom(const Json& json) {
   return step;
 }
 
+Step returnsFrom(const Json& json) {
+  requireKeys(json, {"kind", "keep"});
+  const auto keep = json.at("keep").get<std::string>();
+  const auto* const known = std::find(kReturnNames.begin(), kReturnNames.end(), keep);
+  if (known == kReturnNames.end()) throw FileError("'keep' is none of first, last and single.");
+  return Returns{static_cast<ReturnChoice>(known - kReturnNames.begin())};
+}
+
 Step intensitiesFrom(const Json& json) {
   requireKeys(json, {"kind", "low", "high"});
   return Intensities{.low = number(json.at("low")), .high = number(json.at("high"))};
@@ -271,6 +282,7 @@ Step stepFrom(const Json& json) {
   if (kind == "crop_outline") return cropOutlineFrom(json);
   if (kind == "classes") return classesFrom(json);
   if (kind == "intensities") return intensitiesFrom(json);
+  if (kind == "returns") return returnsFrom(json);
   if (kind == "outliers") return outliersFrom(json);
   if (kind == "lonely") return lonelyFrom(json);
   if (kind == "sparse") return sparseFrom(json);

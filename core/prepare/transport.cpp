@@ -195,6 +195,7 @@ Json jsonOf(const PrepareScan& scan) {
             {"mm_per_unit", scan.mm_per_unit},
             {"points", scan.points.size()},
             {"classes", scan.classes.size()},
+            {"returns", scan.returns.size()},
             {"intensities", scan.intensities.size()}};
   if (scan.viewpoint) json["viewpoint"] = jsonOf(*scan.viewpoint);
   if (scan.intensity) json["intensity"] = {scan.intensity->low, scan.intensity->high};
@@ -347,6 +348,7 @@ void sendJob(int fd, const PrepareJob& job, const Task& task) {
     file.list(scan.points);
     file.list(scan.classes);
     file.list(scan.intensities);
+    file.list(scan.returns);
   }
   file.finish();
 }
@@ -363,7 +365,9 @@ std::optional<ReceivedJob> receiveJob(int fd) {
       scan.points = file.list<Point3f>(json.at("points").get<std::uint64_t>());
       scan.classes = file.list<std::uint8_t>(json.at("classes").get<std::uint64_t>());
       scan.intensities = file.list<std::uint16_t>(json.at("intensities").get<std::uint64_t>());
+      scan.returns = file.list<std::uint8_t>(json.at("returns").get<std::uint64_t>());
       requireAsMany(scan.classes.size(), scan.points.size());
+      requireAsMany(scan.returns.size(), scan.points.size());
       requireAsMany(scan.intensities.size(), scan.points.size());
     }
     if (received.job.points() > UINT32_MAX - 1 || !file.ended()) return std::nullopt;

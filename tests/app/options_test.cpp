@@ -10,7 +10,7 @@ namespace {
 
 TEST(WindowOptions, NothingGivenMeansTheStartPage) {
   const WindowOptions options = parseWindowOptions({});
-  EXPECT_TRUE(options.file.empty());
+  EXPECT_TRUE(options.files.empty());
   EXPECT_FALSE(options.safe_mode || options.help || options.version);
 }
 
@@ -18,7 +18,7 @@ TEST(WindowOptions, EveryOptionIsReadInBothWaysOfWriting) {
   const WindowOptions options =
       parseWindowOptions({"a b.ply", "--unit", "us-ft", "--view=front", "--detail", "3",
                           "--region=1.5,-2,30,4e1", "--safe-mode"});
-  EXPECT_EQ(options.file, "a b.ply");
+  EXPECT_EQ(options.files, std::vector<std::string>{"a b.ply"});
   EXPECT_EQ(options.unit, LengthUnit::us_ft);
   ASSERT_TRUE(options.view);
   EXPECT_EQ(options.view->name, "front");
@@ -30,11 +30,17 @@ TEST(WindowOptions, EveryOptionIsReadInBothWaysOfWriting) {
   EXPECT_TRUE(options.safe_mode);
 }
 
+TEST(WindowOptions, SeveralFilesAreOpenedTogether) {
+  const WindowOptions options = parseWindowOptions({"one.ply", "--lang", "de", "two.ply"});
+  EXPECT_EQ(options.files, (std::vector<std::string>{"one.ply", "two.ply"}));
+  EXPECT_EQ(options.language, "de");
+}
+
 TEST(WindowOptions, WhatIsNotUnderstoodIsRefusedByName) {
   const std::vector<std::vector<std::string>> wrong{
       {"--colour"},           {"--unit", "parsec"},   {"--unit"},        {"--view", "inside"},
       {"--detail", "two"},    {"--detail", "0"},      {"--region", "1"}, {"--region", "1,2,3,4,5"},
-      {"--region", "1,2,,4"}, {"one.ply", "two.ply"},
+      {"--region", "1,2,,4"}, {"one.ply", "two.ply", "--unit", "m"},
   };
   for (const auto& arguments : wrong) {
     EXPECT_THROW(parseWindowOptions(arguments), ArgumentError) << arguments.front();

@@ -206,6 +206,19 @@ void StepForm::fill(const Classes& step) {
           [this](bool on) { put<Classes>([&](Classes& s) { s.keep_noise = on; }); });
 }
 
+void StepForm::fill(const Returns& step) {
+  auto* kept = field<QComboBox>(tr("Returns that stay"), "returns_keep",
+                                tr("Of each pulse of a laser scanner; one that came back once is "
+                                   "first, last and single"));
+  kept->addItem(tr("First: the tops of trees and roofs"));
+  kept->addItem(tr("Last: mostly the ground"));
+  kept->addItem(tr("Single: pulses that came back once"));
+  kept->setCurrentIndex(static_cast<int>(step.keep));
+  connect(kept, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
+    put<Returns>([&](Returns& s) { s.keep = static_cast<ReturnChoice>(index); });
+  });
+}
+
 void StepForm::fill(const Intensities& step) {
   auto* low = real(tr("From"), "intensity_low", tr("Lowest intensity that stays, as stored"), -kFar,
                    kFar, step.low, {});
@@ -280,6 +293,13 @@ void StepForm::fill(const Sparse& step) {
           [this](int value) { put<Sparse>([&](Sparse& s) { s.neighbours = value; }); });
   connect(factor, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           [this](double value) { put<Sparse>([&](Sparse& s) { s.factor = value; }); });
+  auto* off = real(tr("Off the surface"), "sparse_off_surface",
+                   tr("Then points go that lie so many times as far off the plane of their "
+                      "neighbours as others, at most 0.18 % of them"),
+                   0, 1000, step.off_surface, {});
+  off->setSpecialValueText(tr("Nothing goes"));
+  connect(off, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this](double value) { put<Sparse>([&](Sparse& s) { s.off_surface = value; }); });
 }
 
 void StepForm::fill(const Thin& step) {

@@ -33,6 +33,7 @@ class StepForm : public QWidget {
   void fill(const CropBox& step);
   void fill(const CropOutline& step);
   void fill(const Classes& step);
+  void fill(const Returns& step);
   void fill(const Intensities& step);
   void fill(const Duplicates& step);
   void fill(const Outliers& step);

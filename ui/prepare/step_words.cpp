@@ -32,6 +32,17 @@ QString detailsOf(const Classes& s) {
   for (const int c : s.keep) kept << QString::number(c);
   return kept.isEmpty() ? tr("all but noise") : kept.join(QStringLiteral(", "));
 }
+QString detailsOf(const Returns& s) {
+  switch (s.keep) {
+    case ReturnChoice::first:
+      return tr("first");
+    case ReturnChoice::last:
+      return tr("last");
+    case ReturnChoice::single:
+      return tr("single");
+  }
+  return {};
+}
 QString detailsOf(const Intensities& s) {
   return tr("%1 to %2").arg(number(s.low), number(s.high));
 }
@@ -47,7 +58,10 @@ QString detailsOf(const Lonely& s) {
   return tr("fewer than %1 within %2").arg(s.neighbours).arg(radius);
 }
 QString detailsOf(const Sparse& s) {
-  return tr("%1 neighbours, %2 times").arg(s.neighbours).arg(number(s.factor));
+  const QString sparse = tr("%1 neighbours, %2 times").arg(s.neighbours).arg(number(s.factor));
+  return s.off_surface > 0
+             ? tr("%1, off the surface %2 times").arg(sparse, number(s.off_surface))
+             : sparse;
 }
 QString detailsOf(const Thin& s) {
   return tr("one in %1 mm").arg(number(s.spacing_mm));
@@ -79,6 +93,9 @@ QString calledOf(const CropOutline&) {
 }
 QString calledOf(const Classes&) {
   return tr("Classes of points");
+}
+QString calledOf(const Returns&) {
+  return tr("Returns of a pulse");
 }
 QString calledOf(const Intensities&) {
   return tr("Intensities");
@@ -136,6 +153,7 @@ std::vector<OfferedStep> offeredSteps(const FileBounds& box, LengthUnit unit, do
           {tr("Thin &beside dense"), {Sparse{}}},
           {tr("&Equal points"), {Duplicates{}}},
           {tr("C&lasses of points"), {Classes{}}},
+          {tr("Returns of a p&ulse"), {Returns{}}},
           {tr("&Intensities"), {Intensities{.low = 0, .high = 65535}}},
           {tr("&Thin out"), {Thin{.spacing_mm = rounded(2 * spacing * mmPer(unit))}}},
           {tr("Leave out the &plane under the object"), {Base{}}},

@@ -648,6 +648,10 @@
         <translation>%1 nennt keine Klassen; alle seine Punkte bleiben.</translation>
     </message>
     <message>
+        <source>%1 states no pulses with several returns; all its points stay.</source>
+        <translation>%1 nennt keine Pulse mit mehreren Echos; alle seine Punkte bleiben.</translation>
+    </message>
+    <message>
         <source>%1 states no intensities; all its points stay.</source>
         <translation>%1 nennt keine Intensitäten; alle seine Punkte bleiben.</translation>
     </message>
@@ -983,6 +987,10 @@
         <translation>&amp;Klassen der Punkte</translation>
     </message>
     <message>
+        <source>Returns of a p&amp;ulse</source>
+        <translation>Echos eines P&amp;ulses</translation>
+    </message>
+    <message>
         <source>&amp;Intensities</source>
         <translation>&amp;Intensitäten</translation>
     </message>
@@ -1019,6 +1027,18 @@
         <translation>alle außer Rauschen</translation>
     </message>
     <message>
+        <source>first</source>
+        <translation>erste</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>letzte</translation>
+    </message>
+    <message>
+        <source>single</source>
+        <translation>einzige</translation>
+    </message>
+    <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
     </message>
@@ -1041,6 +1061,10 @@
     <message>
         <source>%1 neighbours, %2 times</source>
         <translation>%1 Nachbarn, %2-fach</translation>
+    </message>
+    <message>
+        <source>%1, off the surface %2 times</source>
+        <translation>%1, abseits der Fläche %2-mal</translation>
     </message>
     <message>
         <source>one in %1 mm</source>
@@ -1081,6 +1105,10 @@
     <message>
         <source>Classes of points</source>
         <translation>Klassen der Punkte</translation>
+    </message>
+    <message>
+        <source>Returns of a pulse</source>
+        <translation>Echos eines Pulses</translation>
     </message>
     <message>
         <source>Intensities</source>
@@ -7034,6 +7062,26 @@
         <translation>Klassen 7 und 18 sind als Rauschen gekennzeichnet</translation>
     </message>
     <message>
+        <source>Returns that stay</source>
+        <translation>Echos, die bleiben</translation>
+    </message>
+    <message>
+        <source>Of each pulse of a laser scanner; one that came back once is first, last and single</source>
+        <translation>Von jedem Puls eines Laserscanners; ein Puls mit einem Echo ist erstes, letztes und einziges</translation>
+    </message>
+    <message>
+        <source>First: the tops of trees and roofs</source>
+        <translation>Erste: Baumkronen und Dächer</translation>
+    </message>
+    <message>
+        <source>Last: mostly the ground</source>
+        <translation>Letzte: meist der Boden</translation>
+    </message>
+    <message>
+        <source>Single: pulses that came back once</source>
+        <translation>Einzige: Pulse mit nur einem Echo</translation>
+    </message>
+    <message>
         <source>From</source>
         <translation>Von</translation>
     </message>
@@ -7104,6 +7152,18 @@
     <message>
         <source>Points so many times as far from these as the densest of them go</source>
         <translation>Punkte, die so viel Mal so weit von ihnen liegen wie der dichteste von ihnen, gehen</translation>
+    </message>
+    <message>
+        <source>Off the surface</source>
+        <translation>Abseits der Fläche</translation>
+    </message>
+    <message>
+        <source>Then points go that lie so many times as far off the plane of their neighbours as others, at most 0.18 % of them</source>
+        <translation>Dann gehen Punkte, die so viele Male so weit von der Ebene ihrer Nachbarn liegen wie andere, höchstens 0,18 %</translation>
+    </message>
+    <message>
+        <source>Nothing goes</source>
+        <translation>Nichts geht</translation>
     </message>
     <message>
         <source>Spacing</source>

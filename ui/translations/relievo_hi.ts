@@ -648,6 +648,10 @@
         <translation>%1 में वर्ग नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
     </message>
     <message>
+        <source>%1 states no pulses with several returns; all its points stay.</source>
+        <translation>%1 में कई वापसियों वाले स्पंद नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
+    </message>
+    <message>
         <source>%1 states no intensities; all its points stay.</source>
         <translation>%1 में तीव्रता नहीं दी गई; इसके सभी बिंदु रहते हैं।</translation>
     </message>
@@ -983,6 +987,10 @@
         <translation>बिंदुओं के वर्ग (&amp;L)</translation>
     </message>
     <message>
+        <source>Returns of a p&amp;ulse</source>
+        <translation>एक स्पंद की वापसियाँ (&amp;U)</translation>
+    </message>
+    <message>
         <source>&amp;Intensities</source>
         <translation>तीव्रताएँ (&amp;I)</translation>
     </message>
@@ -1019,6 +1027,18 @@
         <translation>शोर को छोड़ सभी</translation>
     </message>
     <message>
+        <source>first</source>
+        <translation>पहली</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>अंतिम</translation>
+    </message>
+    <message>
+        <source>single</source>
+        <translation>एकमात्र</translation>
+    </message>
+    <message>
         <source>%1 to %2</source>
         <translation>%1 से %2</translation>
     </message>
@@ -1041,6 +1061,10 @@
     <message>
         <source>%1 neighbours, %2 times</source>
         <translation>%1 पड़ोसी, %2 गुना</translation>
+    </message>
+    <message>
+        <source>%1, off the surface %2 times</source>
+        <translation>%1, सतह से %2 गुना दूर</translation>
     </message>
     <message>
         <source>one in %1 mm</source>
@@ -1081,6 +1105,10 @@
     <message>
         <source>Classes of points</source>
         <translation>बिंदुओं के वर्ग</translation>
+    </message>
+    <message>
+        <source>Returns of a pulse</source>
+        <translation>एक स्पंद की वापसियाँ</translation>
     </message>
     <message>
         <source>Intensities</source>
@@ -7034,6 +7062,26 @@
         <translation>वर्ग 7 और 18 शोर के रूप में चिह्नित हैं</translation>
     </message>
     <message>
+        <source>Returns that stay</source>
+        <translation>जो वापसियाँ रहती हैं</translation>
+    </message>
+    <message>
+        <source>Of each pulse of a laser scanner; one that came back once is first, last and single</source>
+        <translation>लेज़र स्कैनर के हर स्पंद की; जो स्पंद एक बार लौटा, वह पहली, अंतिम और एकमात्र वापसी है</translation>
+    </message>
+    <message>
+        <source>First: the tops of trees and roofs</source>
+        <translation>पहली: पेड़ों और छतों के ऊपरी भाग</translation>
+    </message>
+    <message>
+        <source>Last: mostly the ground</source>
+        <translation>अंतिम: प्रायः भूमि</translation>
+    </message>
+    <message>
+        <source>Single: pulses that came back once</source>
+        <translation>एकमात्र: जो स्पंद एक बार लौटे</translation>
+    </message>
+    <message>
         <source>From</source>
         <translation>से</translation>
     </message>
@@ -7104,6 +7152,18 @@
     <message>
         <source>Points so many times as far from these as the densest of them go</source>
         <translation>जो बिंदु इनमें सबसे सघन से इतने गुना दूर हैं, वे जाते हैं</translation>
+    </message>
+    <message>
+        <source>Off the surface</source>
+        <translation>सतह से दूर</translation>
+    </message>
+    <message>
+        <source>Then points go that lie so many times as far off the plane of their neighbours as others, at most 0.18 % of them</source>
+        <translation>फिर वे बिंदु हटते हैं जो अपने पड़ोसियों के तल से दूसरों की तुलना में इतने गुना दूर हैं, अधिकतम 0.18 %</translation>
+    </message>
+    <message>
+        <source>Nothing goes</source>
+        <translation>कुछ नहीं हटता</translation>
     </message>
     <message>
         <source>Spacing</source>

@@ -305,6 +305,40 @@ TEST_F(PointValues, LasColoursAreDecidedOverTheWholeFile) {
   }
 }
 
+TEST_F(PointValues, LasReturnsAreThoseOfTheirPulse) {
+  // The number of a return and of all returns of the pulse: three bits each, later four.
+  struct Case {
+    int format;
+    std::array<unsigned char, 3> stored;
+    std::array<std::uint8_t, 3> packed;
+  };
+  const std::vector<Case> cases{{0, {0x09, 0x1A, 0x3F}, {0x11, 0x32, 0x77}},
+                                {0, {0x09, 0xC9, 0x12}, {0x11, 0x11, 0x22}},  // Flags beside them.
+                                {6, {0x11, 0x32, 0xFF}, {0x11, 0x32, 0xFF}}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.format);
+    Las las = newLas(c.format, 3);
+    for (const unsigned char stored : c.stored) {
+      std::string rest = lasRest(c.format, 1, 2, false, {9, 9, 9});
+      rest[2] = static_cast<char>(stored);
+      las.rest.push_back(rest.substr(0, 8));
+    }
+    EXPECT_THAT(load("a.las", lasFile(las)).returns, testing::ElementsAreArray(c.packed));
+  }
+}
+
+TEST_F(PointValues, PulsesThatAllCameBackOnceNeedNoReturns) {
+  for (const char stored : {'\0', '\x09'}) {
+    Las las = newLas(0, 2);
+    for (int i = 0; i < 2; ++i) {
+      std::string rest = lasRest(0, 1, 2, false, {9, 9, 9});
+      rest[2] = stored;
+      las.rest.push_back(rest.substr(0, 8));
+    }
+    EXPECT_THAT(load("a.las", lasFile(las)).returns, IsEmpty());
+  }
+}
+
 TEST_F(PointValues, WithheldPointsOfLasAreLeftOutUnlessAskedFor) {
   for (const int format : {2, 7}) {
     SCOPED_TRACE(format);
@@ -552,7 +586,7 @@ TEST(PointValueRanges, AFileWithoutColoursHasNoListsAtAll) {
   const TemporaryFolder folder;
   const Scan scan = importScan(folder.write("a.xyz", "1 2 3\n4 5 6\n"));
   EXPECT_EQ(scan.colours.capacity() + scan.intensities.capacity() + scan.classes.capacity() +
-                scan.parts.capacity() + scan.texture_of.capacity(),
+                scan.returns.capacity() + scan.parts.capacity() + scan.texture_of.capacity(),
             0U);
   EXPECT_EQ(scan.info.reader, "relievo");
 }

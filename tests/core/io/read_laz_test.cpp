@@ -284,6 +284,8 @@ TEST_F(LazFiles, TheImportReadsThePointsOfTheLasOfTheSameRecords) {
     EXPECT_EQ(packed.colours, plain.colours);
     EXPECT_EQ(packed.intensities, plain.intensities);
     EXPECT_EQ(packed.classes, plain.classes);
+    EXPECT_EQ(packed.returns, plain.returns);
+    EXPECT_FALSE(packed.returns.empty());
     EXPECT_EQ(packed.colours.empty(), format == 0 || format == 6);
   }
 }

@@ -37,6 +37,7 @@ Scan wholeScan() {
   scan.colours = {{1, 2, 3, 255}, {4, 5, 6, 255}, {}};
   scan.intensities = {0, 9, 65535};
   scan.classes = {2, 6, 2};
+  scan.returns = {0x11, 0x21, 0x22};
   scan.parts = {0, 1, 1};
   scan.texture_corners = {{{{0, 0}, {1, 0}, {0, 1}}}, {{{0, 0}, {1, 0}, {0, 1}}}};
   scan.texture_of = {1, kNoTexture};
@@ -61,6 +62,7 @@ TEST(ScanTransport, EverythingArrivesAsItWas) {
   EXPECT_EQ(got->colours, sent.colours);
   EXPECT_EQ(got->intensities, sent.intensities);
   EXPECT_EQ(got->classes, sent.classes);
+  EXPECT_EQ(got->returns, sent.returns);
   EXPECT_EQ(got->parts, sent.parts);
   EXPECT_EQ(got->texture_corners, sent.texture_corners);
   EXPECT_EQ(got->texture_of, sent.texture_of);
@@ -84,6 +86,7 @@ TEST(ScanTransport, AnswersThatDoNotHoldTogetherAreNotBelieved) {
       {"a colour too few", [](Scan& s) { s.colours.pop_back(); }},
       {"an intensity too many", [](Scan& s) { s.intensities.push_back(1); }},
       {"a class too few", [](Scan& s) { s.classes.pop_back(); }},
+      {"a return too many", [](Scan& s) { s.returns.push_back(0x11); }},
       {"a part too few", [](Scan& s) { s.parts.pop_back(); }},
       {"a part that is not there", [](Scan& s) { s.parts[2] = 2; }},
       {"colours of nothing", [](Scan& s) { s.info.colour.reset(); }},

@@ -86,6 +86,27 @@ TEST(Classes, KeepWhatIsNamedAndNoNoise) {
   EXPECT_EQ(keptBy(scan, Classes{.keep = {2, 7}}), (Numbers{0, 1, 3, 7, 9}));
 }
 
+TEST(Returns, AreCountedFromBothEndsOfAPulse) {
+  const auto packed = [](unsigned number, unsigned of) {
+    return static_cast<std::uint8_t>(number | of << 4U);
+  };
+  const std::vector<std::uint8_t> returns{packed(1, 1), packed(1, 3),   packed(2, 3), packed(3, 3),
+                                          packed(1, 2), packed(2, 2),   packed(0, 0), packed(15, 15),
+                                          packed(1, 1), packed(14, 15)};
+  PrepareScan scan = test::scanOf(kSquare);
+  scan.returns = returns;
+  EXPECT_EQ(keptBy(scan, Returns{ReturnChoice::first}), (Numbers{0, 1, 4, 6, 8}));
+  EXPECT_EQ(keptBy(scan, Returns{ReturnChoice::last}), (Numbers{0, 3, 5, 6, 7, 8}));
+  EXPECT_EQ(keptBy(scan, Returns{ReturnChoice::single}), (Numbers{0, 6, 8}));
+}
+
+TEST(Returns, OfAScanWithoutThemAreNotDoneInSilence) {
+  const PrepareAnswer answer = run({test::scanOf(kSquare)}, {Returns{}});
+  EXPECT_FALSE(answer.steps[0].done);
+  EXPECT_NE(answer.steps[0].note.find("no pulses with several returns"), std::string::npos);
+  EXPECT_EQ(answer.steps[0].after, 10U);
+}
+
 TEST(Classes, OfAScanWithoutThemAreNotDoneInSilence) {
   const PrepareAnswer answer = run({test::scanOf(kSquare)}, {Classes{.keep = {2}}});
   EXPECT_FALSE(answer.steps[0].done);

@@ -42,6 +42,7 @@ Scan fullScan() {
     scan.colours.push_back({low, static_cast<std::uint8_t>(i / 256), 7, 255});
     scan.intensities.push_back(static_cast<std::uint16_t>(i * 100));
     scan.classes.push_back(static_cast<std::uint8_t>(i % 3));
+    scan.returns.push_back(static_cast<std::uint8_t>(1U + i % 7 | 0x70U));
     scan.parts.push_back(static_cast<std::uint8_t>(i % 2));
   }
   scan.info.intensity = IntensityRange{0, 65535};
@@ -102,6 +103,7 @@ TEST(Prepare, ColoursIntensitiesClassesPartsAndTrianglesFollowTheirPoints) {
     EXPECT_EQ(left.points[i], scan.points[n]);
     EXPECT_EQ(left.intensities[i], scan.intensities[n]);
     EXPECT_EQ(left.classes[i], scan.classes[n]);
+    EXPECT_EQ(left.returns[i], scan.returns[n]);
     EXPECT_EQ(left.parts[i], scan.parts[n]);
     EXPECT_NE(left.classes[i], 2);
   }
@@ -315,6 +317,8 @@ TEST(PrepareJob, ArrivesAsItWasSentAndNotOtherwise) {
   const std::vector<std::uint8_t> classes(101, 3);
   PrepareScan scan = test::scanOf(points);
   scan.classes = classes;
+  const std::vector<std::uint8_t> returns(101, 0x21);
+  scan.returns = returns;
   scan.origin = {0.1, 1e6, -3};
   scan.viewpoint = FilePoint{1, 2, 3};
   scan.mm_per_unit = 304.8;
@@ -328,6 +332,7 @@ TEST(PrepareJob, ArrivesAsItWasSentAndNotOtherwise) {
   const PrepareScan& back = received->job.scans[0];
   EXPECT_TRUE(std::equal(back.points.begin(), back.points.end(), points.begin(), points.end()));
   EXPECT_TRUE(std::equal(back.classes.begin(), back.classes.end(), classes.begin(), classes.end()));
+  EXPECT_TRUE(std::equal(back.returns.begin(), back.returns.end(), returns.begin(), returns.end()));
   EXPECT_EQ(back.origin, scan.origin);
   EXPECT_EQ(back.viewpoint, scan.viewpoint);
   EXPECT_EQ(back.mm_per_unit, scan.mm_per_unit);

@@ -38,7 +38,8 @@ Recipe everyStep() {
             .poses = {Pose{}, Pose{{tilt, -tilt, 0, 7, tilt, tilt, 0, 8, 0, 0, 1, 9, 0, 0, 0, 1}}}},
       Thin{.spacing_mm = 0.1},
       Base{.lay = true, .distance_mm = 0.25, .seed = 7},
-      Normals{.neighbours = 20}};
+      Normals{.neighbours = 20},
+      Returns{ReturnChoice::single}};
   std::get<CropBox>(recipe.steps[0]).axes = {tilt, tilt, 0, -tilt, tilt, 0, 0, 0, 1};
   return recipe;
 }
@@ -101,6 +102,7 @@ TEST(Recipe, IsRefusedInWordsWhateverIsWrongWithIt) {
       {withStep(R"({"kind":"sparse","neighbours":8,"factor":0.5})"), "'factor'"},
       {withStep(R"({"kind":"normals","neighbours":2})"), "'neighbours' is 2"},
       {withStep(R"({"kind":"classes","keep":[256]})"), "0 to 255"},
+      {withStep(R"({"kind":"returns","keep":"second"})"), "none of first, last and single"},
       {withStep(R"({"kind":"intensities","low":2,"high":1})"), "below the lowest"},
       {withStep(R"({"kind":"crop_box","min":[0,0,0],"max":[1,-1,1],"keep":"inside"})"), "ends"},
       {withStep(R"({"kind":"crop_box","min":[0,0],"max":[1,1,1],"keep":"inside"})"), "3 numbers"},
