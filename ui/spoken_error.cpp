@@ -27,8 +27,7 @@ constexpr std::array kSentences{
     QT_TRANSLATE_NOOP("Core", "%1 was left out: Not aligned: %2."),
     QT_TRANSLATE_NOOP("Core", "Not aligned: %1."),
     QT_TRANSLATE_NOOP("Core", "%1 states no classes; all its points stay."),
-    QT_TRANSLATE_NOOP("Core",
-                      "%1 states no pulses with several returns; all its points stay."),
+    QT_TRANSLATE_NOOP("Core", "%1 states no pulses with several returns; all its points stay."),
     QT_TRANSLATE_NOOP("Core", "%1 states no intensities; all its points stay."),
     QT_TRANSLATE_NOOP("Core",
                       "No point is left after all steps. Nothing was written. Take a step out, or "

@@ -9,6 +9,7 @@
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/ply_header.h"
+#include "core/io/point_columns.h"
 #include "core/io/read_scan.h"
 
 namespace relievo {
@@ -107,11 +108,11 @@ class PcdHeaderParser {
 
   void parseData(std::string_view rest) {
     const std::string_view kind = takeWord(rest);
-    if (kind == "ascii") {
+    if (sameLetters(kind, "ascii")) {
       header_.encoding = PcdEncoding::ascii;
-    } else if (kind == "binary") {
+    } else if (sameLetters(kind, "binary")) {
       header_.encoding = PcdEncoding::binary;
-    } else if (kind == "binary_compressed") {
+    } else if (sameLetters(kind, "binary_compressed")) {
       header_.encoding = PcdEncoding::binary_compressed;
     } else {
       refuse("names no known kind of data");

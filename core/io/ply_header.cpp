@@ -169,11 +169,20 @@ class HeaderParser {
     return std::count_if(list.begin(), list.end(), is_like) == 1 ? like : list.end();
   }
 
+  /// "vertex", or what some programs write in its place.
+  std::vector<PlyElement>::const_iterator findVertices() const {
+    const auto& elements = header_.elements;
+    for (const char* name : {"vertex", "vertices", "point", "points"}) {
+      const auto found = findNamed(elements, name, [](const PlyElement& /*any*/) { return true; });
+      if (found != elements.end()) return found;
+    }
+    return elements.end();
+  }
+
   void check() {
     if (!format_seen_) refuseScan(file_, "its header names no format. Export it again.");
     const auto& elements = header_.elements;
-    const auto vertices =
-        findNamed(elements, "vertex", [](const PlyElement& /*any*/) { return true; });
+    const auto vertices = findVertices();
     if (vertices == elements.end()) {
       refuseScan(file_, "its header promises no vertices. Choose a file with points.");
     }

@@ -114,7 +114,7 @@ class TextReader {
   /// The first row holds no numbers: it names the columns.
   void takeNames() {
     const std::uint64_t line = lines_.number();
-    const std::vector<std::string_view> names = columnsOf(lines_.line(), style_.separator);
+    const std::vector<std::string_view> names = namesOf(lines_.line(), style_.separator);
     const auto found = axisColumns(names);
     if (found[0] && found[1] && found[2]) {
       place_ = {*found[0], *found[1], *found[2]};
@@ -133,7 +133,7 @@ class TextReader {
     if (!columns_are_named_) {
       const std::size_t start = last_comment_.find_first_not_of("#/ \t");
       const std::string_view said = last_comment_.substr(std::min(start, last_comment_.size()));
-      const auto names = columnsOf(said, styleOf(said).separator);
+      const auto names = namesOf(said, styleOf(said).separator);
       if (axisColumns(names) == std::array<std::optional<std::size_t>, 3>{0, 1, 2}) {
         values_ = namedValues(names);
         columns_are_named_ = true;

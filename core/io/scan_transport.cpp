@@ -250,8 +250,7 @@ bool valuesConsistent(const Scan& scan, const Task& task) {
   const std::size_t points = scan.points.size(), triangles = scan.triangles.size();
   if (!fits(scan.colours.size(), points) || !fits(scan.intensities.size(), points) ||
       !fits(scan.classes.size(), points) || !fits(scan.returns.size(), points) ||
-      !fits(scan.parts.size(), points) ||
-      !fits(scan.texture_of.size(), triangles) ||
+      !fits(scan.parts.size(), points) || !fits(scan.texture_of.size(), triangles) ||
       scan.texture_corners.size() != scan.texture_of.size() ||
       scan.intensities.empty() == scan.info.intensity.has_value() ||
       (!scan.colours.empty() && !scan.info.colour)) {
@@ -392,8 +391,7 @@ WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, co
       !taken(1, scan.triangles) || !taken(2, scan.colours) || !taken(3, scan.intensities) ||
       !taken(4, scan.classes) || !taken(5, scan.parts) || !taken(6, scan.texture_corners) ||
       !taken(7, scan.texture_of) || !taken(8, scan.returns) ||
-      !takeTextures(fd, header, unpacker, scan, task) ||
-      !consistent(scan, task)) {
+      !takeTextures(fd, header, unpacker, scan, task) || !consistent(scan, task)) {
     return {};
   }
   return scan;
@@ -427,8 +425,8 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
 void sendAnswer(int fd, const Scan& scan) {
   const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
   const std::array<std::span<const std::byte>, kArrays - 1> arrays{
-      bytes(scan.points),          bytes(scan.triangles), bytes(scan.colours),
-      bytes(scan.intensities),     bytes(scan.classes),   bytes(scan.parts),
+      bytes(scan.points),          bytes(scan.triangles),  bytes(scan.colours),
+      bytes(scan.intensities),     bytes(scan.classes),    bytes(scan.parts),
       bytes(scan.texture_corners), bytes(scan.texture_of), bytes(scan.returns)};
   send(fd, AnswerKind::scan, textOf(scan), arrays, scan.textures);
 }

@@ -12,6 +12,12 @@
 namespace relievo {
 namespace {
 
+/// What a column of x, y or z is called.
+constexpr std::array<std::array<std::string_view, 4>, 3> kAxisNames{
+    {{"x", "easting", "east"},
+     {"y", "northing", "north"},
+     {"z", "elevation", "height", "altitude"}}};
+
 /// "1,5 2,5 3,5": commas within words that blanks separate.
 bool hasDecimalCommas(std::string_view line) {
   int words = 0;
@@ -101,17 +107,33 @@ std::optional<double> parseColumn(std::string_view column, bool decimal_comma) {
   return parseNumber({copy.data(), column.size()});
 }
 
+std::vector<std::string_view> namesOf(std::string_view line, char separator) {
+  if (separator == 0) return columnsOf(line, separator);
+  std::vector<std::string_view> names;
+  for (std::size_t end = 0; end != std::string_view::npos;) {
+    end = line.find(separator);
+    std::string_view name = trimmed(line.substr(0, end));
+    if (name.size() >= 2 && name.front() == '"' && name.back() == '"') {
+      name = trimmed(name.substr(1, name.size() - 2));
+    }
+    names.push_back(name);
+    line.remove_prefix(end == std::string_view::npos ? line.size() : end + 1);
+  }
+  return names;
+}
+
 std::array<std::optional<std::size_t>, 3> axisColumns(std::span<const std::string_view> names) {
   std::array<std::optional<std::size_t>, 3> found;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto first = static_cast<char>(
-        names[i].empty() ? 0 : std::tolower(static_cast<unsigned char>(names[i].front())));
-    const bool named = names[i].size() == 1 ||
-                       (names[i].size() > 1 &&
-                        std::string_view("_[(").find(names[i][1]) != std::string_view::npos);
-    if (!named || first < 'x' || first > 'z') continue;
-    auto& place = found[static_cast<std::size_t>(first - 'x')];
-    if (!place) place = i;
+    // Without the unit.
+    const std::string_view name = names[i].substr(0, names[i].find_first_of("_[( "));
+    for (std::size_t axis = 0; axis < found.size(); ++axis) {
+      const auto& words = kAxisNames[axis];
+      const bool is_it = std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+        return !word.empty() && sameLetters(name, word);
+      });
+      if (is_it && !found[axis]) found[axis] = i;
+    }
   }
   return found;
 }

@@ -33,7 +33,12 @@ struct TextValues {
   std::optional<std::size_t> intensity;
 };
 
-/// Columns named x, y and z: "x", "X", "x_mm", "X[m]", "x(m)".
+/// The columns of a row of names: between separators other than blanks a name may have blanks,
+/// "X (m)".
+std::vector<std::string_view> namesOf(std::string_view line, char separator);
+
+/// Columns named x, y and z: "x", "X", "x_mm", "X[m]", "X (m)", or as surveyors call them: easting,
+/// northing, elevation or height.
 std::array<std::optional<std::size_t>, 3> axisColumns(std::span<const std::string_view> names);
 /// Columns named red, green, blue and intensity.
 TextValues namedValues(std::span<const std::string_view> names);

@@ -137,9 +137,8 @@ class Checker {
 
 std::string_view kindOf(const Step& step) noexcept {
   constexpr std::array<std::string_view, std::variant_size_v<Step>> kKinds{
-      "crop_box", "crop_outline", "classes", "intensities", "duplicates", "outliers",
-      "lonely",   "sparse",       "thin",    "base",        "normals",    "align",
-      "returns"};
+      "crop_box", "crop_outline", "classes", "intensities", "duplicates", "outliers", "lonely",
+      "sparse",   "thin",         "base",    "normals",     "align",      "returns"};
   return kKinds[step.index()];
 }
 

@@ -48,8 +48,8 @@ struct Classes {
   friend bool operator==(const Classes&, const Classes&) = default;
 };
 
-/// Of the places where a pulse of a laser scanner came back: in woods the first is on the trees, the
-/// last mostly on the ground. A pulse that came back once is first, last and single.
+/// Of the places where a pulse of a laser scanner came back: in woods the first is on the trees,
+/// the last mostly on the ground. A pulse that came back once is first, last and single.
 enum class ReturnChoice { first, last, single };
 inline constexpr std::array<std::string_view, 3> kReturnNames{"first", "last", "single"};
 

@@ -38,9 +38,16 @@ TEST(WindowOptions, SeveralFilesAreOpenedTogether) {
 
 TEST(WindowOptions, WhatIsNotUnderstoodIsRefusedByName) {
   const std::vector<std::vector<std::string>> wrong{
-      {"--colour"},           {"--unit", "parsec"},   {"--unit"},        {"--view", "inside"},
-      {"--detail", "two"},    {"--detail", "0"},      {"--region", "1"}, {"--region", "1,2,3,4,5"},
-      {"--region", "1,2,,4"}, {"one.ply", "two.ply", "--unit", "m"},
+      {"--colour"},
+      {"--unit", "parsec"},
+      {"--unit"},
+      {"--view", "inside"},
+      {"--detail", "two"},
+      {"--detail", "0"},
+      {"--region", "1"},
+      {"--region", "1,2,3,4,5"},
+      {"--region", "1,2,,4"},
+      {"one.ply", "two.ply", "--unit", "m"},
   };
   for (const auto& arguments : wrong) {
     EXPECT_THROW(parseWindowOptions(arguments), ArgumentError) << arguments.front();

@@ -59,9 +59,8 @@ QString detailsOf(const Lonely& s) {
 }
 QString detailsOf(const Sparse& s) {
   const QString sparse = tr("%1 neighbours, %2 times").arg(s.neighbours).arg(number(s.factor));
-  return s.off_surface > 0
-             ? tr("%1, off the surface %2 times").arg(sparse, number(s.off_surface))
-             : sparse;
+  return s.off_surface > 0 ? tr("%1, off the surface %2 times").arg(sparse, number(s.off_surface))
+                           : sparse;
 }
 QString detailsOf(const Thin& s) {
   return tr("one in %1 mm").arg(number(s.spacing_mm));

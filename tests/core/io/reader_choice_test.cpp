@@ -307,6 +307,17 @@ TEST_F(MadeFiles, PcdFieldsMayBeCapitalsIfOneFits) {
   EXPECT_THROW(importScan(folder_.write("c.pcd", pcdHeader(words) + "1 2 3 4\n")), FileError);
 }
 
+TEST_F(MadeFiles, PcdKindsOfDataMayBeCapitals) {
+  PcdWords words;
+  words.data = "ASCII";
+  EXPECT_EQ(importScan(folder_.write("a.pcd", pcdHeader(words) + textRows(10))).points.size(), 10U);
+  words.data = "Binary";
+  words.points = "1";
+  const std::string point = bytesOf(1.0F) + bytesOf(2.0F) + bytesOf(3.0F);
+  EXPECT_EQ(importScan(folder_.write("b.pcd", pcdHeader(words) + point)).point(0),
+            (FilePoint{1, 2, 3}));
+}
+
 TEST_F(MadeFiles, PlyNamesMayBeCapitalsIfOneFits) {
   const auto file = [this](const std::string& element, const std::string& x) {
     return folder_.write("a.ply", "ply\nformat ascii 1.0\nelement " + element +
@@ -315,7 +326,21 @@ TEST_F(MadeFiles, PlyNamesMayBeCapitalsIfOneFits) {
   };
   EXPECT_EQ(importScan(file("vertex", "X")).point(0), (FilePoint{1, 2, 3}));
   EXPECT_EQ(importScan(file("Vertex", "x")).point(0), (FilePoint{1, 2, 3}));
-  EXPECT_THROW(importScan(file("vertices", "x")), FileError);
+  EXPECT_THROW(importScan(file("patch", "x")), FileError);
+}
+
+TEST_F(MadeFiles, PlyPointsMayBeCalledSo) {
+  for (const char* element : {"vertices", "point", "Points", "Vertex"}) {
+    SCOPED_TRACE(element);
+    const std::string head =
+        std::string("element ") + element +
+        " 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+    const std::string text = "ply\nformat ascii 1.0\n" + head + "1 2 3\n";
+    EXPECT_EQ(importScan(folder_.write("a.ply", text)).point(0), (FilePoint{1, 2, 3}));
+    const std::string bytes = "ply\nformat binary_little_endian 1.0\n" + head + bytesOf(1.0F) +
+                              bytesOf(2.0F) + bytesOf(3.0F);
+    EXPECT_EQ(importScan(folder_.write("a.ply", bytes)).point(0), (FilePoint{1, 2, 3}));
+  }
 }
 
 TEST_F(MadeFiles, HeaderLinesOfNoStandardAreSaidAndPassedOver) {

@@ -90,8 +90,8 @@ TEST(Returns, AreCountedFromBothEndsOfAPulse) {
   const auto packed = [](unsigned number, unsigned of) {
     return static_cast<std::uint8_t>(number | of << 4U);
   };
-  const std::vector<std::uint8_t> returns{packed(1, 1), packed(1, 3),   packed(2, 3), packed(3, 3),
-                                          packed(1, 2), packed(2, 2),   packed(0, 0), packed(15, 15),
+  const std::vector<std::uint8_t> returns{packed(1, 1), packed(1, 3),  packed(2, 3), packed(3, 3),
+                                          packed(1, 2), packed(2, 2),  packed(0, 0), packed(15, 15),
                                           packed(1, 1), packed(14, 15)};
   PrepareScan scan = test::scanOf(kSquare);
   scan.returns = returns;
