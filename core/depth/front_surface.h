@@ -50,6 +50,7 @@ class FrontSurface {
   };
   const Behind& behind() const noexcept { return behind_; }
 
+  std::size_t bytes() const noexcept { return pieces_.capacity() * sizeof(FrontPiece); }
   double spacingMm() const noexcept { return spacing_mm_; }  ///< Median of the discs.
   double coveredMm2() const noexcept;                        ///< Of the view, by the surface.
 

@@ -36,6 +36,15 @@ LazPoints::LazPoints(LazBytesSource source, LazFile laz, std::filesystem::path f
 
 LazPoints::~LazPoints() = default;
 
+std::size_t LazPoints::keptBytes() const noexcept {
+  std::size_t unpacked = 0, packed = 0;
+  for (const LazChunk& chunk : laz_.chunks) {
+    unpacked = std::max(unpacked, static_cast<std::size_t>(chunk.points) * kept_bytes_);
+    packed = std::max(packed, static_cast<std::size_t>(chunk.bytes));
+  }
+  return std::max(unpacked, std::min(kChunksKept * unpacked, kBytesKept)) + kChunksKept * packed;
+}
+
 /// One that holds the chunk, if there is any.
 std::unique_ptr<LazPoints::Reader> LazPoints::takeReader(std::size_t chunk) const {
   const std::scoped_lock lock(mutex_);

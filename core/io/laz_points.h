@@ -41,6 +41,9 @@ class LazPoints {
   /// @throw FileError  they are damaged; Cancelled
   void read(std::uint64_t first, std::size_t count, char* out) const;
 
+  /// What one reading thread keeps at most, for its next block. [any thread]
+  std::size_t keptBytes() const noexcept;
+
   /// About `wanted` points that are had without unpacking much else: of COPC the coarsest levels
   /// that together are no more, else the beginning of each chunk. In the file's order.
   std::vector<PointRange> cheapSample(std::uint64_t wanted) const;

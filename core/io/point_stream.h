@@ -60,6 +60,9 @@ class PointStream {
   /// @throw Cancelled  by the task it was opened with (LAZ and COPC)
   std::size_t read(std::uint64_t first, std::span<FilePoint> block) const;
 
+  /// Memory that every thread which reads keeps for its next block: of packed files. [any thread]
+  std::size_t keptBytes() const noexcept { return packed_ ? packed_->keptBytes() : 0; }
+
   /// The numbers that the file has places for; they may all be 0. Nothing: there are none.
   std::optional<ScalarType> colourType() const noexcept;
   std::optional<ScalarType> intensityType() const noexcept;

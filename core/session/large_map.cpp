@@ -454,6 +454,14 @@ std::unique_ptr<StoredDepths> gridPoints(LargeMap& map, const PointStream& strea
   return depths;
 }
 
+/// What is in memory beside the tiles as long as points are read: the surface in front, and what of
+/// a packed file is unpacked, once for the places and once for what is stored beside them.
+std::uint64_t heldBytes(const PointStream& stream, const Placed& placed,
+                        const LargeMapOptions& large) {
+  const auto threads = static_cast<std::uint64_t>(threadCount(large.threads));
+  return (placed.front ? placed.front->bytes() : 0) + 2 * threads * stream.keptBytes();
+}
+
 LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& options,
                     const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
@@ -479,7 +487,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   map.strays = placed.points.strays;
   map.missing = placed.points.missing;
   sayLeftOut(facts, placed.points, stream, options);
-  const MemoryPlan plan = planMemory(placed.frame, large);
+  const MemoryPlan plan = planMemory(placed.frame, large, heldBytes(stream, placed, large));
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
   sample = {};
   copyFacts(facts, map);

@@ -52,24 +52,27 @@ namespace {
 
 }  // namespace
 
-MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large) {
+MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
+                      std::uint64_t held_bytes) {
+  const std::uint64_t held = kProgram + held_bytes;
   const int threads = threadCount(large.threads);
   const std::uint64_t filling = bandBytes(frame.size, threads) + writingBytes(frame.size);
   // While points are sorted into tiles: the store and a block of points being sorted; while cells
   // get their heights: the store and three rows of tiles, which hold what the store let go of.
   const std::uint64_t gridding = 2 * TileStore::leastMemoryBytes(frame.size) + 64 * kMegabyte;
-  const std::uint64_t needed = kProgram + std::max(filling, gridding);
+  const std::uint64_t needed = held + std::max(filling, gridding);
   if (needed > large.memory_bytes) refuse(frame, large, needed);
-  const std::uint64_t free_bytes = large.memory_bytes - kProgram;
+  const std::uint64_t free_bytes = large.memory_bytes - held;
   // While gaps are filled, depths may take 0.4 of what filling leaves; so may colours.
   const std::uint64_t making = BandColours::memoryBytes(frame.size, threads);
   const std::uint64_t colours = making + ValueStore::leastMemoryBytes(frame.size) + 8 * kMegabyte;
   const std::uint64_t room = (free_bytes - filling) * 5 / 10;
-  return {.points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
+  return {.held_bytes = held,
+          .points_bytes = static_cast<std::size_t>((free_bytes - 64 * kMegabyte) * 6 / 10),
           .gridding_bytes = static_cast<std::size_t>(free_bytes),
           .depths_bytes = static_cast<std::size_t>((free_bytes - filling) * 8 / 10),
           .values_bytes = room >= colours ? static_cast<std::size_t>(room - making) * 8 / 10 : 0,
-          .colours_need = kProgram + filling + 2 * colours};
+          .colours_need = held + filling + 2 * colours};
 }
 
 std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
@@ -79,7 +82,7 @@ std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const Lar
   const auto threads = static_cast<std::uint64_t>(threadCount(large.threads));
   const std::uint64_t work = rows_bytes + 3 * threads * tile_bytes;
   const std::uint64_t least = TileStore::leastMemoryBytes(frame.size);
-  if (work + least > plan.gridding_bytes) refuse(frame, large, kProgram + work + least);
+  if (work + least > plan.gridding_bytes) refuse(frame, large, plan.held_bytes + work + least);
   return static_cast<std::size_t>(plan.gridding_bytes - work);
 }
 

@@ -12,6 +12,7 @@ namespace relievo {
 /// How the budget of a map by tiles is divided. The stages follow each other, so that each may use
 /// what the other gave back.
 struct MemoryPlan {
+  std::uint64_t held_bytes = 0;    ///< Taken all the time, beside the stages.
   std::size_t points_bytes = 0;    ///< For TileStore, while points are sorted into it.
   std::size_t gridding_bytes = 0;  ///< For TileStore and what heights are made from.
   std::size_t depths_bytes = 0;    ///< For depths between the stages.
@@ -27,7 +28,10 @@ struct MemoryPlan {
 std::size_t storeBytes(const MemoryPlan& plan, const GridFrame& frame, const LargeMapOptions& large,
                        std::size_t rows_bytes, std::size_t tile_bytes);
 
-/// To be asked before the work. @throw ArgumentError  E102, with what would do
-MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large);
+/// To be asked before the work.
+/// @param held_bytes  what the input keeps until the map is made
+/// @throw ArgumentError  E102, with what would do
+MemoryPlan planMemory(const GridFrame& frame, const LargeMapOptions& large,
+                      std::uint64_t held_bytes = 0);
 
 }  // namespace relievo

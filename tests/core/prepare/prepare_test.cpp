@@ -42,7 +42,7 @@ Scan fullScan() {
     scan.colours.push_back({low, static_cast<std::uint8_t>(i / 256), 7, 255});
     scan.intensities.push_back(static_cast<std::uint16_t>(i * 100));
     scan.classes.push_back(static_cast<std::uint8_t>(i % 3));
-    scan.returns.push_back(static_cast<std::uint8_t>(1U + i % 7 | 0x70U));
+    scan.returns.push_back(static_cast<std::uint8_t>((1U + i % 7) | 0x70U));
     scan.parts.push_back(static_cast<std::uint8_t>(i % 2));
   }
   scan.info.intensity = IntensityRange{0, 65535};
