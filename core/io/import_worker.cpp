@@ -71,6 +71,16 @@ WorkerRefusal tooLarge(const WorkerArguments& arguments) {
           ""};
 }
 
+/// The limit on files is the worker's own, or comes from outside and is smaller.
+WorkerRefusal tooLong(const WorkerArguments& arguments, const AnswerTooLong& answer) {
+  if (answer.mostBytes() >= arguments.options.max_memory_bytes) return tooLarge(arguments);
+  return {"Cannot read " + shownName(arguments.file) +
+              ": what it holds is passed on as a file, and files may have no more than " +
+              grouped(answer.mostBytes() >> 10) +
+              " kB here (ulimit -f). Allow larger ones and try again.",
+          ""};
+}
+
 void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libraries) {
   try {
     setLimits(arguments);
@@ -87,6 +97,8 @@ void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libr
     }
   } catch (const Error& error) {
     sendAnswer(kAnswerFd, WorkerRefusal{error.what(), error.code});
+  } catch (const AnswerTooLong& answer) {
+    sendAnswer(kAnswerFd, tooLong(arguments, answer));
   } catch (const std::bad_alloc&) {
     sendAnswer(kAnswerFd, tooLarge(arguments));
   } catch (const std::length_error&) {

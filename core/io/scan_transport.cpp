@@ -2,6 +2,7 @@
 #include "core/io/scan_transport.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -103,12 +104,18 @@ class Unpacker {
   bool good_ = true;
 };
 
+[[noreturn]] void refuseLength() {
+  rlimit files{};
+  ::getrlimit(RLIMIT_FSIZE, &files);
+  throw AnswerTooLong(files.rlim_cur);
+}
+
 void writeAll(int fd, const void* start, std::size_t size, std::uint64_t at) {
   const auto* from = static_cast<const char*>(start);
   while (size > 0) {
     const ssize_t written = ::pwrite(fd, from, std::min(size, kChunk), static_cast<off_t>(at));
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0 && errno == EFBIG) throw std::bad_alloc();  // The worker's limit.
+    if (written < 0 && errno == EFBIG) refuseLength();
     if (written <= 0) throw Error(std::string("cannot pass the scan on: ") + std::strerror(errno));
     from += written;
     at += static_cast<std::uint64_t>(written);
@@ -444,7 +451,7 @@ void RasterAnswer::begin(const RasterHead& head, bool has_origins) {
       sizeof(AnswerHeader) + size_.count() * (sizeof(float) + (has_origins ? sizeof(Origin) : 0));
   // Asked before the work; a file system that cannot say so fails while it is written.
   const int error = ::posix_fallocate(fd_, 0, static_cast<off_t>(bytes));
-  if (error == EFBIG) throw std::bad_alloc();
+  if (error == EFBIG) refuseLength();
   if (error != ENOSPC) return;
   throw FileError("Cannot read " + shownName(head.info.file) + ": its heights take " +
                   grouped((bytes >> 20U) + 1) +

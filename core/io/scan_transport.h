@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <new>
 #include <string>
 #include <variant>
 
@@ -17,13 +18,22 @@ struct WorkerRefusal {
   std::string message, code;
 };
 
-/// Writes the worker's answer over whatever a file held. @throw Error, std::bad_alloc  (the file
-/// may not grow so large)
+/// An answer is longer than files may be where this runs.
+class AnswerTooLong : public std::bad_alloc {
+ public:
+  explicit AnswerTooLong(std::uint64_t most_bytes) : most_bytes_(most_bytes) {}
+  std::uint64_t mostBytes() const noexcept { return most_bytes_; }  ///< That a file may have.
+
+ private:
+  std::uint64_t most_bytes_;
+};
+
+/// Writes the worker's answer over whatever a file held. @throw Error, AnswerTooLong
 void sendAnswer(int fd, const Scan& scan);
 void sendAnswer(int fd, const WorkerRefusal& refusal);
 
 /// Writes the answer of a raster while it is read: `sink`, then `finish`.
-/// @throw Error  also if the disk has no room; std::bad_alloc
+/// @throw Error  also if the disk has no room; AnswerTooLong
 class RasterAnswer {
  public:
   explicit RasterAnswer(int fd) : fd_(fd) {}

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,7 +21,16 @@ namespace {
 
 constexpr std::size_t kReadAtOnce = 16384;
 
+constexpr rlim_t kFilesNeeded = 64;
+
 [[noreturn]] void refuseSpawn(int error) {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) == 0 && files.rlim_cur < kFilesNeeded) {
+    throw FileError("Another program cannot be started: no more than " +
+                    std::to_string(files.rlim_cur) +
+                    " files may be open at once here (ulimit -n), and it takes " +
+                    std::to_string(kFilesNeeded) + ". Allow more and try again.");
+  }
   throw FileError(std::string("Another program cannot be started: ") + std::strerror(error) +
                   ". Close other programs and try again.");
 }

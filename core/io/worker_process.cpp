@@ -41,9 +41,15 @@ std::string partsText(const std::vector<int>& parts) {
   return text.empty() ? "-" : text;
 }
 
-std::filesystem::path ownFolder() {
+/// Where this program lies. @param does  what is not possible without the programs beside it
+std::filesystem::path ownFolder(const std::string& does) {
   std::error_code error;
-  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) return self.parent_path();
+  throw FileError(
+      does +
+      " /proc, by which relievo finds its own programs, is not there. Mount it, and try "
+      "again.");
 }
 
 /// @param does  what is not possible without it
@@ -72,7 +78,7 @@ std::filesystem::path importProgram(ImportProgram program, const std::filesystem
 WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path& file,
                              ImportKind kind, const ImportOptions& options,
                              const std::filesystem::path& answer_folder) {
-  start(importProgram(program, ownFolder()),
+  start(importProgram(program, ownFolder("Files cannot be read:")),
         {kWorkerArgument, std::filesystem::absolute(file).string(),
          std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
          std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
@@ -84,8 +90,8 @@ WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path&
 WorkerProcess::WorkerProcess(const WorkerStart& how) {
   OwnedFd child_input(raised(::fcntl(how.input, F_DUPFD_CLOEXEC, 0)));
   const FdForChild input{child_input.get(), kInputFd};
-  start(workerProgram(how.program, "The scans cannot be prepared:", ownFolder()), how.arguments,
-        answerFile({}), &input);
+  const std::string does = "The scans cannot be prepared:";
+  start(workerProgram(how.program, does, ownFolder(does)), how.arguments, answerFile({}), &input);
 }
 
 void WorkerProcess::start(const std::filesystem::path& executable,
