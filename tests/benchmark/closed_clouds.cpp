@@ -17,17 +17,12 @@
 #include "core/depth/rasterize.h"
 #include "core/io/import.h"
 #include "core/session/surface.h"
+#include "tests/benchmark/closed_cloud_judge.h"
 
 namespace {
 
 using namespace relievo;
-
-struct Sampling {
-  std::size_t points;
-  double noise = 0;       // Of the mesh's size.
-  double unevenness = 1;  // Density at one end over that at the other, along the file's x.
-  double strays = 0;      // Share of the points, anywhere in the box.
-};
+using namespace relievo::benchmark;
 
 using Point = std::array<double, 3>;
 
@@ -92,12 +87,6 @@ Scan sampled(const Scan& mesh, const Sampling& how, unsigned seed) {
   return cloud;
 }
 
-struct Found {
-  double pits = 0, bumps = 0, lost = 0, beyond = 0, rms = 0, median = 0, measured = 0;
-  // Against the mesh on kFineCells samples across, whatever the cloud's own grid.
-  double fine_pits = 0, fine_lost = 0;
-};
-
 constexpr int kFineCells = 600;
 
 bool isMeasured(Origin origin) {
@@ -152,107 +141,28 @@ void compareFinely(const Surface& surface, const Surface& mesh, Found& found) {
   found.fine_lost *= 100 / std::max(cells, 1.0);
 }
 
-Found compared(const Surface& surface, const Scan& mesh) {
+Found judged(const Surface& surface, const Scan& mesh, const Surface& fine) {
   const GridFrame& frame = surface.map.frame;
-  const FrontDepths truth =
-      rasterize({.scan = mesh, .view_from_file = surface.view_from_file, .frame = frame}, {}).front;
-  const double size = frame.spacing_mm * std::max(frame.size.cols, frame.size.rows);
-  Found found;
-  double cells = 0;
-  double squares = 0;
-  double measured = 0;
-  std::vector<double> errors;
-  for (int row = 0; row < frame.size.rows; ++row) {
-    for (int col = 0; col < frame.size.cols; ++col) {
-      const std::size_t i = frame.size.index({.col = col, .row = row});
-      const Origin origin = surface.map.origins[i];
-      const bool is_there = origin != Origin::outside && origin != Origin::base_plane;
-      found.beyond += is_there && std::isnan(truth[i]) ? 1 : 0;
-      float low = 1e30F;
-      float high = -1e30F;
-      bool inside = true;
-      for (int r = row - 2; r <= row + 2; ++r) {
-        for (int c = col - 2; c <= col + 2; ++c) {
-          const Cell near{.col = c, .row = r};
-          const float z = frame.size.contains(near) ? truth[frame.size.index(near)] : NAN;
-          inside = inside && z == z;
-          low = std::min(low, z);
-          high = std::max(high, z);
-        }
-      }
-      if (!inside) continue;
-      ++cells;
-      measured += origin == Origin::measured || origin == Origin::steep ? 1 : 0;
-      found.lost += is_there ? 0 : 1;
-      if (!is_there) continue;
-      const double height = surface.map.heights_mm[i];
-      if (height < low - 0.03 * size) {
-        found.pits += 1;
-        if (std::getenv("CLOSED_CLOUDS_PITS") != nullptr) {
-          std::printf("  pit at %d %d: %.2f, mesh %.2f (%.2f to %.2f), origin %d\n", col, row,
-                      height, static_cast<double>(truth[i]), static_cast<double>(low),
-                      static_cast<double>(high), static_cast<int>(origin));
-        }
-        continue;
-      }
-      if (height > high + 0.03 * size) {
-        found.bumps += 1;
-        continue;
-      }
-      if (high - low > 8 * frame.spacing_mm) continue;
-      const double error = height - static_cast<double>(truth[i]);
-      squares += error * error;
-      errors.push_back(std::abs(error));
-    }
-  }
-  if (cells == 0 || errors.empty()) return found;
-  found.pits *= 100 / cells;
-  found.lost *= 100 / cells;
-  found.bumps *= 100 / cells;
-  found.beyond *= 100 / cells;
-  found.measured = 100 * measured / cells;
-  found.rms = std::sqrt(squares / static_cast<double>(errors.size())) / frame.spacing_mm;
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2),
-                   errors.end());
-  found.median = errors[errors.size() / 2] / frame.spacing_mm;
+  Found found = compared(
+      surface,
+      rasterize({.scan = mesh, .view_from_file = surface.view_from_file, .frame = frame}, {})
+          .front);
+  compareFinely(surface, fine, found);
   return found;
-}
-
-bool isWithinBars(const Found& found) {
-  return found.pits <= 0.1 && found.lost <= 0.5 && found.fine_pits <= 0.1 &&
-         found.fine_lost <= 0.5 && found.rms <= 0.6;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<Sampling> samplings;
-  for (const std::size_t points : {20'000UL, 100'000UL, 1'000'000UL}) {
-    for (const double noise : {0.0, 0.001}) {
-      for (const double unevenness : {1.0, 10.0}) {
-        for (const double strays : {0.0, 0.01}) {
-          samplings.push_back(
-              {.points = points, .noise = noise, .unevenness = unevenness, .strays = strays});
-        }
-      }
-    }
-  }
-  const char* only_view = std::getenv("CLOSED_CLOUDS_VIEW");
-  const char* most = std::getenv("CLOSED_CLOUDS_MOST");
-  const std::size_t most_points = most != nullptr ? std::strtoul(most, nullptr, 10) : 1'000'000;
-  const char* least = std::getenv("CLOSED_CLOUDS_LEAST");
-  const std::size_t least_points = least != nullptr ? std::strtoul(least, nullptr, 10) : 0;
   int missed = 0;
   int tried = 0;
   for (int k = 1; k < argc; ++k) {
     const Scan mesh = importScan(argv[k]);
     const std::string name = std::filesystem::path(argv[k]).filename().string();
     std::map<std::string, Surface> fine;
-    for (const Sampling& how : samplings) {
-      if (how.points > most_points || how.points < least_points) continue;
+    for (const Sampling& how : samplings()) {
       const Scan cloud = sampled(mesh, how, 7);
-      for (const char* view : {"front", "back", "left", "right", "top", "bottom"}) {
-        if (only_view != nullptr && std::string(only_view) != view) continue;
+      for (const char* view : views()) {
         SurfaceOptions options;
         options.unit = LengthUnit::mm;
         options.view = ViewChoice{.name = view, .rotation = {}};
@@ -260,26 +170,14 @@ int main(int argc, char** argv) {
         const Surface surface = makeSurface(cloud, options, rasterize);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        Found found = compared(surface, mesh);
         if (!fine.contains(view)) {
           SurfaceOptions finely = options;
           finely.cells = kFineCells;
           fine.emplace(view, makeSurface(mesh, finely, rasterize));
         }
-        compareFinely(surface, fine.at(view), found);
+        const Found found = judged(surface, mesh, fine.at(view));
         ++tried;
-        missed += isWithinBars(found) ? 0 : 1;
-        std::printf(
-            "%c %-20.20s %7zu noise %.3f uneven %2.0f strays %.2f %-6s %4dx%-4d pits %6.3f bumps "
-            "%6.3f lost %6.3f fine pits %6.3f lost %6.3f beyond %5.2f rms %.3f median %.3f "
-            "measured %3.0f %% hidden %2.0f %% %.2f s  "
-            "%s\n",
-            isWithinBars(found) ? ' ' : '!', name.c_str(), how.points, how.noise, how.unevenness,
-            how.strays, view, surface.map.frame.size.cols, surface.map.frame.size.rows, found.pits,
-            found.bumps, found.lost, found.fine_pits, found.fine_lost, found.beyond, found.rms,
-            found.median, found.measured, 100 * surface.losses->hidden_share, seconds,
-            surface.rule.c_str());
-        std::fflush(stdout);
+        missed += report(name.c_str(), how, view, surface, found, seconds) ? 0 : 1;
       }
     }
   }
