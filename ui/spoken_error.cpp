@@ -213,6 +213,12 @@ constexpr std::array kSentences{
                       "some space or choose another place."),
     QT_TRANSLATE_NOOP("Core", "The recording \"%1\" cannot be written: %2. Choose another place."),
     QT_TRANSLATE_NOOP("Core", "The recording \"%1\" may be incomplete."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The recording \"%1\" is being written by another program. Nothing was "
+                      "recorded. Choose another name, or end the other one first."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The recording is whole, but it cannot be called \"%1\": %2. It is in "
+                      "\"%3\"."),
     QT_TRANSLATE_NOOP(
         "Core",
         "The folder \"%1\" for recordings cannot be made. Nothing is recorded. Choose "

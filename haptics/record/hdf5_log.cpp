@@ -21,7 +21,7 @@
 namespace relievo {
 
 namespace {
-constexpr hsize_t kChunkRows = 4096;
+constexpr hsize_t kChunkRows = 400;  // kMostUnsavedS at 1 kHz: a chunk is written once.
 constexpr hsize_t kChunkEvents = 64;
 constexpr unsigned kDeflate = 4;
 
@@ -462,7 +462,8 @@ void Hdf5Log::write(const HapticSample& sample, double t_s, std::string_view eve
     impl_->rows_of_events.push_back(impl_->rows);
   }
   ++impl_->rows;
-  if (impl_->columns[0].size() < kChunkRows) return;
+  const bool is_late = impl_->columns[0].front() + kMostUnsavedS <= t_s;
+  if (impl_->columns[0].size() < kChunkRows && !is_late) return;
   const std::lock_guard<std::mutex> turn(library());
   try {
     impl_->flush();

@@ -111,6 +111,13 @@ LogWriter::LogWriter(std::filesystem::path file, std::string_view header, LogKin
     buffer_.append("# not ended").append(kRoomBytes - 12, ' ').append("\n");
   }
   buffer_.append(logColumns()).append("\n");
+  if (kind != LogKind::recording) return;
+  if (!writeOut(buffer_)) {
+    const int why = errno;
+    ::close(std::exchange(descriptor_, -1));
+    throw recordingRefused(file_, why);
+  }
+  buffer_.clear();
 }
 
 LogWriter::~LogWriter() {
@@ -124,9 +131,11 @@ LogWriter::~LogWriter() {
 
 void LogWriter::write(const HapticSample& sample, double t_s, std::string_view event) {
   if (descriptor_ < 0) return;
+  if (rows_ == rows_on_disk_) unsaved_since_s_ = t_s;
   appendLogRow(buffer_, sample, t_s, event);
   ++rows_;
-  if (buffer_.size() >= kFlushBytes) flush();
+  const bool is_late = unsaved_since_s_ + kMostUnsavedS <= t_s;
+  if (buffer_.size() >= kFlushBytes || is_late) flush();
 }
 
 bool LogWriter::writeOut(std::string_view text) {

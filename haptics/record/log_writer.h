@@ -23,6 +23,7 @@ void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::
 class LogWriter : public SampleLog {
  public:
   /// @param header  comment lines, each without "#"; "" for none. Separated by line ends.
+  /// A recording's header is on the disk at once.
   /// @throw WriteError  the file cannot be made
   explicit LogWriter(std::filesystem::path file, std::string_view header = {},
                      LogKind kind = LogKind::stroke);
@@ -49,6 +50,7 @@ class LogWriter : public SampleLog {
   std::uint64_t rows_ = 0;
   std::uint64_t rows_on_disk_ = 0;
   std::int64_t bytes_on_disk_ = 0;
+  double unsaved_since_s_ = 0;  // Of the first row that is buffered.
   std::int64_t room_at_ = 0;  // Where the footer's room begins; 0: there is none.
 };
 

@@ -2,8 +2,11 @@
 #include "haptics/record/sample_log.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "core/base/error.h"
 #include "haptics/record/hdf5_log.h"
+#include "haptics/record/log_place.h"
 #include "haptics/record/log_writer.h"
 
 namespace relievo {
@@ -51,13 +54,70 @@ std::string_view headerLine(std::string_view header, std::string_view word) {
   return {};
 }
 
+namespace {
+
+/// A log that takes its name once it is whole.
+class PlacedLog : public SampleLog {
+ public:
+  PlacedLog(const std::filesystem::path& file, std::string_view header, const HapticSpace* surface,
+            LogKind kind)
+      : place_(file), kind_(kind) {
+    const std::filesystem::path& to = place_.writtenTo();
+    const std::string ending = to.extension().string();
+    try {
+      if (ending == ".h5" || ending == ".hdf5") {
+        log_ = std::make_unique<Hdf5Log>(to, header, surface);
+      } else {
+        log_ = std::make_unique<LogWriter>(to, header, kind);
+      }
+    } catch (...) {
+      place_.drop();
+      throw;
+    }
+  }
+  /// What was not closed was cancelled, or never began: a stroke can be run again, the rows of a
+  /// recording cannot be had again.
+  ~PlacedLog() override {
+    if (is_closed_) return;
+    const bool is_of_use = kind_ == LogKind::recording && log_->rows() > 0;
+    log_.reset();
+    if (!is_of_use) place_.drop();
+  }
+
+  void write(const HapticSample& sample, double t_s, std::string_view event) override {
+    try {
+      log_->write(sample, t_s, event);
+    } catch (const WriteError&) {
+      is_closed_ = true;  // With the rows that were saved.
+      place_.release();
+      throw;
+    }
+  }
+  void close(std::string_view footer) override {
+    if (std::exchange(is_closed_, true)) return;
+    try {
+      log_->close(footer);
+    } catch (const WriteError&) {
+      place_.release();
+      throw;
+    }
+    place_.keep();
+  }
+  std::uint64_t rows() const noexcept override { return log_->rows(); }
+  const std::filesystem::path& file() const noexcept override { return place_.target(); }
+
+ private:
+  LogPlace place_;
+  LogKind kind_;
+  std::unique_ptr<SampleLog> log_;
+  bool is_closed_ = false;
+};
+
+}  // namespace
+
 std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,
                                    const HapticSpace* surface, LogKind kind) {
-  const std::string ending = file.extension().string();
-  if (ending == ".h5" || ending == ".hdf5") {
-    return std::make_unique<Hdf5Log>(file, header, surface);
-  }
-  return std::make_unique<LogWriter>(file, header, kind);
+  return std::make_unique<PlacedLog>(file, header, surface, kind);
 }
 
 }  // namespace relievo

@@ -59,6 +59,9 @@ std::array<double, kLogColumns.size()> logValues(const HapticSample& sample, dou
 /// What follows a word at the beginning of a header's line; empty: no such line.
 std::string_view headerLine(std::string_view header, std::string_view word);
 
+/// Of a log that is killed at most so much is lost, on its own clock.
+inline constexpr double kMostUnsavedS = 0.4;
+
 /// A log file that is being written. [one thread at a time]
 class SampleLog {
  public:
@@ -79,11 +82,13 @@ class SampleLog {
 /// A stroke runs on a clock of its own; a recording has a loop whose times end it.
 enum class LogKind : std::uint8_t { stroke, recording };
 
-/// HDF5 where the name ends in .h5 or .hdf5, else CSV. `header` as for LogWriter; its line
+/// HDF5 where the name ends in .h5 or .hdf5, else CSV. What stands there already stays until the log
+/// is closed; until then it is written beside it (LogPlace). A log that is never closed is removed if
+/// it is a stroke's or has no rows. `header` as for LogWriter; its line
 /// "parameters {...}" becomes /parameters of an HDF5 file, "relievo:state {...}" its
 /// /relievo:state. In a CSV file of a recording the footer stands before the rows, in room that is
 /// kept for it. `surface`: what is touched, for /surface; may be null.
-/// @throw WriteError  the file cannot be made
+/// @throw WriteError  the file cannot be made, or somebody else is writing it
 std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,
                                    const HapticSpace* surface = nullptr,
                                    LogKind kind = LogKind::stroke);

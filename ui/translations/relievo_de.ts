@@ -492,6 +492,14 @@
         <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig.</translation>
     </message>
     <message>
+        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
+        <translation>Die Aufzeichnung &quot;%1&quot; wird gerade von einem anderen Programm geschrieben. Es wurde nichts aufgezeichnet. Wählen Sie einen anderen Namen, oder beenden Sie die andere zuerst.</translation>
+    </message>
+    <message>
+        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
+        <translation>Die Aufzeichnung ist vollständig, kann aber nicht &quot;%1&quot; heißen: %2. Sie liegt in &quot;%3&quot;.</translation>
+    </message>
+    <message>
         <source>The log &quot;%1&quot; cannot be read.</source>
         <translation>Die Aufzeichnung „%1“ ist nicht lesbar.</translation>
     </message>

@@ -492,6 +492,14 @@
         <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है।</translation>
     </message>
     <message>
+        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; को अभी कोई दूसरा प्रोग्राम लिख रहा है। कुछ भी रिकॉर्ड नहीं हुआ। दूसरा नाम चुनें, या पहले दूसरी रिकॉर्डिंग समाप्त करें।</translation>
+    </message>
+    <message>
+        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
+        <translation>रिकॉर्डिंग पूरी है, पर उसका नाम &quot;%1&quot; नहीं रखा जा सकता: %2। वह &quot;%3&quot; में है।</translation>
+    </message>
+    <message>
         <source>The log &quot;%1&quot; cannot be read.</source>
         <translation>रिकॉर्डिंग &quot;%1&quot; पढ़ी नहीं जा सकती।</translation>
     </message>

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "haptics/record/log_place.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "core/base/error.h"
+#include "haptics/record/recording_error.h"
+
+namespace relievo {
+namespace {
+
+constexpr int kMostLeftOver = 99;
+constexpr int kNewMode = 0666;
+
+/// A link is followed: what it names is replaced, not the link.
+std::filesystem::path followed(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::path real = std::filesystem::canonical(file, none);
+  return none ? file : real;
+}
+
+/// Takes the file, unless somebody else writes it. Locks of this kind are not those of the HDF5
+/// library, so that other programs may read meanwhile. File systems without locks say nothing.
+bool isTaken(int descriptor) {
+  struct flock whole {};
+  whole.l_type = F_WRLCK;
+  whole.l_whence = SEEK_SET;
+  return ::fcntl(descriptor, F_OFD_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
+}
+
+[[noreturn]] void refuseTaken(const std::filesystem::path& file) {
+  throw WriteError("The recording \"" + file.string() +
+                       "\" is being written by another program. Nothing was recorded. Choose "
+                       "another name, or end the other one first.",
+                   "E401");
+}
+
+void closeIfOpen(int& descriptor) noexcept {
+  if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
+}
+
+}  // namespace
+
+LogPlace::LogPlace(std::filesystem::path file) : target_(followed(file)), written_(target_) {
+  struct stat facts {};
+  if (::stat(target_.c_str(), &facts) != 0) {
+    if (make(target_, kNewMode)) return;
+    if (errno != EEXIST) throw recordingRefused(target_, errno);
+    // Made by somebody else in this moment.
+    if (::stat(target_.c_str(), &facts) != 0) throw recordingRefused(target_, errno);
+  }
+  if (!S_ISREG(facts.st_mode)) return;
+  if (::access(target_.c_str(), W_OK) != 0) throw recordingRefused(target_, errno);
+  held_target_ = ::open(target_.c_str(), O_RDWR | O_CLOEXEC);
+  if (held_target_ >= 0 && isTaken(held_target_)) {
+    closeIfOpen(held_target_);
+    refuseTaken(target_);
+  }
+  makeBeside(static_cast<int>(facts.st_mode & 0777U));
+}
+
+LogPlace::~LogPlace() {
+  release();
+}
+
+void LogPlace::release() noexcept {
+  closeIfOpen(held_);
+  closeIfOpen(held_target_);
+}
+
+/// @return  false: there is one already, or it cannot be made (errno)
+bool LogPlace::make(const std::filesystem::path& file, int mode) {
+  held_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  if (held_ < 0) return false;
+  [[maybe_unused]] const bool taken = isTaken(held_);
+  written_ = file;
+  is_own_ = true;
+  return true;
+}
+
+/// What an earlier log left there, killed, stays: it can be read.
+void LogPlace::makeBeside(int mode) {
+  for (int number = 1; number <= kMostLeftOver; ++number) {
+    std::filesystem::path beside = target_;
+    const std::string end = number == 1 ? std::string() : "-" + std::to_string(number);
+    beside.replace_extension(".unfinished" + end + target_.extension().string());
+    if (make(beside, mode)) return;
+    if (errno != EEXIST) throw recordingRefused(beside, errno);
+    int other = ::open(beside.c_str(), O_RDWR | O_CLOEXEC);
+    const bool is_taken = other >= 0 && isTaken(other);
+    closeIfOpen(other);
+    if (is_taken) refuseTaken(target_);
+  }
+  throw recordingRefused(target_, EEXIST);
+}
+
+void LogPlace::keep() {
+  if (written_ == target_) return release();
+  if (std::rename(written_.c_str(), target_.c_str()) != 0) {
+    throw WriteError("The recording is whole, but it cannot be called \"" + target_.string() +
+                         "\": " + std::strerror(errno) + ". It is in \"" + written_.string() +
+                         "\".",
+                     "E401");
+  }
+  written_ = target_;
+  release();
+}
+
+void LogPlace::drop() noexcept {
+  if (!std::exchange(is_own_, false)) return;
+  ::unlink(written_.c_str());
+}
+
+}  // namespace relievo
