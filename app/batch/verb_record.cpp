@@ -136,7 +136,7 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
   sleep.atZero();
   if (!sink.error().empty()) throw WriteError(sink.error(), "E401");
   loop->stats().update();
-  log->close(loopLines(loop->stats().front()) + sink.replayLines());
+  log->close(loopLines(loop->stats().front()));
   return reported(a.out, log->rows(), *loop, sink, setup.limited, slept);
 }
 

@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cassert>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -204,6 +205,9 @@ void writeSurface(hid_t file, const HapticSpace& surface) {
 
 constexpr const char* kStateSet = "relievo:state";  // As in the CSV's comment.
 constexpr const char* kEventsSet = "events";
+constexpr const char* kLinesSet = "lines";  // Of keep().
+constexpr std::size_t kLineBytes = 128;
+using KeptLine = std::array<char, kLineBytes>;
 
 Id eventType() {
   Id type(H5Tcreate(H5T_COMPOUND, sizeof(EventRow)), H5Tclose);
@@ -246,6 +250,23 @@ std::vector<LogEvent> readEvents(hid_t file) {
   }
   return events;
 }
+/// What keep() was given; logs of earlier versions have none.
+std::string readLines(hid_t file) {
+  if (H5Lexists(file, kLinesSet, H5P_DEFAULT) <= 0) return {};
+  const Id set(H5Dopen2(file, kLinesSet, H5P_DEFAULT), H5Dclose);
+  const Id space(H5Dget_space(set), H5Sclose);
+  const Id type = textType(kLineBytes);
+  std::vector<KeptLine> kept(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  if (!kept.empty()) {
+    require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, kept.data()));
+  }
+  std::string lines;
+  for (KeptLine& line : kept) {
+    line.back() = 0;
+    lines.append(line.data()).append("\n");
+  }
+  return lines;
+}
 }  // namespace
 
 LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
@@ -258,6 +279,8 @@ LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
     const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     table.header = readText(held, "provenance");
     if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
+    const std::string lines = readLines(held);
+    if (!lines.empty()) table.footer += '\n' + lines;
     table.events = readEvents(held);
     for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
       task.check();
@@ -296,7 +319,8 @@ struct Hdf5Log::Impl {
   std::vector<std::vector<double>> columns{kLogColumns.size()};
   std::vector<EventRow> events;
   std::vector<std::uint64_t> rows_of_events;
-  std::uint64_t rows = 0, saved = 0, events_saved = 0;
+  std::vector<KeptLine> lines;
+  std::uint64_t rows = 0, saved = 0, events_saved = 0, lines_saved = 0;
 
   void create(std::string_view header, const HapticSpace* surface);
   void openSets();
@@ -331,6 +355,8 @@ void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) 
   }
   const Id type = eventType();
   [[maybe_unused]] const Id made = growingSet(file, kEventsSet, type, kChunkEvents);
+  const Id line_type = textType(kLineBytes);
+  [[maybe_unused]] const Id kept = growingSet(file, kLinesSet, line_type, kChunkEvents);
   require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
@@ -352,6 +378,13 @@ void Hdf5Log::Impl::prepare(std::size_t count) {
     append(sets[i], H5T_NATIVE_DOUBLE, saved, count, columns[i].data());
   }
   prepareEvents(saved + count);
+  // All that are held, also where some of their rows do not fit any more: a line that no row needs
+  // says nothing.
+  if (!lines.empty()) {
+    const Id set(H5Dopen2(file, kLinesSet, H5P_DEFAULT), H5Dclose);
+    const Id type = textType(kLineBytes);
+    append(set, type, lines_saved, lines.size(), lines.data());
+  }
   require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
@@ -371,6 +404,8 @@ void Hdf5Log::Impl::flush() {
   if (const int error = disk->commit(); error != 0) saveWhatFits(error);
   saved += held;
   events_saved += events.size();
+  lines_saved += lines.size();
+  lines.clear();
   for (std::vector<double>& column : columns) column.clear();
   events.clear();
   rows_of_events.clear();
@@ -470,6 +505,17 @@ void Hdf5Log::write(const HapticSample& sample, double t_s, std::string_view eve
   } catch (const WriteError&) {
     if (!impl_->disk) throw;  // Given up already, with the reason.
     impl_->giveUp(0);
+  }
+}
+
+void Hdf5Log::keep(std::string_view lines) {
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    KeptLine line{};
+    assert(end < kLineBytes);
+    lines.substr(0, end).copy(line.data(), kLineBytes - 1);
+    impl_->lines.push_back(line);
+    lines.remove_prefix(std::min(end + 1, lines.size()));
   }
 }
 

@@ -24,6 +24,7 @@ class Hdf5Log : public SampleLog {
   ~Hdf5Log() override;
 
   void write(const HapticSample& sample, double t_s, std::string_view event = {}) override;
+  void keep(std::string_view lines) override;
   void close(std::string_view footer = {}) override;
   std::uint64_t rows() const noexcept override;
   const std::filesystem::path& file() const noexcept override;

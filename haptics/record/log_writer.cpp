@@ -59,6 +59,18 @@ Footer splitFooter(std::string_view text) {
   return parts;
 }
 
+/// How many rows are among these lines: what is neither a comment nor the columns.
+std::uint64_t rowsIn(std::string_view lines) {
+  std::uint64_t rows = 0;
+  while (!lines.empty()) {
+    const std::size_t end = std::min(lines.find('\n'), lines.size());
+    const std::string_view line = lines.substr(0, end);
+    rows += line.starts_with('#') || line == logColumns() ? 0 : 1;
+    lines.remove_prefix(std::min(end + 1, lines.size()));
+  }
+  return rows;
+}
+
 std::string commented(std::string_view header) {
   std::string text;
   while (!header.empty()) {
@@ -138,6 +150,10 @@ void LogWriter::write(const HapticSample& sample, double t_s, std::string_view e
   if (buffer_.size() >= kFlushBytes || is_late) flush();
 }
 
+void LogWriter::keep(std::string_view lines) {
+  if (descriptor_ >= 0) buffer_ += commented(lines);
+}
+
 bool LogWriter::writeOut(std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(descriptor_, text.data(), text.size());
@@ -158,12 +174,7 @@ void LogWriter::flush() {
     const auto through = static_cast<std::size_t>(bytes_on_disk_ - before);
     const std::size_t end = buffer_.rfind('\n', through == 0 ? 0 : through - 1);
     const std::size_t whole = (through == 0 || end == std::string::npos) ? 0 : end + 1;
-    const auto lines = static_cast<std::uint64_t>(
-        std::count(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(whole), '\n'));
-    const auto pending =
-        static_cast<std::uint64_t>(std::count(buffer_.begin(), buffer_.end(), '\n'));
-    const std::uint64_t header_lines = pending - (rows_ - rows_on_disk_);
-    rows_ = rows_on_disk_ + (lines > header_lines ? lines - header_lines : 0);
+    rows_ = rows_on_disk_ + rowsIn(std::string_view(buffer_).substr(0, whole));
     bytes_on_disk_ = before + static_cast<std::int64_t>(whole);
     giveUp(error_number);
   }

@@ -17,7 +17,8 @@ std::string_view logColumns() noexcept;
 /// round-trip form, `event` quoted. The same for recordings and for `relievo touch`.
 void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event);
 
-/// Writes a log file: lines that start with #, the columns, then rows. What is on disk is always
+/// Writes a log file: lines that start with #, the columns, then rows, between them what keep() was
+/// given, each line behind "# ". What is on disk is always
 /// whole rows: if the disk fills up, the file is cut after the last row that fits and stays
 /// readable. [one thread]
 class LogWriter : public SampleLog {
@@ -30,6 +31,7 @@ class LogWriter : public SampleLog {
   ~LogWriter() override;
 
   void write(const HapticSample& sample, double t_s, std::string_view event = {}) override;
+  void keep(std::string_view lines) override;
   /// Writes out what is buffered. @throw WriteError (E401)  as above
   void flush();
   /// Footer lines, each with "# " before it. In a recording's header, but for lines "window ..."

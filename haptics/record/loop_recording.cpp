@@ -12,13 +12,16 @@ void LoopRecording::take(std::span<const HapticSample> batch) {
     if (left_ == 0 || !error_.empty()) break;
     if (!before_) start_ns_ = sample.time_ns;
     try {
+      if (const std::string line = changeLine(before_ ? &*before_ : nullptr, sample);
+          !line.empty()) {
+        log_.keep(line);
+      }
       log_.write(sample, 1e-9 * static_cast<double>(sample.time_ns - start_ns_),
                  before_ ? eventBetween(*before_, sample) : eventAtStart(sample));
     } catch (const WriteError& error) {
       error_ = error.what();
       break;
     }
-    replay_lines_ += changeLine(before_ ? &*before_ : nullptr, sample);
     gaps_ += before_ && sample.tick != before_->tick + 1 ? 1 : 0;
     before_ = sample;
     --left_;

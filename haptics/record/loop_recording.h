@@ -13,9 +13,9 @@
 namespace relievo {
 
 /// A running loop's samples from its first tick on, up to a number of them, in a log that can be
-/// replayed however the loop ended: what the rows do not tell - a fault that the device reported,
-/// forces that went off as the loop left, a start from zero after a cut - is kept as lines for the
-/// log's end. An error is kept for whoever joins the drain.
+/// replayed however the loop or the program ended: what the rows do not tell - a fault that the
+/// device reported, forces that went off as the loop left, a start from zero after a cut - is kept
+/// as a line with its row. An error is kept for whoever joins the drain.
 class LoopRecording {
  public:
   /// @param most  samples; then it is done()
@@ -30,15 +30,13 @@ class LoopRecording {
   /// Of the device at the end: from there on there was no force.
   DeviceFault fault() const { return before_ ? before_->fault : DeviceFault::none; }
   int gaps() const { return gaps_; }  ///< Places where samples were dropped.
-  /// For the end of the log: replay() repeats it with them.
-  const std::string& replayLines() const { return replay_lines_; }
 
  private:
   SampleLog& log_;
   std::uint64_t left_;
   std::optional<HapticSample> before_;
   std::int64_t start_ns_ = 0;
-  std::string error_, replay_lines_;
+  std::string error_;
   int gaps_ = 0;
   std::atomic<bool> done_{false};
 };

@@ -58,7 +58,8 @@ bool parseRow(std::string_view line, std::array<double, kLogColumns.size()>& val
   return true;
 }
 
-constexpr std::string_view kFirstColumns = "t_s,";  // Of every version.
+constexpr std::string_view kFirstColumns = "t_s,";   // Of every version.
+constexpr std::string_view kNotEnded = "not ended";  // In the room of a recording's last lines.
 
 LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
@@ -67,6 +68,8 @@ LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
   LogTable table;
   bool have_columns = false;
   for (std::string line; std::getline(in, line);) {
+    // Whoever wrote it was ended in the middle of a row: the ones before it are whole.
+    if (in.eof() && table.header.find(kNotEnded) != std::string::npos) break;
     if (line.starts_with('#')) {
       std::string& lines = have_columns ? table.footer : table.header;
       lines += line.substr(std::min<std::size_t>(2, line.size())) + '\n';

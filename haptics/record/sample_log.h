@@ -72,6 +72,9 @@ class SampleLog {
 
   /// @throw WriteError (E401)  says how many rows are saved; the file is closed, rows() is exact
   virtual void write(const HapticSample& sample, double t_s, std::string_view event = {}) = 0;
+  /// Lines of the footer that the next row needs: on the disk as soon as that row is, so that the
+  /// rows that are left of a recording say as much as whole ones. Each ends with a line end.
+  virtual void keep(std::string_view lines) = 0;
   /// Ends the file; `footer` lines are kept with it. Further calls do nothing.
   /// @throw WriteError (E401)
   virtual void close(std::string_view footer = {}) = 0;

@@ -36,6 +36,11 @@ bool isUnfinished(const std::string& text) {
   return text.find(kToDo) != std::string::npos || text.find(kFixMe) != std::string::npos;
 }
 
+TEST(Tree, IsFound) {
+  EXPECT_GE(readTree(isText).size(), 1200U);
+  EXPECT_GE(readTree(isCpp).size(), 1000U);
+}
+
 TEST(Tree, HasALicenceLineInEverySource) {
   for (const auto& [path, text] : readTree(isText)) {
     EXPECT_TRUE(!needsLicenceLine(path) || hasLicenceLine(text)) << path;

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <list>
 #include <mutex>
 #include <string>
@@ -96,6 +97,7 @@ struct MockUsb::Impl {
   MockPortCounts counts;
   std::shared_ptr<SharedFalcon> falcon;
   bool gone = false;
+  GMainContext* context = nullptr;  // Of umockdev's thread, once it has called.
 
   // [umockdev's thread]
   std::list<Urb> urbs;
@@ -115,6 +117,7 @@ struct MockUsb::Impl {
   void serve();
   void hold(UMockdevIoctlClient* client);
   void release();
+  void leave();
   void forget(std::list<Urb>::iterator urb);
 
   static gboolean onIoctl(UMockdevIoctlBase* /*base*/, UMockdevIoctlClient* client, void* self) {
@@ -135,6 +138,7 @@ void MockUsb::Impl::forget(std::list<Urb>::iterator urb) {
 
 gboolean MockUsb::Impl::handle(UMockdevIoctlClient* client) {
   const std::lock_guard lock(mutex);
+  context = g_main_context_get_thread_default();
   const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
   switch (request) {
     case static_cast<unsigned>(USBDEVFS_SUBMITURB):
@@ -346,8 +350,8 @@ void MockUsb::Impl::hold(UMockdevIoctlClient* client) {
   if (timer_source == nullptr) {
     timer_source = g_unix_fd_source_new(timer, G_IO_IN);
     g_source_set_callback(timer_source, G_SOURCE_FUNC(&Impl::onTimer), this, nullptr);
-    // The context of umockdev's thread; GLib's own timeouts are rounded to milliseconds.
-    g_source_attach(timer_source, g_main_context_get_thread_default());
+    // GLib's own timeouts are rounded to milliseconds.
+    g_source_attach(timer_source, context);
   }
   const std::int64_t now = monotonicNs();
   std::int64_t until = now + kHoldNs;
@@ -369,6 +373,36 @@ void MockUsb::Impl::release() {
   UMockdevIoctlClient* client = std::exchange(held, nullptr);
   if (!reapNow(client)) complete(client, -1, gone ? ENODEV : EAGAIN);
   g_object_unref(client);
+}
+
+/// [test's thread] Nothing of this port runs on umockdev's thread any more. A source that outlived
+/// its timer would be called for whatever file has the descriptor next, and take bytes from it that
+/// somebody waits for.
+void MockUsb::Impl::leave() {
+  GMainContext* const where = [this] {
+    const std::lock_guard lock(mutex);
+    return context;
+  }();
+  if (where == nullptr) return;  // Nobody has asked for anything.
+  std::promise<void> left;
+  auto leave_there = [this, &left] {
+    release();
+    if (timer_source != nullptr) {
+      g_source_destroy(timer_source);
+      g_source_unref(std::exchange(timer_source, nullptr));
+    }
+    g_signal_handlers_disconnect_by_data(handler, this);
+    left.set_value();
+  };
+  using Call = decltype(leave_there);
+  g_main_context_invoke_full(
+      where, G_PRIORITY_DEFAULT,
+      [](void* call) -> gboolean {
+        (*static_cast<Call*>(call))();
+        return G_SOURCE_REMOVE;
+      },
+      &leave_there, nullptr);
+  left.get_future().wait();
 }
 
 void MockUsb::Impl::discard(UMockdevIoctlClient* client) {
@@ -401,6 +435,7 @@ MockUsb::MockUsb() : impl_(std::make_unique<Impl>()) {
 
 MockUsb::~MockUsb() {
   unplug();
+  impl_->leave();
   if (impl_->attached) umockdev_testbed_detach_ioctl(impl_->testbed, kNode, nullptr);
   g_object_unref(impl_->testbed);
   g_object_unref(impl_->handler);

@@ -313,6 +313,7 @@ TEST_F(FigureDialogTest, EveryControlHasANameATooltipAndALetterOfItsOwn) {
     note(label->text());
     EXPECT_EQ(label->buddy()->accessibleName(), label->text().remove('&'));
   }
+  EXPECT_GE(letters.size(), 10);
   for (const char* name :
        {"Own ends of the colours", "Colours from", "Colours to", "Own zero plane", "Zero plane",
         "Both eyes as files", "Save heights too", "Heights", "Browse: Heights",

@@ -223,11 +223,14 @@ TEST_F(PseudoTest, DialogsShowNothingUntranslated) {
        {"preferences", "keys", "figure", "depth_map", "prepare", "image", "history"}) {
     window().runCommand(command);
     QApplication::processEvents();
+    int judged = 0;
     for (auto* dialog : window().findChildren<QDialog*>()) {
       if (!dialog->isVisible()) continue;
       EXPECT_EQ(untranslated(*dialog).join('\n').toStdString(), "") << command;
       dialog->close();
+      ++judged;
     }
+    EXPECT_EQ(judged, 1) << command;
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   }
 }
@@ -298,6 +301,7 @@ class MnemonicTest : public GuiTest, public ::testing::WithParamInterface<const 
 };
 
 TEST_P(MnemonicTest, DoNotRepeatWithinAMenuAndStandInGermanWords) {
+  int letters = 0;
   for (const QMenu* menu : window().findChildren<QMenu*>()) {
     QString seen;
     for (const QAction* a : menu->actions()) {
@@ -311,15 +315,19 @@ TEST_P(MnemonicTest, DoNotRepeatWithinAMenuAndStandInGermanWords) {
       if (GetParam() == std::string("de")) {
         EXPECT_FALSE(a->text().contains("(&")) << a->text().toStdString();
       }
+      ++letters;
     }
   }
+  EXPECT_GE(letters, 60);
 }
 
 TEST_P(MnemonicTest, AreNotSeenWhereNothingHasThem) {
   openRelief();
   const QRegularExpression letter(QStringLiteral("\\([A-Z]\\)"));
+  int texts = 0;
   const auto plain = [&](const QString& text) {
     EXPECT_FALSE(text.contains(letter) || text.contains("(&")) << text.toStdString();
+    texts += text.isEmpty() ? 0 : 1;
   };
   for (const auto* button : child<QToolBar>("tools")->findChildren<QToolButton*>()) {
     plain(button->text());
@@ -342,6 +350,7 @@ TEST_P(MnemonicTest, AreNotSeenWhereNothingHasThem) {
   for (const auto* button : child<QDialog>("package_dialog")->findChildren<QPushButton*>()) {
     plain(button->accessibleName());
   }
+  EXPECT_GE(texts, 150);
 }
 INSTANTIATE_TEST_SUITE_P(Languages, MnemonicTest, ::testing::Values("de", "hi"));
 

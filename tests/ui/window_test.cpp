@@ -39,11 +39,15 @@ class WindowTest : public GuiTest {
         if (!a->isSeparator() && !a->objectName().startsWith("_q_")) all << a;
       }
     }
+    EXPECT_GE(all.size(), kLeastEntries) << "judged by every test that asks for them";
     return all;
   }
+  // Less is a window whose menus were not found.
+  static constexpr int kLeastMenus = 6, kLeastEntries = 60;
 };
 
 TEST_F(WindowTest, EveryMenuAndEntryHasAMnemonic) {
+  EXPECT_GE(window().menuBar()->actions().size(), kLeastMenus);
   for (const QAction* a : window().menuBar()->actions()) {
     EXPECT_TRUE(a->text().contains('&')) << a->text().toStdString();
   }
@@ -53,6 +57,7 @@ TEST_F(WindowTest, EveryMenuAndEntryHasAMnemonic) {
 }
 
 TEST_F(WindowTest, MnemonicsDoNotRepeatWithinAMenu) {
+  int letters = 0;
   for (const QMenu* menu : window().findChildren<QMenu*>()) {
     QString seen;
     for (const QAction* a : menu->actions()) {
@@ -62,8 +67,10 @@ TEST_F(WindowTest, MnemonicsDoNotRepeatWithinAMenu) {
       EXPECT_FALSE(seen.contains(letter)) << menu->title().toStdString() << ": "
                                           << seen.toStdString() << ", " << a->text().toStdString();
       seen += letter;
+      ++letters;
     }
   }
+  EXPECT_GE(letters, kLeastEntries);
 }
 
 TEST_F(WindowTest, EveryEntryHasATooltipThatNamesItsKey) {
@@ -88,9 +95,11 @@ TEST_F(WindowTest, NoShortcutIsABareLetterOrTakenTwice) {
       taken << key.toString();
     }
   }
+  EXPECT_GE(taken.size(), 25);
 }
 
 TEST_F(WindowTest, MenusWithoutAnEntryAreNotShown) {
+  ASSERT_GE(window().menuBar()->actions().size(), kLeastMenus);
   for (const QAction* a : window().menuBar()->actions()) {
     EXPECT_EQ(a->isVisible(), !a->menu()->actions().isEmpty()) << a->text().toStdString();
   }
@@ -172,6 +181,7 @@ TEST_F(WindowTest, EveryControlAndBothViewsHaveAnAccessibleName) {
            qobject_cast<const QSlider*>(w) != nullptr ||
            qobject_cast<const SurfaceView*>(w) != nullptr || (w->focusPolicy() & Qt::TabFocus) != 0;
   };
+  int named = 0;
   for (const QWidget* w : window().findChildren<QWidget*>()) {
     if (!interesting(w) || w->objectName().startsWith("qt_")) continue;
     // Parts that Qt makes inside a spin box or a combo box speak for their owner.
@@ -180,7 +190,9 @@ TEST_F(WindowTest, EveryControlAndBothViewsHaveAnAccessibleName) {
     if (w->window() != &window()) continue;
     EXPECT_FALSE(w->accessibleName().isEmpty())
         << w->metaObject()->className() << " " << w->objectName().toStdString();
+    ++named;
   }
+  EXPECT_GE(named, 30);
 }
 
 TEST_F(WindowTest, AViewsAccessibleValueSaysWhereOneIs) {

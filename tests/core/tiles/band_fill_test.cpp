@@ -85,6 +85,28 @@ TEST(BandFill, FillsGapsAcrossABandsBorderAsTheWholeMapDoes) {
                        depths);
 }
 
+/// What push-pull makes of the rows beside a cut is off where nothing is known above them, and what
+/// is limited by those goes on into the band, one row a round. So next to nothing is known just
+/// beyond the border at row 256, and ways of single cells lead on into the band below.
+TEST(BandFill, WhatIsLimitedByNeighboursBeyondABandsBorderIsThatOfTheWholeMap) {
+  const GridSize size{.cols = 6000, .rows = 300};
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> unit(0, 1);
+  FrontDepths depths(size.count());
+  for (int row = 0; row < size.rows; ++row) {
+    const int inside = row - 256;
+    const bool empty = inside >= -14 && inside < -3;
+    const float known = empty ? 0.02F : inside >= -3 && inside < 16 ? 0.3F : 0.04F;
+    for (int col = 0; col < size.cols; ++col) {
+      depths[size.index({.col = col, .row = row})] =
+          unit(random) < known ? 0.1F * unit(random) : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  // So low that nothing counts as seen through, and known so rarely that these are gaps, no holes.
+  expectSameAsWholeMap({.size = size, .hit_share = 0.5, .holes = {}, .has_sampling_gaps = true},
+                       depths);
+}
+
 TEST(BandFill, AWallAlongABandsBorderIsSteepOnBothSidesOfIt) {
   // Rises by 20 mm a row of 0.5 mm around the border at row 256, and falls so around 512.
   const GridSize size{.cols = 40, .rows = 700};

@@ -109,26 +109,42 @@ TEST(Friction, KeepsTheForceWithinTheConeAndTheProxyOutside) {
   EXPECT_GT(contacts, 10000);
 }
 
-/// How much the force swings while a hand slides steadily whose places are counts of `step_mm`.
-double ripple(const SurfaceFeel& feel, double step_mm, double mm_per_s, DeviceMm along) {
-  const auto space = flat(SurfaceKind::gated);
+/// How a hand slides: steadily, pressed in with 2 N along the normal.
+struct Stroke {
+  double step_mm = 0;  ///< Its places are counts of so much.
+  double mm_per_s = 20;
+  double turn = 0;   ///< Of the way over the window, radians from x.
+  double slope = 0;  ///< Of the ground, along the way.
+};
+
+/// How much the force swings meanwhile.
+double ripple(const SurfaceFeel& feel, const Stroke& stroke) {
+  const double c = std::cos(stroke.turn), s = std::sin(stroke.turn);
+  const auto space = test::spaceOf(
+      80, [&](double x, double y) { return stroke.slope * (c * (x - 40) + s * (y - 40)); }, 1, {},
+      SurfaceKind::gated);
   HapticOptions options;
   setFeel(options, feel);
   const double k = feel.stiffness_by_detail ? 0.8 : feel.stiffness_n_per_mm;
   HapticCore core(ForceChain::bare);
-  const double plane_mm = space->deviceFromView({40, 40, 0}).z;
-  const auto counted = [step_mm](double mm) {
-    return step_mm > 0 ? step_mm * std::round(mm / step_mm) : mm;
+  const double middle_mm = space->deviceFromView({40, 40, 0}).z;
+  const auto counted = [&](double mm) {
+    return stroke.step_mm > 0 ? stroke.step_mm * std::round(mm / stroke.step_mm) : mm;
   };
+  const double length = std::hypot(1, stroke.slope);
   DeviceN low{9, 9, 9}, high{-9, -9, -9};
-  for (int ms = 0; ms < 2500; ++ms) {
+  // Within the window, beyond which the ground is level.
+  constexpr double kStartMm = -32, kWayMm = 60;
+  const int end_ms = std::min(2500, 400 + static_cast<int>(1e3 * kWayMm / stroke.mm_per_s));
+  for (int ms = 0; ms < end_ms; ++ms) {
     // Down with 2 N, and along for a second before it is judged.
-    const double depth_mm = std::min(2 / k, 0.02 * ms - 1),
-                 way = 1e-3 * mm_per_s * std::max(0, ms - 400);
+    const double in_mm = std::min(2 / k, 0.02 * ms - 1);
+    const double along = kStartMm + 1e-3 * stroke.mm_per_s * std::max(0, ms - 400) / length;
+    const double aside = along + in_mm * stroke.slope / length;
     DeviceReading reading;
     reading.time_ns = ms * 1'000'000LL;
-    reading.position = {counted(-20 + way * along.x), counted(-20 + way * along.y),
-                        counted(plane_mm - depth_mm)};
+    reading.position = {counted(c * aside), counted(s * aside),
+                        counted(middle_mm + stroke.slope * along - in_mm / length)};
     const DeviceN f = core.tick(*space, options, reading, reading.time_ns).force;
     if (ms < 1400) continue;
     low = {std::min(low.x, f.x), std::min(low.y, f.y), std::min(low.z, f.z)};
@@ -137,18 +153,77 @@ double ripple(const SurfaceFeel& feel, double step_mm, double mm_per_s, DeviceMm
   return norm(high - low);
 }
 
+constexpr double kMostRippleN = 0.03;
+constexpr std::array kSteadySpeeds{5.0, 20.0, 40.0};
+// Exact, the Falcon's in and out and sideways, the virtual hand's.
+constexpr std::array kCounts{0.0, 0.028, 0.048, 0.0635};
+
+std::vector<SurfacePreset> rubbingPresets() {
+  std::vector<SurfacePreset> all(kSurfacePresets.begin(), kSurfacePresets.end());
+  // The paper's knows no friction.
+  std::erase_if(all, [](const auto& one) { return one.feel.proxy != ProxyKind::converged; });
+  return all;
+}
+
 TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
-  constexpr double kMostRippleN = 0.03;
-  for (const SurfacePreset& preset : kSurfacePresets) {
-    if (preset.feel.proxy != ProxyKind::converged) continue;  // The paper's knows no friction.
-    // Exact, the Falcon's in and out and sideways, the virtual hand's.
-    for (const double step_mm : {0.0, 0.028, 0.048, 0.0635}) {
-      for (const double mm_per_s : {5.0, 20.0, 40.0}) {
-        EXPECT_LE(ripple(preset.feel, step_mm, mm_per_s, {1, 0, 0}), kMostRippleN)
-            << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s";
+  const double kDiagonal = std::atan(1.0);
+  for (const SurfacePreset& preset : rubbingPresets()) {
+    for (const double step_mm : kCounts) {
+      for (const double mm_per_s : kSteadySpeeds) {
+        for (const double turn : {0.0, kDiagonal, 2 * kDiagonal, 3 * kDiagonal}) {
+          EXPECT_LE(ripple(preset.feel, {.step_mm = step_mm, .mm_per_s = mm_per_s, .turn = turn}),
+                    kMostRippleN)
+              << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s, turned "
+              << turn;
+        }
       }
     }
   }
+}
+
+/// Between those directions a count across the way comes alone, and turns the pull of a proxy that
+/// trails behind: as much as such a count changes the force of one that is held, k times the count.
+TEST(Friction, AcrossTheCountsTheRippleIsThatOfOneCountOfTheSpring) {
+  for (const SurfacePreset& preset : rubbingPresets()) {
+    const SurfaceFeel& feel = preset.feel;
+    const double k = feel.stiffness_by_detail ? 0.8 : feel.stiffness_n_per_mm;
+    for (const double step_mm : kCounts) {
+      for (const double mm_per_s : kSteadySpeeds) {
+        for (const double turn : {0.2, 0.4, 1.2, -0.3}) {
+          EXPECT_LE(ripple(feel, {.step_mm = step_mm, .mm_per_s = mm_per_s, .turn = turn}),
+                    std::max(kMostRippleN, 1.25 * k * step_mm))
+              << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s, turned "
+              << turn;
+        }
+      }
+    }
+  }
+}
+
+/// On a slope the counts change the depth as well, whatever rubs: a spring of 0.8 N/mm swings by
+/// 0.05 N. Friction may add no more than on the flat.
+TEST(Friction, NorDoesOneThatGoesUpOrDownASlope) {
+  double worst = 0;
+  for (const SurfacePreset& preset : rubbingPresets()) {
+    SurfaceFeel smooth = preset.feel;
+    smooth.friction = 0;
+    for (const double step_mm : kCounts) {
+      for (const double mm_per_s : kSteadySpeeds) {
+        for (const double slope : {-0.5, 0.3, 0.7}) {
+          for (const double turn : {0.0, std::atan(1.0)}) {
+            const Stroke stroke{
+                .step_mm = step_mm, .mm_per_s = mm_per_s, .turn = turn, .slope = slope};
+            const double more = ripple(preset.feel, stroke) - ripple(smooth, stroke);
+            worst = std::max(worst, more);
+            EXPECT_LE(more, kMostRippleN)
+                << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s, slope "
+                << slope << ", turned " << turn;
+          }
+        }
+      }
+    }
+  }
+  RecordProperty("worst_mn", static_cast<int>(1e3 * worst));
 }
 
 /// What a real material shows is left: it holds harder at rest, and lets go at once.

@@ -148,6 +148,47 @@ TEST_F(MarkPlaces, TheHeightBarStandsAboveTheScaleBarWhereTheyHaveNoRoomBesideEa
   EXPECT_EQ(leftOutText(placed()), "");
 }
 
+/// The first number of a bar's words, "height 5 mm" or "2 cm", in mm.
+double lengthInWords(const QString& words) {
+  const QStringList parts = words.split(' ');
+  for (int i = 0; i + 1 < parts.size(); ++i) {
+    bool is_number = false;
+    const double number = parts[i].toDouble(&is_number);
+    if (!is_number) continue;
+    if (parts[i + 1].startsWith("cm")) return 10 * number;
+    if (parts[i + 1].startsWith("mm")) return number;
+    if (parts[i + 1].startsWith(QChar(0xb5))) return 1e-3 * number;
+  }
+  return 0;
+}
+
+TEST_F(MarkPlaces, BothBarsAreAsLongAsTheirWordsSayAtOneScale) {
+  int judged = 0;
+  for (const FigureLayout layout : {FigureLayout::detail, FigureLayout::reference_detail}) {
+    project_.figure.layout = layout;
+    for (const double width_mm : {60.0, 85.0, 120.0, 180.0}) {
+      project_.figure.width_mm = width_mm;
+      const FigureSheet sheet = layOut(surface_, project_);
+      const std::vector<PanelMarks> panels = placed();
+      for (std::size_t i = 0; i < panels.size(); ++i) {
+        // From the sheet's own millimetres: paper and object.
+        const double px_per_mm = boxes_[i].width() / sheet.panels[i].shown.width_mm;
+        for (const PlacedMark& mark : panels[i].marks) {
+          if (mark.kind != Kind::height_bar && mark.kind != Kind::scale_bar) continue;
+          const bool upright = mark.kind == Kind::height_bar;
+          const double drawn_px = upright ? mark.bar.height() : mark.bar.width();
+          const double said_mm = lengthInWords(mark.words.front().text);
+          ASSERT_GT(said_mm, 0) << mark.words.front().text.toStdString();
+          EXPECT_NEAR(drawn_px, said_mm * px_per_mm, 1.01)
+              << mark.words.front().text.toStdString() << " on " << width_mm << " mm";
+          judged += upright ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GE(judged, 4);
+}
+
 TEST_F(MarkPlaces, APanelsTitleIsWholeBesideTheUpMark) {
   project_.figure.layout = FigureLayout::levels;
   for (const double width_mm : {85.0, 120.0, 180.0}) {

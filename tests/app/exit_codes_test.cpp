@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the command line ends where something refuses: a report that nobody can take, Ctrl+C, and
+// what is said of a level that a region cannot carry.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <thread>
+
+#include "tests/app/command_test.h"
+
+namespace relievo {
+namespace {
+
+using test::CommandResult;
+using test::kReliefF;
+using test::runRelievo;
+using testing::HasSubstr;
+using testing::Not;
+
+class ExitCodes : public test::CommandTest {
+ protected:
+  /// The built program with its output into these files. @return its process
+  static pid_t started(std::vector<std::string> words, const std::string& out,
+                       const std::string& err) {
+    words.insert(words.begin(), RELIEVO_BINARY_DIR "/bin/relievo");
+    std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    for (const auto& [file, to] : {std::pair{out, STDOUT_FILENO}, {err, STDERR_FILENO}}) {
+      const int opened = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      if (opened < 0 || dup2(opened, to) < 0) _exit(125);
+    }
+    execv(argv[0], argv.data());
+    _exit(126);
+  }
+  static int statusOf(pid_t child) {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return status;
+  }
+  /// Does the process keep this signal for itself? Until then it would die of it.
+  static bool takes(pid_t child, int signal) {
+    std::ifstream status("/proc/" + std::to_string(child) + "/status");
+    for (std::string line; std::getline(status, line);) {
+      if (!line.starts_with("SigBlk:")) continue;
+      const std::uint64_t blocked = std::stoull(line.substr(7), nullptr, 16);
+      return (blocked >> static_cast<unsigned>(signal - 1) & 1U) != 0;
+    }
+    return false;
+  }
+};
+
+TEST_F(ExitCodes, AReportThatStandardOutputDoesNotTakeIsExitThree) {
+  const std::string scan = plane();
+  for (const char* format : {"text", "json"}) {
+    const int status = statusOf(
+        started({"info", scan, "--unit", "mm", "--report", format}, "/dev/full", path("err")));
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 3) << format;
+    EXPECT_THAT(test::bytesOf(path("err")),
+                HasSubstr("The report could not be written to standard output."));
+  }
+}
+
+TEST_F(ExitCodes, CtrlCAndTerminationEndTheWorkWithExit130AndLeaveNoFile) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const std::string map = path("map.tif");
+    const pid_t child =
+        started({"depthmap", kReliefF, "--unit", "mm", "-o", map}, path("out"), path("err"));
+    while (!takes(child, signal) && kill(child, 0) == 0) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    kill(child, signal);
+    const int status = statusOf(child);
+    ASSERT_TRUE(WIFEXITED(status)) << "it ended by itself, not by signal " << signal;
+    EXPECT_EQ(WEXITSTATUS(status), 130) << test::bytesOf(path("err"));
+    EXPECT_FALSE(std::filesystem::exists(map));
+  }
+}
+
+TEST_F(ExitCodes, OnlyALevelThatIsFinerThanTheRegionCarriesIsToldToAlias) {
+  const auto touched = [this](const std::vector<std::string>& level) {
+    return runRelievo(test::joined(
+        {"touch", kReliefF, "--unit", "mm", "--view", "top", "--region", "100,20,150,150",
+         "--stroke", test::kFlatStroke, "-o", path("log.csv"), "--report", "json"},
+        level));
+  };
+  const CommandResult fitting = touched({});
+  ASSERT_EQ(fitting.exit_code, 0) << fitting.err;
+  const int level = nlohmann::json::parse(fitting.out)["level"].get<int>();
+  ASSERT_GT(level, 0);
+  EXPECT_THAT(fitting.err, Not(HasSubstr("aliases"))) << "chosen by itself";
+  const CommandResult given = touched({"--level", std::to_string(level)});
+  EXPECT_EQ(given.exit_code, 0);
+  EXPECT_THAT(given.err, Not(HasSubstr("aliases"))) << "the same, given";
+  const CommandResult finer = touched({"--level", std::to_string(level - 1)});
+  EXPECT_EQ(finer.exit_code, 0);
+  EXPECT_THAT(finer.err, HasSubstr("fine structure aliases. Level " + std::to_string(level) +
+                                   " fits, or choose a smaller region."));
+}
+
+}  // namespace
+}  // namespace relievo
