@@ -53,6 +53,7 @@ struct TouchSetup {
   RegionWindow window;
   std::unique_ptr<HapticSpace> space;  ///< On the heap: 900 kB by value.
   StrokeOptions options;
+  std::string device;   ///< Which one it is, for headers; "none".
   HapticOptions core;   ///< The same for the core, within what the device can do.
   std::string limited;  ///< What was asked for and is more than that, in a sentence; or empty.
 };

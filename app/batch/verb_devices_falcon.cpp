@@ -31,8 +31,14 @@ void tickUntil(std::int64_t deadline_ns, const Task& task) {
   sleepUntil(deadline_ns);
 }
 
-std::unique_ptr<falcon::FalconDevice> openFalcon(const falcon::FalconSettings& settings) {
-  auto device = std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
+std::unique_ptr<falcon::FalconDevice> openFalcon(const std::string& id,
+                                                 const falcon::FalconSettings& settings) {
+  const auto choice = falcon::falconChoice(id);
+  if (!choice) {
+    throw ArgumentError("--device: '" + id +
+                        "' names no Falcon. Nothing was tried. Use an id of 'relievo devices'.");
+  }
+  auto device = std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(*choice),
                                                        falcon::storedFirmwareSource(), settings);
   device->open();
   return device;
@@ -90,7 +96,7 @@ std::string promptOf(const falcon::Calibration& calibration) {
 }  // namespace
 
 Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
-  const auto device = openFalcon(falcon::readSettings(falcon::settingsFile()));
+  const auto device = openFalcon(a.device, falcon::readSettings(falcon::settingsFile()));
   waitUntilReady(*device, a.ready_s, kNothingTried, task);
   falcon::SelfTest test(
       *device, {.rate_s = a.rate_s, .nudges = !a.no_nudges, .wait_for_person_s = a.wait_s});
@@ -105,6 +111,8 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   }
   Json json;
   Outcome outcome;
+  json["device"] = device->info().id;
+  json["device_name"] = device->info().name;
   json["passed"] = test.passed();
   json["lines"] = Json::array();
   for (const falcon::SelfTestLine& line : test.lines()) {
@@ -119,11 +127,11 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   return outcome;
 }
 
-Outcome calibrateFalcon(double weight_g, double ready_s, const Task& task) {
+Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const Task& task) {
   falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   const double before = settings.counts_per_n_mm;
-  const auto device = openFalcon(settings);
-  waitUntilReady(*device, ready_s, kNothingTried, task);
+  const auto device = openFalcon(which.device, settings);
+  waitUntilReady(*device, which.ready_s, kNothingTried, task);
   falcon::Calibration calibration(*device, before, weight_g);
   std::unique_ptr<EnterKey> enter;
   std::string told;
@@ -149,7 +157,9 @@ Outcome calibrateFalcon(double weight_g, double ready_s, const Task& task) {
   std::snprintf(line.data(), line.size(),
                 "The force is calibrated: %.2f counts per N mm, %.2f before.",
                 settings.counts_per_n_mm, before);
-  const Json json{{"counts_per_n_mm", settings.counts_per_n_mm},
+  const Json json{{"device", device->info().id},
+                  {"device_name", device->info().name},
+                  {"counts_per_n_mm", settings.counts_per_n_mm},
                   {"before", before},
                   {"settings", falcon::settingsFile().string()}};
   return {.json = json.dump(2),

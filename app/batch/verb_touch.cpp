@@ -228,6 +228,7 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   TouchSetup setup;
   setup.options = strokeOptions(a);
   setup.core = strokeHapticOptions(setup.options);
+  setup.device = a.device.empty() ? "none" : a.device;
   if (!a.device.empty()) {
     const DeviceInfo device = makeDevice(a.device)->info();
     setup.limited = limitedText(setup.core, device);
@@ -262,9 +263,8 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
   parameters["safety"] = safetyOf(a);
   return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
          surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
-         " (" + std::string(name(surface.unit_source)) + ")\ndevice " +
-         (a.device.empty() ? "none" : a.device) + " (" + stroke + ")\nregion_mm " +
-         jsonOf(setup.window.region).dump() + " level " +
+         " (" + std::string(name(surface.unit_source)) + ")\ndevice " + setup.device + " (" +
+         stroke + ")\nregion_mm " + jsonOf(setup.window.region).dump() + " level " +
          std::to_string(setup.window.region.level.value) + "\nproxy " + proxyName(a) +
          ", surface " + parameters["surface"].get<std::string>() + ", stiffness " +
          (parameters.contains("stiffness_n_per_mm") ? parameters["stiffness_n_per_mm"].dump()

@@ -12,7 +12,7 @@
 namespace relievo {
 
 struct DeviceInfo {
-  std::string id;    ///< Stable: "mouse", "falcon:0", "scripted".
+  std::string id;    ///< Stable: "mouse", "falcon:A1", "scripted".
   std::string name;  ///< For people.
   Workspace workspace;
   double max_force_n = 0;  ///< 0: no actuator; forces are computed and shown only.

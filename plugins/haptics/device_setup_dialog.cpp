@@ -410,10 +410,10 @@ void DeviceSetupDialog::save() {
   accept();
 }
 
-DeviceSetupDialog* makeDeviceSetup(QWidget* parent) {
+DeviceSetupDialog* makeDeviceSetup(const falcon::FalconChoice& choice, QWidget* parent) {
   const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   auto* dialog = new DeviceSetupDialog(
-      std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
+      std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(choice),
                                              falcon::storedFirmwareSource(), settings),
       settings, parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -6689,10 +6689,6 @@
         <translation>Der Thread des Falcon konnte nicht gestartet werden: %1</translation>
     </message>
     <message>
-        <source>There is no Falcon named &quot;%1&quot;; one is used at a time, falcon:0.</source>
-        <translation>Es gibt keinen Falcon namens „%1“; benutzt wird immer nur einer, falcon:0.</translation>
-    </message>
-    <message>
         <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
         <translation>Der Falcon wird gestartet – Versuch %1 von %2. Das ist normal.</translation>
     </message>
@@ -6843,6 +6839,34 @@
     <message>
         <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
         <translation>Die Verbindung zum Falcon scheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; er wird neu geöffnet – %1 von %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
+        <translation>„%1“ benennt keinen Falcon. Schreiben Sie falcon:SERIAL, falcon:SERIAL@PORT oder falcon:@PORT, wie &apos;relievo devices&apos; sie auflistet, oder falcon für den einzigen.</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
+        <translation>Falcon abgezogen. Kräfte aus. Ansicht und Aufnahme laufen weiter. Stecken Sie ihn wieder ein. Es gibt noch %1; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>%1 wurde gewählt und ist nicht angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
+        <translation>%1 wurde gewählt und ist nicht angeschlossen. Da ist %2; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
+        <translation>Mehrere Falcons sind angeschlossen: %1. Keiner wird benutzt, bis Sie einen wählen.</translation>
+    </message>
+    <message>
+        <source>The chosen Falcon is not plugged in.</source>
+        <translation>Der gewählte Falcon ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in. Choose one.</source>
+        <translation>Mehrere Falcons sind angeschlossen. Wählen Sie einen.</translation>
     </message>
 </context>
 <context>
