@@ -36,15 +36,16 @@ std::vector<std::string> falcons() {
 }
 
 std::unique_ptr<Device> makeFalcon(const std::string& id) {
-  const auto choice = falcon::falconChoice(id);
-  if (!choice) {
+  const auto named = falcon::falconChoice(id);
+  if (!named) {
     throw DeviceError("\"" + id +
                       "\" names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT "
                       "as 'relievo devices' lists them, or falcon for the only one.");
   }
-  return std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(*choice),
-                                                falcon::storedFirmwareSource(),
-                                                falcon::readSettings(falcon::settingsFile()));
+  const falcon::FalconChoice choice = falcon::settled(*named);
+  return std::make_unique<falcon::FalconDevice>(
+      std::make_unique<falcon::UsbBus>(choice), falcon::storedFirmwareSource(),
+      falcon::readSettings(falcon::settingsFile(), choice.serial));
 }
 }  // namespace
 

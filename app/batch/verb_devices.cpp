@@ -101,13 +101,17 @@ void listFalcons(Json& json, Outcome& outcome) {
     const char* const presence = kNames[static_cast<std::size_t>(opening.presence)];
     const falcon::LinkMessage message = falcon::describe(opening);
     const std::string id = idOf(shortestChoice(seen, all));
+    const falcon::FalconSettings settings =
+        falcon::readSettings(falcon::settingsFile(), seen.serial);
     json["falcons"].push_back({{"id", id},
                                {"serial", seen.serial.empty() ? Json() : Json(seen.serial)},
                                {"port", seen.port},
                                {"bus", seen.bus},
                                {"address", seen.address},
                                {"presence", presence},
-                               {"code", message.code}});
+                               {"code", message.code},
+                               {"counts_per_n_mm", settings.counts_per_n_mm},
+                               {"grip_weight_n", settings.grip_weight_n}});
     outcome.lines.push_back(id + ": serial number " +
                             (seen.serial.empty() ? std::string("none") : seen.serial) +
                             ", USB port " + seen.port + ", " + presence);

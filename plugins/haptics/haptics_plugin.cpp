@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/region/hand.h"
@@ -258,6 +259,7 @@ void HapticsPlugin::frame() {
   watchStop(sample);
   watchEdge(sample);
   watchSoftening(sample);
+  watchRate(sample);
   watchRecording();
   runButtons(sample);
   watchSleep(sample);
@@ -381,6 +383,14 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
   if (!again) return;
   host_->announce(tr("Softened to %1 N/mm: hand and surface had begun to swing.")
                       .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
+}
+
+/// E306, in the words for speech; the panel has the numbers.
+void HapticsPlugin::watchRate(const HapticSample& sample) {
+  if (sample.engaged == EngagePhase::off) slow_ = false;
+  if (sample.slow.rate_hz > 0 && !std::exchange(slow_, true)) {
+    host_->announce(tr("Surface made softer to stay steady."));
+  }
 }
 
 void HapticsPlugin::runButtons(const HapticSample& sample) {

@@ -61,6 +61,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void frame();         // 60 times a second.
   void slowReadouts();  // About 8 times a second.
   void watchSoftening(const HapticSample& sample);
+  void watchRate(const HapticSample& sample);
   void watchFault(const HapticSample& sample);
   void watchStop(const HapticSample& sample);
   void watchEdge(const HapticSample& sample);
@@ -111,6 +112,7 @@ class HapticsPlugin : public QObject, public Plugin {
   bool firmness_chosen_now_ = false;             // Not remembered.
   bool forces_asked_ = false;
   bool at_edge_ = false;  // Said.
+  bool slow_ = false;     // Likewise, since forces were switched on.
   DeviceFault fault_ = DeviceFault::none;
 };
 

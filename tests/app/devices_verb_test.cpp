@@ -359,7 +359,9 @@ TEST_F(DevicesVerbTest, TheForceIsCalibratedByAWeightAndKept) {
   }
   ASSERT_EQ(said, "");
   const json report = json::parse(listed().out);
-  EXPECT_NEAR(report["falcon_settings"]["counts_per_n_mm"], 6, 0.3);
+  EXPECT_NEAR(report["falcons"][0]["counts_per_n_mm"], 6, 0.3) << "its own";
+  EXPECT_NEAR(report["falcons"][0]["grip_weight_n"], 0.3, 0.1);
+  EXPECT_EQ(report["falcon_settings"]["counts_per_n_mm"], 5) << "of any other";
   std::ifstream conf(home_ / ".config/relievo/falcon.conf");
   EXPECT_THAT(std::string(std::istreambuf_iterator<char>(conf), {}), HasSubstr("/kept.bin"));
   falcon->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });

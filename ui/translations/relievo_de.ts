@@ -3100,6 +3100,30 @@
         <source>Te&amp;xture</source>
         <translation>Te&amp;xtur</translation>
     </message>
+    <message>
+        <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
+        <translation>An. E306: Die Rate ist auf %1 pro Sekunde gefallen (nötig: %2). Steifigkeit von %3 auf %4 N/m verringert.</translation>
+    </message>
+    <message>
+        <source>A new surface under the hand</source>
+        <translation>Eine neue Oberfläche unter der Hand</translation>
+    </message>
+    <message>
+        <source>The new surface comes under the hand: %1 %.</source>
+        <translation>Die neue Oberfläche kommt unter die Hand: %1 %.</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>Das Gewic&amp;ht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>Das Gewicht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -3194,6 +3218,10 @@
     <message>
         <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
         <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
     </message>
 </context>
 <context>

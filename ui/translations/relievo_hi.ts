@@ -3100,6 +3100,30 @@
         <source>Te&amp;xture</source>
         <translation>बनावट (&amp;X)</translation>
     </message>
+    <message>
+        <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
+        <translation>चालू। E306: अद्यतन दर %1 प्रति सेकंड रह गई (%2 चाहिए)। कठोरता %3 से घटाकर %4 N/m की गई।</translation>
+    </message>
+    <message>
+        <source>A new surface under the hand</source>
+        <translation>हाथ के नीचे नई सतह</translation>
+    </message>
+    <message>
+        <source>The new surface comes under the hand: %1 %.</source>
+        <translation>नई सतह हाथ के नीचे आ रही है: %1 %।</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>ग्रिप का &amp;भार थामें</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>ग्रिप का भार थामें</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>जब तक बल चालू हैं, उपकरण अपनी ग्रिप को उतने भार से थामता है जितना अंशांकन ने पाया। जहाँ अंशांकन नहीं हुआ या उपकरण स्वयं ऐसा करता है वहाँ कुछ नहीं होता।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -3194,6 +3218,10 @@
     <message>
         <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
         <translation>टिप्पणी “%1” जुड़ने से पहले ही रिकॉर्डिंग समाप्त हो गई थी। टिप्पणी किसी फ़ाइल में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
     </message>
 </context>
 <context>

@@ -38,6 +38,10 @@ FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
   info_.max_slew_n_per_s = 200;
   info_.position_step_mm = 0.048;  // Sideways in the middle; 0.028 in and out.
   info_.force_delay_ticks = 2;     // Up to one until it is sent, one until the motors show it.
+  // Novint's firmware drives the motors as it is told and nothing more
+  // (docs/dev/falcon-unknowns.md).
+  info_.holds_its_grip = false;
+  info_.grip_weight_n = std::clamp(settings_.grip_weight_n, 0.0, kMostGripN);
   setGain(settings_.counts_per_n_mm);
 }
 

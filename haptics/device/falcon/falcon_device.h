@@ -16,9 +16,12 @@ namespace relievo::falcon {
 struct FalconSettings {
   /// Motor counts for one N mm. Half of the nominal value until a weight was hung on.
   double counts_per_n_mm = kNominalCountsPerNmm / 2;
+  double grip_weight_n = 0;  ///< As the calibration found it; 0: not known.
   bool left_handed = false;  ///< Plus and minus change sides.
   std::string firmware;      ///< The file to load; empty: it is searched for.
 };
+/// No grip of a Falcon weighs more; a calibration that says so held something else.
+inline constexpr double kMostGripN = 2;
 inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
 /// Motors that give 8 N outward at full counts, as CHAI3D's table says, and not the 16.2 N that
 /// the nominal gain and the arms' geometry make of them.

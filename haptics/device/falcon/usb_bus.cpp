@@ -467,6 +467,12 @@ std::int64_t UsbBus::slept() {
   return (boot_ns - monotonicNs() + 500 * kMs) / 1'000'000'000 * 1'000'000'000;
 }
 
+FalconChoice settled(const FalconChoice& choice) {
+  if (!choice.any()) return choice;
+  const std::vector<SeenFalcon> there = seenFalcons();
+  return there.size() == 1 ? shortestChoice(there.front(), there) : choice;
+}
+
 std::vector<SeenFalcon> seenFalcons() {
   libusb_context* context = nullptr;
   if (libusb_init(&context) != 0) return {};

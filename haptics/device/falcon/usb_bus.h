@@ -15,6 +15,9 @@ namespace relievo::falcon {
 /// why.
 std::vector<SeenFalcon> seenFalcons();
 
+/// Where any is meant and one is plugged in, that one; so that its own settings can be read.
+FalconChoice settled(const FalconChoice& choice);
+
 /// Tells when a Falcon was plugged in or pulled. Opens none. [one thread]
 class PlugWatch {
  public:
