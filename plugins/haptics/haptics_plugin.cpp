@@ -255,6 +255,7 @@ void HapticsPlugin::frame() {
     host_->plot(plot);
     if (panel_) panel_->plot(plot);
   }
+  watchSurface();
   watchFault(sample);
   watchStop(sample);
   watchEdge(sample);
@@ -349,6 +350,13 @@ void HapticsPlugin::watchPlugs() {
   } else if (here) {
     host_->announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
   }
+}
+
+void HapticsPlugin::watchSurface() {
+  const std::string problem = session_->takeProblem();
+  if (problem.empty()) return;
+  setForces(false);
+  host_->announce(QString::fromStdString(problem));
 }
 
 void HapticsPlugin::watchFault(const HapticSample& sample) {

@@ -62,6 +62,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void slowReadouts();  // About 8 times a second.
   void watchSoftening(const HapticSample& sample);
   void watchRate(const HapticSample& sample);
+  void watchSurface();
   void watchFault(const HapticSample& sample);
   void watchStop(const HapticSample& sample);
   void watchEdge(const HapticSample& sample);
