@@ -29,18 +29,23 @@ std::unique_ptr<Device> makeVirtualHand(const std::string& id) {
 }
 
 std::vector<std::string> falcons() {
-  // One is used at a time; which one, USB decides.
-  if (falcon::seenFalcons().empty()) return {};
-  return {std::string(falcon::kFalconId)};
+  const std::vector<falcon::SeenFalcon> seen = falcon::seenFalcons();
+  std::vector<std::string> ids;
+  for (const falcon::SeenFalcon& one : seen) ids.push_back(idOf(shortestChoice(one, seen)));
+  return ids;
 }
 
 std::unique_ptr<Device> makeFalcon(const std::string& id) {
-  if (id != "falcon" && id != falcon::kFalconId) {
-    throw DeviceError("There is no Falcon named \"" + id + "\"; one is used at a time, falcon:0.");
+  const auto named = falcon::falconChoice(id);
+  if (!named) {
+    throw DeviceError("\"" + id +
+                      "\" names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT "
+                      "as 'relievo devices' lists them, or falcon for the only one.");
   }
-  return std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
-                                                falcon::storedFirmwareSource(),
-                                                falcon::readSettings(falcon::settingsFile()));
+  const falcon::FalconChoice choice = falcon::settled(*named);
+  return std::make_unique<falcon::FalconDevice>(
+      std::make_unique<falcon::UsbBus>(choice), falcon::storedFirmwareSource(),
+      falcon::readSettings(falcon::settingsFile(), choice.serial));
 }
 }  // namespace
 

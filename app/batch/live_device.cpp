@@ -51,7 +51,7 @@ void waitUntilReady(falcon::FalconDevice& device, double seconds, const std::str
     if (status.state == LinkState::ready) return;
     const bool hopeless = status.state == LinkState::no_firmware ||
                           status.state == LinkState::not_started ||
-                          status.state == LinkState::absent;
+                          status.state == LinkState::absent || status.state == LinkState::several;
     if (hopeless) throw DeviceError(message.screen, message.code);
     if (monotonicNs() > give_up) throw DeviceError(tooLate(status, seconds, undone), message.code);
     if (status.state != LinkState::closed && message.screen != told) {

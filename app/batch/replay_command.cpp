@@ -2,11 +2,13 @@
 #include "app/batch/replay_command.h"
 
 #include <algorithm>
+#include <charconv>
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
 #include "core/base/error.h"
 #include "core/provenance/embedded.h"
+#include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {
@@ -65,6 +67,13 @@ TouchArguments argumentsOf(const std::vector<std::string>& command) {
                     std::string(error.what()) + ".");
   }
   return arguments;
+}
+
+double liftIn(const LogTable& log) {
+  const std::string_view text = headerLine(log.header, kLiftWords);
+  double lift_n = 0;
+  std::from_chars(text.data(), text.data() + text.size(), lift_n);
+  return lift_n;
 }
 
 std::optional<InputFile> firmnessOfCommand(const LogTable& log) {

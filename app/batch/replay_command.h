@@ -21,6 +21,8 @@ TouchArguments argumentsOf(const std::vector<std::string>& command);
 
 /// The raster of firm ground that the command named, with the checksum it had; nothing: none.
 /// @throw FileError  as argumentsOf
+/// With how many newtons the grip was held, whatever the settings say now.
+double liftIn(const LogTable& log);
 std::optional<InputFile> firmnessOfCommand(const LogTable& log);
 
 }  // namespace relievo::batch

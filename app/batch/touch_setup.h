@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/batch/arguments.h"
@@ -31,11 +32,15 @@ struct TouchArguments {
   std::optional<double> softest_part, texture_mm, magnet_n, magnet_reach_mm, contact_n, crossing_n;
   std::string firmness;  ///< A raster that says where the ground is firm; empty: the origins do.
   std::string frame = "view";
-  std::string safety;              ///< Empty: on with a device, off without.
-  double seconds = 10;             ///< `record` only, as what follows.
-  double ready_s = 60;             ///< Until a Falcon must be homed.
+  std::optional<double> lift_n;  ///< As a recording had it; nothing: as the device's settings say.
+  std::string safety;            ///< Empty: on with a device, off without.
+  double seconds = 10;           ///< `record` only, as what follows.
+  double ready_s = 60;           ///< Until a Falcon must be homed.
   std::vector<std::string> words;  ///< The command line, for the log.
 };
+/// Before the newtons with which a grip was held, in a log's header.
+inline constexpr std::string_view kLiftWords = "grip held with ";
+
 /// All options that decide what is felt; not where the stroke comes from or the log goes.
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments);
 void declareTouch(CLI::App& verb, TouchArguments& arguments);   ///< Of `touch`.
@@ -53,6 +58,7 @@ struct TouchSetup {
   RegionWindow window;
   std::unique_ptr<HapticSpace> space;  ///< On the heap: 900 kB by value.
   StrokeOptions options;
+  std::string device;   ///< Which one it is, for headers; "none".
   HapticOptions core;   ///< The same for the core, within what the device can do.
   std::string limited;  ///< What was asked for and is more than that, in a sentence; or empty.
 };

@@ -89,6 +89,38 @@ void listFirmware(Json& json, Outcome& outcome) {
   }
 }
 
+/// Each by its serial number and port, however many there are and whoever uses them.
+void listFalcons(Json& json, Outcome& outcome) {
+  json["falcons"] = Json::array();
+  const std::vector<falcon::SeenFalcon> all = falcon::seenFalcons();
+  for (const falcon::SeenFalcon& seen : all) {
+    falcon::UsbBus bus({seen.serial, seen.port});
+    const falcon::Opening opening = bus.open();
+    constexpr std::array<const char*, 6> kNames{"present", "absent", "forbidden",
+                                                "busy",    "broken", "several"};
+    const char* const presence = kNames[static_cast<std::size_t>(opening.presence)];
+    const falcon::LinkMessage message = falcon::describe(opening);
+    const std::string id = idOf(shortestChoice(seen, all));
+    const falcon::FalconSettings settings =
+        falcon::readSettings(falcon::settingsFile(), seen.serial);
+    json["falcons"].push_back({{"id", id},
+                               {"serial", seen.serial.empty() ? Json() : Json(seen.serial)},
+                               {"port", seen.port},
+                               {"bus", seen.bus},
+                               {"address", seen.address},
+                               {"presence", presence},
+                               {"code", message.code},
+                               {"counts_per_n_mm", settings.counts_per_n_mm},
+                               {"grip_weight_n", settings.grip_weight_n}});
+    outcome.lines.push_back(id + ": serial number " +
+                            (seen.serial.empty() ? std::string("none") : seen.serial) +
+                            ", USB port " + seen.port + ", " + presence);
+    if (opening.presence == falcon::Presence::present) continue;
+    outcome.exit_code = kDeviceExit;
+    tell((message.code.empty() ? "" : message.code + ": ") + message.screen);
+  }
+}
+
 Outcome list() {
   Json json;
   json["devices"] = Json::array();
@@ -104,21 +136,7 @@ Outcome list() {
     }
   }
   listHid(json, outcome.lines);
-  json["falcons"] = Json::array();
-  for (const falcon::SeenFalcon& seen : falcon::seenFalcons()) {
-    falcon::UsbBus bus;
-    const falcon::Opening opening = bus.open();
-    constexpr std::array<const char*, 5> kNames{"present", "absent", "forbidden", "busy", "broken"};
-    const auto presence = static_cast<std::size_t>(opening.presence);
-    const falcon::LinkMessage message = falcon::describe(opening);
-    json["falcons"].push_back({{"bus", seen.bus},
-                               {"address", seen.address},
-                               {"presence", kNames[presence]},
-                               {"code", message.code}});
-    if (opening.presence == falcon::Presence::present) continue;
-    outcome.exit_code = kDeviceExit;
-    tell((message.code.empty() ? "" : message.code + ": ") + message.screen);
-  }
+  listFalcons(json, outcome);
   listFirmware(json, outcome);
   const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   json["falcon_settings"] = {{"counts_per_n_mm", settings.counts_per_n_mm},
@@ -178,6 +196,7 @@ void declareFalcon(CLI::App& verb, const std::shared_ptr<DevicesArguments>& a) {
   const auto until_ready = [&a](CLI::App& falcon) {
     takes(falcon.add_option("--ready", a->test.ready_s, "Seconds until it must be homed"),
           {.low = 1, .high = 600, .unit = "s"});
+    falcon.add_option("--device", a->test.device, "falcon:SERIAL, if there are several");
   };
   CLI::App* selftest = verb.add_subcommand(
       "selftest", "Rate, lights, nudges of 0.5 N; buttons and encoders with --wait");
@@ -225,7 +244,7 @@ Verb devicesVerb() {
                 if (!a->hand.empty()) hand = setLeftHanded(a->hand == "yes");
                 if (a->firmware) return installFirmware(*a);
                 if (a->selftest) return falconSelfTest(a->test, task);
-                if (a->calibrate) return calibrateFalcon(a->weight_g, a->test.ready_s, task);
+                if (a->calibrate) return calibrateFalcon(a->weight_g, a->test, task);
                 if (a->rule) {
                   return Outcome{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
                                  .lines = {falcon::udevRule()}};

@@ -31,8 +31,18 @@ void tickUntil(std::int64_t deadline_ns, const Task& task) {
   sleepUntil(deadline_ns);
 }
 
-std::unique_ptr<falcon::FalconDevice> openFalcon(const falcon::FalconSettings& settings) {
-  auto device = std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
+falcon::FalconChoice choiceOf(const std::string& id) {
+  const auto choice = falcon::falconChoice(id);
+  if (!choice) {
+    throw ArgumentError("--device: '" + id +
+                        "' names no Falcon. Nothing was tried. Use an id of 'relievo devices'.");
+  }
+  return falcon::settled(*choice);
+}
+
+std::unique_ptr<falcon::FalconDevice> openFalcon(const falcon::FalconChoice& choice,
+                                                 const falcon::FalconSettings& settings) {
+  auto device = std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(choice),
                                                        falcon::storedFirmwareSource(), settings);
   device->open();
   return device;
@@ -90,7 +100,9 @@ std::string promptOf(const falcon::Calibration& calibration) {
 }  // namespace
 
 Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
-  const auto device = openFalcon(falcon::readSettings(falcon::settingsFile()));
+  const falcon::FalconChoice choice = choiceOf(a.device);
+  const auto device =
+      openFalcon(choice, falcon::readSettings(falcon::settingsFile(), choice.serial));
   waitUntilReady(*device, a.ready_s, kNothingTried, task);
   falcon::SelfTest test(
       *device, {.rate_s = a.rate_s, .nudges = !a.no_nudges, .wait_for_person_s = a.wait_s});
@@ -105,6 +117,8 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   }
   Json json;
   Outcome outcome;
+  json["device"] = device->info().id;
+  json["device_name"] = device->info().name;
   json["passed"] = test.passed();
   json["lines"] = Json::array();
   for (const falcon::SelfTestLine& line : test.lines()) {
@@ -119,11 +133,12 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   return outcome;
 }
 
-Outcome calibrateFalcon(double weight_g, double ready_s, const Task& task) {
-  falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
+Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const Task& task) {
+  const falcon::FalconChoice choice = choiceOf(which.device);
+  falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile(), choice.serial);
   const double before = settings.counts_per_n_mm;
-  const auto device = openFalcon(settings);
-  waitUntilReady(*device, ready_s, kNothingTried, task);
+  const auto device = openFalcon(choice, settings);
+  waitUntilReady(*device, which.ready_s, kNothingTried, task);
   falcon::Calibration calibration(*device, before, weight_g);
   std::unique_ptr<EnterKey> enter;
   std::string told;
@@ -142,15 +157,21 @@ Outcome calibrateFalcon(double weight_g, double ready_s, const Task& task) {
   }
   device->close();
   if (!calibration.result()) throw DeviceError(calibration.prompt());
-  settings = falcon::readSettings(falcon::settingsFile());
+  const std::string serial = device->status().serial.data();
+  settings = falcon::readSettings(falcon::settingsFile(), serial);
   settings.counts_per_n_mm = *calibration.result();
-  falcon::writeSettings(settings, falcon::settingsFile());
-  std::array<char, 120> line{};
-  std::snprintf(line.data(), line.size(),
-                "The force is calibrated: %.2f counts per N mm, %.2f before.",
-                settings.counts_per_n_mm, before);
-  const Json json{{"counts_per_n_mm", settings.counts_per_n_mm},
+  settings.grip_weight_n = calibration.gripWeightN();
+  falcon::writeSettings(settings, falcon::settingsFile(), serial);
+  std::array<char, 160> line{};
+  std::snprintf(
+      line.data(), line.size(),
+      "The force is calibrated: %.2f counts per N mm, %.2f before; the grip weighs %.2f N.",
+      settings.counts_per_n_mm, before, settings.grip_weight_n);
+  const Json json{{"device", device->info().id},
+                  {"device_name", device->info().name},
+                  {"counts_per_n_mm", settings.counts_per_n_mm},
                   {"before", before},
+                  {"grip_weight_n", settings.grip_weight_n},
                   {"settings", falcon::settingsFile().string()}};
   return {.json = json.dump(2),
           .lines = {line.data(), "kept in " + falcon::settingsFile().string()}};

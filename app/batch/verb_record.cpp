@@ -66,6 +66,7 @@ Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
   Json json;
   json["file"] = file;
   json["device"] = loop.device().id;
+  json["device_name"] = loop.device().name;
   json["ticks"] = rows;
   json["gaps"] = sink.gaps();
   json["rate_hz"] = stats.rate_hz;
@@ -102,9 +103,11 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
                         a.device +
                         "'. Nothing was recorded. Leave it out, or record with --device virtual.");
   }
-  const TouchSetup setup = prepareTouch(a, task);
+  TouchSetup setup = prepareTouch(a, task);
   if (!setup.limited.empty()) tell(setup.limited);
   makeReady(*device, a.ready_s, task);
+  // Which of several it was is known now.
+  if (!device->info().simulated) setup.device = device->info().id + ", " + device->info().name;
   auto* hand = dynamic_cast<SteeredDevice*>(device.get());
   if (hand != nullptr && !stroke.points.empty()) {
     hand->placeAt(placeAt(stroke, 0, *setup.space, setup.options.frame));
@@ -145,7 +148,7 @@ Outcome runRecord(const TouchArguments& a, const Task& task) {
 void declareRecord(CLI::App& verb, TouchArguments& arguments) {
   arguments.device = "virtual";
   addTouchOptions(verb, arguments);
-  verb.add_option("--device", arguments.device, "virtual[:GRIP], falcon or mouse");
+  verb.add_option("--device", arguments.device, "virtual[:GRIP], falcon[:SERIAL] or mouse");
   takes(verb.add_option("--seconds", arguments.seconds, "How long; 10"),
         {.low = 1e-3, .high = 86400, .unit = "s"});
   takes(verb.add_option("--ready", arguments.ready_s, "Seconds until a Falcon must be homed; 60"),

@@ -15,6 +15,7 @@
 #include "core/io/file_check.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
+#include "haptics/record/force_law.h"
 #include "haptics/record/replay.h"
 
 namespace relievo::batch {
@@ -57,6 +58,11 @@ class WorkFolder {
   std::filesystem::path path_;
 };
 
+Json jsonOfLaw(const LogTable& log) {
+  const std::optional<int> law = lawIn(log.header);
+  return {{"recorded", law ? Json(*law) : Json()}, {"this_build", kForceLaw}};
+}
+
 /// One recording of a package, made by a verb or in the window, on the package's input.
 /// @throw FileError  it says how it was made, but cannot be replayed here
 ReplayResult replayPacked(const LogTable& log, const std::string& recording,
@@ -65,6 +71,7 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
   if (const auto of_window = replayOfWindow(log, recording, input, each, task)) return *of_window;
   TouchArguments touch = argumentsOf(commandOf(log, recording));
   touch.map.file = input;
+  touch.lift_n = liftIn(log);
   if (const auto raster = firmnessOfCommand(log)) {
     touch.firmness = foundInput(recording, raster->file, raster->sha256, task).string();
   }
@@ -83,10 +90,13 @@ bool verifyRecording(const std::string& recording, const std::string& input, Jso
     report["replayed"] = true;
     report["ticks"] = result.ticks;
     report["different_ticks"] = result.different;
+    report["law"] = jsonOfLaw(log);
+    const std::string why = result.different == 0 ? std::string() : lawDifference(log.header);
+    if (!why.empty()) report["why"] = why;
     line += std::to_string(result.ticks) +
-            (result.different == 0
-                 ? " ticks replayed, all the same to the last bit"
-                 : " ticks replayed, " + std::to_string(result.different) + " differ");
+            (result.different == 0 ? " ticks replayed, all the same to the last bit"
+                                   : " ticks replayed, " + std::to_string(result.different) +
+                                         " differ" + (why.empty() ? "" : ". " + why));
     return result.different == 0;
   } catch (const FileError& error) {
     report["replayed"] = false;
@@ -181,6 +191,7 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     TouchArguments touch = argumentsOf(commandOf(log, a.log));
     if (!a.input.empty()) touch.map.file = a.input;
     input = touch.map.file;
+    touch.lift_n = liftIn(log);
     const TouchSetup setup = prepareTouch(touch, task);
     if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
     of_window = replay(*setup.space, setup.core, setup.options.chain, log, each, task);
@@ -194,6 +205,7 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
   json["ticks"] = result.ticks;
   json["different_ticks"] = result.different;
   json["identical"] = result.different == 0;
+  json["law"] = jsonOfLaw(log);
   std::string line = a.log + ": " + std::to_string(result.ticks) + " ticks replayed, ";
   if (result.first) {
     const ReplayDifference& first = *result.first;
@@ -204,6 +216,9 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     line += std::to_string(result.different) + " differ; the first is " + first.column +
             " in tick " + std::to_string(first.tick) + ": " + Json(first.logged).dump() +
             " in the log, " + Json(first.replayed).dump() + " now";
+    const std::string why = lawDifference(log.header);
+    json["why"] = why.empty() ? Json() : Json(why);
+    if (!why.empty()) line += ". " + why;
   } else {
     line += "all the same to the last bit";
   }

@@ -24,6 +24,7 @@
 #include "haptics/proxy/surface.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/record/events.h"
+#include "haptics/record/force_law.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
@@ -228,10 +229,12 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
   TouchSetup setup;
   setup.options = strokeOptions(a);
   setup.core = strokeHapticOptions(setup.options);
+  setup.device = a.device.empty() ? "none" : a.device;
   if (!a.device.empty()) {
     const DeviceInfo device = makeDevice(a.device)->info();
     setup.limited = limitedText(setup.core, device);
     setup.core = withinDevice(setup.core, device);
+    if (a.lift_n) setup.core.force.lift_n = *a.lift_n;
   }
   setup.surface = openForVerb(a.map, task);
   const Surface& surface = setup.surface;
@@ -260,10 +263,10 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
   Json parameters = Json::parse(feelJson(a));
   parameters["command"] = a.words;
   parameters["safety"] = safetyOf(a);
-  return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\ninput " +
-         surface.info.file.filename().string() + "\nunit " + std::string(name(surface.unit)) +
-         " (" + std::string(name(surface.unit_source)) + ")\ndevice " +
-         (a.device.empty() ? "none" : a.device) + " (" + stroke + ")\nregion_mm " +
+  return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\n" +
+         lawLine() + "\ninput " + surface.info.file.filename().string() + "\nunit " +
+         std::string(name(surface.unit)) + " (" + std::string(name(surface.unit_source)) +
+         ")\ndevice " + setup.device + " (" + stroke + ")\nregion_mm " +
          jsonOf(setup.window.region).dump() + " level " +
          std::to_string(setup.window.region.level.value) + "\nproxy " + proxyName(a) +
          ", surface " + parameters["surface"].get<std::string>() + ", stiffness " +
@@ -271,8 +274,12 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
                                                     : std::string("by detail")) +
          " N/mm, friction " + parameters["friction"].dump() + ", damping " +
          parameters["damping_n_s_per_mm"].dump() + " N s/mm, safety " +
-         (safetyOf(a) ? "on" : "off") + (setup.limited.empty() ? "" : "\nlimits " + setup.limited) +
-         "\nparameters " + parameters.dump() + "\n" + stateOfTouch(a, setup, task);
+         (safetyOf(a) ? "on" : "off") +
+         (setup.core.force.lift_n > 0
+              ? "\n" + std::string(kLiftWords) + Json(setup.core.force.lift_n).dump() + " N upward"
+              : "") +
+         (setup.limited.empty() ? "" : "\nlimits " + setup.limited) + "\nparameters " +
+         parameters.dump() + "\n" + stateOfTouch(a, setup, task);
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {

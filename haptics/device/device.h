@@ -12,7 +12,7 @@
 namespace relievo {
 
 struct DeviceInfo {
-  std::string id;    ///< Stable: "mouse", "falcon:0", "scripted".
+  std::string id;    ///< Stable: "mouse", "falcon:A1", "scripted".
   std::string name;  ///< For people.
   Workspace workspace;
   double max_force_n = 0;  ///< 0: no actuator; forces are computed and shown only.
@@ -23,6 +23,10 @@ struct DeviceInfo {
   bool simulated = false;       ///< Nobody holds it: it can hurt nobody.
   double position_step_mm = 0;  ///< One count of its encoders; 0: finer than matters.
   int force_delay_ticks = 0;    ///< Whole ticks from send() until the force is felt; 0 .. 2.
+  double rate_hz = 1000;        ///< Largest rate of new places and forces.
+  /// Of the grip, as a calibration found it, N; 0: not known.
+  double grip_weight_n = 0;
+  bool holds_its_grip = false;  ///< The device itself makes up for the grip's weight.
 };
 
 enum class DeviceFault : std::uint8_t {

@@ -162,7 +162,9 @@ ForceResult force(const ForceOptions& options, const ForceInput& input,
   state = engage(options, input, pressed, state);
   result.limit_n = input.fault ? 0 : limitForAge(options, input.age_s);
   sum = passiveSum(options, input, sum, state, result);
-  const DeviceN wanted = (options.strength * state.rise) * sum;
+  // What holds the grip is as heavy as the grip, whatever people set of the surface.
+  const DeviceN lift{0, state.rise * options.lift_n, 0};
+  const DeviceN wanted = (options.strength * state.rise) * sum + lift;
   const DeviceN command = finiteOrZero(wanted);
 
   // Rising is slow while forces come on; letting go is never held back by that.
@@ -172,7 +174,8 @@ ForceResult force(const ForceOptions& options, const ForceInput& input,
       finiteOrZero(capped(slewed(command, state.last, rate * input.dt_s), result.limit_n));
   if (zeroDemanded(options, input, state)) sent = {};
   state.last = sent;
-  state.passivity = sentOut(state.passivity, sent);
+  // A weight and what holds it are a potential of their own: what the surface gives is the rest.
+  state.passivity = sentOut(state.passivity, sent == DeviceN{} ? sent : sent - lift);
   const bool deep = state.passivity.margin_mj <= -options.passivity.most_debt_mj;
   // A knock swings as it should; what is watched is the rest.
   const DeviceN watched =

@@ -13,10 +13,11 @@
 namespace relievo {
 
 struct ForceOptions {
-  double stiffness_n_per_mm = 0.5;    ///< The paper's k, N per mm of hand; > 0.
-  double damping_n_s_per_mm = 0;      ///< Against the speed of pressing in, of the hand; >= 0.
-  double strength = 0.6;              ///< What people set: the spring's force times this, 0 .. 1.
-  double limit_n = 6;                 ///< Cap; never above the device's own limit.
+  double stiffness_n_per_mm = 0.5;  ///< The paper's k, N per mm of hand; > 0.
+  double damping_n_s_per_mm = 0;    ///< Against the speed of pressing in, of the hand; >= 0.
+  double strength = 0.6;            ///< What people set: the spring's force times this, 0 .. 1.
+  double lift_n = 0;   ///< Upward, against the grip's weight; not scaled by strength; 0: none.
+  double limit_n = 6;  ///< Cap; never above the device's own limit.
   double engage_slew_n_per_s = 20;    ///< Largest rise of force per second while forces come on.
   double contact_slew_n_per_s = 200;  ///< Largest change of force per second afterwards.
   double rise_s = 1;                  ///< Forces fade in over this time.

@@ -32,6 +32,16 @@ HapticOptions withinDevice(HapticOptions options, const DeviceInfo& device) RELI
   keepBelow(force.limit_n, device.max_force_n);
   keepBelow(force.stiffness_n_per_mm, device.max_stiffness_n_per_mm);
   for (double& k : options.detail_stiffness) keepBelow(k, device.max_stiffness_n_per_mm);
+  // What nobody has set is what this device holds.
+  const DetailStiffness held = detailStiffness(timingOf(device));
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    double& k = options.detail_stiffness[i];
+    if (device.max_force_n > 0 && k == kDetailStiffness[i]) k = held[i];
+  }
+  const bool lifts = options.holds_grip && !device.holds_its_grip;
+  force.lift_n = lifts ? std::max(0.0, device.grip_weight_n) : 0;
+  options.timing = timingOf(device);
+  if (!(device.max_force_n > 0)) options.timing.rate_hz = 0;
   keepBelow(force.damping_n_s_per_mm, device.max_damping_n_s_per_mm);
   keepBelow(force.engage_slew_n_per_s, device.max_slew_n_per_s);
   keepBelow(force.contact_slew_n_per_s, device.max_slew_n_per_s);

@@ -25,6 +25,8 @@ void HapticCore::reset() RELIEVO_REALTIME {
   force_ = {};
   stop_ = {};
   settings_.reset();
+  rate_.reset();
+  slow_ = {};
   felt_now_ = {};
   fault_ = DeviceFault::none;
   resume_ = false;
@@ -34,22 +36,40 @@ bool HapticCore::pausedUntil(std::int64_t now_ns) const RELIEVO_REALTIME {
   return resume_ || (placed_ && now_ns - last_ns_ > kPauseNs);
 }
 
-HapticOptions HapticCore::settled(HapticOptions asked) RELIEVO_REALTIME {
+/// E306: at a lower rate the same surface would begin to swing.
+void HapticCore::keepSteady(const HapticOptions& asked, int detail,
+                            DetailStiffness& k) RELIEVO_REALTIME {
+  slow_ = {};
+  const bool known = asked.bound_by_rate && asked.timing.rate_hz > 0;
+  if (!known || !(rate_.slowHz() > 0)) return;
+  DeviceTiming timing = asked.timing;
+  timing.rate_hz = std::min(timing.rate_hz, rate_.slowHz());
+  const double most = kStabilityMargin * stableStiffness(timing);
+  const double before = stiffnessForDetail(detail, k);
+  for (double& each : k) each = std::min(each, most);
+  const double after = stiffnessForDetail(detail, k);
+  if (after < before) slow_ = {rate_.slowHz(), before, after};
+}
+
+HapticOptions HapticCore::settled(HapticOptions asked, int detail) RELIEVO_REALTIME {
   if (chain_ == ForceChain::bare) return asked;
   FeltSettings wanted{.strength = asked.force.strength,
                       .stiffness_n_per_mm = asked.detail_stiffness,
                       .damping_n_s_per_mm = asked.force.damping_n_s_per_mm,
+                      .lift_n = asked.force.lift_n,
                       .static_friction = asked.proxy.static_friction,
                       .dynamic_friction = asked.proxy.dynamic_friction,
                       .fields = asked.fields};
   if (!asked.stiffness_by_detail) {
     wanted.stiffness_n_per_mm.fill(asked.force.stiffness_n_per_mm);
   }
+  keepSteady(asked, detail, wanted.stiffness_n_per_mm);
   const FeltSettings now = settings_.toward(wanted, felt_now_, change_.running());
   asked.force.strength = now.strength;
   asked.detail_stiffness = now.stiffness_n_per_mm;
   asked.stiffness_by_detail = true;
   asked.force.damping_n_s_per_mm = now.damping_n_s_per_mm;
+  asked.force.lift_n = now.lift_n;
   asked.proxy.static_friction = now.static_friction;
   asked.proxy.dynamic_friction = now.dynamic_friction;
   asked.fields = now.fields;
@@ -259,7 +279,8 @@ HapticSample HapticCore::tick(const HapticSpace& space, const HapticSpace& previ
 HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* previous,
                                 const HapticOptions& asked, const DeviceReading& reading,
                                 std::int64_t now_ns) RELIEVO_REALTIME {
-  const HapticOptions options = settled(asked);
+  rate_.tick(now_ns, reading.time_ns);
+  const HapticOptions options = settled(asked, space.detail);
   const DeviceFault fault = latch(options, reading);
   const bool paused = pausedUntil(now_ns);
   if (paused) force_ = resumed(force_);
@@ -320,6 +341,8 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
                .rise = force_.rise};
   sample.engaged = force_.phase;
   sample.stopped = stop_.reason();
+  if (sample.engaged != EngagePhase::off) sample.slow = slow_;
+  sample.change = change_.running() ? change_.weight() : 1;
   return sample;
 }
 

@@ -10,10 +10,12 @@
 #include "haptics/force/force_model.h"
 #include "haptics/force/move_gate.h"
 #include "haptics/loop/force_stop.h"
+#include "haptics/loop/rate_watch.h"
 #include "haptics/loop/scene_change.h"
 #include "haptics/loop/scene_frame.h"
 #include "haptics/loop/settings_blend.h"
 #include "haptics/loop/soft_spring.h"
+#include "haptics/loop/stable_stiffness.h"
 #include "haptics/loop/surface_fields.h"
 #include "haptics/proxy/proxy.h"
 #include "haptics/rt/realtime.h"
@@ -43,8 +45,21 @@ struct HapticOptions {
   std::uint64_t id = 0;  ///< Given by whoever sets them; names these very values in recordings.
   MoveGate gate;         ///< While on, felt in place of the surface.
   ForceStopOptions stop;
+  /// Below RateWatch::kLeastHz no surface is stiffer than what `timing` allows at the rate that is
+  /// left (E306). Without a `timing`, which withinDevice() knows of a device that pushes, none
+  /// holds.
+  bool bound_by_rate = true;
+  bool holds_grip = true;  ///< Against the grip's weight, where it is known and not held already.
+  DeviceTiming timing{.rate_hz = 0};  ///< The device's; rate 0: not known.
 };
 static_assert(std::is_trivially_copyable_v<HapticOptions>);
+
+/// A loop or a device that is too slow for what was asked for (E306).
+struct SlowRate {
+  double rate_hz = 0;  ///< 0: fast enough, or nothing had to be softened.
+  // Stiffness of firm ground at this level, N per mm of hand.
+  double asked_n_per_mm = 0, held_n_per_mm = 0;
+};
 
 /// Everything one tick saw and did. Goes to the view, the plots, the recorder and the tests.
 struct HapticSample {
@@ -72,6 +87,8 @@ struct HapticSample {
   Origin origin = Origin::outside;  ///< Of the sample under the proxy.
   EngagePhase engaged = EngagePhase::off;
   StopReason stopped = StopReason::none;  ///< Asked for, and the loop itself ended them.
+  SlowRate slow;
+  double change = 1;  ///< How much of a new surface is there; 1: all of it, none is coming.
   bool contact = false;
   bool clamped = false;    ///< A limit changed the force.
   std::uint8_t frame = 0;  ///< Sides of the window that the hand pushes over: pan that way.
@@ -126,7 +143,8 @@ class HapticCore {
   void check(const ForceOptions& options, const ForceInput& input, bool paused, DeviceN before,
              DeviceN sent) RELIEVO_REALTIME;
   /// The same with what people set on its way.
-  HapticOptions settled(HapticOptions asked) RELIEVO_REALTIME;
+  HapticOptions settled(HapticOptions asked, int detail) RELIEVO_REALTIME;
+  void keepSteady(const HapticOptions& asked, int detail, DetailStiffness& k) RELIEVO_REALTIME;
   FeltSpring feltSpring(const HapticOptions& options) const RELIEVO_REALTIME;
   DeviceFault latch(const HapticOptions& options, const DeviceReading& reading) RELIEVO_REALTIME;
   /// Velocity of the hand over its last 8 places, by their own times: one step of a coarse encoder
@@ -155,6 +173,8 @@ class HapticCore {
   ForceChain chain_ = ForceChain::whole;
   SceneChange change_;
   SettingsBlend settings_;
+  RateWatch rate_;
+  SlowRate slow_;
   FeltNow felt_now_;  // Of the last tick.
   SceneFrame frame_;
   FramedHand hand_;  // Of this tick.

@@ -19,6 +19,7 @@ FeltSettings between(const FeltSettings& a, const FeltSettings& b, double part) 
     now.stiffness_n_per_mm[i] = between(a.stiffness_n_per_mm[i], b.stiffness_n_per_mm[i], part);
   }
   now.damping_n_s_per_mm = between(a.damping_n_s_per_mm, b.damping_n_s_per_mm, part);
+  now.lift_n = between(a.lift_n, b.lift_n, part);
   now.static_friction = between(a.static_friction, b.static_friction, part);
   now.dynamic_friction = between(a.dynamic_friction, b.dynamic_friction, part);
   now.fields.softest_part = between(a.fields.softest_part, b.fields.softest_part, part);
@@ -36,7 +37,8 @@ double difference(const FeltSettings& a, const FeltSettings& b,
   const double kb = stiffnessForDetail(now.detail, b.stiffness_n_per_mm);
   const double strength = std::max(a.strength, b.strength);
   const double pressed_n = std::max(ka, kb) * now.depth_mm;
-  double sum = std::abs(a.strength * ka - b.strength * kb) * now.depth_mm;
+  double sum = std::abs(a.lift_n - b.lift_n);  // Free and in contact.
+  sum += std::abs(a.strength * ka - b.strength * kb) * now.depth_mm;
   const double rubs = std::max(std::abs(a.static_friction - b.static_friction),
                                std::abs(a.dynamic_friction - b.dynamic_friction));
   const double softens = std::abs(a.fields.softest_part - b.fields.softest_part);

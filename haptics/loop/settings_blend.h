@@ -15,6 +15,7 @@ struct FeltSettings {
   double strength = 0.6;
   DetailStiffness stiffness_n_per_mm = kDetailStiffness;  ///< As they hold, by detail or not.
   double damping_n_s_per_mm = 0;
+  double lift_n = 0;
   double static_friction = 0, dynamic_friction = 0;
   FieldOptions fields;
   friend bool operator==(const FeltSettings&, const FeltSettings&) = default;

@@ -86,6 +86,13 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now) {
     events.add(now.stopped == StopReason::held ? "stopped by a held button"
                                                : "the window is silent: forces fade out");
   }
+  const bool slow = now.slow.rate_hz > 0, was_slow = before.slow.rate_hz > 0;
+  if (slow && !was_slow) {
+    events.add("E306: update rate " + numberText(now.slow.rate_hz, 0) + " per second; stiffness " +
+               numberText(1000 * now.slow.held_n_per_mm, 0) + " instead of " +
+               numberText(1000 * now.slow.asked_n_per_mm, 0) + " N/m");
+  }
+  if (was_slow && !slow) events.add("stiffness is no longer bound by the update rate");
   if (now.softened > before.softened) events.add("softened against swinging");
   if (now.firm_stiffness_n_per_mm != before.firm_stiffness_n_per_mm) {
     events.add(stiffnessText(now));

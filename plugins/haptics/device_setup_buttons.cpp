@@ -29,7 +29,7 @@ void DeviceButtons::readHid(double now_s) {
   hid::HidNews news;
   if (now_s - scanned_s_ > kRescanSeconds) {
     scanned_s_ = now_s;
-    hid_->rescan(news);
+    hid_->look();
   }
   hid_->poll(news);
   for (const std::string& name : news.arrived) {

@@ -236,6 +236,7 @@ void DeviceSetupDialog::step() {
     calibration_->step(now);
     if (const auto gain = calibration_->result()) {
       settings_.counts_per_n_mm = *gain;
+      settings_.grip_weight_n = calibration_->gripWeightN();
       device_->setGain(*gain);
     }
   } else {
@@ -399,7 +400,7 @@ void DeviceSetupDialog::save() {
   // Stored when it is installed; the preferences may have changed it since.
   settings_.firmware = falcon::readSettings(falcon::settingsFile()).firmware;
   try {
-    falcon::writeSettings(settings_, falcon::settingsFile());
+    falcon::writeSettings(settings_, falcon::settingsFile(), device_->status().serial.data());
   } catch (const Error& error) {
     say(spokenText(error.what()));
   }
@@ -410,10 +411,12 @@ void DeviceSetupDialog::save() {
   accept();
 }
 
-DeviceSetupDialog* makeDeviceSetup(QWidget* parent) {
-  const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
+DeviceSetupDialog* makeDeviceSetup(const falcon::FalconChoice& choice, QWidget* parent) {
+  const falcon::FalconChoice meant = falcon::settled(choice);
+  const falcon::FalconSettings settings =
+      falcon::readSettings(falcon::settingsFile(), meant.serial);
   auto* dialog = new DeviceSetupDialog(
-      std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(),
+      std::make_unique<falcon::FalconDevice>(std::make_unique<falcon::UsbBus>(meant),
                                              falcon::storedFirmwareSource(), settings),
       settings, parent);
   dialog->setAttribute(Qt::WA_DeleteOnClose);

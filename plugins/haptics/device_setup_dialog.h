@@ -38,6 +38,8 @@ class DeviceSetupDialog : public QDialog {
   /// @return false: refused, and said why
   bool installFirmware(const QString& file, bool accept_unknown);
   const falcon::LinkStatus& status() { return device_->status(); }
+  /// Of the Falcon that was set up.
+  const std::string& deviceId() const { return device_->info().id; }
   /// The computer is about to sleep: test and calibration end at zero force, the old setting stays.
   void endBeforeSleep();
 
@@ -89,6 +91,7 @@ class DeviceSetupDialog : public QDialog {
 };
 
 /// On the Falcon that is or will be plugged in, with the settings of this user.
-DeviceSetupDialog* makeDeviceSetup(QWidget* parent);
+/// @param choice  which, if there are several
+DeviceSetupDialog* makeDeviceSetup(const falcon::FalconChoice& choice, QWidget* parent);
 
 }  // namespace relievo

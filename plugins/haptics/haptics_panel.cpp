@@ -87,6 +87,15 @@ QString stateText(const LoopReport& report) {
     case EngagePhase::on:
       break;
   }
+  if (sample.slow.rate_hz > 0) {
+    return HapticsPanel::tr(
+               "On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 "
+               "to %4 N/m.")
+        .arg(sample.slow.rate_hz, 0, 'f', 0)
+        .arg(RateWatch::kLeastHz, 0, 'f', 0)
+        .arg(kMmPerM * sample.slow.asked_n_per_mm, 0, 'f', 0)
+        .arg(kMmPerM * sample.slow.held_n_per_mm, 0, 'f', 0);
+  }
   if (sample.softened > 0) {
     return HapticsPanel::tr("On, softened to %1 N/mm against swinging until switched off.")
         .arg(sample.stiffness_n_per_mm, 0, 'f', 2);
@@ -117,6 +126,7 @@ QFormLayout* HapticsPanel::rows() {
   strength_row->addWidget(strength_value_);
   form->addRow(forces_);
   form->addRow(state_);
+  form->addRow(change_);
   const auto labelled = [form](const QString& text, QWidget* buddy, auto* field) {
     auto* label = new QLabel(text);
     label->setBuddy(buddy);
@@ -142,6 +152,7 @@ QFormLayout* HapticsPanel::rows() {
   labelled(tr("Ma&gnet"), magnet_, magnet_);
   form->addRow(tr("Pressed in"), depth_);
   labelled(tr("&Device"), device_, device_);
+  form->addRow(QString(), holds_grip_);
   form->addRow(tr("Force loop"), health_);
   form->addRow(QString(), details_);
   form->addRow(QString(), scope_);
@@ -174,6 +185,11 @@ void HapticsPanel::buildControls() {
   device_->setToolTip(
       tr("What the hand holds. A virtual hand is moved by the mouse and pushed by "
          "the force, as a real one is."));
+  holds_grip_ = named(new QCheckBox(tr("Hold the grip's weig&ht")), "holdsGrip",
+                      tr("Hold the grip's weight"));
+  holds_grip_->setToolTip(tr(
+      "While forces are on, the device holds its own grip, as heavy as the calibration found it. "
+      "Nothing happens where it was not calibrated, or where the device does so by itself."));
   listDevices();
 }
 
@@ -247,6 +263,7 @@ void HapticsPanel::connectControls() {
   connect(forces_, &QCheckBox::toggled, this, &HapticsPanel::forcesAsked);
   connect(strength_, &QSlider::valueChanged, this, &HapticsPanel::changed);
   connect(by_detail_, &QCheckBox::toggled, this, &HapticsPanel::changed);
+  connect(holds_grip_, &QCheckBox::toggled, this, &HapticsPanel::changed);
   connect(stiffness_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
           &HapticsPanel::takeStiffness);
   connect(by_detail_, &QCheckBox::toggled, this, &HapticsPanel::showStiffness);
@@ -294,6 +311,8 @@ void HapticsPanel::chooseDevice(const QString& id) {
 
 void HapticsPanel::buildReadouts() {
   state_ = readout("forceState", tr("State of the forces"));
+  change_ = readout("surfaceChange", tr("A new surface under the hand"));
+  change_->hide();
   depth_ = readout("pressDepth", tr("How far the hand is pressed in"));
   health_ = readout("loopHealth", tr("How the force loop runs"));
   details_ = named(new QPushButton(tr("More a&bout the loop…")), "loopDetailsButton",
@@ -347,7 +366,8 @@ void HapticsPanel::setSettings(const TouchSettings& settings) {
   {
     const QSignalBlocker a(strength_), b(by_detail_), c(stiffness_), d(proxy_), e(device_),
         f(surface_), g(friction_), h(damping_), i(soft_), j(tick_), k(texture_), l(knock_),
-        m(magnet_);
+        m(magnet_), n(holds_grip_);
+    holds_grip_->setChecked(settings.holds_grip);
     const SurfaceFeel& feel = settings.feel;
     strength_->setValue(settings.strength_percent);
     by_detail_->setChecked(feel.stiffness_by_detail);
@@ -394,6 +414,7 @@ TouchSettings HapticsPanel::settings() const {
   settings.strength_percent = strength_->value();
   settings.feel = feel();
   settings.firmness = firmness_;
+  settings.holds_grip = holds_grip_->isChecked();
   settings.device = device_->currentData().toString().toStdString();
   return settings;
 }
@@ -459,6 +480,12 @@ void HapticsPanel::show(const LoopReport& report) {
   const HapticSample& sample = report.sample;
   const QString state = stateText(report);
   setTextIfNew(state_, report.stand_in.isEmpty() ? state : report.stand_in + '\n' + state);
+  const bool changes = sample.change < 1 && sample.engaged != EngagePhase::off;
+  if (changes) {
+    const int percent = static_cast<int>(kPercent * sample.change);
+    setTextIfNew(change_, tr("The new surface comes under the hand: %1 %.").arg(percent));
+  }
+  change_->setVisible(changes);
   setTextIfNew(depth_, sample.contact
                            ? tr("%1 mm of hand").arg(norm(sample.proxy - sample.hip), 0, 'f', 2)
                            : tr("not touching"));

@@ -79,8 +79,10 @@ class HapticsPanel : public QWidget {
   QDoubleSpinBox* knock_ = nullptr;
   QDoubleSpinBox* magnet_ = nullptr;
   QLabel* state_ = nullptr;
+  QLabel* change_ = nullptr;  // Hidden while none comes.
   QLabel* depth_ = nullptr;
   QComboBox* device_ = nullptr;
+  QCheckBox* holds_grip_ = nullptr;
   QLabel* health_ = nullptr;
   QPushButton* details_ = nullptr;
   QPointer<LoopDetailsDialog> open_details_;

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QSignalBlocker>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/region/hand.h"
@@ -22,14 +23,16 @@ constexpr int kReadoutsPerLook = 16;     // About two seconds.
 
 /// With the words for speech that belong to it.
 falcon::LinkMessage messageOf(const DeviceError& error) {
-  using enum falcon::Presence;
-  for (const falcon::Presence presence : {absent, forbidden, busy}) {
-    falcon::Opening opening;
-    opening.presence = presence;
-    falcon::LinkMessage message = falcon::describe(opening);
-    if (message.screen == error.what()) return message;
+  if (const auto* of_falcon = dynamic_cast<const falcon::OpeningError*>(&error)) {
+    return of_falcon->message();
   }
   return {error.code, error.what(), error.what()};
+}
+
+/// The plug tells when it is there; that it is free, or allowed, tells nobody.
+bool onlyThePlugHelps(const DeviceError& error) {
+  const auto* of_falcon = dynamic_cast<const falcon::OpeningError*>(&error);
+  return of_falcon == nullptr || falcon::onlyThePlugHelps(of_falcon->presence());
 }
 }  // namespace
 
@@ -73,16 +76,23 @@ void HapticsPlugin::openDevice() {
     session_ = std::make_unique<LoopSession>(settings_.device);
   } catch (const DeviceError& error) {
     if (settings_.device == kMouse) throw;
-    showStandIn(messageOf(error));
+    showStandIn(messageOf(error), onlyThePlugHelps(error));
     settings_.device = opened_ = kMouse;
     session_ = std::make_unique<LoopSession>(kMouse);
     if (panel_) panel_->setSettings(settings_);
+    return;
   }
+  const auto choice = falcon::falconChoice(opened_);
+  if (!choice || !choice->any()) return;
+  // The only one: from now on it is the one that is meant and remembered.
+  wish_ = settings_.device = opened_ = session_->loop().device().id;
+  if (!panel_) return;
+  panel_->listDevices();
+  panel_->setSettings(settings_);
 }
 
-void HapticsPlugin::showStandIn(const falcon::LinkMessage& message) {
-  const bool absent = message.screen == falcon::describe(falcon::Opening{}).screen;
-  readouts_until_look_ = wish_ == falcon::kFalconId && !absent ? kReadoutsPerLook : 0;
+void HapticsPlugin::showStandIn(const falcon::LinkMessage& message, bool only_the_plug_helps) {
+  readouts_until_look_ = falcon::falconChoice(wish_) && !only_the_plug_helps ? kReadoutsPerLook : 0;
   const QString text = tr("%1 The mouse is the hand now.").arg(screenText(message));
   if (text == stand_in_) return;
   stand_in_ = text;
@@ -245,10 +255,12 @@ void HapticsPlugin::frame() {
     host_->plot(plot);
     if (panel_) panel_->plot(plot);
   }
+  watchSurface();
   watchFault(sample);
   watchStop(sample);
   watchEdge(sample);
   watchSoftening(sample);
+  watchRate(sample);
   watchRecording();
   runButtons(sample);
   watchSleep(sample);
@@ -313,10 +325,10 @@ void HapticsPlugin::watchSleep(const HapticSample& sample) {
 
 void HapticsPlugin::lookAgain() {
   try {
-    falcon::UsbBus bus;
+    falcon::UsbBus bus(falcon::falconChoice(wish_).value_or(falcon::FalconChoice{}));
     const falcon::Opening opening = bus.open();
     if (opening.presence != falcon::Presence::present) {
-      showStandIn(falcon::describe(opening));
+      showStandIn(falcon::describe(opening), falcon::onlyThePlugHelps(opening.presence));
       return;
     }
   } catch (const DeviceError&) {
@@ -333,11 +345,18 @@ void HapticsPlugin::watchPlugs() {
   if (panel_) panel_->listDevices();
   if (setup_ || opened_.starts_with("falcon")) return;  // They wait for it themselves.
   const bool here = !falcon::seenFalcons().empty();
-  if (here && wish_ == falcon::kFalconId) {
+  if (here && falcon::falconChoice(wish_)) {
     lookAgain();
   } else if (here) {
     host_->announce(tr("A Falcon was plugged in. Choose it in the panel Touch to use it."));
   }
+}
+
+void HapticsPlugin::watchSurface() {
+  const std::string problem = session_->takeProblem();
+  if (problem.empty()) return;
+  setForces(false);
+  host_->announce(QString::fromStdString(problem));
 }
 
 void HapticsPlugin::watchFault(const HapticSample& sample) {
@@ -374,6 +393,14 @@ void HapticsPlugin::watchSoftening(const HapticSample& sample) {
                       .arg(sample.stiffness_n_per_mm, 0, 'f', 2));
 }
 
+/// E306, in the words for speech; the panel has the numbers.
+void HapticsPlugin::watchRate(const HapticSample& sample) {
+  if (sample.engaged == EngagePhase::off) slow_ = false;
+  if (sample.slow.rate_hz > 0 && !std::exchange(slow_, true)) {
+    host_->announce(tr("Surface made softer to stay steady."));
+  }
+}
+
 void HapticsPlugin::runButtons(const HapticSample& sample) {
   while (const std::optional<ButtonEvent> event = session_->takeButton()) {
     buttons_->press(event->button, event->down, 1e-9 * static_cast<double>(event->time_ns));
@@ -393,13 +420,15 @@ void HapticsPlugin::setUpDevice() {
     settings_.device = kMouse;
     changeDevice();
   }
-  setup_ = makeDeviceSetup(panel_ ? panel_->window() : nullptr);
+  setup_ = makeDeviceSetup(falcon::falconChoice(before).value_or(falcon::FalconChoice{}),
+                           panel_ ? panel_->window() : nullptr);
   connect(setup_, &DeviceSetupDialog::said, this, [this](const QString& text) {
     if (host_ != nullptr) host_->announce(text);
   });
   connect(setup_, &QDialog::finished, this, [this, before](int result) {
     if (!session_) return;
-    chooseDevice(result == QDialog::Accepted ? falcon::kFalconId : before);
+    const bool used = result == QDialog::Accepted && setup_;
+    chooseDevice(used ? setup_->deviceId() : before);
   });
   setup_->show();
 }

@@ -61,6 +61,8 @@ class HapticsPlugin : public QObject, public Plugin {
   void frame();         // 60 times a second.
   void slowReadouts();  // About 8 times a second.
   void watchSoftening(const HapticSample& sample);
+  void watchRate(const HapticSample& sample);
+  void watchSurface();
   void watchFault(const HapticSample& sample);
   void watchStop(const HapticSample& sample);
   void watchEdge(const HapticSample& sample);
@@ -72,7 +74,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchDevice(LoopReport& report);  // Announces its news, and adds them.
   void watchPlugs();
   void lookAgain();  // For a Falcon that was there and could not be opened.
-  void showStandIn(const falcon::LinkMessage& message);
+  void showStandIn(const falcon::LinkMessage& message, bool only_the_plug_helps);
   void watchSleep(const HapticSample& sample);
   void runButtons(const HapticSample& sample);
   void setUpDevice();
@@ -111,6 +113,7 @@ class HapticsPlugin : public QObject, public Plugin {
   bool firmness_chosen_now_ = false;             // Not remembered.
   bool forces_asked_ = false;
   bool at_edge_ = false;  // Said.
+  bool slow_ = false;     // Likewise, since forces were switched on.
   DeviceFault fault_ = DeviceFault::none;
 };
 

@@ -17,15 +17,6 @@
 
 namespace relievo {
 
-namespace {
-/// What is under the hand as a recording starts, for files that keep the surface.
-std::unique_ptr<HapticSpace> spaceOf(const RegionWindow& window, SurfaceKind kind) {
-  auto space = std::make_unique<HapticSpace>();
-  fill(*space, window, {window.levels - window.region.level.value, window.levels}, kind, {}, {});
-  return space;
-}
-}  // namespace
-
 void HapticsPlugin::setRecording(bool on) {
   if (!session_) return;
   if (!on) {
@@ -46,9 +37,7 @@ void HapticsPlugin::setRecording(bool on) {
         QString::fromStdString(device.name), withinDevice(asked, device), settings_.feel.surface,
         firmness_fits_ ? firmness_.get() : nullptr, now);
     const auto window = host_->shownWindow();
-    const auto surface = window ? spaceOf(*window, settings_.feel.surface) : nullptr;
-    session_->startRecording(QFile::encodeName(file).toStdString(), header.toStdString(),
-                             surface.get());
+    session_->startRecording(QFile::encodeName(file).toStdString(), header.toStdString());
     recorded_in_ = QFileInfo(file).path();
     recorded_windows_ = window ? windowLine(*window) : QString();
     actions_.note->setEnabled(true);

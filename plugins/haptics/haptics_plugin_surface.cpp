@@ -12,13 +12,8 @@ namespace relievo {
 void HapticsPlugin::showWindow(const RegionWindow& window) {
   shown_ = {};  // The host may have cleared its probe.
   surface_ = settings_.feel.surface;
-  try {
-    session_->show(window, surface_, mapsUnder(window));
-    if (session_->recorder().running()) recorded_windows_ += windowLine(window);
-  } catch (const Error& error) {
-    setForces(false);
-    host_->announce(QString::fromStdString(error.what()));
-  }
+  session_->show(window, surface_, mapsUnder(window));
+  if (session_->recorder().running()) recorded_windows_ += windowLine(window);
 }
 
 void HapticsPlugin::applySurface() {

@@ -2,10 +2,12 @@
 #include "plugins/haptics/loop_session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <set>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/region/hand.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/device_limits.h"
@@ -45,6 +47,7 @@ LoopSession::LoopSession(const std::string& device_id)
 }
 
 LoopSession::~LoopSession() {
+  if (filling_.valid()) filling_.wait();  // It writes into the loop's slot.
   loop_->stop();
   drain_.reset();
 }
@@ -57,22 +60,59 @@ void LoopSession::plotSink(std::span<const HapticSample> batch) {
   }
 }
 
-void LoopSession::show(const RegionWindow& window, SurfaceKind kind, const SceneMaps& maps) {
-  const HapticSample& last = update();
-  std::optional<Anchor> touched;  // Stays under the hand.
-  if (has_window_ && last.contact && !moving_) touched = Anchor{last.proxy_view, last.proxy};
+void LoopSession::show(RegionWindow window, SurfaceKind kind, SceneMaps maps) {
+  waiting_ = Order{std::move(window), kind, std::move(maps), {}, 0};
+  hand_since_.reset();
+  prepareNext();
+}
+
+/// Spline, gradients and checksum of 40 000 heights take longer than a frame should wait.
+void LoopSession::prepareNext() {
+  if (filling_.valid() || !waiting_) return;
+  coming_ = std::exchange(waiting_, std::nullopt);
+  const HapticSample& last = loop_->latest().front();
+  if (has_window_ && last.contact && !moving_)
+    coming_->touched = Anchor{last.proxy_view, last.proxy};
+  // The slot is the writer's own until it is published, here, once the worker is done.
+  filling_ = std::async(std::launch::async, [&order = *coming_, &space = loop_->spaces().back()] {
+    const RegionWindow& window = order.window;
+    fill(space, window, {window.levels - window.region.level.value, window.levels}, order.kind,
+         order.touched, order.maps.firmness);
+    fillTexture(space, order.maps.finer_mm);
+    order.checksum = sceneChecksum(space);
+  });
+}
+
+void LoopSession::takePrepared() {
+  if (!filling_.valid() ||
+      filling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return;
+  }
+  const Order order = std::move(*std::exchange(coming_, std::nullopt));
+  try {
+    filling_.get();
+  } catch (const Error& error) {
+    problem_ = error.what();
+    return prepareNext();
+  }
   HapticSpace& space = loop_->spaces().back();
-  fill(space, window, {window.levels - window.region.level.value, window.levels}, kind, touched,
-       maps.firmness);
-  fillTexture(space, maps.finer_mm);
   space.scene_id = ++scene_id_;
-  RecordedScene scene{scene_id_, window.id, window.region, window.gain, kind, touched};
+  RecordedScene scene{scene_id_,         order.window.id, order.window.region,
+                      order.window.gain, order.kind,      order.touched};
   scene.textured = space.texture.present;
-  scene.checksum = sceneChecksum(space);
-  keep(std::move(scene), maps);
+  scene.checksum = order.checksum;
+  keep(std::move(scene), order.maps);
+  if (!shown_) shown_ = std::make_unique<HapticSpace>();
+  *shown_ = space;
   loop_->spaces().publish();
-  mapping_ = mappingOf(window, touched);
+  mapping_ = mappingOf(order.window, order.touched);
   const bool first = !std::exchange(has_window_, true);
+  placeHand(order.window, loop_->latest().front(), first);
+  if (hand_since_) moveHand(*hand_since_);
+  prepareNext();
+}
+
+void LoopSession::placeHand(const RegionWindow& window, const HapticSample& last, bool first) {
   if (steered_ == nullptr) return;
   ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
   if (first) over = {window.region.centreX(), window.region.centreY(), 0};
@@ -98,6 +138,7 @@ void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
 }
 
 void LoopSession::moveHand(ViewMm target) {
+  if (filling_.valid()) hand_since_ = target;  // For the surface that comes, as well.
   if (!has_window_ || steered_ == nullptr) return;
   sent_ = mapping_.device_from_view(target);
   steered_->moveTo(sent_);
@@ -124,9 +165,12 @@ void LoopSession::setOptions(const HapticOptions& options) {
   loop_->options().write(named);
 }
 
-void LoopSession::startRecording(const std::string& file, const std::string& header,
-                                 const HapticSpace* surface) {
-  recorder_.start(file, header, surface);
+void LoopSession::startRecording(const std::string& file, const std::string& header) {
+  if (!shown_ && filling_.valid()) {  // The very first: a few milliseconds.
+    filling_.wait();
+    takePrepared();
+  }
+  recorder_.start(file, header, shown_.get());
   recording_folder_ = std::filesystem::path(file).parent_path().string();
   loop_->wantSnapshot();
 }
@@ -150,6 +194,7 @@ void LoopSession::stopRecording(const std::string& footer) {
 
 const HapticSample& LoopSession::update() {
   loop_->latest().update();
+  takePrepared();
   return loop_->latest().front();
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/region/probe.h"
@@ -39,11 +41,15 @@ class LoopSession {
   LoopSession(const LoopSession&) = delete;
   LoopSession& operator=(const LoopSession&) = delete;
 
-  /// A new surface. The hand keeps its place sideways and its depth, so that a change of detail
-  /// while touching goes on touching; so does another kind of surface of the same window.
-  /// @throw ArgumentError
-  void show(const RegionWindow& window, SurfaceKind kind, const SceneMaps& maps = {});
-  bool hasWindow() const noexcept { return has_window_; }
+  /// A new surface, which a worker prepares; one of the next update() hands it to the loop. The
+  /// hand keeps its place sideways and its depth, so that a change of detail while touching goes on
+  /// touching; so does another kind of surface of the same window. A newer one replaces one that
+  /// waits.
+  void show(RegionWindow window, SurfaceKind kind, SceneMaps maps = {});
+  /// There is a surface, or one is being prepared.
+  bool hasWindow() const noexcept { return has_window_ || filling_.valid(); }
+  /// Why a surface could not be prepared, once; empty: nothing went wrong.
+  std::string takeProblem() { return std::exchange(problem_, {}); }
   /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
   /// does not care.
   void moveHand(ViewMm target);
@@ -52,16 +58,15 @@ class LoopSession {
   void pushHand(DeviceMm by);
   static constexpr double kMostLeadMm = 6;
   void setOptions(const HapticOptions& options);
-  /// Begins with one of the next ticks. @param surface  for HDF5; null: none
+  /// Begins with one of the next ticks; HDF5 gets the surface that is touched now.
   /// @throw as Recorder::start
-  void startRecording(const std::string& file, const std::string& header,
-                      const HapticSpace* surface = nullptr);
+  void startRecording(const std::string& file, const std::string& header);
   /// @param footer  lines that end the file, with what a replay needs after them
   void stopRecording(const std::string& footer);
   /// In Move mode the window goes on below the hand: what is touched does not come along.
   void setMoving(bool moving) { moving_ = moving; }
 
-  const HapticSample& update();  ///< The newest sample.
+  const HapticSample& update();  ///< The newest sample. Takes what the worker has prepared.
   const LoopStats& stats();
   std::vector<PlotSample> takePlot();  ///< Since the last call, every fifth sample.
   std::optional<ButtonEvent> takeButton();
@@ -72,6 +77,17 @@ class LoopSession {
   HapticLoop& loop() noexcept { return *loop_; }
 
  private:
+  /// A surface that was asked for.
+  struct Order {
+    RegionWindow window;
+    SurfaceKind kind = SurfaceKind::gated;
+    SceneMaps maps;
+    std::optional<Anchor> touched;  // Stays under the hand.
+    std::uint64_t checksum = 0;     // Once it is prepared.
+  };
+  void prepareNext();
+  void takePrepared();
+  void placeHand(const RegionWindow& window, const HapticSample& last, bool first);
   void keep(RecordedScene scene, const SceneMaps& maps);
   void plotSink(std::span<const HapticSample> batch);  // [drain thread]
 
@@ -96,6 +112,12 @@ class LoopSession {
   std::vector<std::string> map_states_;                // Map 1 is the first.
   std::string recording_folder_;
   bool has_window_ = false, moving_ = false;
+  std::unique_ptr<HapticSpace> shown_;  // The loop's newest; the loop's own cannot be read here.
+  std::optional<Order> waiting_;        // The newest that was asked for.
+  std::optional<Order> coming_;         // The worker prepares it, in the loop's back slot.
+  std::future<void> filling_;           // Last, so that it is waited for first.
+  std::optional<ViewMm> hand_since_;    // Where the pointer wants it since the last show().
+  std::string problem_;
 };
 
 /// Would a picture of the two differ? A hand at rest costs no frames.

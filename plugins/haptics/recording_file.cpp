@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "haptics/loop/surface_preset.h"
+#include "haptics/record/force_law.h"
 
 namespace relievo {
 
@@ -47,6 +48,7 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
   QStringList lines{
       QStringLiteral("relievo recording, schema 1"),
       QStringLiteral("version ") + QStringLiteral(RELIEVO_VERSION_STRING),
+      QString::fromStdString(lawLine()),
       QStringLiteral("start ") + now.toUTC().toString(Qt::ISODateWithMs),
       QStringLiteral("device ") + device,
       QStringLiteral("units mm on the object (view), N, s; dev_* in mm of hand"),
@@ -59,6 +61,9 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
           .arg(options.proxy.static_friction)
           .arg(options.proxy.dynamic_friction)
           .arg(options.force.damping_n_s_per_mm)};
+  if (options.force.lift_n > 0) {
+    lines << QStringLiteral("grip held with %1 N upward").arg(options.force.lift_n);
+  }
   if (firmness != nullptr) {
     lines << QStringLiteral("firmness %1, sha256 %2")
                  .arg(QFileInfo(QString::fromStdString(firmness->file)).fileName(),

@@ -69,6 +69,8 @@ constexpr std::array kWords{
     // The Falcon, in a dozen words.
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "The Falcon is not in use."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "No Falcon is plugged in."),
+    QT_TRANSLATE_NOOP("relievo::SpokenWords", "The chosen Falcon is not plugged in."),
+    QT_TRANSLATE_NOOP("relievo::SpokenWords", "Several Falcons are plugged in. Choose one."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Falcon unplugged. Forces are off."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "Falcon found, but not allowed. Ask staff."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "The Falcon is busy."),
@@ -159,7 +161,22 @@ constexpr std::array kForms{
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords", "USB cannot be used: %1.")},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords", "The Falcon's thread could not be started: %1")},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
-                           "There is no Falcon named \"%1\"; one is used at a time, falcon:0.")},
+                           "\"%1\" names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or "
+                           "falcon:@PORT as 'relievo devices' lists them, or falcon for the only "
+                           "one.")},
+    Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
+                           "Falcon unplugged. Forces off. View and recording go on. Plug it in "
+                           "again. There is also %1, which is not used in its place unless you "
+                           "choose it.")},
+    Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
+                           "%1 was chosen and is not plugged in. Plug in its power supply, then "
+                           "its USB cable.")},
+    Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
+                           "%1 was chosen and is not plugged in. There is %2, which is not used in "
+                           "its place unless you choose it.")},
+    Form{QT_TRANSLATE_NOOP(
+        "relievo::SpokenWords",
+        "Several Falcons are plugged in: %1. None is used until you choose one.")},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
                            "Starting the Falcon – attempt %1 of %2. This is normal.")},
     Form{QT_TRANSLATE_NOOP(

@@ -144,9 +144,30 @@ TEST_F(DevicesVerbTest, AFalconThatIsFreeIsListedAndMissingFirmwareIsSaid) {
   const json report = json::parse(result.out);
   ASSERT_EQ(report["falcons"].size(), 1U);
   EXPECT_EQ(report["falcons"][0]["presence"], "present");
-  EXPECT_EQ(report["devices"].back()["id"], "falcon:0");
+  EXPECT_EQ(report["devices"].back()["id"], "falcon:NV000001");
+  EXPECT_EQ(report["falcons"][0]["serial"], "NV000001");
+  EXPECT_EQ(report["falcons"][0]["port"], "1-1");
   EXPECT_TRUE(report["falcon_firmware"].is_null());
   EXPECT_THAT(result.err, HasSubstr("nvent_firmware.bin (8492 bytes)"));
+}
+
+TEST_F(DevicesVerbTest, AllAreListedWithSerialNumberAndPortAndNoneIsTakenForAnother) {
+  plugIn();
+  usb_.plugInAnother("NV000002");
+  const json report = json::parse(listed().out);
+  ASSERT_EQ(report["falcons"].size(), 2U);
+  EXPECT_EQ(report["falcons"][1]["id"], "falcon:NV000002");
+  EXPECT_EQ(report["falcons"][1]["serial"], "NV000002");
+  EXPECT_EQ(report["falcons"][1]["port"], "1-2");
+  EXPECT_EQ(report["devices"].back()["id"], "falcon:NV000002");
+  const CommandResult unclear = run({"selftest"});
+  EXPECT_EQ(unclear.exit_code, kDevice);
+  EXPECT_THAT(unclear.err, HasSubstr("Several Falcons are plugged in: NV000001 (USB 1-1), "
+                                     "NV000002 (USB 1-2)."));
+  const CommandResult gone = run({"selftest", "--device", "falcon:NV000003"});
+  EXPECT_EQ(gone.exit_code, kDevice);
+  EXPECT_THAT(gone.err, HasSubstr("Falcon NV000003 was chosen and is not plugged in."));
+  EXPECT_EQ(run({"selftest", "--device", "mouse"}).exit_code, kUsage);
 }
 
 TEST_F(DevicesVerbTest, OneThatAnotherProgramUsesIsBusy) {
@@ -338,7 +359,9 @@ TEST_F(DevicesVerbTest, TheForceIsCalibratedByAWeightAndKept) {
   }
   ASSERT_EQ(said, "");
   const json report = json::parse(listed().out);
-  EXPECT_NEAR(report["falcon_settings"]["counts_per_n_mm"], 6, 0.3);
+  EXPECT_NEAR(report["falcons"][0]["counts_per_n_mm"], 6, 0.3) << "its own";
+  EXPECT_NEAR(report["falcons"][0]["grip_weight_n"], 0.3, 0.1);
+  EXPECT_EQ(report["falcon_settings"]["counts_per_n_mm"], 5) << "of any other";
   std::ifstream conf(home_ / ".config/relievo/falcon.conf");
   EXPECT_THAT(std::string(std::istreambuf_iterator<char>(conf), {}), HasSubstr("/kept.bin"));
   falcon->with([](auto& f) { EXPECT_TRUE(f.commands().back().neutral()); });

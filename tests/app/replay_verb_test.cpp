@@ -61,6 +61,40 @@ TEST_F(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
   EXPECT_EQ(runRelievo({"replay", log}).exit_code, 0) << "without --verify it only tells";
 }
 
+/// A recording of an older build opens, and what differs is put down to the law and not to the
+/// file.
+TEST_F(ReplayVerb, ARecordingUnderAnEarlierLawSaysWhyItDiffers) {
+  const std::string log = path("record.csv");
+  ASSERT_EQ(made("touch", log, {"--device", "virtual:light"}).exit_code, 0);
+  const std::string text = test::bytesOf(log);
+  const std::string law = "\n# law 3\n";
+  ASSERT_NE(text.find(law), std::string::npos);
+  // Also one digit of the last row.
+  const auto altered = [&](const std::string& law_now) {
+    std::string old = text;
+    old.replace(old.find(law), law.size(), law_now);
+    const std::size_t last = old.rfind(',');
+    old.insert(last - 1, "9");
+    std::ofstream(log) << old;
+    return runRelievo({"replay", log, "--verify", "--report", "json"});
+  };
+  const CommandResult before = altered("\n");
+  EXPECT_EQ(before.exit_code, 5) << before.err;
+  const auto report = nlohmann::json::parse(before.out);
+  EXPECT_TRUE(report["law"]["recorded"].is_null());
+  EXPECT_EQ(report["law"]["this_build"], 3);
+  const std::string why = report["why"];
+  EXPECT_NE(why.find("made by version 0.1.0 under an earlier force law; this build has law 3"),
+            std::string::npos)
+      << why;
+  EXPECT_NE(why.find("Law 2 (2026-11-22)"), std::string::npos) << why;
+  const auto second = nlohmann::json::parse(altered("\n# law 2\n").out);
+  EXPECT_NE(second["why"].get<std::string>().find("under force law 2"), std::string::npos);
+  EXPECT_EQ(second["why"].get<std::string>().find("Law 2 ("), std::string::npos) << "it had that";
+  EXPECT_TRUE(nlohmann::json::parse(altered(law).out)["why"].is_null())
+      << "under the same law nothing but the file can differ";
+}
+
 TEST_F(ReplayVerb, ADeviceThatAPersonHoldsIsNeverRecordedWithoutItsSafety) {
   for (const char* device : {"mouse", "falcon"}) {
     const std::string log = path("held.csv");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/batch/svg.h"
+#include "haptics/loop/stable_stiffness.h"
 #include "tests/haptics/stability.h"
 
 namespace relievo {
@@ -71,6 +72,24 @@ void writeTable(std::ostream& out, const std::vector<Row>& rows) {
   }
 }
 
+/// As the loop has it.
+void writeRateTable(std::ostream& out) {
+  out << "\n## By rate\n\nThe least over scenes and grips with counts of 0.048 mm, by ticks of "
+         "delay, "
+         "without -> with the stage: measured by\n`stability_map --rates` and kept in "
+         "`haptics/loop/stable_stiffness.cpp`. E306 takes 75 % of the second number.\n\n"
+         "| rate | 0 ticks | 1 tick | 2 ticks |\n|---:|---:|---:|---:|\n";
+  for (const double rate_hz : {100.0, 300.0, 400.0, 600.0, 800.0, 1000.0}) {
+    out << "| " << rate_hz << " /s |";
+    for (int delay = 0; delay <= 2; ++delay) {
+      const DeviceTiming timing{rate_hz, delay, 0.048};
+      out << ' ' << fixedDigits(stableStiffnessAlone(timing), 2) << " -> "
+          << fixedDigits(stableStiffness(timing), 2) << " |";
+    }
+    out << '\n';
+  }
+}
+
 void writePage(std::ostream& out, const std::vector<Row>& rows, const std::vector<Row>& falcon) {
   out << "# How stiff a surface may be\n\n"
          "Found with the virtual hand (`haptics/device/virtual_hand.h`: 0.2 kg, 1 N s/m, 0.1 N of "
@@ -110,6 +129,7 @@ void writePage(std::ostream& out, const std::vector<Row>& rows, const std::vecto
         << number(leastAt(falcon, detail, true)) << " | "
         << fixedDigits(stiffnessForDetail(detail), 2) << " |\n";
   }
+  writeRateTable(out);
   out << "\nGenerated: `cmake --build --preset release --target stability`. "
          "`haptics/loop/stability_test` checks that the defaults\nare stable for every grip and "
          "scene of their level, and one cell that needs the stage.\n";
@@ -160,6 +180,32 @@ std::string plot(const std::vector<Row>& rows) {
   return svg + "</svg>\n";
 }
 
+/// The table of haptics/loop/stable_stiffness.cpp, on standard output.
+void writeRates(std::ostream& out) {
+  for (const double rate_hz : {100.0, 200.0, 300.0, 400.0, 600.0, 800.0, 1000.0}) {
+    std::array<std::array<double, 3>, 2> least{};
+    for (int delay = 0; delay <= 2; ++delay) {
+      VirtualHandOptions device = test::likeTheFalcon();
+      device.delay_ticks = delay;
+      for (const bool passivity : {false, true}) {
+        double& k = least[passivity ? 1 : 0].at(static_cast<std::size_t>(delay));
+        k = 1e9;
+        for (const test::StabilityScene& scene : test::stabilityScenes()) {
+          for (const HandImpedance& grip : kHandPresets) {
+            k = std::min(k, test::largestStable(*scene.space, grip, passivity, device, rate_hz));
+          }
+        }
+      }
+    }
+    out << "    {" << rate_hz;
+    for (const auto& row : least) {
+      out << ", {" << fixedDigits(row[0], 2) << ", " << fixedDigits(row[1], 2) << ", "
+          << fixedDigits(row[2], 2) << '}';
+    }
+    out << "}," << std::endl;
+  }
+}
+
 bool write(const std::string& file, const auto& fill) {
   std::ofstream out(file);
   fill(out);
@@ -174,10 +220,14 @@ bool write(const std::string& file, const auto& fill) {
 int main(int argc, char** argv) {
   using namespace relievo;
   if (argc != 2) {
-    std::cerr << "Usage: stability_map FOLDER\n";
+    std::cerr << "Usage: stability_map FOLDER | --rates\n";
     return 1;
   }
   const std::string folder = argv[1];
+  if (folder == "--rates") {
+    writeRates(std::cout);
+    return 0;
+  }
   const std::vector<Row> rows = measure({}), falcon = measure(test::likeTheFalcon());
   const bool done =
       write(folder + "/stability.md", [&](std::ostream& out) { writePage(out, rows, falcon); }) &&

@@ -121,19 +121,39 @@ void TestClock::waitUntil(std::int64_t until_ns) {
 
 falcon::Opening InProcessBus::open() {
   ++opens;
-  const bool plugged = falcon_->with([](FalconEmulator& f) { return f.plugged(); });
+  std::vector<PlacedFalcon> plugged;
+  std::vector<falcon::SeenFalcon> seen;
+  for (const PlacedFalcon& one : falcons_) {
+    if (!one.falcon->with([](FalconEmulator& f) { return f.plugged(); })) continue;
+    plugged.push_back(one);
+    seen.push_back(one.place);
+  }
+  const falcon::FalconSearch::Found found = search_.among(seen);
   falcon::Opening opening;
-  opening.presence = plugged ? pretend : falcon::Presence::absent;
+  if (found.falcon == nullptr) {
+    opening.presence = found.several ? falcon::Presence::several : falcon::Presence::absent;
+    if (!search_.choice().any()) opening.wanted = nameOf(search_.choice());
+    opening.others = found.others;
+    return opening;
+  }
+  opening.presence = pretend;
   if (opening.presence == falcon::Presence::broken) opening.detail = "Input/output error";
   if (opening.presence == falcon::Presence::present) {
-    opening.port = std::make_unique<InProcessPort>(falcon_, clock_);
+    opening.which = *found.falcon;
+    const auto index = static_cast<std::size_t>(found.falcon - seen.data());
+    opening.port = std::make_unique<InProcessPort>(plugged[index].falcon, clock_);
+    search_.keep(opening.which);
   }
   return opening;
 }
 
 void InProcessBus::waitForChange(std::int64_t until_ns) {
   const auto seen = [this] {
-    return std::pair{falcon_->with([](FalconEmulator& f) { return f.plugged(); }), pretend};
+    std::vector<bool> plugged;
+    for (const PlacedFalcon& one : falcons_) {
+      plugged.push_back(one.falcon->with([](FalconEmulator& f) { return f.plugged(); }));
+    }
+    return std::pair{plugged, pretend};
   };
   const auto before = seen();
   while (clock_->now() < until_ns && seen() == before) {

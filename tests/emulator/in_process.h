@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "haptics/device/falcon/port.h"
 #include "tests/emulator/falcon_emulator.h"
@@ -29,12 +30,22 @@ class TestClock {
   std::int64_t now_ns_ = 1'000'000'000;
 };
 
-/// The emulated Falcon without USB, for tests of the driver above the transport.
+/// An emulated Falcon and where it is plugged in, whenever it is.
+struct PlacedFalcon {
+  falcon::SeenFalcon place;
+  std::shared_ptr<SharedFalcon> falcon;
+};
+
+/// Emulated Falcons without USB, for tests of the driver above the transport.
 class InProcessBus : public falcon::Bus {
  public:
   InProcessBus(std::shared_ptr<SharedFalcon> falcon, std::shared_ptr<TestClock> clock)
-      : falcon_(std::move(falcon)), clock_(std::move(clock)) {}
+      : InProcessBus({{{}, std::move(falcon)}}, std::move(clock), {}) {}
+  InProcessBus(std::vector<PlacedFalcon> falcons, std::shared_ptr<TestClock> clock,
+               falcon::FalconChoice choice)
+      : falcons_(std::move(falcons)), clock_(std::move(clock)), search_(std::move(choice)) {}
   falcon::Opening open() override;
+  falcon::FalconChoice choice() const override { return search_.choice(); }
   void waitForChange(std::int64_t until_ns) override;
   std::int64_t now() override { return clock_->now(); }
   std::int64_t slept() override { return slept_ns; }
@@ -44,8 +55,9 @@ class InProcessBus : public falcon::Bus {
   int opens = 0;  ///< How often somebody has tried.
 
  private:
-  std::shared_ptr<SharedFalcon> falcon_;
+  std::vector<PlacedFalcon> falcons_;
   std::shared_ptr<TestClock> clock_;
+  falcon::FalconSearch search_;
 };
 
 }  // namespace relievo::emulator

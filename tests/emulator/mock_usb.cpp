@@ -28,7 +28,9 @@ namespace relievo::emulator {
 
 namespace {
 constexpr const char* kNode = "/dev/bus/usb/001/002";
-constexpr const char* kDevice = "/devices/pci0000:00/0000:00:14.0/usb1/1-1";
+std::string deviceAt(int number) {
+  return "/devices/pci0000:00/0000:00:14.0/usb1/1-" + std::to_string(number);
+}
 /// Longest time a request is held back. A held one keeps the client's other requests waiting.
 constexpr std::int64_t kHoldNs = 5'000'000;
 constexpr std::size_t kSetupBytes = 8;
@@ -43,18 +45,18 @@ std::string hex(const std::vector<std::uint8_t>& bytes) {
   return text;
 }
 
-std::string description() {
+/// @param number  of its port and, one more, of its node
+std::string description(int number, const std::string& serial) {
   std::vector<std::uint8_t> descriptors = FalconEmulator::deviceDescriptor();
   const auto configuration = FalconEmulator::configurationDescriptor();
   descriptors.insert(descriptors.end(), configuration.begin(), configuration.end());
-  return std::string("P: ") + kDevice +
-         "\nN: bus/usb/001/002\n"
-         "E: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nE: BUSNUM=001\nE: DEVNUM=002\n"
-         "E: DEVNAME=/dev/bus/usb/001/002\n"
-         "A: busnum=1\nA: devnum=2\nA: speed=12\nA: bConfigurationValue=1\n"
-         "A: idVendor=0403\nA: idProduct=cb48\n"
-         "H: descriptors=" +
-         hex(descriptors) + "\n";
+  const std::string node = std::to_string(number + 1);
+  return "P: " + deviceAt(number) + "\nN: bus/usb/001/00" + node +
+         "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nE: BUSNUM=001\nE: DEVNUM=00" + node +
+         "\nE: DEVNAME=/dev/bus/usb/001/00" + node + "\nA: busnum=1\nA: devnum=" + node +
+         "\nA: speed=12\nA: bConfigurationValue=1\n"
+         "A: idVendor=0403\nA: idProduct=cb48\nA: serial=" +
+         serial + "\nH: descriptors=" + hex(descriptors) + "\n";
 }
 
 /// Memory of the client's that an argument points to; null if the client has died meanwhile.
@@ -454,9 +456,14 @@ void MockUsb::plugIn(std::shared_ptr<SharedFalcon> falcon) {
   if (!std::exchange(impl_->attached, true)) {
     umockdev_testbed_attach_ioctl(impl_->testbed, kNode, impl_->handler, nullptr);
   }
-  umockdev_testbed_add_from_string(impl_->testbed, description().c_str(), nullptr);
-  umockdev_testbed_uevent(impl_->testbed, (std::string("/sys") + kDevice).c_str(), "add");
+  umockdev_testbed_add_from_string(impl_->testbed, description(1, kSerial).c_str(), nullptr);
+  umockdev_testbed_uevent(impl_->testbed, ("/sys" + deviceAt(1)).c_str(), "add");
   impl_->plugged = true;
+}
+
+void MockUsb::plugInAnother(const std::string& serial) {
+  umockdev_testbed_add_from_string(impl_->testbed, description(2, serial).c_str(), nullptr);
+  umockdev_testbed_uevent(impl_->testbed, ("/sys" + deviceAt(2)).c_str(), "add");
 }
 
 void MockUsb::forbid() {
@@ -474,8 +481,8 @@ void MockUsb::unplug() {
   impl_->plugged = false;
   // The node goes first: whoever learns of it by a failing transfer looks for it at once, and would
   // find half a device.
-  umockdev_testbed_uevent(impl_->testbed, (std::string("/sys") + kDevice).c_str(), "remove");
-  umockdev_testbed_remove_device(impl_->testbed, (std::string("/sys") + kDevice).c_str());
+  umockdev_testbed_uevent(impl_->testbed, ("/sys" + deviceAt(1)).c_str(), "remove");
+  umockdev_testbed_remove_device(impl_->testbed, ("/sys" + deviceAt(1)).c_str());
   const std::lock_guard lock(impl_->mutex);
   impl_->gone = true;
   impl_->falcon->with([](FalconEmulator& f) { f.unplug(); });

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "tests/emulator/falcon_emulator.h"
 
@@ -31,7 +32,10 @@ class MockUsb {
   /// false: umockdev's library is not preloaded here, and programs would see the real ports.
   static bool works();
 
+  static constexpr const char* kSerial = "NV000001";
   void plugIn(std::shared_ptr<SharedFalcon> falcon);
+  /// On the next port: it is seen, and cannot be opened. Stays.
+  void plugInAnother(const std::string& serial);
   /// No account but root may open the node any more; until it is plugged in anew.
   void forbid();
   /// Pulls the plug: transfers under way fail, the node goes away, the event is sent.

@@ -46,6 +46,7 @@ struct StabilityTry {
   ProxyOptions proxy = {};
   double damping_n_s_per_mm = 0;
   VirtualHandOptions device = {};  ///< Its own delay, counts and friction; the grip is apart.
+  double rate_hz = 1000;
 };
 
 /// What the Falcon's driver declares of it, in the same arms and hand.
@@ -69,7 +70,12 @@ inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
   options.force.strength = 1;
   options.force.passivity.on = what.passivity;
   options.force.oscillation.on = false;  // It would soften what is to be judged.
-  ClosedLoop loop(space, hand, options);
+  // What is judged is this stiffness at this rate, not what the loop would make of it.
+  ClosedLoop loop(space, hand, options, std::llround(1e9 / what.rate_hz));
+  loop.options().bound_by_rate = false;
+  const auto ticks = [&what](int ms) {
+    return static_cast<int>(std::lround(1e-3 * ms * what.rate_hz));
+  };
   const auto topAt = [&space](double x, double y) {
     const GridPoint p = space.gridFromDevice({x, y, 0});
     return space.deviceFromGrid({p.x, p.y, surfaceHeight(space, p.x, p.y)}).z;
@@ -81,18 +87,19 @@ inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
     return DeviceMm{x, kRowMm, topAt(x, kRowMm) + height_mm};
   };
   loop.switchOn(aim(3));
-  constexpr int kLandTicks = 500, kSlideTicks = 1000, kJudgedTicks = 500;
+  constexpr int kLandMs = 500, kSlideMs = 1000, kJudgedMs = 500;
   // In dry friction a hand slips once more long after it seems to rest; that is no swing.
-  constexpr int kRestTicks = 2500;
-  for (int i = 0; i < kLandTicks; ++i) loop.tick(aim(-reach_mm));
-  for (int i = 0; i < kSlideTicks; ++i) {
-    x += 0.03;
+  constexpr int kRestMs = 2500;
+  for (int i = 0; i < ticks(kLandMs); ++i) loop.tick(aim(-reach_mm));
+  for (int i = 0; i < ticks(kSlideMs); ++i) {
+    x += 30 / what.rate_hz;
     loop.tick(aim(-reach_mm));
   }
-  std::array<Swing, 3> swings;
-  for (int i = 0; i < kRestTicks; ++i) {
+  const Swing still(1 / what.rate_hz);
+  std::array<Swing, 3> swings{still, still, still};
+  for (int i = 0; i < ticks(kRestMs); ++i) {
     const DeviceN force = loop.tick(aim(-reach_mm)).force;
-    if (i == kRestTicks - kJudgedTicks) {
+    if (i == ticks(kRestMs) - ticks(kJudgedMs)) {
       for (Swing& swing : swings) swing.restart();
     }
     swings[0].add(force.x);
@@ -105,19 +112,20 @@ inline double swingAtRest(const HapticSpace& space, const HandImpedance& grip,
 /// A hand that rests must feel a force that rests; less than this is not felt.
 inline constexpr double kStillN = 0.05;
 
-/// Largest stiffness up to which every try is still, in steps of 0.1 N/mm.
+/// Largest stiffness up to which every try is still, in steps of 0.1 N/mm; of 0.02 at slow rates.
 inline double largestStable(const HapticSpace& space, const HandImpedance& grip, bool passivity,
-                            const VirtualHandOptions& device = {}) {
-  constexpr double kStep = 0.1, kMost = 3;
+                            const VirtualHandOptions& device = {}, double rate_hz = 1000) {
+  const double step = rate_hz < 400 ? 0.02 : 0.1;  // Slow loops allow little.
+  constexpr double kMost = 3;
   double stable = 0;
-  for (int i = 1; i * kStep <= kMost + 1e-9; ++i) {
+  for (int i = 1; i * step <= kMost + 1e-9; ++i) {
     for (const double push : {0.5, 2.0, 4.0}) {
       for (const double start : {-20.3, -8.1}) {
-        const StabilityTry what{i * kStep, push, start, passivity, {}, 0, device};
+        const StabilityTry what{i * step, push, start, passivity, {}, 0, device, rate_hz};
         if (swingAtRest(space, grip, what) > kStillN) return stable;
       }
     }
-    stable = i * kStep;
+    stable = i * step;
   }
   return stable;
 }

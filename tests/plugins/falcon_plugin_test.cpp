@@ -64,13 +64,13 @@ std::unique_ptr<test::MessageBus> FalconPluginTest::bus_;
 
 TEST_F(FalconPluginTest, TheListFollowsThePlug) {
   auto* list = inPanel<QComboBox>("deviceList");
-  EXPECT_EQ(list->findData("falcon:0"), -1);
+  EXPECT_EQ(list->findData("falcon:NV000001"), -1);
   plugIn();
-  ASSERT_TRUE(listed("Falcon"));
+  ASSERT_TRUE(listed("Falcon NV000001"));
   EXPECT_EQ(list->currentData().toString(), "mouse") << "chosen is what was chosen";
   EXPECT_TRUE(said("A Falcon was plugged in. Choose it in the panel Touch to use it."));
   usb_.unplug();
-  EXPECT_TRUE(eventually([&] { return list->findData("falcon:0") < 0; }));
+  EXPECT_TRUE(eventually([&] { return list->findData("falcon:NV000001") < 0; }));
 }
 
 TEST_F(FalconPluginTest, ARememberedFalconIsUsedAsSoonAsItIsThere) {
@@ -80,9 +80,41 @@ TEST_F(FalconPluginTest, ARememberedFalconIsUsedAsSoonAsItIsThere) {
   EXPECT_EQ(inPanel<QComboBox>("deviceList")->currentData().toString(), "mouse");
   EXPECT_TRUE(plugin_->saveState().contains("falcon:0")) << "the wish is kept";
   plugIn();
-  ASSERT_TRUE(said("Device: Falcon.")) << all().toStdString();
+  ASSERT_TRUE(said("Device: Falcon NV000001 (USB 1-1).")) << all().toStdString();
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
   EXPECT_TRUE(eventually([this] { return host_.status.device == "Falcon ready."; }));
+  EXPECT_TRUE(plugin_->saveState().contains("falcon:NV000001")) << "from now on this one is meant";
+}
+
+TEST_F(FalconPluginTest, OfTwoTheChosenOneIsUsedAndRemembered) {
+  plugIn();
+  usb_.plugInAnother("NV000002");
+  ASSERT_TRUE(listed("Falcon NV000001"));
+  ASSERT_TRUE(listed("Falcon NV000002"));
+  plugin_->restoreState(R"({"device": "falcon:0"})");
+  ASSERT_TRUE(said("Several Falcons are plugged in. Choose one. The mouse is the hand now."));
+  auto* list = inPanel<QComboBox>("deviceList");
+  list->setCurrentIndex(list->findData("falcon:NV000001"));
+  ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
+  EXPECT_TRUE(plugin_->saveState().contains("falcon:NV000001"));
+  usb_.unplug();
+  ASSERT_TRUE(said("Falcon unplugged. Forces are off.")) << all().toStdString();
+  EXPECT_TRUE(eventually([&] {
+    return inPanel<QLabel>("forceState")->text().contains("NV000002 (USB 1-2), which is not used");
+  }));
+  EXPECT_TRUE(plugin_->saveState().contains("falcon:NV000001")) << "still the one that is meant";
+}
+
+TEST_F(FalconPluginTest, ARememberedOneThatIsNotThereIsNotReplacedByAnother) {
+  plugin_->restoreState(R"({"device": "falcon:NV000009"})");
+  plugIn();
+  ASSERT_TRUE(eventually([&] {
+    return inPanel<QLabel>("forceState")
+        ->text()
+        .startsWith("Falcon NV000009 was chosen and is not plugged in. There is NV000001");
+  })) << inPanel<QLabel>("forceState")->text().toStdString();
+  EXPECT_EQ(inPanel<QComboBox>("deviceList")->currentData().toString(), "mouse");
+  EXPECT_TRUE(plugin_->saveState().contains("falcon:NV000009"));
 }
 
 TEST_F(FalconPluginTest, OneThatAnotherProgramUsesIsNamedUntilItIsFree) {
@@ -95,20 +127,21 @@ TEST_F(FalconPluginTest, OneThatAnotherProgramUsesIsNamedUntilItIsFree) {
   ASSERT_TRUE(eventually([&] { return state->text().startsWith(e304); }));
   EXPECT_TRUE(state->text().contains("Off. Press F5")) << "and how the mouse is doing";
   host_.announce("panel.ply is open");
-  EXPECT_FALSE(host_.announcements.contains("Device: Falcon.")) << "the other one has it";
+  EXPECT_FALSE(host_.announcements.contains("Device: Falcon NV000001 (USB 1-1)."))
+      << "the other one has it";
   EXPECT_TRUE(state->text().startsWith(e304)) << "whatever else is said";
   EXPECT_EQ(host_.announcements.count("The Falcon is busy. The mouse is the hand now."), 1);
   usb_.set({});
-  ASSERT_TRUE(said("Device: Falcon.")) << all().toStdString();
+  ASSERT_TRUE(said("Device: Falcon NV000001 (USB 1-1).")) << all().toStdString();
   ASSERT_TRUE(eventually([&] { return state->text().startsWith("Off. Press F5"); }))
       << state->text().toStdString();
 }
 
 TEST_F(FalconPluginTest, AnUnpluggedFalconIsNamedAndComesBackByItself) {
   plugIn();
-  ASSERT_TRUE(listed("Falcon"));
+  ASSERT_TRUE(listed("Falcon NV000001"));
   auto* list = inPanel<QComboBox>("deviceList");
-  list->setCurrentIndex(list->findData("falcon:0"));
+  list->setCurrentIndex(list->findData("falcon:NV000001"));
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
   usb_.unplug();
   const QString e305 =
@@ -116,24 +149,25 @@ TEST_F(FalconPluginTest, AnUnpluggedFalconIsNamedAndComesBackByItself) {
       "the mouse as the device.";
   ASSERT_TRUE(said("Falcon unplugged. Forces are off.")) << all().toStdString();
   EXPECT_TRUE(eventually([&] { return inPanel<QLabel>("forceState")->text() == e305; }));
-  EXPECT_TRUE(listed("Falcon (not here now)"));
+  EXPECT_TRUE(listed("Falcon NV000001 (not here now)"));
   host_.announcements.clear();
   plugIn();
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
-  EXPECT_TRUE(listed("Falcon"));
-  EXPECT_EQ(list->findText("Falcon (not here now)"), -1);
+  EXPECT_TRUE(listed("Falcon NV000001"));
+  EXPECT_EQ(list->findText("Falcon NV000001 (not here now)"), -1);
 }
 
 TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
   plugIn();
   falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 165}); });
-  ASSERT_TRUE(listed("Falcon"));
+  ASSERT_TRUE(listed("Falcon NV000001"));
   auto* list = inPanel<QComboBox>("deviceList");
-  list->setCurrentIndex(list->findData("falcon:0"));
+  list->setCurrentIndex(list->findData("falcon:NV000001"));
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
   host_.actions.at("forces")->trigger();
+  // A mocked port answers so slowly that the stiffness is bound by its rate (E306).
   const auto pushed = [this] {
-    return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.3; });
+    return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.05; });
   };
   ASSERT_TRUE(
       eventually([this] { return !host_.probes.empty() && host_.probes.back().forces_on; }));
@@ -183,7 +217,7 @@ TEST_F(FalconPluginTest, EveryTextIsLookedUpWhereTheTranslationsHaveIt) {
   QCoreApplication::installTranslator(&translator);
   attach();
   plugIn();
-  ASSERT_TRUE(listed("Falcon"));
+  ASSERT_TRUE(listed("Falcon NV000001"));
   plugin_->restoreState(R"({"device": "falcon:0"})");
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
   EXPECT_TRUE(

@@ -133,7 +133,10 @@ TEST_F(HapticsPluginTest, SaysThatAWindowCannotBeFeltAndKeepsTheLastOne) {
   auto broken = std::make_shared<RegionWindow>(*flatWindow(5, 16));
   broken->heights_mm[3] = std::numeric_limits<float>::quiet_NaN();
   host_.showWindow(broken);
-  EXPECT_TRUE(host_.announcements.last().contains("not a finite number"));
+  EXPECT_TRUE(eventually([this] {
+    return !host_.announcements.isEmpty() &&
+           host_.announcements.last().contains("not a finite number");
+  }));
   hover();
   EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 15; }));
 }
@@ -352,6 +355,9 @@ TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
   Q_EMIT host_.finerHeightsRead(44, finer_mm, {});
   inPanel<QComboBox>("surfaceKind")->setCurrentIndex(2);  // The same window again.
   EXPECT_EQ(host_.finer_asked.size(), 1U) << "known by now";
+  // A worker prepares it; a newer one would take its place before.
+  const std::size_t plotted = host_.plotted.size();
+  ASSERT_TRUE(eventually([&] { return host_.plotted.size() > plotted + 40; }));
   host_.showWindow(flatWindow(5, 45));
   EXPECT_EQ(host_.finer_asked.back(), 45U);
   Q_EMIT host_.finerHeightsRead(45, {}, "Cannot read a tile.");
@@ -372,7 +378,9 @@ TEST_F(HapticsPluginTest, TextureThatIsReadLateComesToItsWindow) {
     const QStringList words = line.split(' ');
     if (words.value(1) == "scene") textured << words.value(3) + ':' + words.value(10);
   }
-  EXPECT_EQ(textured.join(' ').toStdString(), "44:0 44:1 44:1 45:0");
+  ASSERT_GE(textured.size(), 2) << textured.join(' ').toStdString();
+  EXPECT_EQ(textured.at(textured.size() - 2), "44:1");
+  EXPECT_EQ(textured.last(), "45:0") << "its own was never read";
 }
 
 TEST_F(HapticsPluginTest, AnotherShapeIsFeltUnderTheTouchingHand) {

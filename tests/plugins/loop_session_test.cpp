@@ -38,6 +38,49 @@ TEST(LoopSession, PushesThatComeFasterThanTheHandFollowsAddUp) {
   EXPECT_GT(before, from.x - 500);
 }
 
+RegionWindow flatWindow(std::uint64_t id) {
+  return test::windowOf(
+      80, [](double, double) { return 5.0; }, id);
+}
+
+TEST(LoopSession, ASurfaceIsPreparedWhileTheWindowGoesOn) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  session.show(flatWindow(7), SurfaceKind::gated);
+  EXPECT_TRUE(session.hasWindow());
+  const std::uint64_t ticks = session.stats().ticks;
+  ASSERT_TRUE(eventually([&] { return session.stats().ticks > ticks + 20; }));
+  session.loop().latest().update();
+  EXPECT_EQ(session.loop().latest().front().scene_id, 0U)
+      << "whoever showed it did not wait for it";
+  EXPECT_TRUE(eventually([&] { return session.update().window_id == 7; }));
+}
+
+TEST(LoopSession, ANewerWindowReplacesTheOneThatWaits) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  for (const std::uint64_t id : {1, 2, 3}) session.show(flatWindow(id), SurfaceKind::gated);
+  ASSERT_TRUE(eventually([&] { return session.update().window_id == 3; }));
+  EXPECT_EQ(session.update().scene_id, 2U) << "the second window was never prepared";
+}
+
+TEST(LoopSession, ASurfaceThatCannotBePreparedIsTold) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  SceneMaps maps;
+  maps.firmness.assign(3, 1.0F);  // 200 by 200 are needed.
+  session.show(flatWindow(7), SurfaceKind::gated, std::move(maps));
+  std::string problem;
+  ASSERT_TRUE(eventually([&] {
+    session.update();
+    problem = session.takeProblem();
+    return !problem.empty();
+  }));
+  EXPECT_EQ(session.takeProblem(), "") << "once";
+  session.show(flatWindow(8), SurfaceKind::gated);
+  EXPECT_TRUE(eventually([&] { return session.update().window_id == 8; }));
+}
+
 }  // namespace
 }  // namespace relievo
 

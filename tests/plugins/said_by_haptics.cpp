@@ -74,6 +74,9 @@ void sayStates(SaidByHaptics& said) {
     falcon::LinkStatus status;
     status.state = static_cast<LinkState>(i);
     status.attempts = 10;
+    constexpr std::string_view kOthers = "B2 (USB 1-3)";
+    kOthers.copy(status.others.data(), status.others.size() - 1);
+    said.names.emplace(kOthers);
     say(said, status);
     status.failed_openings = 3;
     say(said, status);
@@ -83,9 +86,16 @@ void sayStates(SaidByHaptics& said) {
     status.homed = 0b010;
     say(said, status);
     status.homing_is_long = true;
-    say(said, status);
+    status.others.fill('\0');
+    if (status.state != LinkState::several) say(said, status);  // Never without their names.
   }
   falcon::Opening opening;
+  for (const std::string others : {"", "B2 (USB 1-3)"}) {
+    opening.wanted = "Falcon A1";
+    said.names.insert(opening.wanted);
+    opening.others = others;
+    say(said, falcon::statusOf(opening));
+  }
   opening.presence = falcon::Presence::broken;
   opening.detail = "Input/Output Error";  // libusb's.
   said.names.insert(opening.detail);
@@ -302,8 +312,8 @@ class Scarcity {
 };
 
 void sayDevicesThatCannotBeHad(SaidByHaptics& said) {
-  refused(said, [] { makeDevice("falcon:7"); });
-  said.names.insert("falcon:7");
+  refused(said, [] { makeDevice("falcon:A9@"); });
+  said.names.insert("falcon:A9@");
   auto bus = std::make_unique<emulator::InProcessBus>(std::make_shared<emulator::SharedFalcon>(),
                                                       std::make_shared<emulator::TestClock>());
   falcon::FalconDevice device(std::move(bus), [] { return madeImage(); });

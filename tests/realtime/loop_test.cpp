@@ -10,7 +10,9 @@
 
 #include <array>
 #include <atomic>
+#include <initializer_list>
 #include <thread>
+#include <vector>
 
 #include "core/base/error.h"
 #include "haptics/device/mouse_device.h"
@@ -92,6 +94,7 @@ HapticOptions fullForces() {
   HapticOptions options;
   options.force.forces_on = true;
   options.force.strength = 1;
+  options.bound_by_rate = false;  // A busy computer would have its say in every force (E306).
   return options;
 }
 
@@ -308,6 +311,52 @@ TEST(HapticLoop, TicksOnWhileItsOwnerIsBlocked) {
   EXPECT_GT(seconds, 1);
   EXPECT_GT(static_cast<double>(seen), 100 * seconds);
   EXPECT_LT(static_cast<double>(seen), 1001 * seconds + 2);
+}
+
+/// In contact it brings two more windows while the first new one still comes, from the loop's own
+/// thread: no computer is so busy that they come too late.
+class BringsWindows : public ScriptedDevice {
+ public:
+  BringsWindows() : ScriptedDevice(pressAfterRising(), 8) {}
+  HapticLoop* loop = nullptr;
+  void send(DeviceN force, std::int64_t now_ns) RELIEVO_REALTIME override {
+    ScriptedDevice::send(force, now_ns);
+    if (brought_ == 0 && force.z > 2) {
+      bring({2});
+    } else if (brought_ == 1 && ++ticks_ > 20) {
+      bring({3, 4});
+    }
+  }
+
+ private:
+  void bring(std::initializer_list<std::uint64_t> ids) {
+    for (const std::uint64_t id : ids) showFlat(*loop, id);
+    ++brought_;
+  }
+  int brought_ = 0, ticks_ = 0;
+};
+
+TEST(HapticLoop, WhileAWindowComesTheNewestWaitsAndReplacesTheOneBeforeIt) {
+  auto device = std::make_unique<BringsWindows>();
+  BringsWindows& brings = *device;
+  HapticLoop loop(std::move(device));
+  brings.loop = &loop;
+  showFlat(loop, 1);
+  loop.options().write(fullForces());
+  loop.start();
+  std::vector<std::uint64_t> windows;
+  HapticSample before;
+  bool came = false;
+  waitFor(loop, [&](const HapticSample& s) {
+    if (windows.empty() || windows.back() != s.window_id) windows.push_back(s.window_id);
+    came = came || (s.window_id == 2 && s.change < 1);
+    EXPECT_TRUE(s.window_id != 4 || before.window_id == 4 || before.change == 1);
+    before = s;
+    return s.window_id == 4 && s.change == 1;
+  });
+  loop.stop();
+  EXPECT_TRUE(came) << "little by little";
+  EXPECT_EQ(windows, (std::vector<std::uint64_t>{1, 2, 4}));
 }
 
 /// Presses, and holds these buttons once the hand feels the force: after a pause of the whole

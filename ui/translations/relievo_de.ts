@@ -3136,6 +3136,30 @@
         <source>Te&amp;xture</source>
         <translation>Te&amp;xtur</translation>
     </message>
+    <message>
+        <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
+        <translation>An. E306: Die Rate ist auf %1 pro Sekunde gefallen (nötig: %2). Steifigkeit von %3 auf %4 N/m verringert.</translation>
+    </message>
+    <message>
+        <source>A new surface under the hand</source>
+        <translation>Eine neue Oberfläche unter der Hand</translation>
+    </message>
+    <message>
+        <source>The new surface comes under the hand: %1 %.</source>
+        <translation>Die neue Oberfläche kommt unter die Hand: %1 %.</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>Das Gewic&amp;ht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>Das Gewicht des Griffs halten</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>Solange die Kräfte an sind, hält das Gerät seinen Griff selbst, so schwer, wie die Kalibrierung ihn fand. Nichts geschieht, wo nicht kalibriert wurde oder das Gerät es von sich aus tut.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -3230,6 +3254,10 @@
     <message>
         <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
         <translation>Die Aufzeichnung war zu Ende, bevor die Notiz „%1“ hinzugefügt wurde. Die Notiz steht in keiner Datei.</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>Oberfläche weicher gemacht, damit sie ruhig bleibt.</translation>
     </message>
 </context>
 <context>
@@ -6725,10 +6753,6 @@
         <translation>Der Thread des Falcon konnte nicht gestartet werden: %1</translation>
     </message>
     <message>
-        <source>There is no Falcon named &quot;%1&quot;; one is used at a time, falcon:0.</source>
-        <translation>Es gibt keinen Falcon namens „%1“; benutzt wird immer nur einer, falcon:0.</translation>
-    </message>
-    <message>
         <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
         <translation>Der Falcon wird gestartet – Versuch %1 von %2. Das ist normal.</translation>
     </message>
@@ -6879,6 +6903,34 @@
     <message>
         <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
         <translation>Die Verbindung zum Falcon scheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; er wird neu geöffnet – %1 von %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
+        <translation>„%1“ benennt keinen Falcon. Schreiben Sie falcon:SERIAL, falcon:SERIAL@PORT oder falcon:@PORT, wie &apos;relievo devices&apos; sie auflistet, oder falcon für den einzigen.</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
+        <translation>Falcon abgezogen. Kräfte aus. Ansicht und Aufnahme laufen weiter. Stecken Sie ihn wieder ein. Es gibt noch %1; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>%1 wurde gewählt und ist nicht angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
+        <translation>%1 wurde gewählt und ist nicht angeschlossen. Da ist %2; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
+        <translation>Mehrere Falcons sind angeschlossen: %1. Keiner wird benutzt, bis Sie einen wählen.</translation>
+    </message>
+    <message>
+        <source>The chosen Falcon is not plugged in.</source>
+        <translation>Der gewählte Falcon ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in. Choose one.</source>
+        <translation>Mehrere Falcons sind angeschlossen. Wählen Sie einen.</translation>
     </message>
 </context>
 <context>

@@ -3136,6 +3136,30 @@
         <source>Te&amp;xture</source>
         <translation>बनावट (&amp;X)</translation>
     </message>
+    <message>
+        <source>On. E306: Update rate fell to %1 per second (need %2). Stiffness reduced from %3 to %4 N/m.</source>
+        <translation>चालू। E306: अद्यतन दर %1 प्रति सेकंड रह गई (%2 चाहिए)। कठोरता %3 से घटाकर %4 N/m की गई।</translation>
+    </message>
+    <message>
+        <source>A new surface under the hand</source>
+        <translation>हाथ के नीचे नई सतह</translation>
+    </message>
+    <message>
+        <source>The new surface comes under the hand: %1 %.</source>
+        <translation>नई सतह हाथ के नीचे आ रही है: %1 %।</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weig&amp;ht</source>
+        <translation>ग्रिप का &amp;भार थामें</translation>
+    </message>
+    <message>
+        <source>Hold the grip&apos;s weight</source>
+        <translation>ग्रिप का भार थामें</translation>
+    </message>
+    <message>
+        <source>While forces are on, the device holds its own grip, as heavy as the calibration found it. Nothing happens where it was not calibrated, or where the device does so by itself.</source>
+        <translation>जब तक बल चालू हैं, उपकरण अपनी ग्रिप को उतने भार से थामता है जितना अंशांकन ने पाया। जहाँ अंशांकन नहीं हुआ या उपकरण स्वयं ऐसा करता है वहाँ कुछ नहीं होता।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::HapticsPlugin</name>
@@ -3230,6 +3254,10 @@
     <message>
         <source>The recording had ended before the note &quot;%1&quot; was added. The note is in no file.</source>
         <translation>टिप्पणी “%1” जुड़ने से पहले ही रिकॉर्डिंग समाप्त हो गई थी। टिप्पणी किसी फ़ाइल में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Surface made softer to stay steady.</source>
+        <translation>सतह स्थिर रखने के लिए नरम की गई।</translation>
     </message>
 </context>
 <context>
@@ -6725,10 +6753,6 @@
         <translation>Falcon का थ्रेड शुरू नहीं हो सका: %1</translation>
     </message>
     <message>
-        <source>There is no Falcon named &quot;%1&quot;; one is used at a time, falcon:0.</source>
-        <translation>&quot;%1&quot; नाम का कोई Falcon नहीं है; एक समय में एक ही उपयोग होता है, falcon:0।</translation>
-    </message>
-    <message>
         <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
         <translation>Falcon शुरू हो रहा है – प्रयास %2 में से %1। यह सामान्य है।</translation>
     </message>
@@ -6879,6 +6903,34 @@
     <message>
         <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
         <translation>Falcon जुड़ा है, फिर भी उससे संपर्क विफल हो रहा है। बल बंद हैं; इसे फिर से खोला जा रहा है – %2 में से %1।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
+        <translation>&quot;%1&quot; किसी Falcon का नाम नहीं है। falcon:SERIAL, falcon:SERIAL@PORT या falcon:@PORT लिखें, जैसा &apos;relievo devices&apos; बताता है, या एकमात्र के लिए falcon।</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
+        <translation>Falcon निकाल दिया गया। बल बंद। दृश्य और रिकॉर्डिंग चलती रहती हैं। उसे फिर लगाएँ। %1 भी लगा है, पर जब तक आप उसे न चुनें वह उसकी जगह काम में नहीं लिया जाता।</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>%1 चुना गया था और लगा नहीं है। पहले उसका पावर अडैप्टर लगाएँ, फिर उसकी USB केबल।</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
+        <translation>%1 चुना गया था और लगा नहीं है। %2 लगा है, पर जब तक आप उसे न चुनें वह उसकी जगह काम में नहीं लिया जाता।</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
+        <translation>कई Falcon लगे हैं: %1। जब तक आप एक न चुनें कोई काम में नहीं लिया जाता।</translation>
+    </message>
+    <message>
+        <source>The chosen Falcon is not plugged in.</source>
+        <translation>चुना हुआ Falcon लगा नहीं है।</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in. Choose one.</source>
+        <translation>कई Falcon लगे हैं। एक चुनें।</translation>
     </message>
 </context>
 <context>

@@ -120,6 +120,8 @@ bool Calibration::step(std::int64_t now_ns) {
         break;
       }
       result_ = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);
+      // Counts are what was asked for; by the true gain they are this force.
+      grip_weight_n_ = std::clamp(counts_per_n_mm_ / *result_ * empty_n_, 0.0, kMostGripN);
       phase_ = Phase::done;
       break;
     }

@@ -25,6 +25,8 @@ class Calibration {
   std::string prompt() const;
   /// Counts per N mm, once done.
   std::optional<double> result() const { return result_; }
+  /// What the empty grip weighs in that place, N, once done: what its holding took.
+  double gripWeightN() const { return grip_weight_n_; }
 
  private:
   DeviceN holdingForce(const DeviceReading& reading, double dt_s);
@@ -45,6 +47,7 @@ class Calibration {
   DeviceN integral_, force_;
   double mean_up_n_ = 0, drift_n_ = 0, empty_n_ = 0;
   std::optional<double> result_;
+  double grip_weight_n_ = 0;
   std::string why_;
 };
 

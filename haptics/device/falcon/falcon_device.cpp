@@ -24,11 +24,12 @@ FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
                            FalconSettings settings, LinkLimits limits)
     : settings_(std::move(settings)),
       bus_(std::move(bus)),
+      chosen_(bus_->choice()),
       firmware_(std::move(firmware)),
       limits_(limits) {
   giveSignalStack();  // The owner's thread, too, sends last words when its stack overflows.
-  info_.id = kFalconId;
-  info_.name = "Falcon";
+  info_.id = idOf(chosen_);
+  info_.name = nameOf(chosen_);
   // Reachable all round at every height in it (falcon geometry: 50 mm at z = 160).
   info_.workspace.half_extent = {40, 40, 35};
   info_.max_force_n = limits.max_force_n;
@@ -37,6 +38,10 @@ FalconDevice::FalconDevice(std::unique_ptr<Bus> bus, FirmwareSource firmware,
   info_.max_slew_n_per_s = 200;
   info_.position_step_mm = 0.048;  // Sideways in the middle; 0.028 in and out.
   info_.force_delay_ticks = 2;     // Up to one until it is sent, one until the motors show it.
+  // Novint's firmware drives the motors as it is told and nothing more
+  // (docs/dev/falcon-unknowns.md).
+  info_.holds_its_grip = false;
+  info_.grip_weight_n = std::clamp(settings_.grip_weight_n, 0.0, kMostGripN);
   setGain(settings_.counts_per_n_mm);
 }
 
@@ -48,30 +53,36 @@ void FalconDevice::open() {
   if (thread_.joinable()) return;
   Opening opening = bus_->open();
   if (opening.presence != Presence::present) {
-    LinkStatus status;
-    constexpr std::array<LinkState, 5> kStates{LinkState::checking, LinkState::absent,
-                                               LinkState::forbidden, LinkState::busy,
-                                               LinkState::broken};
-    status.state = kStates[static_cast<std::size_t>(opening.presence)];
-    opening.detail.copy(status.detail.data(), status.detail.size() - 1);
-    const LinkMessage message = describe(status);
+    const LinkStatus status = statusOf(opening);
     mailbox_.status.write(status);
-    throw DeviceError(message.screen, message.code);
+    throw OpeningError(opening.presence, describe(status));
   }
-  start(std::move(opening.port));
+  setName({opening.which.serial, opening.which.port});
+  start(std::move(opening));
 }
 
 void FalconDevice::openWhenPlugged() {
-  if (!thread_.joinable()) start(nullptr);
+  if (!thread_.joinable()) start({});
 }
 
-void FalconDevice::start(std::unique_ptr<Port> port) {
+/// The whole name says which one it was, in recordings and reports; the id is what names it again.
+void FalconDevice::setName(const FalconChoice& which) {
+  const std::string name = nameOf(which);
+  if (name == info_.name) return;
+  info_.name = name;
+  if (chosen_.any() && !which.any()) {
+    const SeenFalcon only{.serial = which.serial, .port = which.port};
+    info_.id = idOf(shortestChoice(only, {&only, 1}));
+  }
+}
+
+void FalconDevice::start(Opening opening) {
   try {
-    thread_ = std::jthread([this, p = std::move(port)](const std::stop_token& stop) mutable {
+    thread_ = std::jthread([this, o = std::move(opening)](const std::stop_token& stop) mutable {
       // Refused like the loop's own, which says so: an answer that waits for a drawing thread is a
       // force that comes late.
       [[maybe_unused]] const RealtimeGrant grant = requestRealtime(kPriority, {});
-      Link(*bus_, mailbox_, firmware_, limits_).run(stop, std::move(p));
+      Link(*bus_, mailbox_, firmware_, limits_).run(stop, std::move(o));
     });
   } catch (const std::system_error& error) {
     throw DeviceError(std::string("The Falcon's thread could not be started: ") + error.what());
@@ -104,7 +115,9 @@ DeviceReading FalconDevice::read(std::int64_t /*now_ns*/) RELIEVO_REALTIME {
 
 const LinkStatus& FalconDevice::status() {
   mailbox_.status.update();
-  return mailbox_.status.front();
+  const LinkStatus& now = mailbox_.status.front();
+  if (now.port[0] != '\0' || now.serial[0] != '\0') setName({now.serial.data(), now.port.data()});
+  return now;
 }
 
 void FalconDevice::retry() {

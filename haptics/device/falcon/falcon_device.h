@@ -6,6 +6,7 @@
 #include <string>
 #include <thread>
 
+#include "core/base/error.h"
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/link.h"
 
@@ -15,15 +16,31 @@ namespace relievo::falcon {
 struct FalconSettings {
   /// Motor counts for one N mm. Half of the nominal value until a weight was hung on.
   double counts_per_n_mm = kNominalCountsPerNmm / 2;
+  double grip_weight_n = 0;  ///< As the calibration found it; 0: not known.
   bool left_handed = false;  ///< Plus and minus change sides.
   std::string firmware;      ///< The file to load; empty: it is searched for.
 };
+/// No grip of a Falcon weighs more; a calibration that says so held something else.
+inline constexpr double kMostGripN = 2;
 inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
 /// Motors that give 8 N outward at full counts, as CHAI3D's table says, and not the 16.2 N that
 /// the nominal gain and the arms' geometry make of them.
 inline constexpr double kMostCountsPerNmm = 2 * kNominalCountsPerNmm;
 
-inline constexpr const char* kFalconId = "falcon:0";
+/// One cannot be opened. Carries its message for speech as well.
+class OpeningError : public DeviceError {
+ public:
+  OpeningError(Presence presence, LinkMessage message)
+      : DeviceError(message.screen, message.code),
+        presence_(presence),
+        message_(std::move(message)) {}
+  Presence presence() const { return presence_; }
+  const LinkMessage& message() const { return message_; }
+
+ private:
+  Presence presence_;
+  LinkMessage message_;
+};
 
 /// The Novint Falcon. `read` and `send` never wait: a thread of its own (docs/threads.md) keeps the
 /// device going at its own pace and leaves the newest place of the hand for the loop. Until
@@ -35,9 +52,10 @@ class FalconDevice : public Device {
                LinkLimits limits = {});
   ~FalconDevice() override;
 
+  /// Its name and id say which one it is as soon as that is known: after open(), or with status().
   const DeviceInfo& info() const noexcept override { return info_; }
   /// Finds it and starts its thread; does not wait for firmware and homing.
-  /// @throw DeviceError  absent, forbidden (E301), busy (E304)
+  /// @throw OpeningError  absent, forbidden (E301), busy (E304), or several and none chosen
   void open() override;
   /// As open(), but one that is absent, forbidden or busy is waited for.
   void openWhenPlugged();
@@ -59,11 +77,13 @@ class FalconDevice : public Device {
   void showStateLights();
 
  private:
-  void start(std::unique_ptr<Port> port);
+  void start(Opening opening);
+  void setName(const FalconChoice& which);
 
-  DeviceInfo info_;
+  DeviceInfo info_;  // [owner] writes its names; the loop reads its numbers.
   FalconSettings settings_;
   std::unique_ptr<Bus> bus_;
+  FalconChoice chosen_;  // Before it was opened.
   FirmwareSource firmware_;
   LinkLimits limits_;
   LinkMailbox mailbox_;

@@ -19,8 +19,10 @@ Link::Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits l
   status_.attempts = limits.attempts;
 }
 
-void Link::run(const std::stop_token& stop, std::unique_ptr<Port> port) {
+void Link::run(const std::stop_token& stop, Opening opening) {
   slept_ = bus_.slept();
+  if (opening.port) take(opening, status_);
+  std::unique_ptr<Port> port = std::move(opening.port);
   known_present_ = port != nullptr;
   while (!stop.stop_requested()) {
     if (!port) port = waitForDevice(stop, true);
@@ -37,17 +39,19 @@ void Link::run(const std::stop_token& stop, std::unique_ptr<Port> port) {
 std::unique_ptr<Port> Link::waitForDevice(const std::stop_token& stop, bool also_absent) {
   while (!stop.stop_requested()) {
     Opening opening = bus_.open();
+    take(opening, status_);
     switch (opening.presence) {
       case Presence::present:
         known_present_ = true;
         return std::move(opening.port);
       case Presence::absent:
+      case Presence::several:  // Of the same serial number: which one it was is not known.
         if (std::exchange(known_present_, false)) {
           ++status_.unplugged;
           interrupt(DeviceFault::disconnected, bus_.now());
         }
         if (!also_absent) return nullptr;
-        setState(LinkState::absent);
+        setState(opening.presence == Presence::absent ? LinkState::absent : LinkState::several);
         break;
       case Presence::forbidden:
         setState(LinkState::forbidden);

@@ -81,8 +81,8 @@ class Link {
   Link(Bus& bus, LinkMailbox& mailbox, FirmwareSource firmware, LinkLimits limits = {});
 
   /// Until stopped; leaves with motors at zero force and lights off.
-  /// @param port  already open, or null: waits for one
-  void run(const std::stop_token& stop, std::unique_ptr<Port> port);
+  /// @param opening  already open, or without a port: waits for one
+  void run(const std::stop_token& stop, Opening opening);
 
  private:
   enum class Leave : std::uint8_t { stopped, gone, silent };

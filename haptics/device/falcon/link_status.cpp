@@ -16,7 +16,56 @@ std::string missingArms(std::uint8_t homed) {
   }
   return text;
 }
+
+template <std::size_t Size>
+void put(const std::string& text, std::array<char, Size>& into) {
+  into.fill('\0');
+  text.copy(into.data(), Size - 1);
+}
+
+LinkMessage describeAbsent(const LinkStatus& status) {
+  const std::string wanted = status.wanted.data(), others = status.others.data();
+  if (status.unplugged > 0) {
+    return {"E305",
+            others.empty() ? "Falcon unplugged. Forces off. View and recording go on. Plug it in "
+                             "again, or choose the mouse as the device."
+                           : "Falcon unplugged. Forces off. View and recording go on. Plug it in "
+                             "again. There is also " +
+                                 others + ", which is not used in its place unless you choose it.",
+            "Falcon unplugged. Forces are off."};
+  }
+  if (wanted.empty()) {
+    return {"", "No Falcon is plugged in. Plug in its power supply, then its USB cable.",
+            "No Falcon is plugged in."};
+  }
+  return {"",
+          others.empty() ? wanted +
+                               " was chosen and is not plugged in. Plug in its power supply, then "
+                               "its USB cable."
+                         : wanted + " was chosen and is not plugged in. There is " + others +
+                               ", which is not used in its place unless you choose it.",
+          "The chosen Falcon is not plugged in."};
+}
 }  // namespace
+
+LinkStatus statusOf(const Opening& opening) {
+  constexpr std::array<LinkState, 6> kStates{LinkState::closed,    LinkState::absent,
+                                             LinkState::forbidden, LinkState::busy,
+                                             LinkState::broken,    LinkState::several};
+  LinkStatus status;
+  status.state = kStates[static_cast<std::size_t>(opening.presence)];
+  take(opening, status);
+  return status;
+}
+
+void take(const Opening& opening, LinkStatus& status) {
+  put(opening.detail, status.detail);
+  put(opening.wanted, status.wanted);
+  put(opening.others, status.others);
+  if (opening.presence != Presence::present) return;
+  put(opening.which.serial, status.serial);
+  put(opening.which.port, status.port);
+}
 
 LinkMessage describe(const LinkStatus& status) {
   const std::string detail = status.detail.data();
@@ -24,15 +73,12 @@ LinkMessage describe(const LinkStatus& status) {
     case LinkState::closed:
       return {"", "The Falcon is not in use.", "The Falcon is not in use."};
     case LinkState::absent:
-      if (status.unplugged > 0) {
-        return {"E305",
-                "Falcon unplugged. Forces off. View and recording go on. Plug it in again, or "
-                "choose the "
-                "mouse as the device.",
-                "Falcon unplugged. Forces are off."};
-      }
-      return {"", "No Falcon is plugged in. Plug in its power supply, then its USB cable.",
-              "No Falcon is plugged in."};
+      return describeAbsent(status);
+    case LinkState::several:
+      return {"",
+              "Several Falcons are plugged in: " + std::string(status.others.data()) +
+                  ". None is used until you choose one.",
+              "Several Falcons are plugged in. Choose one."};
     case LinkState::forbidden:
       return {"E301",
               "A Falcon is plugged in but this account may not use it. Install the rule that the "

@@ -8,6 +8,7 @@
 
 #include "core/base/vec3.h"
 #include "haptics/device/device.h"
+#include "haptics/device/falcon/port.h"
 #include "haptics/device/falcon/protocol.h"
 
 namespace relievo::falcon {
@@ -18,6 +19,7 @@ enum class LinkState : std::uint8_t {
   forbidden,    ///< E301
   busy,         ///< E304
   broken,       ///< The system refuses it otherwise; `detail` says how.
+  several,      ///< More than one could be meant; waited for until it is clear.
   checking,     ///< Does its firmware run already?
   no_firmware,  ///< It does not, and no file was found; `detail` says where was looked.
   starting,     ///< Loading the firmware (E302).
@@ -66,9 +68,18 @@ struct LinkStatus {
   /// `not_started` (E303): why it is in them.
   int failed_openings = 0;
   LinkCounts counts;
-  std::array<char, 700> detail{};  ///< Zero-terminated; see the states.
+  std::array<char, 700> detail{};  ///< Zero-terminated, as the next ones; see the states.
+  /// Of the one that is open, or was; SeenFalcon.
+  std::array<char, 48> serial{}, port{};
+  std::array<char, 120> wanted{};  ///< Opening::wanted.
+  std::array<char, 300> others{};  ///< Opening::others.
 };
 static_assert(std::is_trivially_copyable_v<LinkStatus>);
+
+/// Of what was tried to open one.
+LinkStatus statusOf(const Opening& opening);
+/// What it says in words, into the fields for them.
+void take(const Opening& opening, LinkStatus& status);
 
 /// A message of the catalogue, for screen, log and speech.
 struct LinkMessage {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "haptics/device/falcon/choice.h"
 #include "haptics/device/falcon/protocol.h"
 
 namespace relievo::falcon {
@@ -61,12 +62,16 @@ enum class Presence : std::uint8_t {
   forbidden,  ///< The system does not let this account use it (E301).
   busy,       ///< Another program uses it (E304).
   broken,     ///< Something else; `Opening::detail` says what.
+  several,    ///< More than one could be meant; none is taken.
 };
 
 struct Opening {
   Presence presence = Presence::absent;
   std::unique_ptr<Port> port;  ///< Set if present.
   std::string detail;
+  SeenFalcon which{};    ///< That was opened, if present.
+  std::string wanted{};  ///< The one that is meant, as nameOf() has it, if one is; if absent.
+  std::string others{};  ///< Those that are there, if none of them is taken.
 };
 
 /// Where Falcons are plugged in, and the clock of their port.
@@ -78,6 +83,8 @@ class Bus {
   Bus& operator=(const Bus&) = delete;
 
   virtual Opening open() = 0;
+  /// The one that is meant. A bus with one place has no choice.
+  virtual FalconChoice choice() const { return {}; }
   /// Waits until something may have changed, or until `until_ns`.
   virtual void waitForChange(std::int64_t until_ns) = 0;
   virtual std::int64_t now() = 0;  ///< Monotonic, ns.

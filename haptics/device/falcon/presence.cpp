@@ -4,13 +4,11 @@
 namespace relievo::falcon {
 
 LinkMessage describe(const Opening& opening) {
-  constexpr std::array<LinkState, 5> kStates{LinkState::closed, LinkState::absent,
-                                             LinkState::forbidden, LinkState::busy,
-                                             LinkState::broken};
-  LinkStatus status;
-  status.state = kStates[static_cast<std::size_t>(opening.presence)];
-  opening.detail.copy(status.detail.data(), status.detail.size() - 1);
-  return describe(status);
+  return describe(statusOf(opening));
+}
+
+bool onlyThePlugHelps(Presence presence) {
+  return presence == Presence::absent || presence == Presence::several;
 }
 
 }  // namespace relievo::falcon

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "haptics/device/falcon/falcon_device.h"
 
@@ -11,13 +12,17 @@ namespace relievo::falcon {
 std::filesystem::path settingsFile();
 
 /// One "name value" per line. What is missing, unknown or impossible keeps its default.
-FalconSettings readSettings(const std::filesystem::path& file);
+/// @param serial  of one of several: what a calibration found of it stands as "name@SERIAL value"
+///                and goes before "name value"; empty: any
+FalconSettings readSettings(const std::filesystem::path& file, const std::string& serial = {});
 
 /// For the driver: the file that the settings name, or the one that is found without them. Both are
 /// looked at anew each time it is asked.
 FirmwareSource storedFirmwareSource();
 
-/// Whole or not at all. @throw WriteError
-void writeSettings(const FalconSettings& settings, const std::filesystem::path& file);
+/// Whole or not at all; what the file says of other Falcons stays. @throw WriteError
+/// @param serial  as above: gain and weight become this one's own, the rest is everyone's
+void writeSettings(const FalconSettings& settings, const std::filesystem::path& file,
+                   const std::string& serial = {});
 
 }  // namespace relievo::falcon

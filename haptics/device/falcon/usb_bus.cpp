@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -49,6 +51,46 @@ class DeviceList {
   libusb_device** list_ = nullptr;
   ssize_t count_;
 };
+
+/// "1-2.4", as the system names it; empty where it does not say.
+std::string portOf(libusb_device* device) {
+  constexpr int kDeepest = 7;  // Of the standard.
+  std::array<std::uint8_t, kDeepest> numbers{};
+  const int depth = libusb_get_port_numbers(device, numbers.data(), kDeepest);
+  if (depth <= 0) return {};
+  std::string port = std::to_string(libusb_get_bus_number(device));
+  for (int i = 0; i < depth; ++i) {
+    port += (i == 0 ? "-" : ".") + std::to_string(numbers.at(static_cast<std::size_t>(i)));
+  }
+  return port;
+}
+
+/// As the system has read it: no access to the device is needed for it.
+std::string serialAt(const std::string& port) {
+  if (port.empty()) return {};
+  std::ifstream file("/sys/bus/usb/devices/" + port + "/serial");
+  std::string line;
+  std::getline(file, line);
+  constexpr std::size_t kMost = 40;
+  std::string serial;
+  for (const char c : line) {
+    const bool printed = std::isgraph(static_cast<unsigned char>(c)) != 0;
+    if (printed && serial.size() < kMost) serial += c;
+  }
+  return serial;
+}
+
+SeenFalcon seen(libusb_device* device) {
+  const int speed = libusb_get_device_speed(device);
+  const std::string port = portOf(device);
+  return {.serial = serialAt(port),
+          .port = port,
+          .bus = libusb_get_bus_number(device),
+          .address = libusb_get_device_address(device),
+          .speed_mbit = speed == LIBUSB_SPEED_FULL   ? 12
+                        : speed == LIBUSB_SPEED_HIGH ? 480
+                                                     : 0};
+}
 
 /// The descriptor of the device's node: the one that libusb waits on for room to write.
 int nodeOf(libusb_context* context) {
@@ -321,7 +363,7 @@ bool PlugWatch::changed() {
   return std::exchange(impl_->plugs_told, impl_->plugs) != impl_->plugs;
 }
 
-UsbBus::UsbBus() : impl_(std::make_unique<Impl>()) {
+UsbBus::UsbBus(FalconChoice choice) : impl_(std::make_unique<Impl>()), search_(std::move(choice)) {
   if (const int result = impl_->begin(); result != 0) {
     throw DeviceError(std::string("USB cannot be used: ") + libusb_strerror(result) + ".");
   }
@@ -335,8 +377,9 @@ Opening UsbBus::open() {
   Opening opening = openSeen();
   // Where no udev service tells of plugs (containers, small systems), or where it told while nobody
   // listened, a libusb goes on seeing what it saw first; a new one looks anew.
-  const bool outdated = opening.presence == Presence::broken ||
-                        (opening.presence == Presence::absent && !seenFalcons().empty());
+  const bool outdated =
+      opening.presence == Presence::broken ||
+      (opening.presence == Presence::absent && search_.among(seenFalcons()).falcon != nullptr);
   if (outdated) {
     impl_->end();
     impl_->begin();
@@ -353,35 +396,52 @@ Opening UsbBus::openSeen() {
     return opening;
   }
   const DeviceList list(impl_->context);
+  std::vector<libusb_device*> devices;
+  std::vector<SeenFalcon> there;
   for (libusb_device* device : list.devices()) {
     if (!isFalcon(device)) continue;
-    libusb_device_handle* handle = nullptr;
-    int result = libusb_open(device, &handle);
-    if (result == 0) {
-      libusb_set_auto_detach_kernel_driver(handle, 1);
-      result = libusb_claim_interface(handle, 0);
-      if (result == 0) {
-        opening.presence = Presence::present;
-        opening.port = std::make_unique<UsbPort>(impl_->context, handle);
-        return opening;
-      }
-      libusb_close(handle);
-    }
-    switch (result) {
-      case LIBUSB_ERROR_ACCESS:
-        opening.presence = Presence::forbidden;
-        break;
-      case LIBUSB_ERROR_BUSY:
-        opening.presence = Presence::busy;
-        break;
-      case LIBUSB_ERROR_NO_DEVICE:
-        break;  // Left while we looked.
-      default:
-        opening.presence = Presence::broken;
-        opening.detail = libusb_strerror(result);
-    }
+    devices.push_back(device);
+    there.push_back(seen(device));
   }
+  const FalconSearch::Found found = search_.among(there);
+  if (found.falcon == nullptr) {
+    opening.presence = found.several ? Presence::several : Presence::absent;
+    opening.wanted = search_.choice().any() ? std::string() : nameOf(search_.choice());
+    opening.others = found.others;
+    return opening;
+  }
+  opening.which = *found.falcon;
+  open(devices[static_cast<std::size_t>(found.falcon - there.data())], opening);
+  if (opening.presence == Presence::present) search_.keep(opening.which);
   return opening;
+}
+
+void UsbBus::open(libusb_device* device, Opening& opening) {
+  libusb_device_handle* handle = nullptr;
+  int result = libusb_open(device, &handle);
+  if (result == 0) {
+    libusb_set_auto_detach_kernel_driver(handle, 1);
+    result = libusb_claim_interface(handle, 0);
+    if (result == 0) {
+      opening.presence = Presence::present;
+      opening.port = std::make_unique<UsbPort>(impl_->context, handle);
+      return;
+    }
+    libusb_close(handle);
+  }
+  switch (result) {
+    case LIBUSB_ERROR_ACCESS:
+      opening.presence = Presence::forbidden;
+      break;
+    case LIBUSB_ERROR_BUSY:
+      opening.presence = Presence::busy;
+      break;
+    case LIBUSB_ERROR_NO_DEVICE:
+      break;  // Left while we looked.
+    default:
+      opening.presence = Presence::broken;
+      opening.detail = libusb_strerror(result);
+  }
 }
 
 void UsbBus::waitForChange(std::int64_t until_ns) {
@@ -407,23 +467,26 @@ std::int64_t UsbBus::slept() {
   return (boot_ns - monotonicNs() + 500 * kMs) / 1'000'000'000 * 1'000'000'000;
 }
 
+FalconChoice settled(const FalconChoice& choice) {
+  if (!choice.any()) return choice;
+  const std::vector<SeenFalcon> there = seenFalcons();
+  return there.size() == 1 ? shortestChoice(there.front(), there) : choice;
+}
+
 std::vector<SeenFalcon> seenFalcons() {
   libusb_context* context = nullptr;
   if (libusb_init(&context) != 0) return {};
-  std::vector<SeenFalcon> seen;
+  std::vector<SeenFalcon> there;
   {
     const DeviceList list(context);
     for (libusb_device* device : list.devices()) {
-      if (!isFalcon(device)) continue;
-      const int speed = libusb_get_device_speed(device);
-      seen.push_back({libusb_get_bus_number(device), libusb_get_device_address(device),
-                      speed == LIBUSB_SPEED_FULL   ? 12
-                      : speed == LIBUSB_SPEED_HIGH ? 480
-                                                   : 0});
+      if (isFalcon(device)) there.push_back(seen(device));
     }
   }
   libusb_exit(context);
-  return seen;
+  std::sort(there.begin(), there.end(),
+            [](const SeenFalcon& a, const SeenFalcon& b) { return a.port < b.port; });
+  return there;
 }
 
 }  // namespace relievo::falcon

@@ -7,15 +7,16 @@
 
 #include "haptics/device/falcon/port.h"
 
+struct libusb_device;
+
 namespace relievo::falcon {
 
-/// A Falcon that is plugged in, as far as can be seen without opening it.
-struct SeenFalcon {
-  int bus = 0, address = 0;
-  int speed_mbit = 0;
-};
-/// None where USB cannot be used at all; opening says why.
+/// All of them, in the order of their ports. None where USB cannot be used at all; opening says
+/// why.
 std::vector<SeenFalcon> seenFalcons();
+
+/// Where any is meant and one is plugged in, that one; so that its own settings can be read.
+FalconChoice settled(const FalconChoice& choice);
 
 /// Tells when a Falcon was plugged in or pulled. Opens none. [one thread]
 class PlugWatch {
@@ -34,18 +35,23 @@ class PlugWatch {
 /// Falcons on USB through libusb. Made by one thread, then used by one; one port at a time is open.
 class UsbBus : public Bus {
  public:
-  UsbBus();  ///< @throw DeviceError  USB cannot be used at all
+  /// @param choice  the one that is meant; any: the only one, to which it keeps then
+  /// @throw DeviceError  USB cannot be used at all
+  explicit UsbBus(FalconChoice choice = {});
   ~UsbBus() override;
   Opening open() override;
+  FalconChoice choice() const override { return search_.choice(); }
   void waitForChange(std::int64_t until_ns) override;
   std::int64_t now() override;
   std::int64_t slept() override;
 
  private:
   Opening openSeen();
+  void open(libusb_device* device, Opening& opening);
 
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  FalconSearch search_;
 };
 
 }  // namespace relievo::falcon

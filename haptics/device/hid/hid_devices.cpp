@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <list>
 #include <optional>
@@ -77,38 +79,14 @@ void tellEdges(std::uint32_t before, std::uint32_t after, std::vector<ButtonEdge
 }
 }  // namespace
 
-struct HidDevices::Impl {
-  std::list<OpenDevice> devices;
-  std::list<RefusedDevice> refused;
-
-  void close(OpenDevice& device, HidNews& news) {
-    tellEdges(device.buttons, 0, news.edges);
-    news.left.push_back(device.name);
-    hid_close(device.handle);
-  }
-  void open(const hid_device_info& info, HidNews& news);
-  void refuse(const OpenDevice& device, HidNews& news);
-  static bool read(OpenDevice& device, HidNews& news);
+namespace {
+/// What is plugged in; new ones are opened.
+struct Sight {
+  std::set<std::string> there;
+  std::list<OpenDevice> opened, refused;
 };
 
-HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
-  if (hid_init() != 0) throw DeviceError("HID devices cannot be used on this system.");
-}
-
-HidDevices::~HidDevices() {
-  for (const OpenDevice& device : impl_->devices) hid_close(device.handle);
-}
-
-void HidDevices::Impl::refuse(const OpenDevice& device, HidNews& news) {
-  auto known = std::find_if(refused.begin(), refused.end(),
-                            [&device](const RefusedDevice& r) { return r.path == device.path; });
-  if (known == refused.end()) known = refused.insert(known, {device.path, device.name});
-  known->seen = true;
-  constexpr int kSureLooks = 2;
-  if (++known->looks == kSureLooks) news.forbidden.push_back(known->name);
-}
-
-void HidDevices::Impl::open(const hid_device_info& info, HidNews& news) {
+void open(const hid_device_info& info, Sight& sight) {
   OpenDevice device;
   device.path = info.path;
   device.name = utf8(info.product_string);
@@ -121,39 +99,91 @@ void HidDevices::Impl::open(const hid_device_info& info, HidNews& news) {
   }
   device.handle = hid_open_path(info.path);
   if (device.handle == nullptr) {
-    if (isRefused(info.path)) refuse(device, news);
+    if (isRefused(info.path)) sight.refused.push_back(std::move(device));
     return;
   }
   hid_set_nonblocking(device.handle, 1);
-  news.arrived.push_back(device.name);
-  devices.push_back(std::move(device));
+  sight.opened.push_back(std::move(device));
 }
 
-void HidDevices::rescan(HidNews& news) {
+/// [worker] @param known  paths of those that are open already
+Sight lookAround(const std::set<std::string>& known) {
+  Sight sight;
   hid_device_info* list = hid_enumerate(0, 0);
-  std::set<std::string> there;
-  for (RefusedDevice& device : impl_->refused) device.seen = false;
   for (const hid_device_info* info = list; info != nullptr; info = info->next) {
     const bool wanted =
         info->usage_page == kGenericDesktop &&
         (info->usage == kJoystick || info->usage == kGamepad || info->usage == kMultiAxis);
     if (!wanted || info->path == nullptr) continue;
-    there.insert(info->path);
-    const bool known =
-        std::any_of(impl_->devices.begin(), impl_->devices.end(),
-                    [info](const OpenDevice& device) { return device.path == info->path; });
-    if (!known) impl_->open(*info, news);
+    const bool is_new = sight.there.insert(info->path).second && !known.contains(info->path);
+    if (is_new) open(*info, sight);
   }
   hid_free_enumeration(list);
-  std::erase_if(impl_->refused, [](const RefusedDevice& device) { return !device.seen; });
-  for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
-    if (there.contains(device->path)) {
+  return sight;
+}
+}  // namespace
+
+struct HidDevices::Impl {
+  std::list<OpenDevice> devices;
+  std::list<RefusedDevice> refused;
+  std::future<Sight> looking;
+
+  void close(OpenDevice& device, HidNews& news) {
+    tellEdges(device.buttons, 0, news.edges);
+    news.left.push_back(device.name);
+    hid_close(device.handle);
+  }
+  void take(Sight sight, HidNews& news);
+  void refuse(const OpenDevice& device, HidNews& news);
+  static bool read(OpenDevice& device, HidNews& news);
+};
+
+HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
+  if (hid_init() != 0) throw DeviceError("HID devices cannot be used on this system.");
+}
+
+HidDevices::~HidDevices() {
+  HidNews ignored;
+  if (impl_->looking.valid()) impl_->take(impl_->looking.get(), ignored);
+  for (const OpenDevice& device : impl_->devices) hid_close(device.handle);
+}
+
+void HidDevices::Impl::refuse(const OpenDevice& device, HidNews& news) {
+  auto known = std::find_if(refused.begin(), refused.end(),
+                            [&device](const RefusedDevice& r) { return r.path == device.path; });
+  if (known == refused.end()) known = refused.insert(known, {device.path, device.name});
+  known->seen = true;
+  constexpr int kSureLooks = 2;
+  if (++known->looks == kSureLooks) news.forbidden.push_back(known->name);
+}
+
+void HidDevices::Impl::take(Sight sight, HidNews& news) {
+  for (RefusedDevice& device : refused) device.seen = false;
+  for (const OpenDevice& device : sight.refused) refuse(device, news);
+  std::erase_if(refused, [](const RefusedDevice& device) { return !device.seen; });
+  for (auto device = devices.begin(); device != devices.end();) {
+    if (sight.there.contains(device->path)) {
       ++device;
       continue;
     }
-    impl_->close(*device, news);
-    device = impl_->devices.erase(device);
+    close(*device, news);
+    device = devices.erase(device);
   }
+  for (const OpenDevice& device : sight.opened) news.arrived.push_back(device.name);
+  devices.splice(devices.end(), sight.opened);
+}
+
+void HidDevices::look() {
+  if (impl_->looking.valid()) return;
+  std::set<std::string> known;
+  for (const OpenDevice& device : impl_->devices) known.insert(device.path);
+  impl_->looking =
+      std::async(std::launch::async, [known = std::move(known)] { return lookAround(known); });
+}
+
+void HidDevices::rescan(HidNews& news) {
+  look();
+  impl_->take(impl_->looking.get(), news);
 }
 
 bool HidDevices::Impl::read(OpenDevice& device, HidNews& news) {
@@ -179,6 +209,10 @@ bool HidDevices::Impl::read(OpenDevice& device, HidNews& news) {
 }
 
 void HidDevices::poll(HidNews& news) {
+  if (impl_->looking.valid() &&
+      impl_->looking.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    impl_->take(impl_->looking.get(), news);
+  }
   for (auto device = impl_->devices.begin(); device != impl_->devices.end();) {
     if (Impl::read(*device, news)) {
       if (device->space_mouse) news.motion = device->motion;

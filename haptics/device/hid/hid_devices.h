@@ -25,7 +25,7 @@ struct HidNews {
   std::vector<std::string> forbidden;
 };
 
-/// SpaceMouse, button boxes, foot switches and gamepads through hidapi. Never waits: it is asked.
+/// SpaceMouse, button boxes, foot switches and gamepads through hidapi. It is asked.
 /// Keyboards and mice are left to the window. [one thread]
 ///
 /// A SpaceMouse's left button is minus, its right one plus; of other devices the first four buttons
@@ -37,10 +37,13 @@ class HidDevices {
   HidDevices(const HidDevices&) = delete;
   HidDevices& operator=(const HidDevices&) = delete;
 
-  /// Looks for what was plugged in; about once a second.
+  /// Has a worker look for what was plugged in, which may take long: about once a second. A later
+  /// poll() takes what it found; while it looks, this does nothing.
+  void look();
+  /// The same at once. [may wait]
   void rescan(HidNews& news);
   /// Takes all that came since the last call; about 60 times a second. One that was unplugged lets
-  /// go of its buttons.
+  /// go of its buttons. Never waits.
   void poll(HidNews& news);
 
   /// Of those that are open.

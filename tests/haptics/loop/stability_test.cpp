@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "haptics/device_catalog.h"
+#include "haptics/loop/device_limits.h"
+#include "haptics/loop/stable_stiffness.h"
 #include "haptics/loop/surface_preset.h"
 
 namespace relievo {
@@ -19,13 +21,50 @@ TEST(Stability, TheDefaultOfEveryLevelIsStableForEveryGripAndDeviceWithAMargin) 
         for (const VirtualHandOptions& device : {VirtualHandOptions{}, test::likeTheFalcon()}) {
           for (const double push : {0.5, 4.0}) {
             for (const double margin : {1.0, 0.75}) {
-              const double k = stiffnessForDetail(detail) / margin;
+              const double k = stiffnessForDetail(detail, VirtualHand(device).info()) / margin;
               const test::StabilityTry what{k, push, -20.3, true, {}, 0, device};
               EXPECT_LT(test::swingAtRest(*scene.space, grip, what), test::kStillN)
                   << scene.name << " of Detail " << detail << ", " << grip.name << " grip, delay "
                   << device.delay_ticks << ", at " << margin;
             }
           }
+        }
+      }
+    }
+  }
+}
+
+/// A device that is worse than those of the map in each respect has defaults of its own.
+TEST(Stability, OnASlowerLaterAndCoarserDeviceTheDefaultsAreSofterAndHaveTheMarginAsWell) {
+  struct Worse {
+    const char* name;
+    double rate_hz;
+    int delay_ticks;
+    double position_step_mm;
+  };
+  for (const Worse& worse :
+       {Worse{"half the rate", 500, 1, 0.048}, Worse{"half the rate and later", 500, 2, 0.048},
+        Worse{"coarse", 1000, 1, 0.25}}) {
+    DeviceInfo info;
+    info.max_force_n = 5;
+    info.rate_hz = worse.rate_hz;
+    info.force_delay_ticks = worse.delay_ticks;
+    info.position_step_mm = worse.position_step_mm;
+    VirtualHandOptions like;
+    like.delay_ticks = worse.delay_ticks;
+    like.position_step_mm = worse.position_step_mm;
+    for (const int detail : {1, 2}) {
+      const double k = stiffnessForDetail(detail, info);
+      EXPECT_LT(k, stiffnessForDetail(detail)) << worse.name;
+      EXPECT_GT(k, 0.05) << worse.name;
+      EXPECT_EQ(withinDevice(HapticOptions{}, info).detail_stiffness[0], k) << "the loop's own";
+      for (const test::StabilityScene& scene : test::stabilityScenes()) {
+        if (scene.detail != 0 && scene.detail != detail) continue;
+        for (const HandImpedance& grip : kHandPresets) {
+          const test::StabilityTry what{k / kStabilityMargin, 2, -20.3, true, {}, 0, like,
+                                        worse.rate_hz};
+          EXPECT_LT(test::swingAtRest(*scene.space, grip, what), test::kStillN)
+              << worse.name << ", " << scene.name << " of Detail " << detail << ", " << grip.name;
         }
       }
     }

@@ -226,6 +226,14 @@ TEST_F(FirmwareTest, SettingsComeBackAndNonsenseKeepsDefaults) {
   std::ofstream(file) << "counts_per_n_mm 1000\nleft_handed maybe\nnonsense\n\n";
   EXPECT_EQ(readSettings(file).counts_per_n_mm, 5);
   EXPECT_FALSE(readSettings(file).left_handed);
+  writeSettings({.counts_per_n_mm = 6, .grip_weight_n = 0.7, .firmware = {}}, file, "A1");
+  writeSettings({.counts_per_n_mm = 8, .grip_weight_n = 0.2, .firmware = "fw.bin"}, file, "B2");
+  writeSettings({.counts_per_n_mm = 7, .firmware = {}}, file);
+  EXPECT_EQ(readSettings(file, "A1").counts_per_n_mm, 6);
+  EXPECT_EQ(readSettings(file, "A1").grip_weight_n, 0.7);
+  EXPECT_EQ(readSettings(file, "B2").counts_per_n_mm, 8);
+  EXPECT_EQ(readSettings(file, "C3").counts_per_n_mm, 7) << "what is said of no other";
+  EXPECT_EQ(readSettings(file, "C3").grip_weight_n, 0);
   EXPECT_THROW(writeSettings({}, "/dev/null/falcon.conf"), WriteError);
 }
 

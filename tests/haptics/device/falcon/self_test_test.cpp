@@ -271,6 +271,7 @@ TEST_F(FalconSelfTest, ALineWithInterruptionsGivesTheWeightOrAReason) {
     if (every_ms > 1000) {
       ASSERT_TRUE(calibration.result()) << calibration.prompt();
       EXPECT_NEAR(*calibration.result(), kTrue, 0.02 * kTrue);
+      EXPECT_NEAR(calibration.gripWeightN(), 0.3, 0.02) << "of the empty grip";
     } else {
       EXPECT_FALSE(calibration.result());
       EXPECT_THAT(calibration.prompt(), HasSubstr("interrupted too often"));

@@ -419,7 +419,7 @@ TEST(FalconLink, APortThatIsDeadEachTimeIsNotOpenedInALoop) {
     ++firmware_asked;
     return relievo::test::madeImage();
   });
-  link.run(bus.stop.get_token(), nullptr);
+  link.run(bus.stop.get_token(), {});
   EXPECT_LE(bus.opens, 16) << "in a minute";
   EXPECT_GE(bus.opens, 10);
   EXPECT_EQ(firmware_asked, 0);

@@ -65,9 +65,30 @@ TEST_F(FalconUsbTest, IsSeenAndOpened) {
   const std::vector<SeenFalcon> seen = seenFalcons();
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_EQ(seen[0].speed_mbit, 12);
+  EXPECT_EQ(seen[0].serial, "NV000001");
+  EXPECT_EQ(seen[0].port, "1-1");
   UsbBus bus;
   const Opening opening = bus.open();
   EXPECT_EQ(opening.presence, Presence::present);
+}
+
+TEST_F(FalconUsbTest, OfTwoTheOneThatIsMeantIsOpened) {
+  plugged();
+  usb_.plugInAnother("NV000002");
+  const std::vector<SeenFalcon> seen = seenFalcons();
+  ASSERT_EQ(seen.size(), 2U);
+  EXPECT_EQ(seen[1].serial, "NV000002");
+  EXPECT_EQ(seen[1].port, "1-2");
+  EXPECT_EQ(UsbBus().open().presence, Presence::several) << "neither was chosen";
+  UsbBus bus({"NV000001", {}});
+  const Opening opening = bus.open();
+  ASSERT_EQ(opening.presence, Presence::present);
+  EXPECT_EQ(opening.which.port, "1-1");
+  EXPECT_EQ(UsbBus({"NV000003", {}}).open().presence, Presence::absent);
+  usb_.unplug();
+  const Opening gone = UsbBus({"NV000001", {}}).open();
+  EXPECT_EQ(gone.presence, Presence::absent) << "and not the other one";
+  EXPECT_EQ(gone.others, "NV000002 (USB 1-2)");
 }
 
 TEST_F(FalconUsbTest, PluggingAndPullingAreHeardWithoutOpening) {

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "tests/emulator/mock_hid.h"
 #include "tests/emulator/ordinary_account.h"
 
@@ -62,6 +64,21 @@ TEST_F(HidTest, TwoDevicesAreFoundAndAMouseIsLeftAlone) {
   EXPECT_THAT(rescanned().arrived, UnorderedElementsAre("SpaceMouse Compact", "Foot switch"));
   EXPECT_THAT(rescanned().arrived, IsEmpty()) << "once";
   EXPECT_EQ(devices_.names().size(), 2U);
+}
+
+TEST_F(HidTest, LookingIsAnothersWorkAndWhoPollsHearsOfIt) {
+  mock_.plugIn(0, 0x256f, 0xc635, "SpaceMouse Compact", kSpaceMouse);
+  devices_.look();
+  EXPECT_THAT(devices_.names(), IsEmpty()) << "what was found waits for the next poll";
+  devices_.look();  // While it looks: nothing.
+  HidNews news;
+  while (news.arrived.empty()) {
+    devices_.poll(news);
+    std::this_thread::yield();
+  }
+  EXPECT_THAT(news.arrived, ElementsAre("SpaceMouse Compact"));
+  mock_.send(0, {3, 2, 0});
+  EXPECT_THAT(words(polled().edges), ElementsAre("plus down"));
 }
 
 TEST_F(HidTest, TheSpaceMouseMovesAndPresses) {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the panel Touch says of samples that no real loop has to bring about.
+#include "plugins/haptics/haptics_panel.h"
+
+#include <gtest/gtest.h>
+#include <QLabel>
+
+namespace relievo {
+namespace {
+
+class HapticsPanelTest : public ::testing::Test {
+ protected:
+  HapticsPanelTest() { panel_.show(); }
+  QString text(const char* name) { return label(name)->text(); }
+  QLabel* label(const char* name) { return panel_.findChild<QLabel*>(QString::fromLatin1(name)); }
+  HapticsPanel panel_;
+  LoopReport report_;
+};
+
+TEST_F(HapticsPanelTest, TheComingOfANewSurfaceIsSaidAndGoneWhenItIsThere) {
+  report_.sample.engaged = EngagePhase::on;
+  panel_.show(report_);
+  EXPECT_FALSE(label("surfaceChange")->isVisible());
+  report_.sample.change = 0.4;
+  panel_.show(report_);
+  EXPECT_TRUE(label("surfaceChange")->isVisible());
+  EXPECT_EQ(text("surfaceChange"), "The new surface comes under the hand: 40 %.");
+  EXPECT_EQ(label("surfaceChange")->accessibleName(), "A new surface under the hand");
+  report_.sample.change = 1;
+  panel_.show(report_);
+  EXPECT_FALSE(label("surfaceChange")->isVisible());
+}
+
+TEST_F(HapticsPanelTest, ASlowLoopIsSaidWithWhatItCosts) {
+  report_.actuated = true;
+  report_.sample.engaged = EngagePhase::on;
+  report_.sample.slow = {412, 0.8, 0.45};
+  panel_.show(report_);
+  EXPECT_EQ(text("forceState"),
+            "On. E306: Update rate fell to 412 per second (need 800). Stiffness reduced from 800 "
+            "to 450 N/m.");
+  report_.sample.slow = {};
+  panel_.show(report_);
+  EXPECT_EQ(text("forceState"), "On.");
+}
+
+}  // namespace
+}  // namespace relievo
