@@ -37,6 +37,16 @@ void ColourBar::show(const ReliefValues& values, const ReliefLook& look) {
   update();
 }
 
+void ColourBar::setPrint(StereoPrint print) {
+  if (print == print_) return;
+  print_ = print;
+  update();
+}
+
+std::array<std::uint8_t, 3> ColourBar::colourAt(double share) const {
+  return mixedColour(print_, colourOf(coloursOf(look_), share));
+}
+
 void ColourBar::place() {
   const int line = fontMetrics().height();
   const QSize size(std::max(12 * line, fontMetrics().horizontalAdvance(title_) + 10 * line),
@@ -53,7 +63,7 @@ void ColourBar::paintEvent(QPaintEvent* /*event*/) {
   const int line = fontMetrics().height();
   const QRect bar(kPadding, kPadding, width() - 2 * kPadding, line);
   for (int x = 0; x < bar.width(); ++x) {
-    const Rgb8 c = colourOf(coloursOf(look_), (x + 0.5) / bar.width());
+    const auto c = colourAt((x + 0.5) / bar.width());
     painter.fillRect(bar.left() + x, bar.top(), 1, bar.height(), QColor(c[0], c[1], c[2]));
   }
   painter.setPen(QColor(245, 245, 245));

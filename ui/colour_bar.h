@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <QWidget>
 
 #include "core/relief/relief_image.h"
+#include "core/relief/stereo.h"
 
 namespace relievo {
 
@@ -15,6 +18,10 @@ class ColourBar : public QWidget {
   explicit ColourBar(QWidget* parent);
   /// Hides for relief images that need no explanation.
   void show(const ReliefValues& values, const ReliefLook& look);
+  /// How two eyes' pictures are mixed: a grey anaglyph has grey colours, and so has its bar.
+  void setPrint(StereoPrint print);
+  /// The colour that stands for a share of the way from the low end to the high one.
+  std::array<std::uint8_t, 3> colourAt(double share) const;
   void place();  ///< After the parent changed its size.
 
  protected:
@@ -22,6 +29,7 @@ class ColourBar : public QWidget {
 
  private:
   ReliefLook look_;
+  StereoPrint print_ = StereoPrint::off;
   double low_ = 0, high_ = 1;
   QString title_;
 };

@@ -202,7 +202,9 @@ void DetailView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF way = point - std::exchange(drag_point_, point);
     turnBy(-kTurnDegPerPixel * way.x(), kTurnDegPerPixel * way.y());
   } else if (drag_ == Drag::pan) {
-    pan(point);
+    follow([this, point] {
+      if (drag_ == Drag::pan) pan(point);
+    });
   } else {
     pointHandAt(point);
   }
@@ -224,6 +226,10 @@ void DetailView::mouseReleaseEvent(QMouseEvent* event) {
   const bool ends = (drag_ == Drag::turn && event->button() == Qt::MiddleButton) ||
                     (drag_ == Drag::pan && event->button() == Qt::RightButton);
   if (!ends) return;
+  if (drag_ == Drag::pan) {
+    forgetNewest();
+    if (event->localPos() != drag_point_) pan(event->localPos());
+  }
   drag_ = Drag::none;
   setCursor(picking_ ? Qt::PointingHandCursor : Qt::CrossCursor);
   document_.commit(tr("Move window"));
@@ -304,6 +310,7 @@ void DetailView::keyPressEvent(QKeyEvent* event) {
   const bool ours =
       document_.isOpen() && (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) == 0;
   if (event->key() == Qt::Key_Escape && drag_ == Drag::pan) {
+    forgetNewest();
     document_.revert();
     drag_ = Drag::none;
     setCursor(Qt::CrossCursor);

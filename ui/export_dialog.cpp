@@ -102,7 +102,9 @@ ExportDialog::ExportDialog(std::shared_ptr<const Surface> surface, const Region&
   layout->addRow(tr("F&ormat"), format_);
   layout->addRow(tr("&Part"), part_);
   layout->addRow(tr("Coor&dinates"), coordinates_);
-  layout->addRow(tr("&File"), place);
+  auto* file_label = new QLabel(tr("&File"));
+  layout->addRow(file_label, place);
+  file_label->setBuddy(file_);  // A row of several fields has none of its own.
   layout->addRow(tr("Size"), size_);
   layout->addRow(buttons);
   follow();

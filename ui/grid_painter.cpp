@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/grid_painter.h"
 
+#include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
@@ -24,6 +25,9 @@ PaintedGrid GridPainter::paintNow(const HeldGrid& plain, const ReliefLook& look,
   auto grid = std::make_shared<HeldGrid>(plain);
   const DepthMap map{plain.frame, plain.heights_mm, plain.origins};
   ReliefValues values = reliefValues(map, look, task);
+  if (!look.range && hasLegend(look.kind)) {
+    std::tie(values.low, values.high) = roundEnds(values.low, values.high);
+  }
   grid->colours = reliefColours(values, look, plain.own);
   grid->lit = isLit(look.kind);
   return {std::move(grid), std::move(values)};

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/header_row.h"
 
-#include <algorithm>
 #include <QBoxLayout>
 #include <QEvent>
 #include <QLabel>
 
 namespace relievo {
+namespace {
+constexpr int kSpareDigits = 3;
+}
 
 HeaderRow::HeaderRow(QLabel* title, QLabel* note)
     : row_(new QBoxLayout(QBoxLayout::LeftToRight, this)), title_(title), note_(note) {
@@ -24,7 +26,7 @@ void HeaderRow::resizeEvent(QResizeEvent* event) {
 
 void HeaderRow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) widest_ = 0;
+  if (event->type() == QEvent::FontChange) fit();
 }
 
 bool HeaderRow::event(QEvent* event) {
@@ -36,8 +38,11 @@ void HeaderRow::fit() {
   const QMargins margins = note_->contentsMargins();
   const int note =
       note_->fontMetrics().horizontalAdvance(note_->text()) + margins.left() + margins.right();
-  widest_ = std::max(widest_, title_->sizeHint().width() + note);
-  const bool below = widest_ > width();
+  const int needed = title_->sizeHint().width() + note;
+  // A number that gets a digit more and less under a drag must not make the row jump.
+  const int spare =
+      note_->wordWrap() ? note_->fontMetrics().horizontalAdvance('0') * kSpareDigits : 0;
+  const bool below = needed + spare > width();
   // Setting it asks for a layout anew even if nothing changes, and that comes back here.
   if (note_->wordWrap() != below) note_->setWordWrap(below);
   row_->setDirection(below ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);

@@ -9,7 +9,8 @@ class QLabel;
 namespace relievo {
 
 /// Title and note above a view; the note goes below the title where both are longer than the view
-/// is wide. Once it did not fit it stays there, so that the view does not jump with its text.
+/// is wide, and comes back when both fit with a little room to spare, so that the view does not
+/// jump with its text.
 class HeaderRow : public QWidget {
  public:
   HeaderRow(QLabel* title, QLabel* note);  ///< Takes ownership.
@@ -24,7 +25,6 @@ class HeaderRow : public QWidget {
 
   QBoxLayout* row_;
   QLabel *title_, *note_;
-  int widest_ = 0;  ///< Title and note together, pixels.
 };
 
 }  // namespace relievo

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
@@ -86,8 +87,14 @@ ImageDialog::ImageDialog(const QString& model, const QSize& first_size, QWidget*
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QFormLayout(this);
   layout->addRow(tr("&Picture of"), source_);
-  layout->addRow(tr("Si&ze"), sizes);
-  layout->addRow(tr("&File"), place);
+  // A row of several fields has none of its own that its label could lead to.
+  const auto addRow = [layout](const QString& text, QLayout* fields, QWidget* first) {
+    auto* label = new QLabel(text);
+    layout->addRow(label, fields);
+    label->setBuddy(first);
+  };
+  addRow(tr("Si&ze"), sizes, width_);
+  addRow(tr("&File"), place, file_);
   layout->addRow(buttons);
 }
 

@@ -87,6 +87,7 @@ MainWindow::MainWindow(DepthEngine depth_buffer, Settings::Mode settings)
   for (const char* key : {"theme", "text_percent", "size_unit", "stereo_kind", "recording_kind"}) {
     applyPreference(QString::fromLatin1(key));
   }
+  noted_ = shownWork();  // What preferences say is no step.
   restoreLayout();
   start_->setFocus();
   qApp->installEventFilter(this);
@@ -235,12 +236,17 @@ void MainWindow::connectParts() {
     detail_->setLight(light);
   });
   connect(stereo_panel_, &StereoPanel::changed, this, [this](const StereoOptions& stereo) {
-    reference_->setStereo(stereo);
+    reference_->setStereo(stereo_panel_->optionsFor(whole_shown_));
     detail_->setStereo(stereo);
     command("stereo")->setChecked(stereo.mode != StereoMode::off);
     warnOfRivalry();
   });
 
+  for (SurfaceView* view :
+       {static_cast<SurfaceView*>(reference_), static_cast<SurfaceView*>(detail_)}) {
+    connect(view, &SurfaceView::sized, this, &MainWindow::showParallax);
+  }
+  connect(reference_, &SurfaceView::painted, this, &MainWindow::shareRange);
   connect(detail_, &DetailView::turned, this, [this](bool turned) {
     view_panel_->showTurned(turned);
     enableCommands();
@@ -302,6 +308,8 @@ void MainWindow::showSurface() {
   const Surface& surface = *document_.surface();
   const HeightRange heights = mapFacts(surface).heights;
   stereo_panel_->setHeights(heights.min_mm, heights.max_mm);
+  whole_shown_.low_mm = heights.min_mm;
+  whole_shown_.high_mm = heights.max_mm;
   view_panel_->showView(QString::fromStdString(surface.view_name));
   if (const ReliefLook look = detail_->sceneState().look; !canShow(surface, look.kind)) {
     showLook(look);
@@ -344,6 +352,7 @@ void MainWindow::showWindow() {
   status_->set(StatusField::hand, tr("hand 1 : %1").arg(scale_text),
                tr("1 mm of hand = %1 mm on the object").arg(scale_text));
   showParallax();
+  shareRange();
   Q_EMIT windowShown(window);
 }
 

@@ -17,6 +17,7 @@
 #include "ui/quiet_turns.h"
 #include "ui/replay_control.h"
 #include "ui/settings.h"
+#include "ui/stereo_panel.h"
 #include "ui/touch_readout.h"
 #include "ui/video_control.h"
 #include "ui/work_queue.h"
@@ -42,7 +43,6 @@ class RegionPanel;
 class SidePanels;
 class StartPage;
 class StatusFields;
-class StereoPanel;
 class SurfacePanel;
 class TimePlot;
 class ViewPanel;
@@ -229,8 +229,12 @@ class MainWindow : public QMainWindow {
   void chooseImage();
   void connectImages();
   PictureOrder pictureOrder(ImageSource source, const QSize& pixels, const QString& file);
-  /// The window has to wait for pictures, and closes by itself after them.
-  bool closesWhenImagesAreSaved();
+  /// Pictures, packages and exports that are being written.
+  bool writing() const { return savingImage() || packing() || exporting(); }
+  /// The window has to wait for what is being written, and closes by itself after it.
+  bool closesWhenAllIsWritten();
+  /// A file is written, or was not: then nobody closes before the sentence was read.
+  void closeIfAwaited(bool written);
 
   // main_window_export.cpp
   void makeExportCommand();
@@ -272,6 +276,8 @@ class MainWindow : public QMainWindow {
   void warnOfRivalry();
   void showStereo(const StereoOptions& stereo);
   void showParallax();
+  /// The same colour for the same value in both views.
+  void shareRange();
 
   // main_window_unsaved.cpp
   void noteSaved();
@@ -352,6 +358,7 @@ class MainWindow : public QMainWindow {
   RegionPanel* region_panel_ = nullptr;
   ViewPanel* view_panel_ = nullptr;
   StereoPanel* stereo_panel_ = nullptr;
+  StereoPanel::Shown whole_shown_;  ///< By the reference view.
   MeasurePanel* measure_panel_ = nullptr;
   PlacesPanel* places_panel_ = nullptr;
   WorkKeeper* keeper_ = nullptr;
@@ -382,8 +389,7 @@ class MainWindow : public QMainWindow {
   bool closes_when_saved_ = false;
   ShownWork noted_;  ///< As of the last step.
   std::shared_ptr<const Surface> warned_of_rivalry_;
-  bool stepping_ = false;     ///< Through the history: no new steps.
-  QStringList figures_made_;  ///< Since the scan was opened; offered for a package.
+  bool stepping_ = false;  ///< Through the history: no new steps.
   CompanionsOf companions_;
   StateReader state_in_;
   WorkQueue image_work_, package_work_, record_work_, export_work_;

@@ -86,13 +86,21 @@ void MainWindow::makeCommands() {
         tr("&Undo"),
         {QKeySequence("Ctrl+Z")},
         tr("Undo"),
-        [this] { document_.history().undo(); },
+        [this] {
+          const QString step = document_.history().undoText();
+          document_.history().undo();
+          announce(tr("Undone: %1").arg(step));  // What was said of the step holds no more.
+        },
         {}});
   make({"redo",
         tr("&Redo"),
         {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
         tr("Redo"),
-        [this] { document_.history().redo(); },
+        [this] {
+          const QString step = document_.history().redoText();
+          document_.history().redo();
+          announce(tr("Done again: %1").arg(step));
+        },
         {}});
   make({"answer",
         tr("&Answer the message"),
@@ -132,7 +140,7 @@ void MainWindow::makeCommands() {
         tr("&Introduction"),
         {},
         tr("Say what is open and how it is touched"),
-        [this] { announce(introduction()); },
+        [this] { strip_->show(introduction()); },  // Longer than a line of the status bar.
         {}});
   make({"about", tr("&About relievo"), {}, tr("Version and licence"), [this] { showAbout(); }, {}});
   makeSurfaceCommands();

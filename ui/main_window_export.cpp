@@ -86,6 +86,7 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
       [this, work, file] {
         if (!work->error.isEmpty()) {
           strip_->show(work->error);
+          closeIfAwaited(false);
           return;
         }
         announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
@@ -94,6 +95,7 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
           left_out << spokenError(QString::fromStdString(words));
         }
         if (!left_out.isEmpty()) strip_->show(left_out.join(' '));
+        closeIfAwaited(left_out.isEmpty());
       });
 }
 

@@ -66,16 +66,23 @@ void MainWindow::saveImage(ImageSource source, const QSize& pixels, const QStrin
           announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
         } else {
           strip_->show(*error);
-          closes_when_saved_ = false;
         }
-        if (closes_when_saved_ && !savingImage()) close();
+        closeIfAwaited(error->isEmpty());
       });
 }
 
-bool MainWindow::closesWhenImagesAreSaved() {
-  closes_when_saved_ = savingImage();
-  if (closes_when_saved_) announce(tr("relievo closes when the picture is saved"));
-  return closes_when_saved_;
+bool MainWindow::closesWhenAllIsWritten() {
+  closes_when_saved_ = writing();
+  if (!closes_when_saved_) return false;
+  announce(packing()     ? tr("relievo closes when the package is written")
+           : exporting() ? tr("relievo closes when the map is written")
+                         : tr("relievo closes when the picture is saved"));
+  return true;
+}
+
+void MainWindow::closeIfAwaited(bool written) {
+  if (!written) closes_when_saved_ = false;
+  if (closes_when_saved_ && !writing()) close();
 }
 
 PictureOrder MainWindow::pictureOrder(ImageSource source, const QSize& pixels,
@@ -93,6 +100,8 @@ PictureOrder MainWindow::pictureOrder(ImageSource source, const QSize& pixels,
   switch (source) {
     case ImageSource::detail:
       picture.background = detail.background.name().toStdString();
+      // The ends that the view shows come from the whole object.
+      if (!order.project.look.range) order.project.look.range = detail_->shownRange();
       picture.lines = detail.lines;
       picture.hand = handOf(detail);
       break;
@@ -108,6 +117,7 @@ PictureOrder MainWindow::pictureOrder(ImageSource source, const QSize& pixels,
       break;
   }
   order.project.picture = picture;
+  order.project.figures.clear();  // They belong to the work, not to what one of them shows.
   return order;
 }
 

@@ -144,6 +144,7 @@ void MainWindow::applyPreference(const QString& key) {
     stereo.mode = mode.value_or(StereoMode::anaglyph);
     stereo.eye_angle_deg =
         settings_.choice(QStringLiteral("stereo_angle"), StereoOptions{}.eye_angle_deg).toDouble();
+    stereo.automatic_depth = settings_.choice(QStringLiteral("stereo_automatic"), true).toBool();
     stereo.swap_eyes = settings_.choice(QStringLiteral("stereo_swap"), false).toBool();
     stereo_panel_->setComfort(settings_.choice(QStringLiteral("stereo_comfort"), true).toBool());
     stereo_panel_->show(stereo);

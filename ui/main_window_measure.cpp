@@ -88,6 +88,7 @@ void MainWindow::makeReliefCommands() {
                             [this, kind = e.kind] {
                               ReliefLook look = detail_->sceneState().look;
                               look.kind = kind;
+                              look.range.reset();  // They were values of another kind.
                               showLook(look);
                               noteStep(tr("Relief image"));
                             },
@@ -96,6 +97,18 @@ void MainWindow::makeReliefCommands() {
     action->setChecked(e.kind == ReliefKind::lit);
     kinds->addAction(action);
   }
+  make({"show_unmeasured",
+        tr("Mar&k unmeasured cells"),
+        {},
+        tr("Cells that were interpolated in colour, with a legend; holes are always hatched"),
+        [this] {
+          ReliefLook look = detail_->sceneState().look;
+          look.unmeasured = command("show_unmeasured")->isChecked();
+          showLook(look);
+          noteStep(tr("Unmeasured cells"));
+        },
+        {},
+        true});
   const std::array<QString, kColourMapNames.size()> maps{tr("&Grey"), tr("&Viridis"),
                                                          tr("&Cividis"), tr("&Batlow")};
   auto* colours = new QActionGroup(this);
@@ -157,13 +170,15 @@ void MainWindow::saveMeasurements() {
   dialog->open();
 }
 
-// As it is seen at the detail view's size on this screen.
+// As it is seen at the views' sizes on this screen.
 void MainWindow::showParallax() {
   const auto window = document_.window();
   if (!window) return;
   constexpr double kMmPerInch = 25.4;
-  const double dpi = std::max(screen()->physicalDotsPerInch(), 1.0);
-  stereo_panel_->setScale(window->min_mm, window->max_mm, kMmPerInch / dpi / detail_->mmPerPixel());
+  const double screen_mm = kMmPerInch / std::max(screen()->physicalDotsPerInch(), 1.0);
+  whole_shown_.screen_per_mm = screen_mm / reference_->mmPerPixel();
+  stereo_panel_->setShown({window->min_mm, window->max_mm, screen_mm / detail_->mmPerPixel()});
+  reference_->setStereo(stereo_panel_->optionsFor(whole_shown_));
 }
 
 void MainWindow::showStereo(const StereoOptions& stereo) {

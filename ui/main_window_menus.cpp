@@ -73,6 +73,7 @@ void MainWindow::makeMenus() {
   for (const std::string_view name : kColourMapNames) {
     colours->addAction(command(("colours_" + std::string(name)).c_str()));
   }
+  add(view, {"show_unmeasured"});
   makeThemeMenu(view);
   add(view, {"full_screen", "-", "swap_views", "next_part", "previous_part"});
   command("show_plots")->setVisible(false);

@@ -69,6 +69,7 @@ void MainWindow::makePackageCommand() {
 void MainWindow::connectPackages() {
   connect(&package_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
   connect(status_, &StatusFields::cancelAsked, this, [this] {
+    closes_when_saved_ = false;
     if (package_work_.cancel()) announce(tr("Cancelled. Nothing was packed."));
   });
 }
@@ -97,17 +98,24 @@ void MainWindow::noteRecording(const QString& file) {
 }
 
 void MainWindow::noteFigure(const QString& file) {
-  const QString path = QFileInfo(file).absoluteFilePath();
-  figures_made_.removeAll(path);
-  figures_made_ << path;
+  const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
+  std::vector<std::string>& all = project_.figures;
+  all.erase(std::remove(all.begin(), all.end(), path), all.end());
+  all.push_back(path);
+  keepWork();
 }
 
 void MainWindow::choosePackage() {
   if (!document_.isOpen() || document_.busy() || package_work_.busy()) return;
   const QFileInfo near(project_file_.isEmpty() ? document_.file() : project_file_);
   const QString stem = near.fileName().section('.', 0, 0);
+  QStringList figures;
+  for (const std::string& figure : project_.figures) {
+    const QString file = QString::fromStdString(figure);
+    if (QFileInfo::exists(file)) figures << file;
+  }
   auto* dialog =
-      new PackageDialog({document_.file(), shown(project_.recordings), figures_made_,
+      new PackageDialog({document_.file(), shown(project_.recordings), figures,
                          near.absoluteDir().filePath(stem + QLatin1String("-package.zip"))},
                         this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -146,11 +154,12 @@ void MainWindow::writePackage(const PackageChoice& choice) {
       [this, choice, error, files] {
         if (!error->isEmpty()) {
           strip_->show(*error);
-          return;
+        } else {
+          announce(tr("%1 is packed: %n file(s), each with its checksum", nullptr,
+                      static_cast<int>(*files))
+                       .arg(QFileInfo(choice.file).fileName()));
         }
-        announce(tr("%1 is packed: %n file(s), each with its checksum", nullptr,
-                    static_cast<int>(*files))
-                     .arg(QFileInfo(choice.file).fileName()));
+        closeIfAwaited(error->isEmpty());
       });
 }
 

@@ -155,7 +155,6 @@ void MainWindow::relink(const Project& project, const QString& from) {
 // What belongs to the state but not to the surface, once the file is read.
 void MainWindow::showRestored() {
   const QScopedValueRollback<bool> no_steps(stepping_, true);
-  figures_made_.clear();
   figure_view_.reset();
   if (!restoring_) {
     project_ = Project{};
@@ -269,6 +268,7 @@ void MainWindow::chooseFigure() {
   // A figure starts as the view is painted and lit; a look that was chosen for it stays until the
   // view's changes.
   if (figure_view_ != now.look) now.figure.look = now.look;
+  now.figures.clear();  // They belong to the work, not to what one of them shows.
   auto* dialog =
       new FigureDialog(document_.surface(), now,
                        freeFigureName(QFileInfo(document_.file()).completeBaseName()), this);
@@ -302,6 +302,12 @@ void MainWindow::warnOfRivalry() {
                .arg(std::lround(100 * share)));
 }
 
+void MainWindow::shareRange() {
+  // Heights that are exaggerated have values of their own.
+  const bool alike = document_.isOpen() && document_.state().gain == 1;
+  detail_->setRange(alike ? reference_->shownRange() : std::nullopt);
+}
+
 void MainWindow::showLook(const ReliefLook& wanted) {
   ReliefLook look = wanted;
   if (document_.isOpen() && !canShow(*document_.surface(), look.kind)) {
@@ -311,8 +317,10 @@ void MainWindow::showLook(const ReliefLook& wanted) {
     look.kind = ReliefKind::lit;
   }
   view_panel_->showShading(look.shading, showsOwnColours(look.kind));
+  command("show_unmeasured")->setChecked(look.unmeasured);
   reference_->setLook(look);
   detail_->setLook(look);
+  shareRange();
   warnOfRivalry();
   for (std::size_t i = 0; i < kReliefKindNames.size(); ++i) {
     const std::string name = "relief_" + std::string(kReliefKindNames[i]);

@@ -52,6 +52,8 @@ ShownWork MainWindow::shownWork() const {
                  .places = places_panel_->places(),
                  .measurements = measure_panel_->measurements()};
   work.look.light = detail_->sceneState().light;
+  // It follows the heights: nobody chose it.
+  if (work.stereo.automatic_depth) work.stereo.eye_angle_deg = StereoOptions{}.eye_angle_deg;
   return work;
 }
 

@@ -23,8 +23,10 @@ std::string workIn(const Project& state, bool settings) {
   work.paths = state.paths;
   if (settings) {
     work.options = state.options;
+    work.figures = state.figures;
     work.look = state.look;
     work.stereo = state.stereo;
+    if (work.stereo.automatic_depth) work.stereo.eye_angle_deg = StereoOptions{}.eye_angle_deg;
   }
   return projectJson(work);
 }
@@ -98,7 +100,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
-  if (closesWhenImagesAreSaved()) {
+  if (closesWhenAllIsWritten()) {
     event->ignore();
     return;
   }

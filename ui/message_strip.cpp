@@ -12,6 +12,37 @@
 
 namespace relievo {
 
+namespace {
+
+/// A text and its buttons beside it, or below it where they would leave it too little room: large
+/// text in a narrow column would take the height of the views.
+class TextAndButtons : public QBoxLayout {
+ public:
+  TextAndButtons(QWidget* strip, QLayout* buttons)
+      : QBoxLayout(QBoxLayout::LeftToRight, strip), buttons_(buttons) {}
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override {
+    const_cast<TextAndButtons*>(this)->turnFor(width);
+    return QBoxLayout::heightForWidth(width);
+  }
+  int minimumHeightForWidth(int width) const override { return heightForWidth(width); }
+  void setGeometry(const QRect& rect) override {
+    turnFor(rect.width());
+    QBoxLayout::setGeometry(rect);
+  }
+
+ private:
+  void turnFor(int width) {
+    const bool below = 2 * buttons_->sizeHint().width() > width;
+    const Direction wanted = below ? TopToBottom : LeftToRight;
+    if (direction() != wanted) setDirection(wanted);
+  }
+
+  QLayout* buttons_;
+};
+
+}  // namespace
+
 MessageStrip::MessageStrip(QWidget* parent)
     : QFrame(parent),
       label_(new QLabel(this)),
@@ -34,13 +65,16 @@ MessageStrip::MessageStrip(QWidget* parent)
     close();
     Q_EMIT dismissed();
   });
-  auto* row = new QHBoxLayout(this);
+  auto* right = new QHBoxLayout;
+  right->setSpacing(8);
+  right->addLayout(buttons_);
+  right->addWidget(key_);
+  right->addWidget(closer_);
+  auto* row = new TextAndButtons(this, right);
   row->setContentsMargins(12, 6, 6, 6);
   row->setSpacing(8);
   row->addWidget(label_, 1);
-  row->addLayout(buttons_);
-  row->addWidget(key_);
-  row->addWidget(closer_);
+  row->addLayout(right);
   hide();
 }
 

@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include "core/relief/look.h"
+#include "core/relief/stereo.h"
 #include "ui/core_words.h"
 #include "ui/dialog_size.h"
 #include "ui/language.h"
@@ -254,9 +255,12 @@ void PreferencesDialog::makeStereo() {
             {{tr("Grey"), QStringLiteral("anaglyph")},
              {tr("Half colour"), QStringLiteral("half")},
              {tr("Dubois"), QStringLiteral("dubois")}});
+  addSwitch({"stereo_automatic", tr("Automatic depth"),
+             tr("Eye separation by the heights that are shown, at the start")},
+            true);
   addNumber({"stereo_angle", tr("Eye separation"),
-             tr("Angle between the two eyes' directions at the start")},
-            StereoOptions{}.eye_angle_deg, 0.5, 10, 0.5, QStringLiteral("\u00b0"));
+             tr("Angle between the two eyes' directions at the start, without automatic depth")},
+            StereoOptions{}.eye_angle_deg, 0.5, kMostEyeAngleDeg, 0.5, QStringLiteral("\u00b0"));
   addSwitch({"stereo_comfort", tr("Keep comfortable"),
              tr("Less eye separation where it would pass 1 degree of parallax")},
             true);

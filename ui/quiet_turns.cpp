@@ -6,7 +6,9 @@
 namespace relievo {
 namespace {
 constexpr qint64 kLongRoundMs = 20;
-constexpr int kMostRests = 4;  // On a busy computer every round is long.
+// On a busy computer, and while somebody drags, every round is long: nobody waits for more than
+// one.
+constexpr int kMostRests = 2;
 }  // namespace
 
 void QuietTurns::ask(QObject* who, std::function<void()> work) {

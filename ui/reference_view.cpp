@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/session/level_cut.h"
 #include "core/session/surface_colours.h"
+#include "ui/pink_overlay.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 
@@ -17,22 +18,24 @@ namespace relievo {
 namespace {
 
 constexpr double kGripPixels = 7;
-constexpr double kClickPixels = 4;      // Shorter than this is a click, not a drag.
-constexpr int kWheelStep = 120;         // One notch, in eighths of a degree.
-constexpr int kMostSamples = 400;       // Per side; software graphics stay fluent.
-constexpr double kMargin = 0.04;        // Around the object, of its longer side.
-constexpr double kLeastCovered = 0.65;  // Of the view's shorter side, by the object.
+constexpr double kClickPixels = 4;  // Shorter than this is a click, not a drag.
+constexpr int kWheelStep = 120;     // One notch, in eighths of a degree.
+constexpr int kMostSamples = 400;   // Per side; software graphics stay fluent.
+constexpr double kMargin = 0.04;    // Around the object's square, of its side.
 constexpr double kArrowStep = 0.05;
 constexpr double kDrawStep = 0.02;  // Of the map's longer side, per key.
 constexpr double kResizeStep = 1.1;
 constexpr double kLeastCells = 8;  // Side of the smallest window, in finest cells.
 
-/// The coarsest detail that still fills the view.
+/// The coarsest detail that still fills the view. Of a thin map a coarser one may have a single
+/// row.
 std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
   Level level;
   for (; level.value + 1 < surface.ladder.levels(); ++level.value) {
     const GridSize size = levelFrame(surface, level).size;
     if (std::max(size.cols, size.rows) <= kMostSamples) break;
+    const GridSize next = levelFrame(surface, Level{level.value + 1}).size;
+    if (std::min(next.cols, next.rows) < 2) break;
   }
   DepthMap map = levelCut(surface, level);
   auto grid = std::make_shared<HeldGrid>();
@@ -43,18 +46,13 @@ std::shared_ptr<const HeldGrid> referenceGrid(const Surface& surface) {
   return grid;
 }
 
-/// The map with a margin. The whole object's window is square: where that leaves the object large
-/// enough, all of the square is in view, so that its edges can be grabbed.
+/// The whole object's window with a margin. That is square however long or tall the object is, and
+/// all of it is in view, so that its edges and corners can be grabbed.
 RectMm fittedRect(const DetailLadder& map) {
-  RectMm rect{map.left_mm, map.bottom_mm, map.width_mm, map.height_mm};
-  const double longer = std::max(rect.width_mm, rect.height_mm);
-  if (std::min(rect.width_mm, rect.height_mm) >= kLeastCovered * longer) {
-    const Region whole = wholeRegion(map);
-    rect = {whole.x_mm, whole.y_mm, whole.side_mm, whole.side_mm};
-  }
-  const double margin = kMargin * longer;
-  return {rect.x_mm - margin, rect.y_mm - margin, rect.width_mm + 2 * margin,
-          rect.height_mm + 2 * margin};
+  const Region whole = wholeRegion(map);
+  const double margin = kMargin * whole.side_mm;
+  return {whole.x_mm - margin, whole.y_mm - margin, whole.side_mm + 2 * margin,
+          whole.side_mm + 2 * margin};
 }
 
 Qt::CursorShape cursorFor(PinkPart part) {
@@ -88,7 +86,7 @@ QString nameOf(PinkPart part) {
 }  // namespace
 
 ReferenceView::ReferenceView(Document& document, QuietTurns& turns, QWidget* parent)
-    : SurfaceView(turns, parent), document_(document) {
+    : SurfaceView(turns, parent), document_(document), pink_(new PinkOverlay(this)) {
   setObjectName(QStringLiteral("reference_view"));
   setAccessibleName(tr("Reference view"));
   setToolTip({});
@@ -117,15 +115,33 @@ void ReferenceView::showSurface() {
     setWhereAmI(spokenError(error));
   }
   setCamera({.rect = fittedRect(surface.ladder)});
+  placePink();
+}
+
+void ReferenceView::placePink() {
+  if (!document_.isOpen()) {
+    pink_->setFrame({});
+    return;
+  }
+  const Region& r = document_.state().region;
+  pink_->setFrame(QRectF(pointOf(r.x_mm, r.y_mm + r.side_mm), pointOf(r.x_mm + r.side_mm, r.y_mm)));
+}
+
+void ReferenceView::resizeEvent(QResizeEvent* event) {
+  SurfaceView::resizeEvent(event);
+  pink_->setGeometry(rect());
+  placePink();
 }
 
 void ReferenceView::showWindow() {
   if (!document_.isOpen()) {
     setPink({});
+    placePink();
     return;
   }
   const Region& r = document_.state().region;
   setPink(RectMm{r.x_mm, r.y_mm, r.side_mm, r.side_mm});
+  placePink();
   setWhereAmI(tr("Detail %1 of %2, window %3 wide, lower left corner at x %4, y %5")
                   .arg(document_.detail())
                   .arg(document_.details())
@@ -160,7 +176,9 @@ void ReferenceView::mousePressEvent(QMouseEvent* event) {
 
 void ReferenceView::mouseMoveEvent(QMouseEvent* event) {
   if (drag_ && (event->buttons() & Qt::LeftButton) != 0) {
-    dragTo(event->localPos());
+    follow([this, point = event->localPos()] {
+      if (drag_) dragTo(point);
+    });
   } else {
     showCursor(event->localPos());
   }
@@ -168,7 +186,8 @@ void ReferenceView::mouseMoveEvent(QMouseEvent* event) {
 
 void ReferenceView::mouseReleaseEvent(QMouseEvent* event) {
   if (!drag_ || event->button() != Qt::LeftButton) return;
-  if (drag_->moved) dragTo(event->localPos());
+  forgetNewest();
+  dragTo(event->localPos());  // The last place counts, and may be the only one.
   document_.commit(nameOf(drag_->part));
   drag_.reset();
   showCursor(event->localPos());
@@ -269,6 +288,7 @@ void ReferenceView::resizeBy(double factor) {
 void ReferenceView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) {
     if (drag_ || key_draw_) {
+      forgetNewest();
       document_.revert();
       drag_.reset();
       key_draw_.reset();

@@ -9,6 +9,8 @@
 
 namespace relievo {
 
+class PinkOverlay;
+
 /// The whole object with the pink window. Drag outside draws a new window, inside moves it, edges
 /// and corners resize it, the wheel changes the detail about the pointer, Escape returns.
 /// Keys: arrows move, Shift+arrows resize, + and - change the detail. Space draws: it puts one
@@ -31,6 +33,7 @@ class ReferenceView : public SurfaceView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   struct Drag {
@@ -48,6 +51,7 @@ class ReferenceView : public SurfaceView {
 
   void showSurface();
   void showWindow();
+  void placePink();
   void dragTo(const QPointF& point);
   void showCursor(const QPointF& point);
   void resizeBy(double factor);
@@ -56,6 +60,7 @@ class ReferenceView : public SurfaceView {
   double toleranceMm() const;
 
   Document& document_;
+  PinkOverlay* pink_;  ///< Child; owned by Qt.
   std::optional<Drag> drag_;
   std::optional<KeyDraw> key_draw_;
   int wheel_rest_ = 0;  ///< Angle not yet worth a step.

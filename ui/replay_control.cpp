@@ -34,7 +34,8 @@ ReplayControl::ReplayControl(Document& document, QObject* parent)
   connect(&player_, &ReplayPlayer::moved, this, &ReplayControl::showRow);
   connect(&player_, &ReplayPlayer::playingChanged, this, [this](bool playing) {
     if (showing()) {
-      Q_EMIT said((playing ? tr("Playing, %1") : tr("Paused, %1")).arg(panel_->timeText()));
+      // While it plays, the time that could be said is past at once.
+      Q_EMIT said(playing ? tr("Playing") : tr("Paused, %1").arg(panel_->timeText()));
     }
   });
   connect(panel_, &ReplayPanel::eventAsked, this, &ReplayControl::goToEvent);

@@ -47,6 +47,8 @@ void SidePanels::insert(int index, const QString& title, QWidget* panel) {
   header->setAutoRaise(true);
   header->setArrowType(Qt::DownArrow);
   header->setFocusPolicy(Qt::StrongFocus);
+  header->setStyleSheet(
+      QStringLiteral("QToolButton:focus { border: 1px solid palette(highlight); }"));
   QFont font = header->font();
   font.setBold(true);
   header->setFont(font);

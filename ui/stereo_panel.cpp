@@ -63,6 +63,7 @@ StereoPanel::StereoPanel(QWidget* parent)
       automatic_(new QCheckBox(tr("At mi&d height"))),
       swap_(new QCheckBox(tr("S&wap eyes"))),
       comfort_(new QCheckBox(tr("&Keep comfortable"))),
+      depth_(new QCheckBox(tr("Automatic dept&h"))),
       kind_(new QComboBox),
       angle_(new QDoubleSpinBox),
       plane_(new QDoubleSpinBox),
@@ -83,8 +84,10 @@ StereoPanel::StereoPanel(QWidget* parent)
   const StereoOptions first;
   angle_->setObjectName(QStringLiteral("eye_angle"));
   angle_->setAccessibleName(tr("Eye separation"));
-  angle_->setToolTip(tr("Angle between the two eyes' directions; more gives more depth"));
-  angle_->setRange(0.5, 10);
+  angle_->setToolTip(
+      tr("Angle between the two eyes' directions; more gives more depth. A value of "
+         "your own ends the automatic depth"));
+  angle_->setRange(0.5, kMostEyeAngleDeg);
   angle_->setSingleStep(0.5);
   angle_->setDecimals(1);
   angle_->setSuffix(QStringLiteral("\u00b0"));
@@ -101,6 +104,11 @@ StereoPanel::StereoPanel(QWidget* parent)
   swap_->setObjectName(QStringLiteral("stereo_swap"));
   swap_->setAccessibleName(tr("Swap eyes"));
   swap_->setToolTip(tr("For glasses whose red filter is at the right eye"));
+  depth_->setObjectName(QStringLiteral("stereo_automatic"));
+  depth_->setAccessibleName(tr("Automatic depth"));
+  depth_->setToolTip(
+      tr("The eye separation with which the heights that are shown fill the comfortable depth"));
+  depth_->setChecked(true);
   comfort_->setObjectName(QStringLiteral("stereo_comfort"));
   comfort_->setAccessibleName(tr("Keep comfortable"));
   comfort_->setToolTip(
@@ -117,6 +125,7 @@ StereoPanel::StereoPanel(QWidget* parent)
   glasses->setToolTip(tr("A picture that says whether the filters are at the right eyes"));
   layout->addRow(on_);
   layout->addRow(tr("K&ind"), kind_);
+  layout->addRow(depth_);
   layout->addRow(tr("Eye sepa&ration"), angle_);
   layout->addRow(comfort_);
   layout->addRow(tr("Parallax"), meter_);
@@ -124,7 +133,11 @@ StereoPanel::StereoPanel(QWidget* parent)
   layout->addRow(QString(), plane_);
   layout->addRow(swap_);
   layout->addRow(glasses);
-  for (QCheckBox* box : {on_, automatic_, swap_, comfort_}) {
+  connect(angle_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
+    const QSignalBlocker once(depth_);
+    depth_->setChecked(false);
+  });
+  for (QCheckBox* box : {on_, automatic_, swap_, comfort_, depth_}) {
     connect(box, &QCheckBox::toggled, this, &StereoPanel::tell);
   }
   connect(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &StereoPanel::tell);
@@ -145,20 +158,31 @@ void StereoPanel::tell() {
   Q_EMIT changed(options());
 }
 
-double StereoPanel::farthestMm() const {
-  const double zero = automatic_->isChecked() ? 0.5 * (low_mm_ + high_mm_) : plane_->value();
-  return std::max(std::abs(high_mm_ - zero), std::abs(low_mm_ - zero));
+double StereoPanel::farthestMm(const Shown& shown) const {
+  const double zero =
+      automatic_->isChecked() ? 0.5 * (shown.low_mm + shown.high_mm) : plane_->value();
+  return std::max(std::abs(shown.high_mm - zero), std::abs(shown.low_mm - zero));
 }
 
-double StereoPanel::comfortableDeg() const {
+double StereoPanel::drawnDeg(const Shown& shown) const {
+  const double farthest = farthestMm(shown);
+  if (depth_->isChecked()) {
+    return automaticEyeAngle(farthest, shown.screen_per_mm, kScreenDistanceMm);
+  }
   if (!comfort_->isChecked()) return angle_->value();
-  return comfortableEyeAngle(farthestMm(), screen_per_mm_, angle_->value(), kScreenDistanceMm);
+  return comfortableEyeAngle(farthest, shown.screen_per_mm, angle_->value(), kScreenDistanceMm);
 }
 
 void StereoPanel::showMeter() {
+  const double angle = drawnDeg(shown_);
+  if (depth_->isChecked()) {  // A value of one's own begins where the automatic one is.
+    const QSignalBlocker quiet(angle_);
+    angle_->setValue(angle);
+  }
+  comfort_->setEnabled(!depth_->isChecked());
   const double degrees =
       on_->isChecked()
-          ? parallax(farthestMm(), comfortableDeg(), screen_per_mm_, kScreenDistanceMm).visual_deg
+          ? parallax(farthestMm(shown_), angle, shown_.screen_per_mm, kScreenDistanceMm).visual_deg
           : 0;
   meter_->setValue(
       std::min(static_cast<int>(std::lround(degrees * kMeterSteps)), meter_->maximum()));
@@ -166,13 +190,21 @@ void StereoPanel::showMeter() {
       degrees > kComfortDeg + 0.005
           ? tr("%1\u00b0, above %2\u00b0").arg(numberText(degrees, 1), numberText(kComfortDeg, 1))
           : tr("%1\u00b0 of %2\u00b0").arg(numberText(degrees, 1), numberText(kComfortDeg, 1)));
+  if (on_->isChecked() && depth_->isChecked()) {
+    meter_->setFormat(tr("%1, automatic").arg(meter_->format()));
+  }
   meter_->setAccessibleDescription(meter_->format());
 }
 
 StereoOptions StereoPanel::options() const {
+  return optionsFor(shown_);
+}
+
+StereoOptions StereoPanel::optionsFor(const Shown& shown) const {
   StereoOptions o;
   o.mode = on_->isChecked() ? static_cast<StereoMode>(1 + kind_->currentIndex()) : StereoMode::off;
-  o.eye_angle_deg = std::max(comfortableDeg(), 0.01);
+  o.eye_angle_deg = std::max(drawnDeg(shown), 0.01);
+  o.automatic_depth = depth_->isChecked();
   if (!automatic_->isChecked()) o.zero_plane_mm = plane_->value();
   o.swap_eyes = swap_->isChecked();
   return o;
@@ -180,6 +212,10 @@ StereoOptions StereoPanel::options() const {
 
 void StereoPanel::setComfort(bool keep) {
   comfort_->setChecked(keep);
+}
+
+void StereoPanel::setAutomaticDepth(bool on) {
+  depth_->setChecked(on);
 }
 
 void StereoPanel::setOn(bool on) {
@@ -192,6 +228,7 @@ void StereoPanel::show(const StereoOptions& options) {
     automatic_->setChecked(!options.zero_plane_mm.has_value());
     if (options.zero_plane_mm) plane_->setValue(*options.zero_plane_mm);
     angle_->setValue(options.eye_angle_deg);
+    depth_->setChecked(options.automatic_depth);
     swap_->setChecked(options.swap_eyes);
     if (options.mode != StereoMode::off) {
       kind_->setCurrentIndex(static_cast<int>(options.mode) - 1);
@@ -209,13 +246,12 @@ void StereoPanel::setHeights(double low_mm, double high_mm) {
   if (automatic_->isChecked()) plane_->setValue(0.5 * (low_mm + high_mm));
 }
 
-void StereoPanel::setScale(double low_mm, double high_mm, double screen_per_mm) {
-  const double before = comfortableDeg();
-  low_mm_ = low_mm;
-  high_mm_ = high_mm;
-  screen_per_mm_ = screen_per_mm;
+void StereoPanel::setShown(const Shown& shown) {
+  const double before = drawnDeg(shown_);
+  shown_ = shown;
   showMeter();
-  if (on_->isChecked() && comfortableDeg() != before) Q_EMIT changed(options());
+  const bool wanted = on_->isChecked() || depth_->isChecked();
+  if (wanted && drawnDeg(shown_) != before) Q_EMIT changed(options());
 }
 
 GlassesDialog::GlassesDialog(bool swapped, QWidget* parent) : QDialog(parent) {

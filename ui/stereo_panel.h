@@ -18,15 +18,25 @@ class StereoPanel : public QWidget {
   Q_OBJECT
  public:
   explicit StereoPanel(QWidget* parent = nullptr);
-  /// As drawn: with comfort limit the eye separation may be less than what was chosen.
+  /// What one view shows: heights, and millimetres of screen per millimetre of object.
+  struct Shown {
+    double low_mm = 0, high_mm = 0, screen_per_mm = 0;
+  };
+
+  /// As the detail view draws it: the eye separation may be less than what was chosen, by the limit
+  /// of comfort, and with automatic depth it follows the heights shown.
   StereoOptions options() const;
+  /// The same for a view that shows something else: automatic depth fills the comfortable range of
+  /// each view.
+  StereoOptions optionsFor(const Shown& shown) const;
   void setOn(bool on);
   void setComfort(bool keep);
+  void setAutomaticDepth(bool on);
   void show(const StereoOptions& options);
   /// The range the zero plane is chosen from.
   void setHeights(double low_mm, double high_mm);
-  /// Of the detail view: heights in it, and millimetres of screen per millimetre of object.
-  void setScale(double low_mm, double high_mm, double screen_per_mm);
+  /// Of the detail view.
+  void setShown(const Shown& shown);
 
  Q_SIGNALS:
   void changed(const StereoOptions& options);
@@ -34,14 +44,14 @@ class StereoPanel : public QWidget {
  private:
   void tell();
   void showMeter();
-  double farthestMm() const;
-  double comfortableDeg() const;
+  double farthestMm(const Shown& shown) const;
+  double drawnDeg(const Shown& shown) const;
 
-  QCheckBox *on_, *automatic_, *swap_, *comfort_;
+  QCheckBox *on_, *automatic_, *swap_, *comfort_, *depth_;
   QComboBox* kind_;
   QDoubleSpinBox *angle_, *plane_;
   QProgressBar* meter_;
-  double low_mm_ = 0, high_mm_ = 0, screen_per_mm_ = 0;
+  Shown shown_;
 };
 
 /// A picture that says whether red is at the left eye: an L that only the left eye sees, an R that

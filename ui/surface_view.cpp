@@ -11,13 +11,16 @@
 #include <cstdint>
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QLocale>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPainter>
 #include <QResizeEvent>
 #include <span>
+#include <utility>
 
 #include "core/relief/stereo.h"
+#include "ui/cell_legend.h"
 #include "ui/colour_bar.h"
 #include "ui/grid_painter.h"
 #include "ui/palette.h"
@@ -59,6 +62,7 @@ void SceneState::applyTo(ReliefScene& scene) const {
   }
   scene.setBackground(background.redF(), background.greenF(), background.blueF());
   scene.setLight(light);
+  scene.setInterpolated(interpolatedMark(look));
   scene.setStereo(stereo);
   scene.setCamera(camera);
   scene.setPinkWindow(pink, true);
@@ -109,6 +113,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     setAcceptDrops(false);
     setEnableHiDPI(true);
     setDefaultCursor(Qt::ArrowCursor);
+    setUpdateBehavior(PartialUpdate);  // See paintGL.
     setRenderWindow(window_);
     if (interactor() != nullptr) interactor()->SetInteractorStyle(nullptr);
   }
@@ -129,7 +134,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   void appearNow() {
     wanted_ = true;
     if (stage_ != Stage::warm) attachScene();
-    drawn_ = true;
+    drawn_ = unseen_ = true;
     show();
   }
 
@@ -142,7 +147,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   void renderIfStale() {
     if (!stale_ || !isVisible()) return;
     stale_ = false;
-    drawn_ = true;
+    drawn_ = unseen_ = true;
     prepare();
     // VTK would have the window composed before the next round, in which keys and mouse are heard.
     setAttribute(Qt::WA_UpdatesDisabled);
@@ -161,6 +166,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
   // is drawn with the window.
   void resizeEvent(QResizeEvent* event) override {
     setUpdatesEnabled(false);
+    unseen_ = true;
     QVTKOpenGLNativeWidget::resizeEvent(event);
     setUpdatesEnabled(true);
   }
@@ -169,6 +175,13 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
       context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
       return;
     }
+    // What lies over the picture, the pink frame or a bar of colours, is painted together with what
+    // is below it. VTK would draw the relief for that; it is still there.
+    const QSize pixels = size() * devicePixelRatioF();
+    const bool same_place = pixels == seen_pixels_ && defaultFramebufferObject() == seen_in_;
+    if (!std::exchange(unseen_, false) && same_place) return;
+    seen_pixels_ = pixels;
+    seen_in_ = defaultFramebufferObject();
     prepare();  // After a change of size VTK draws in here.
     QVTKOpenGLNativeWidget::paintGL();
   }
@@ -188,7 +201,7 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     } else if (first_draws_->step()) {
       // One more thing is drawn.
     } else if (!copied_) {
-      copied_ = drawn_ = true;
+      copied_ = drawn_ = unseen_ = true;
       grabFramebuffer();  // From VTK's frame buffer into Qt's, which is a shader, too.
       drawn_ = false;
     } else {
@@ -210,29 +223,40 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     // dots that the desktop asks for.
     scene_.setMarkScale(devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi) *
                         textScale());
-    scene_.prepare(std::max(1, pixels.width()), std::max(1, pixels.height()));
+    const int width = std::max(1, pixels.width()), height = std::max(1, pixels.height());
+    // Qt tells a size when it changes. What warmed up was a speck, and a widget that had its size
+    // by then is not told it again.
+    if (window_->GetSize()[0] != width || window_->GetSize()[1] != height) {
+      window_->SetSize(width, height);
+    }
+    scene_.prepare(width, height);
   }
 
   ReliefScene& scene_;
   QuietTurns& turns_;
   Stage stage_ = Stage::cold;
   bool wanted_ = false, copied_ = false, drawn_ = false, stale_ = false;
+  bool unseen_ = false;  ///< There is a picture that is not in Qt's frame buffer yet.
+  QSize seen_pixels_;    ///< Of the one that is, and which it is in.
+  GLuint seen_in_ = 0;
   vtkNew<MixingWindow> window_;
   std::unique_ptr<FirstDraws> first_draws_;
 };
 
 SurfaceView::SurfaceView(QuietTurns& turns, QWidget* parent)
-    : QWidget(parent), scene_(std::make_unique<ReliefScene>()) {
+    : QWidget(parent), turns_(turns), scene_(std::make_unique<ReliefScene>()) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(120, 120);
   canvas_ = new Canvas(this, *scene_, turns);
   canvas_->hide();
   bar_ = new ColourBar(this);
+  legend_ = new CellLegend(this);
   painter_ = new GridPainter(this);
   patience_.setSingleShot(true);
   connect(painter_, &GridPainter::painted, this, &SurfaceView::showPainted);
   connect(&patience_, &QTimer::timeout, this, &SurfaceView::showPlain);
+  scene_->setDecimalMark(QLocale().decimalPoint().toLatin1());
   state_.applyTo(*scene_);
 }
 
@@ -262,6 +286,8 @@ void SurfaceView::setStereo(const StereoOptions& stereo) {
   if (stereo == state_.stereo) return;
   state_.stereo = stereo;
   scene_->setStereo(stereo);
+  bar_->setPrint(printed(stereo.mode));
+  showLegend();
   requestRender();
 }
 
@@ -280,11 +306,25 @@ void SurfaceView::setLook(const ReliefLook& look) {
   const LightOptions light = state_.look.light;
   state_.look = look;
   state_.look.light = light;
+  scene_->setInterpolated(interpolatedMark(look));
   paintGrid();
+}
+
+void SurfaceView::setRange(const std::optional<std::array<double, 2>>& range) {
+  if (range == range_) return;
+  range_ = range;
+  if (hasLegend(state_.look.kind)) paintGrid();
+}
+
+ReliefLook SurfaceView::paintedLook() const {
+  ReliefLook look = state_.look;
+  if (!look.range) look.range = range_;
+  return look;
 }
 
 void SurfaceView::setLines(const std::vector<std::vector<ViewMm>>& lines,
                            const std::vector<std::vector<ViewMm>>& curves) {
+  if (lines == state_.lines && curves == state_.curves) return;
   state_.lines = lines;
   state_.curves = curves;
   scene_->setLines(lines, curves);
@@ -296,9 +336,9 @@ void SurfaceView::paintGrid() {
   if (!plain_ || !GridPainter::canPaint(*plain_, state_.look.kind)) {
     showPlain();
   } else if (!GridPainter::isSlow(state_.look.kind)) {
-    showPainted(GridPainter::paintNow(*plain_, state_.look));
+    showPainted(GridPainter::paintNow(*plain_, paintedLook()));
   } else {
-    painter_->start(plain_, state_.look);
+    painter_->start(plain_, paintedLook());
     if (!state_.grid || state_.grid->colours.empty()) {
       showPlain();
     } else if (!patience_.isActive()) {
@@ -310,13 +350,17 @@ void SurfaceView::paintGrid() {
 void SurfaceView::showPlain() {
   patience_.stop();
   bar_->hide();
+  shown_range_.reset();
   showGrid(plain_);
 }
 
 void SurfaceView::showPainted(const PaintedGrid& painted) {
   patience_.stop();
   bar_->show(painted.values, state_.look);
+  shown_range_.reset();
+  if (hasLegend(state_.look.kind)) shown_range_ = {{painted.values.low, painted.values.high}};
   showGrid(painted.grid);
+  Q_EMIT this->painted();
 }
 
 void SurfaceView::showGrid(std::shared_ptr<const HeldGrid> grid) {
@@ -327,7 +371,16 @@ void SurfaceView::showGrid(std::shared_ptr<const HeldGrid> grid) {
     scene_->clearSurface();
   }
   scene_->setScaleBar(state_.grid != nullptr);
+  showLegend();
   requestRender();
+}
+
+void SurfaceView::showLegend() {
+  if (state_.look.unmeasured && state_.grid) {
+    legend_->show(state_.grid->origins, printed(state_.stereo.mode));
+  } else {
+    legend_->hide();
+  }
 }
 
 SceneState SurfaceView::plainState() const {
@@ -363,8 +416,19 @@ void SurfaceView::setCamera(const ReliefCamera& camera) {
 
 void SurfaceView::setPink(const std::optional<RectMm>& pink) {
   state_.pink = pink;
-  scene_->setPinkWindow(pink, true);
-  requestRender();
+}
+
+void SurfaceView::follow(std::function<void()> work) {
+  if (following_) {
+    newest_ = std::move(work);
+    return;
+  }
+  work();
+  following_ = true;
+  turns_.ask(this, [this] {
+    following_ = false;
+    if (newest_) follow(std::exchange(newest_, nullptr));
+  });
 }
 
 void SurfaceView::setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm) {
@@ -406,6 +470,8 @@ void SurfaceView::paintEvent(QPaintEvent* /*event*/) {
 void SurfaceView::resizeEvent(QResizeEvent* /*event*/) {
   canvas_->setGeometry(rect().adjusted(kFocusFrame, kFocusFrame, -kFocusFrame, -kFocusFrame));
   bar_->place();
+  legend_->place();
+  Q_EMIT sized();
 }
 
 void SurfaceView::changeEvent(QEvent* event) {

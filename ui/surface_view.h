@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <functional>
 #include <QImage>
 #include <QTimer>
 #include <QWidget>
@@ -9,6 +11,7 @@
 
 namespace relievo {
 
+class CellLegend;
 class ColourBar;
 class GridPainter;
 class QuietTurns;
@@ -31,6 +34,11 @@ class SurfaceView : public QWidget {
   /// How the relief is painted; its light is that of setLight. A picture that takes long comes when
   /// it is ready: until then the one before stays, for a tenth of a second, then plain stone.
   void setLook(const ReliefLook& look);
+  /// The values at the colours' ends, of looks that leave them open: those that another view shows.
+  /// Nothing: from the view's own data.
+  void setRange(const std::optional<std::array<double, 2>>& range);
+  /// As painted; nothing for looks without a bar of colours.
+  std::optional<std::array<double, 2>> shownRange() const { return shown_range_; }
   /// @param curves  as ReliefScene::setLines
   void setLines(const std::vector<std::vector<ViewMm>>& lines,
                 const std::vector<std::vector<ViewMm>>& curves = {});
@@ -52,13 +60,23 @@ class SurfaceView : public QWidget {
   /// Draws now; else the first picture comes in its turn, after the view is first shown.
   void appear();
 
+ Q_SIGNALS:
+  void painted();  ///< By values, that is with a shownRange().
+  void sized();    ///< The view has another size.
+
  protected:
   /// @param turns  of all views of the window; outlives this
   SurfaceView(QuietTurns& turns, QWidget* parent);
   void showEvent(QShowEvent* event) override;
   void setGrid(std::shared_ptr<const HeldGrid> grid);
   void setCamera(const ReliefCamera& camera);
+  /// For pictures of the view; on screen PinkOverlay draws it.
   void setPink(const std::optional<RectMm>& pink);
+  /// Does what the pointer asks for: at once, and after that once a picture of the views at most.
+  /// Of what is asked for meanwhile the newest is done.
+  void follow(std::function<void()> work);
+  /// What was asked for and not done yet is forgotten.
+  void forgetNewest() { newest_ = nullptr; }
   void setProbeDrawn(const std::optional<Probe>& probe, double ball_radius_mm);
   const ReliefCamera& camera() const { return state_.camera; }
 
@@ -78,14 +96,21 @@ class SurfaceView : public QWidget {
   void showPlain();
   void showPainted(const PaintedGrid& painted);
   void showGrid(std::shared_ptr<const HeldGrid> grid);
+  void showLegend();
+  ReliefLook paintedLook() const;
 
+  QuietTurns& turns_;
+  bool following_ = false;  ///< Until the pictures of what was done last had their turns.
+  std::function<void()> newest_;
   SceneState state_;
   std::shared_ptr<const HeldGrid> plain_;  ///< As set; state_.grid may be painted.
   GridPainter* painter_ = nullptr;         ///< Child; owned by Qt.
   QTimer patience_;                        ///< While the colours before stand for those to come.
   std::unique_ptr<ReliefScene> scene_;
-  Canvas* canvas_ = nullptr;  ///< Child; owned by Qt.
-  ColourBar* bar_ = nullptr;  ///< Child; owned by Qt.
+  Canvas* canvas_ = nullptr;      ///< Child; owned by Qt.
+  ColourBar* bar_ = nullptr;      ///< Child; owned by Qt.
+  CellLegend* legend_ = nullptr;  ///< Child; owned by Qt.
+  std::optional<std::array<double, 2>> range_, shown_range_;
   QString where_am_i_;
 };
 

@@ -2,8 +2,10 @@
 #include "ui/time_plot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QPen>
 #include <QTimer>
 
@@ -16,7 +18,16 @@ constexpr double kShownS = 10;
 constexpr int kRedrawMs = 40;
 constexpr double kLeastForceN = 1;
 constexpr double kLeastHeightMm = 0.05;
+// Less than a tenth of a pixel of the least ranges.
+constexpr double kSameForceN = 1e-3, kSameHeightMm = 5e-5;
+constexpr double kNearlyShownS = kShownS - 0.1;
 constexpr int kMostDrawn = 1500;  // Points per curve; the strip is a thousand pixels wide.
+
+bool looksAlike(const TouchPlotPoint& a, const TouchPlotPoint& b) {
+  return std::abs(a.hip_z_mm - b.hip_z_mm) < kSameHeightMm &&
+         std::abs(a.proxy_z_mm - b.proxy_z_mm) < kSameHeightMm &&
+         std::abs(a.force_n - b.force_n) < kSameForceN;
+}
 
 }  // namespace
 
@@ -64,7 +75,18 @@ void TimePlot::add(std::span<const TouchPlotPoint> points) {
   while (!points_.empty() && points_.front().t_s < points_.back().t_s - kShownS) {
     points_.pop_front();
   }
-  stale_ = true;
+  stale_ = stale_ || !drawn_rest_ || points_.empty() ||
+           !std::all_of(points.begin(), points.end(),
+                        [&](const TouchPlotPoint& p) { return looksAlike(p, *drawn_rest_); });
+}
+
+/// Curves that are level over all of the time shown stay as they are while time goes on.
+std::optional<TouchPlotPoint> TimePlot::restingAt() const {
+  if (points_.empty() || points_.back().t_s - points_.front().t_s < kNearlyShownS) return {};
+  const TouchPlotPoint& last = points_.back();
+  const bool rests = std::all_of(points_.begin(), points_.end(),
+                                 [&](const TouchPlotPoint& p) { return looksAlike(p, last); });
+  return rests ? std::optional(last) : std::nullopt;
 }
 
 void TimePlot::clear() {
@@ -74,6 +96,7 @@ void TimePlot::clear() {
 
 void TimePlot::redraw() {
   stale_ = false;
+  drawn_rest_ = restingAt();
   const std::size_t step = std::max<std::size_t>(1, points_.size() / kMostDrawn);
   QVector<QPointF> hand;
   QVector<QPointF> proxy;
@@ -98,6 +121,13 @@ void TimePlot::redraw() {
   }
   heights_.replot();
   forces_.replot();
+}
+
+void TimePlot::paintEvent(QPaintEvent* /*event*/) {
+  if (!hasFocus()) return;
+  QPainter painter(this);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+  painter.drawRect(rect().adjusted(1, 1, -1, -1));
 }
 
 void TimePlot::showEvent(QShowEvent* event) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <QWidget>
 #include <span>
 
@@ -24,16 +25,21 @@ class TimePlot : public QWidget {
   /// Curves' and axes' colours from the current theme.
   void takeColours();
   std::size_t points() const { return points_.size(); }
+  /// Would it look otherwise if it were drawn now? A hand that rests draws nothing.
+  bool isStale() const { return stale_; }
 
  protected:
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void hideEvent(QHideEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void redraw();
+  std::optional<TouchPlotPoint> restingAt() const;
 
   std::deque<TouchPlotPoint> points_;
+  std::optional<TouchPlotPoint> drawn_rest_;  ///< Of all points drawn, if they all look alike.
   StripPlot heights_, forces_;
   QTimer* timer_;
   bool stale_ = false;

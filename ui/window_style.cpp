@@ -157,6 +157,9 @@ void WindowStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
     QProxyStyle::drawComplexControl(control, dense_option, painter, widget);
   });
   if (hasFrame(control, option)) drawFrame(painter, *option, false);
+  // Fusion shows it by a frame that a flat button does not have.
+  const bool focused = option != nullptr && (option->state & State_HasFocus) != 0;
+  if (control == CC_ToolButton && focused) drawFrame(painter, *option, false);
 }
 
 }  // namespace relievo

@@ -34,6 +34,8 @@ struct Group {
 };
 
 std::string percent(double share) {
+  constexpr double kLeastShare = 0.001;  // Nobody reads "0.00747 %".
+  if (share > 0 && share < kLeastShare) return "less than 0.1 %";
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
   return text.data();

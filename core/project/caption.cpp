@@ -136,6 +136,7 @@ std::string seenText(const Project& p, const CaptionFacts& facts, double spacing
     text += "; turned by " + shortNumber(p.azimuth_deg) + "\u00b0 and " +
             shortNumber(p.elevation_deg) + "\u00b0";
   }
+  if (facts.look.unmeasured) text += "; interpolated cells in orange";
   return text + stereoText(facts) + ".";
 }
 

@@ -303,6 +303,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   }
 
   PackageWriter writer(target);
+  packed.figures.clear();
   packed.file = contents.with_input ? writer.addFile("input", project.file, project.sha256)
                                     : std::filesystem::path(project.file).filename().string();
   for (const auto& [level, sha256] : levels) writer.addFile("input", level, sha256);
@@ -311,7 +312,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   }
   for (const InputFile& file : companions) writer.addFile("recordings", file.file, file.sha256);
   for (std::size_t i = 0; i < figure_sums.size(); ++i) {
-    writer.addFile("figures", contents.figures[i], figure_sums[i]);
+    packed.figures.push_back(writer.addFile("figures", contents.figures[i], figure_sums[i]));
   }
   writer.addText(kProject, projectJson(packed));
   writer.addText(kReadme, readmeText(project, contents.with_input));

@@ -20,6 +20,7 @@ template <class Change>
 void forEachFile(Project& project, const Change& change) {
   change(project.file);
   for (InputFile& recording : project.recordings) change(recording.file);
+  for (std::string& figure : project.figures) change(figure);
 }
 
 template <class T>
@@ -153,9 +154,10 @@ NamedRegion placeFrom(const Json& json) {
 
 /// Keys that a later version wrote.
 std::string unknownKeys(const Json& json) {
-  constexpr std::array<const char*, 14> kKnown{
-      "relievo_project", "program", "input",      "depth_map", "view", "picture",      "figure",
-      "measurements",    "places",  "recordings", "history",   "undo", "camera_paths", "saved_as"};
+  constexpr std::array<const char*, 15> kKnown{
+      "relievo_project", "program",      "input",   "depth_map",    "view",
+      "picture",         "figure",       "figures", "measurements", "places",
+      "recordings",      "camera_paths", "history", "undo",         "saved_as"};
   Json others = Json::object();
   for (const auto& [key, value] : json.items()) {
     if (key == "made") continue;  // Belongs to what was written, not to what will be.
@@ -207,6 +209,7 @@ Project projectFrom(Json json) {
   for (const Json& file : json.value("recordings", Json::array())) {
     p.recordings.push_back(inputFrom(file));
   }
+  p.figures = json.value("figures", std::vector<std::string>());
   for (const Json& path : json.value("camera_paths", Json::array())) {
     p.paths.push_back(pathFrom(path));
   }
@@ -279,6 +282,7 @@ std::string projectJson(const Project& p) {
   for (const Measurement& m : p.measurements) json["measurements"].push_back(measurementJson(m));
   json["recordings"] = Json::array();
   for (const InputFile& file : p.recordings) json["recordings"].push_back(jsonOf(file));
+  if (!p.figures.empty()) json["figures"] = p.figures;
   if (!p.paths.empty()) json["camera_paths"] = Json::array();
   for (const CameraPath& path : p.paths) json["camera_paths"].push_back(pathJson(path));
   json["history"] = p.history;

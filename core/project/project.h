@@ -51,6 +51,8 @@ struct Project {
   std::vector<Measurement> measurements;
   /// Logs of touches; found like `file`, each with its checksum.
   std::vector<InputFile> recordings;
+  /// Figures and pictures that were made of it, found like `file`: offered for a package.
+  std::vector<std::string> figures;
   std::vector<CameraPath> paths;     ///< The first is the window's.
   std::vector<std::string> history;  ///< Names of the steps that led here, oldest first.
   /// The last of these that can be undone without making the surface anew: where each began.
@@ -73,12 +75,12 @@ Project projectFromJson(std::string_view json, const std::string& source);
 /// The project with its files as they are found from the folder of `written`.
 Project relativeTo(Project project, const std::filesystem::path& written);
 
-/// Writes beside the target and renames. `project.file` and the recordings are stored relative to
-/// the target's folder.
+/// Writes beside the target and renames. `project.file`, recordings and figures are stored relative
+/// to the target's folder.
 /// @throw WriteError
 void writeProject(const std::filesystem::path& target, Project project);
-/// `file` of the result and of its recordings is absolute, wherever the project has been moved
-/// together with its input.
+/// `file` of the result, of its recordings and its figures are absolute, wherever the project has
+/// been moved together with its input.
 /// @throw FileError
 Project readProject(const std::filesystem::path& source);
 

@@ -82,7 +82,8 @@ Json jsonOf(const StereoOptions& stereo) {
   return {{"mode", name(stereo.mode)},
           {"eye_angle_deg", stereo.eye_angle_deg},
           {"zero_plane_mm", stereo.zero_plane_mm ? Json(*stereo.zero_plane_mm) : Json(nullptr)},
-          {"swap_eyes", stereo.swap_eyes}};
+          {"swap_eyes", stereo.swap_eyes},
+          {"automatic_depth", stereo.automatic_depth}};
 }
 
 StereoOptions stereoFrom(const Json& json) {
@@ -91,6 +92,7 @@ StereoOptions stereoFrom(const Json& json) {
   stereo.eye_angle_deg = number(json, "eye_angle_deg", 0, 90);
   if (has(json, "zero_plane_mm")) stereo.zero_plane_mm = number(json, "zero_plane_mm", -kAny, kAny);
   stereo.swap_eyes = json.value("swap_eyes", false);
+  stereo.automatic_depth = json.value("automatic_depth", false);
   return stereo;
 }
 
@@ -213,7 +215,8 @@ Json jsonOf(const ReliefLook& look) {
           {"light_elevation_deg", look.light.elevation_deg},
           {"radius_mm", look.radius_mm},
           {"range", look.range ? Json(*look.range) : Json(nullptr)},
-          {"shading", look.shading}};
+          {"shading", look.shading},
+          {"unmeasured", look.unmeasured}};
 }
 
 ReliefLook lookFrom(const Json& json) {
@@ -229,6 +232,7 @@ ReliefLook lookFrom(const Json& json) {
   }
   // Files of versions without natural colours lack it.
   if (has(json, "shading")) look.shading = number(json, "shading", 0, 1);
+  look.unmeasured = json.value("unmeasured", false);
   return look;
 }
 

@@ -54,6 +54,8 @@ struct ReliefLook {
   /// Of natural and intensity, 0 ... 1: how much the key light's shading of the relief darkens and
   /// lightens them. 0: as they were recorded.
   double shading = 0.5;
+  /// Cells that were interpolated in a colour of their own. Figures have their hatch instead.
+  bool unmeasured = false;
   friend bool operator==(const ReliefLook&, const ReliefLook&) = default;
 };
 
@@ -69,10 +71,12 @@ std::optional<StereoMode> stereoMode(std::string_view name);
 
 struct StereoOptions {
   StereoMode mode = StereoMode::off;
-  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, 0.5 .. 10.
+  double eye_angle_deg = 4;  ///< Full angle between the eyes' directions, as drawn; 0.5 .. 60.
   std::optional<double> zero_plane_mm =
       std::nullopt;  ///< View z of zero parallax; nothing: mid height.
   bool swap_eyes = false;
+  /// A window lets the eye angle follow the heights that it shows (automaticEyeAngle).
+  bool automatic_depth = false;
   friend bool operator==(const StereoOptions&, const StereoOptions&) = default;
 };
 

@@ -211,6 +211,16 @@ void checkShading(const ReliefLook& look) {
   throw ArgumentError("The shading of a scan's own colours must lie between 0 and 1.");
 }
 
+std::pair<double, double> roundEnds(double low, double high) {
+  const double most = (high - low) / 10;
+  const double decade = std::pow(10, std::floor(std::log10(most)));
+  double step = decade;
+  for (const double factor : {2.0, 5.0}) {
+    if (factor * decade <= most) step = factor * decade;
+  }
+  return {step * std::floor(low / step + 1e-9), step * std::ceil(high / step - 1e-9)};
+}
+
 void checkRange(const ReliefLook& look) {
   if (!look.range || (*look.range)[1] > (*look.range)[0]) return;
   throw ArgumentError("The colours' upper end must lie above their lower end.");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/task.h"
@@ -27,6 +28,10 @@ struct ReliefValues {
 /// @throw ArgumentError  radius or light that is not a number, or below 0
 /// @throw Cancelled
 ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Task& task = {});
+
+/// The next round numbers around a range, at most a fifth of it farther apart in all: for the ends
+/// of a bar of colours. @param high  > low
+std::pair<double, double> roundEnds(double low, double high);
 
 /// @throw ArgumentError  the colours' ends are not in order
 void checkRange(const ReliefLook& look);

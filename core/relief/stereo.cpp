@@ -104,6 +104,12 @@ void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
   }
 }
 
+std::array<std::uint8_t, 3> mixedColour(StereoPrint print, std::array<std::uint8_t, 3> colour) {
+  if (!isAnaglyph(print)) return colour;
+  mixAnaglyph(print, colour, std::array(colour), colour.size());
+  return colour;
+}
+
 double rivalShare(std::span<const Rgba> colours) noexcept {
   constexpr int kDarkest = 64;         // Darker than that it is dark for both.
   constexpr double kSaturation = 0.6;  // Of a hue within 30 degrees of red or cyan.
@@ -118,16 +124,21 @@ double rivalShare(std::span<const Rgba> colours) noexcept {
 }
 
 Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm, double distance_mm) {
-  const double paper = 2 * height_mm * std::sin(0.5 * eye_angle_deg * kDegree) * paper_per_mm;
+  const double paper = 2 * height_mm * std::tan(0.5 * eye_angle_deg * kDegree) * paper_per_mm;
   return {.paper_mm = paper, .visual_deg = 2 * std::atan(0.5 * paper / distance_mm) / kDegree};
 }
 
 double comfortableEyeAngle(double height_mm, double paper_per_mm, double most_deg,
                            double distance_mm) {
   const double paper = 2 * distance_mm * std::tan(0.5 * kComfortDeg * kDegree);
-  const double sine = paper / std::max(2 * height_mm * paper_per_mm, 1e-12);
-  if (sine >= std::sin(0.5 * most_deg * kDegree)) return most_deg;
-  return 2 * std::asin(sine) / kDegree;
+  const double tangent = paper / std::max(2 * height_mm * paper_per_mm, 1e-12);
+  if (tangent >= std::tan(0.5 * most_deg * kDegree)) return most_deg;
+  return 2 * std::atan(tangent) / kDegree;
+}
+
+double automaticEyeAngle(double height_mm, double paper_per_mm, double distance_mm) {
+  if (!(height_mm > 0) || !(paper_per_mm > 0)) return StereoOptions{}.eye_angle_deg;
+  return comfortableEyeAngle(height_mm, paper_per_mm, kMostEyeAngleDeg, distance_mm);
 }
 
 void checkZeroPlane(double zero_plane_mm, double low_mm, double high_mm, double side_mm) {

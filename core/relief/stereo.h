@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -41,6 +42,10 @@ constexpr StereoPrint printed(StereoMode mode) noexcept {
 void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
                  std::span<const std::uint8_t> right, std::size_t channels = 4);
 
+/// A colour that both eyes' pictures have, as it looks in the mixed one: grey in a grey anaglyph.
+/// StereoPrint::off and the pairs change nothing.
+std::array<std::uint8_t, 3> mixedColour(StereoPrint print, std::array<std::uint8_t, 3> colour);
+
 /// Share of the pixels that red and cyan glasses show to one eye as dark and to the other as
 /// bright, because they are a strong red or cyan: half colour and Dubois keep colours, and the eyes
 /// then fight instead of seeing depth. Pixels without alpha are stone.
@@ -55,6 +60,8 @@ struct Parallax {
 inline constexpr double kComfortDeg = 1;           ///< Beyond, many people see double.
 inline constexpr double kReadingDistanceMm = 400;  ///< Of a page.
 
+/// The eyes look along slanted parallel lines that cross on the plane of zero parallax, so that
+/// nothing moves up or down and what lies on that plane keeps its place and its size.
 /// @param height_mm    greatest distance from the plane of zero parallax, on the object
 /// @param paper_per_mm  millimetres of paper per millimetre of object
 Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm,
@@ -62,6 +69,12 @@ Parallax parallax(double height_mm, double eye_angle_deg, double paper_per_mm,
 /// The largest eye angle, at most `most_deg`, that keeps to kComfortDeg.
 double comfortableEyeAngle(double height_mm, double paper_per_mm, double most_deg,
                            double distance_mm = kReadingDistanceMm);
+/// Beyond, slopes of more than 60 degrees would be hidden from one of the eyes.
+inline constexpr double kMostEyeAngleDeg = 60;
+/// The eye angle at which the heights fill the comfortable range: that of kComfortDeg, but at most
+/// kMostEyeAngleDeg; of a surface without heights that of StereoOptions.
+double automaticEyeAngle(double height_mm, double paper_per_mm,
+                         double distance_mm = kReadingDistanceMm);
 
 /// A plane of zero parallax far above or below the heights would move the eyes' pictures out of
 /// sight. @throw ArgumentError  farther from them than they reach, or than `side_mm` is wide

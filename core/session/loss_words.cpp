@@ -11,10 +11,12 @@ namespace relievo {
 namespace {
 
 constexpr double kHiddenWorthSaying = 0.1;
+constexpr double kLeastShare = 0.001;  // Nobody reads "0.00747 %".
 
 }  // namespace
 
 std::string percentText(double share) {
+  if (share > 0 && share < kLeastShare) return "less than 0.1 %";
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
   return text.data();

@@ -15,6 +15,7 @@
 #include "core/depth/point_rule.h"
 #include "core/pyramid/colour_levels.h"
 #include "core/region/window_colours.h"
+#include "core/session/loss_words.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {
@@ -75,11 +76,9 @@ namespace {
 
 /// "98.2 % of the measured cells ..."
 std::string ownShare(const OwnCells& cells) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%",
-                100 * static_cast<double>(cells.own) /
-                    static_cast<double>(std::max<std::size_t>(cells.measured, 1)));
-  return std::string(text.data()) + " of the measured cells have one of their own";
+  const double share = static_cast<double>(cells.own) /
+                       static_cast<double>(std::max<std::size_t>(cells.measured, 1));
+  return percentText(share) + " of the measured cells have one of their own";
 }
 
 std::string shortText(double number) {

@@ -264,11 +264,12 @@ void HapticsPlugin::frame() {
   watchRecording();
   runButtons(sample);
   watchSleep(sample);
-  constexpr int kFramesPerReadout = 8;
-  if (++frames_ % kFramesPerReadout == 0) slowReadouts();
+  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
+  ++frames_;
+  if (frames_ % kFramesPerReadout == 0) slowReadouts(frames_ % kFramesPerStatus == 0);
 }
 
-void HapticsPlugin::slowReadouts() {
+void HapticsPlugin::slowReadouts(bool with_status) {
   LoopReport report;
   report.sample = session_->update();
   report.stats = session_->stats();
@@ -279,7 +280,12 @@ void HapticsPlugin::slowReadouts() {
   report.actuated = device.max_force_n > 0;
   report.stand_in = stand_in_;
   if (panel_) panel_->show(report);
+  if (with_status) tellStatus(report);
+  watchPlugs();
+}
 
+// Its numbers change with every look, and each change is a picture of the window.
+void HapticsPlugin::tellStatus(const LoopReport& report) {
   TouchStatus status;
   status.device = report.device;
   status.rate_hz = report.stats.rate_hz;
@@ -292,7 +298,6 @@ void HapticsPlugin::slowReadouts() {
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
   host_->showStatus(status);
-  watchPlugs();
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {

@@ -59,7 +59,9 @@ class HapticsPlugin : public QObject, public Plugin {
   void setFirmness(std::shared_ptr<const FirmnessMap> firmness);
   void applySurface();  // Another kind of the shown window's, if that was chosen.
   void frame();         // 60 times a second.
-  void slowReadouts();  // About 8 times a second.
+  /// About 8 times a second; the host hears of it twice a second.
+  void slowReadouts(bool with_status = true);
+  void tellStatus(const LoopReport& report);
   void watchSoftening(const HapticSample& sample);
   void watchRate(const HapticSample& sample);
   void watchSurface();

@@ -307,19 +307,42 @@ TEST_F(PreferencesTest, AChoiceThatOthersShareIsReadAndWrittenWhereTheyDo) {
 TEST_F(PreferencesTest, TheMeterSaysTheParallaxAndTheLimitKeepsIt) {
   StereoPanel panel;
   panel.setComfort(false);
-  panel.setScale(0, 20, 1);
+  panel.setShown({0, 20, 1});
   panel.setOn(true);
   auto* angle = panel.findChild<QDoubleSpinBox*>("eye_angle");
   angle->setValue(4);
   auto* meter = panel.findChild<QProgressBar*>("parallax_meter");
   // 10 mm from the plane, 4 degrees: 0.698 mm on the screen, 0.067 degrees from 60 cm.
   EXPECT_TRUE(meter->format().startsWith("0.1")) << meter->format().toStdString();
-  panel.setScale(0, 20, 30);  // Thirty times larger on the screen: 2 degrees.
+  panel.setShown({0, 20, 30});  // Thirty times larger on the screen: 2 degrees.
   EXPECT_TRUE(meter->format().startsWith("2.0")) << meter->format().toStdString();
   panel.setComfort(true);
   EXPECT_TRUE(meter->format().startsWith("1.0")) << meter->format().toStdString();
   EXPECT_NEAR(panel.options().eye_angle_deg, 2, 0.05);
   EXPECT_EQ(angle->value(), 4) << "the choice stays for where it fits";
+}
+
+TEST_F(PreferencesTest, AutomaticDepthFillsTheComfortableRangeOfWhateverIsShown) {
+  StereoPanel panel;
+  panel.setOn(true);
+  auto* meter = panel.findChild<QProgressBar*>("parallax_meter");
+  for (const StereoPanel::Shown& shown : {StereoPanel::Shown{0, 3, 10}, {40, 80, 1}, {-1, 1, 30}}) {
+    panel.setShown(shown);
+    EXPECT_EQ(meter->format(), QString::fromUtf8("1.0\u00b0 of 1.0\u00b0, automatic"));
+    const StereoOptions drawn = panel.options();
+    EXPECT_TRUE(drawn.automatic_depth);
+    const double half = 0.5 * (shown.high_mm - shown.low_mm);
+    EXPECT_NEAR(parallax(half, drawn.eye_angle_deg, shown.screen_per_mm, 600).visual_deg, 1, 1e-6);
+  }
+  // The reference view shows other heights at another scale: it gets an angle of its own.
+  EXPECT_NEAR(parallax(10, panel.optionsFor({0, 20, 2}).eye_angle_deg, 2, 600).visual_deg, 1, 1e-6);
+  panel.setShown({0, 0.1, 1});  // Nothing could fill the range without hiding its flanks.
+  EXPECT_EQ(panel.options().eye_angle_deg, kMostEyeAngleDeg);
+  EXPECT_TRUE(meter->format().startsWith("0.0")) << meter->format().toStdString();
+  panel.findChild<QDoubleSpinBox*>("eye_angle")->setValue(5);
+  EXPECT_FALSE(panel.options().automatic_depth) << "a value of one's own ends it";
+  EXPECT_EQ(panel.options().eye_angle_deg, 5);
+  EXPECT_FALSE(meter->format().contains("automatic"));
 }
 
 TEST_F(PreferencesTest, TheGlassesPictureShowsEachEyeItsLetter) {

@@ -169,6 +169,54 @@ TEST_F(ShareTest, APackageForCitationIsMadeInTheDialog) {
   EXPECT_EQ(packed.recordings.size(), 1U);
 }
 
+TEST_F(ShareTest, AWindowThatIsClosedWritesItsPackageFirst) {
+  openRelief();
+  window().writePackage({path("p.zip"), true, {}, {}});
+  ASSERT_TRUE(window().packing());
+  window().runCommand("quit");
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_EQ(status(), "relievo closes when the package is written");
+  EXPECT_TRUE(waitFor([&] { return !window().isVisible(); })) << "it closes by itself";
+  EXPECT_TRUE(fs::exists(unpacked(path("p.zip")) / "project.json"));
+}
+
+TEST_F(ShareTest, AWindowDoesNotCloseOnAPackageThatFailed) {
+  openRelief();
+  window().writePackage({path("no/such/folder/p.zip"), true, {}, {}});
+  window().close();
+  finishPacking();
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_TRUE(window().message().contains("could not be written"));
+}
+
+TEST_F(ShareTest, FiguresAreOfferedForAPackageAfterTheProjectIsOpenedAgain) {
+  openRelief();
+  window().saveProject(path("p.relievo.json"));
+  EXPECT_FALSE(window().hasUnsavedWork());
+  saveImage("fig.png");
+  saveImage("gone.png");
+  EXPECT_TRUE(window().hasUnsavedWork()) << "the project does not know them yet";
+  window().saveProject(path("p.relievo.json"));
+  QFile::remove(path("gone.png"));
+  restart();
+  window().open(path("p.relievo.json"));
+  ASSERT_TRUE(waitFor([&] { return document().isOpen() && !document().busy(); }));
+  ASSERT_TRUE(waitFor([&] { return !window().project().figures.empty(); }));
+  EXPECT_FALSE(window().hasUnsavedWork());
+  window().runCommand("package");
+  auto* dialog = child<PackageDialog>("package_dialog");
+  ASSERT_NE(dialog, nullptr);
+  auto* files = dialog->findChild<QListWidget*>("package_files");
+  ASSERT_EQ(files->count(), 1) << "what is gone is not offered";
+  EXPECT_EQ(files->item(0)->text(), "Figure fig.png");
+  dialog->findChild<QLineEdit*>("package_file")->setText(path("cite.zip"));
+  dialog->accept();
+  finishPacking();
+  const Project packed = readProject(unpacked(path("cite.zip")) / "project.json");
+  ASSERT_EQ(packed.figures.size(), 1U);
+  EXPECT_TRUE(fs::exists(packed.figures[0]));
+}
+
 TEST_F(ShareTest, WhatIsNotTickedStaysAway) {
   openRelief();
   saveImage("fig.png");

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QImage>
 #include <QPushButton>
+#include <QScreen>
 #include <QtTest/QTest>
 
+#include "core/relief/stereo.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/colour_bar.h"
 
 namespace relievo {
 namespace {
@@ -139,6 +144,147 @@ TEST_F(ViewTest, EyeSeparationAndZeroPlaneReachTheViews) {
   child<QCheckBox>("zero_plane_auto")->setChecked(false);
   child<QDoubleSpinBox>("zero_plane")->setValue(5);
   EXPECT_EQ(window().detailView().sceneState().stereo.zero_plane_mm, 5);
+}
+
+/// Mean difference of two pictures of one size, 0 ... 255.
+double difference(const QImage& a, const QImage& b) {
+  const QImage one = a.convertToFormat(QImage::Format_RGB888);
+  const QImage two = b.convertToFormat(QImage::Format_RGB888);
+  EXPECT_EQ(one.size(), two.size());
+  double sum = 0;
+  for (int y = 0; y < one.height(); ++y) {
+    for (int x = 0; x < 3 * one.width(); ++x) {
+      sum += std::abs(one.constScanLine(y)[x] - two.constScanLine(y)[x]);
+    }
+  }
+  return sum / (3.0 * one.width() * one.height());
+}
+
+/// What warms up draws a speck; with a small scan the view had its size by then, and showed the
+/// speck enlarged until something changed that size.
+TEST_F(ViewTest, AViewThatHasItsSizeBeforeItIsWarmDrawsThatManyPixels) {
+  QuietTurns turns;
+  DetailView view(document(), turns);
+  view.resize(400, 400);
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  QImage seen;
+  ASSERT_TRUE(waitFor([&] {
+    seen = view.grab().toImage();
+    return qGray(seen.pixel(seen.rect().center())) > 90;
+  }));
+  view.resize(402, 402);  // Draws anew at a size that Qt has told.
+  view.resize(400, 400);
+  view.shot();
+  EXPECT_LT(difference(seen, view.grab().toImage()), 1);
+}
+
+TEST_F(ViewTest, AutomaticDepthGivesEachViewTheParallaxThatFillsTheComfortableRange) {
+  document().setRect({60, 60, 100, 100});
+  action("stereo")->trigger();
+  ASSERT_TRUE(child<QCheckBox>("stereo_automatic")->isChecked());
+  const auto range = [&](SurfaceView& view, double low, double high) {
+    const double screen_mm = 25.4 / window().screen()->physicalDotsPerInch() / view.mmPerPixel();
+    return parallax(0.5 * (high - low), view.sceneState().stereo.eye_angle_deg, screen_mm, 600)
+        .visual_deg;
+  };
+  const auto shown = document().window();
+  EXPECT_NEAR(range(window().detailView(), shown->min_mm, shown->max_mm), kComfortDeg, 1e-6);
+  // The small overview could fill it only by hiding flanks.
+  EXPECT_EQ(window().referenceView().sceneState().stereo.eye_angle_deg, kMostEyeAngleDeg);
+  EXPECT_LT(range(window().referenceView(), 0, 20), kComfortDeg);
+  window().resize(1000, 700);  // Larger pictures need less.
+  QApplication::processEvents();
+  EXPECT_NEAR(range(window().detailView(), shown->min_mm, shown->max_mm), kComfortDeg, 1e-6);
+  // Nobody chose an angle: what is shown is not a step, and nothing to be saved.
+  const int steps = document().history().count();
+  document().setRect({20, 20, 60, 60});
+  EXPECT_EQ(document().history().count(), steps + 1);
+}
+
+/// The share of pixels of the colour of interpolated cells.
+double orangeShare(const QImage& image) {
+  int orange = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QRgb p = image.pixel(x, y);
+      if (qRed(p) > qGreen(p) + 60 && qGreen(p) > qBlue(p) + 20) ++orange;
+    }
+  }
+  return static_cast<double>(orange) / (image.width() * image.height());
+}
+
+/// Every seventh point of every seventh row is missing: single cells are interpolated.
+TEST_F(ViewTest, InterpolatedCellsLookLikeMeasuredOnesUntilTheyAreAskedFor) {
+  const auto open = [&](const QString& file) {
+    OpenRequest request;
+    request.file = file;
+    request.unit = LengthUnit::mm;
+    request.view = ViewChoice{"top", {}};
+    window().open(request);
+    ASSERT_TRUE(waitFor([&] { return document().file() == file && !document().busy(); }));
+  };
+  QFile points(path("gaps.xyz")), whole(path("whole.xyz"));
+  ASSERT_TRUE(points.open(QIODevice::WriteOnly) && whole.open(QIODevice::WriteOnly));
+  for (int row = 0; row < 60; ++row) {
+    for (int col = 0; col < 60; ++col) {
+      const QByteArray line = QByteArray::number(col) + ' ' + QByteArray::number(row) + " 0\n";
+      whole.write(line);
+      if (row % 7 != 3 || col % 7 != 3) points.write(line);
+    }
+  }
+  points.close();
+  whole.close();
+  open(whole.fileName());
+  const QImage measured = window().detailView().shot();
+  open(points.fileName());
+  const auto& origins = document().window()->origins;
+  ASSERT_GT(std::count(origins.begin(), origins.end(), Origin::interpolated), 20);
+  EXPECT_LT(difference(window().detailView().shot(), measured), 0.2) << "no chisel marks";
+  auto* legend = window().detailView().findChild<QWidget*>("cell_legend");
+  EXPECT_FALSE(legend->isVisible());
+  EXPECT_LT(orangeShare(window().detailView().shot()), 0.001);
+  action("show_unmeasured")->trigger();
+  EXPECT_TRUE(legend->isVisible());
+  EXPECT_TRUE(legend->accessibleDescription().startsWith("interpolated: 2"))
+      << legend->accessibleDescription().toStdString();
+  EXPECT_GT(orangeShare(window().detailView().shot()), 0.01);
+  EXPECT_GT(orangeShare(window().referenceView().shot()), 0.002);
+  // What is saved shows what is seen.
+  window().saveImage(ImageSource::detail, {400, 400}, path("saved.png"));
+  ASSERT_TRUE(waitFor([&] { return !window().savingImage(); }));
+  EXPECT_GT(orangeShare(QImage(path("saved.png"))), 0.01);
+  document().history().undo();
+  EXPECT_FALSE(action("show_unmeasured")->isChecked());
+  EXPECT_FALSE(legend->isVisible());
+}
+
+TEST_F(ViewTest, OneValueHasOneColourInBothViewsAndTheBarsEndsAreRound) {
+  document().setRect({60, 60, 60, 60});
+  action("relief_height")->trigger();
+  const auto whole = window().referenceView().shownRange();
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_EQ(*whole, (std::array<double, 2>{0, 19})) << "of 98 % of the values";
+  EXPECT_EQ(window().detailView().shownRange(), whole);
+  document().setGain(2);  // Twice the heights are other values.
+  EXPECT_NE(window().detailView().shownRange(), whole);
+  document().history().undo();
+  EXPECT_EQ(window().detailView().shownRange(), whole);
+  action("relief_slope")->trigger();
+  EXPECT_EQ(window().detailView().shownRange(), window().referenceView().shownRange());
+  EXPECT_NE(window().detailView().shownRange(), whole);
+}
+
+TEST_F(ViewTest, TheBarOfAGreyAnaglyphIsGrey) {
+  action("relief_height")->trigger();
+  const auto* bar = window().detailView().findChild<ColourBar*>("colour_bar");
+  ASSERT_TRUE(bar->isVisible());
+  EXPECT_NE(bar->colourAt(0.9)[0], bar->colourAt(0.9)[2]) << "viridis ends in yellow";
+  action("stereo")->trigger();
+  EXPECT_EQ(bar->colourAt(0.9)[0], bar->colourAt(0.9)[1]);
+  EXPECT_EQ(bar->colourAt(0.9)[1], bar->colourAt(0.9)[2]);
+  action("stereo")->trigger();
+  EXPECT_NE(bar->colourAt(0.9)[0], bar->colourAt(0.9)[2]);
 }
 
 TEST_F(ViewTest, TheDepthBufferGivesTheSameReliefAsTheProcessor) {

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
@@ -23,6 +24,8 @@
 
 #include "tests/ui/gui_fixture.h"
 #include "ui/keys_sheet.h"
+#include "ui/message_strip.h"
+#include "ui/palette.h"
 #include "ui/status_fields.h"
 #include "ui/time_plot.h"
 
@@ -291,6 +294,114 @@ TEST_F(WindowTest, ThePlotKeepsTheLastTenSeconds) {
   EXPECT_NEAR(static_cast<double>(plot.points()), 10001, 2);
   plot.add(std::span(points).first(10));
   EXPECT_EQ(plot.points(), 10U) << "a loop that starts again begins a new plot";
+}
+
+TEST_F(WindowTest, AHandThatRestsDrawsNoPlot) {
+  TimePlot plot;
+  plot.resize(600, 140);
+  plot.show();
+  double t = 0;
+  const auto rest = [&](double seconds, double height_mm) {
+    std::vector<TouchPlotPoint> points;
+    for (const double end = t + seconds; t < end; t += 0.004) {
+      points.push_back({t, height_mm, height_mm, 0});
+    }
+    plot.add(points);
+  };
+  const auto drawn = [&] { return waitFor([&] { return !plot.isStale(); }); };
+  rest(5, 3);
+  EXPECT_TRUE(plot.isStale());
+  ASSERT_TRUE(drawn());
+  rest(1, 3);
+  EXPECT_TRUE(plot.isStale()) << "the curve still grows";
+  rest(5, 3);
+  ASSERT_TRUE(drawn());
+  rest(1, 3);
+  EXPECT_FALSE(plot.isStale()) << "a level line stays as it is";
+  rest(1, 3.001);
+  EXPECT_TRUE(plot.isStale()) << "a step of a fiftieth of the least range is seen";
+  ASSERT_TRUE(drawn());
+  rest(1, 3.001);
+  EXPECT_TRUE(plot.isStale()) << "the step wanders";
+}
+
+TEST_F(WindowTest, EveryStopOfF6ShowsThatItHasTheFocus) {
+  openRelief();
+  window().showTouch({});  // With the plots.
+  window().showMessage("A message.");
+  QTest::keyClick(&window().detailView(), Qt::Key_F6);
+  const QWidget* const first = QApplication::focusWidget();
+  int stops = 0;
+  do {
+    QWidget* stop = QApplication::focusWidget();
+    ASSERT_NE(stop, nullptr);
+    const QImage focused = stop->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    stop->clearFocus();
+    QApplication::processEvents();
+    const QImage plain = stop->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    int changed = 0;
+    for (int y = 0; y < plain.height(); ++y) {
+      for (int x = 0; x < plain.width(); ++x) {
+        if (std::abs(qGray(plain.pixel(x, y)) - qGray(focused.pixel(x, y))) > 20) ++changed;
+      }
+    }
+    EXPECT_GE(changed, stop->width())
+        << stop->objectName().toStdString() << ", " << stop->metaObject()->className();
+    stop->setFocus();
+    QTest::keyClick(stop, Qt::Key_F6);
+  } while (++stops < 12 && QApplication::focusWidget() != first);
+  EXPECT_EQ(stops, 7);
+}
+
+TEST_F(WindowTest, NoLetterIsMarkedByAnAmpersandThatIsShown) {
+  openRelief();
+  for (const char* dialog : {"image", "export", "figure", "package", "depth_map"}) {
+    ASSERT_TRUE(window().runCommand(dialog)) << dialog;
+    for (QDialog* shown : window().findChildren<QDialog*>()) {
+      for (const QLabel* label : shown->findChildren<QLabel*>()) {
+        const bool marked = QString(label->text()).remove(QLatin1String("&&")).contains('&');
+        EXPECT_TRUE(!marked || label->buddy() != nullptr)
+            << dialog << ": " << label->text().toStdString();
+      }
+      shown->close();
+    }
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+}
+
+TEST_F(WindowTest, TheIntroductionIsShownWhole) {
+  openRelief();
+  ASSERT_TRUE(window().runCommand("introduction"));
+  EXPECT_TRUE(window().message().contains("F5 switches forces on"))
+      << window().message().toStdString();
+}
+
+TEST_F(WindowTest, AStepThatIsUndoneIsNotSaidAnyLonger) {
+  openRelief();
+  document().setRect({40, 40, 60, 60});
+  ASSERT_TRUE(window().runCommand("move_right"));
+  const auto* said = child<QLabel>("status_message");
+  ASSERT_TRUE(said->text().startsWith("Right. Window at")) << said->text().toStdString();
+  ASSERT_TRUE(window().runCommand("undo"));
+  EXPECT_EQ(said->text(), "Undone: Move window");
+  ASSERT_TRUE(window().runCommand("redo"));
+  EXPECT_EQ(said->text(), "Done again: Move window");
+}
+
+TEST_F(WindowTest, LargeTextOfAMessageLeavesRoomForTheViews) {
+  window().resize(1440, 900);
+  openRelief();
+  window().settings().setChoice("text_percent", 300);
+  applyTextSize(300);
+  child<MessageStrip>("message_strip")
+      ->show(QStringLiteral("Die Punkte haben keine Einheit. 39 \u00d7 39 \u00d7 3 \u2013 in "
+                            "Millimetern 39,00 \u00d7 39,00 \u00d7 3,00 mm; in Zentimetern 390,0 "
+                            "\u00d7 390,0 \u00d7 30,0 mm; in Metern 39,00 \u00d7 39,00 \u00d7 "
+                            "3,00 m. Als Millimeter gezeigt, bis Sie es sagen. (E103)"),
+             {{"Millimeter", {}}, {"Zentimeter", {}}, {"Meter", {}}});
+  QApplication::processEvents();
+  EXPECT_GE(window().detailView().height(), 200);
+  applyTextSize(kLeastTextPercent);
 }
 
 TEST_F(WindowTest, ControlAndLGoesToTheOtherView) {

@@ -208,6 +208,7 @@ ReliefLook figureLook(const Surface& surface, const Project& project) {
   ReliefLook look = project.figure.look;
   const auto level = static_cast<std::size_t>(project.region.level.value);
   if (hasRadius(look.kind)) look.radius_mm = radiusMm(look, surface.ladder.spacings_mm.at(level));
+  look.unmeasured = false;  // Figures have their hatch.
   return look;
 }
 

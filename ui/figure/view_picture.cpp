@@ -62,6 +62,7 @@ RgbImage draw(const Surface& surface, const RegionWindow& window, const Project&
                             .height_mm = region.side_mm},
                    .azimuth_deg = p.azimuth_deg,
                    .elevation_deg = p.elevation_deg});
+  scene.setInterpolated(interpolatedMark(p.look));
   scene.setStereo(p.stereo);
   scene.setLight(p.look.light);
   scene.setScaleBar(p.picture->scale_bar);

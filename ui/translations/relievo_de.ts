@@ -1207,6 +1207,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::CellLegend</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>less than %1 %</source>
+        <translation>weniger als %1 %</translation>
+    </message>
+    <message>
+        <source>Legend of unmeasured cells</source>
+        <translation>Legende der nicht gemessenen Zellen</translation>
+    </message>
+    <message>
+        <source>interpolated: %1</source>
+        <translation>interpoliert: %1</translation>
+    </message>
+    <message>
+        <source>hole, on base plane: %1</source>
+        <translation>Loch, auf der Grundebene: %1</translation>
+    </message>
+    <message>
+        <source>All cells in view were measured</source>
+        <translation>Alle Zellen im Bild wurden gemessen</translation>
+    </message>
+</context>
+<context>
     <name>relievo::CloudView</name>
     <message>
         <source>A point under the cross: %1, %2, %3</source>
@@ -4901,6 +4928,34 @@
         <source>Prepare</source>
         <translation>Aufbereiten</translation>
     </message>
+    <message>
+        <source>Cells that were interpolated in colour, with a legend; holes are always hatched</source>
+        <translation>Interpolierte Zellen in Farbe, mit Legende; Löcher sind immer schraffiert</translation>
+    </message>
+    <message>
+        <source>Unmeasured cells</source>
+        <translation>Nicht gemessene Zellen</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>relievo closes when the package is written</source>
+        <translation>relievo schließt, wenn das Paket geschrieben ist</translation>
+    </message>
+    <message>
+        <source>relievo closes when the map is written</source>
+        <translation>relievo schließt, wenn die Karte geschrieben ist</translation>
+    </message>
+    <message>
+        <source>Mar&amp;k unmeasured cells</source>
+        <translation>Nicht gemessene &amp;Zellen markieren</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -5458,10 +5513,6 @@
         <translation>Augenabstand</translation>
     </message>
     <message>
-        <source>Angle between the two eyes&apos; directions at the start</source>
-        <translation>Winkel zwischen den Blickrichtungen beider Augen am Anfang</translation>
-    </message>
-    <message>
         <source>Keep comfortable</source>
         <translation>Angenehm halten</translation>
     </message>
@@ -5540,6 +5591,18 @@
     <message>
         <source>Where recordings go that are made from now on; empty: relievo in the documents folder</source>
         <translation>Wohin Aufnahmen von jetzt an kommen; leer: relievo im Ordner der Dokumente</translation>
+    </message>
+    <message>
+        <source>Automatic depth</source>
+        <translation>Automatische Tiefe</translation>
+    </message>
+    <message>
+        <source>Eye separation by the heights that are shown, at the start</source>
+        <translation>Augenabstand nach den gezeigten Höhen, am Anfang</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions at the start, without automatic depth</source>
+        <translation>Winkel zwischen den Blickrichtungen der Augen am Anfang, ohne automatische Tiefe</translation>
     </message>
 </context>
 <context>
@@ -6087,10 +6150,6 @@
 <context>
     <name>relievo::ReplayControl</name>
     <message>
-        <source>Playing, %1</source>
-        <translation>Läuft, %1</translation>
-    </message>
-    <message>
         <source>Paused, %1</source>
         <translation>Angehalten, %1</translation>
     </message>
@@ -6144,6 +6203,10 @@
     <message>
         <source>%1 s: %2</source>
         <translation>%1 s: %2</translation>
+    </message>
+    <message>
+        <source>Playing</source>
+        <translation>Wiedergabe</translation>
     </message>
 </context>
 <context>
@@ -6342,10 +6405,6 @@
     <message>
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 could not be written (%2). Nothing was saved. Choose another place.</source>
-        <translation>%1 konnte nicht geschrieben werden (%2). Nichts wurde gespeichert. Wählen Sie einen anderen Ort.</translation>
     </message>
     <message>
         <source>Save the plots</source>
@@ -7345,10 +7404,6 @@
         <translation>Augenabstand</translation>
     </message>
     <message>
-        <source>Angle between the two eyes&apos; directions; more gives more depth</source>
-        <translation>Winkel zwischen den Blickrichtungen beider Augen; mehr gibt mehr Tiefe</translation>
-    </message>
-    <message>
         <source>Zero plane at mid height</source>
         <translation>Nullebene auf mittlerer Höhe</translation>
     </message>
@@ -7419,6 +7474,26 @@
     <message>
         <source>%1° of %2°</source>
         <translation>%1° von %2°</translation>
+    </message>
+    <message>
+        <source>Automatic dept&amp;h</source>
+        <translation>Automatische Tie&amp;fe</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions; more gives more depth. A value of your own ends the automatic depth</source>
+        <translation>Winkel zwischen den Blickrichtungen der Augen; mehr gibt mehr Tiefe. Ein eigener Wert beendet die automatische Tiefe</translation>
+    </message>
+    <message>
+        <source>Automatic depth</source>
+        <translation>Automatische Tiefe</translation>
+    </message>
+    <message>
+        <source>The eye separation with which the heights that are shown fill the comfortable depth</source>
+        <translation>Der Augenabstand, mit dem die gezeigten Höhen die angenehme Tiefe ausfüllen</translation>
+    </message>
+    <message>
+        <source>%1, automatic</source>
+        <translation>%1, automatisch</translation>
     </message>
 </context>
 <context>

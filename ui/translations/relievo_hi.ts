@@ -1207,6 +1207,33 @@
     </message>
 </context>
 <context>
+    <name>relievo::CellLegend</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>less than %1 %</source>
+        <translation>%1 % से कम</translation>
+    </message>
+    <message>
+        <source>Legend of unmeasured cells</source>
+        <translation>बिना मापी कोशिकाओं की कुंजी</translation>
+    </message>
+    <message>
+        <source>interpolated: %1</source>
+        <translation>अंतर्वेशित: %1</translation>
+    </message>
+    <message>
+        <source>hole, on base plane: %1</source>
+        <translation>छेद, आधार तल पर: %1</translation>
+    </message>
+    <message>
+        <source>All cells in view were measured</source>
+        <translation>दिखने वाली सभी कोशिकाएँ मापी गई हैं</translation>
+    </message>
+</context>
+<context>
     <name>relievo::CloudView</name>
     <message>
         <source>A point under the cross: %1, %2, %3</source>
@@ -4901,6 +4928,34 @@
         <source>Prepare</source>
         <translation>तैयार करें</translation>
     </message>
+    <message>
+        <source>Cells that were interpolated in colour, with a legend; holes are always hatched</source>
+        <translation>अंतर्वेशित कोशिकाएँ रंग में, कुंजी के साथ; छेद हमेशा रेखांकित रहते हैं</translation>
+    </message>
+    <message>
+        <source>Unmeasured cells</source>
+        <translation>बिना मापी कोशिकाएँ</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>पूर्ववत किया: %1</translation>
+    </message>
+    <message>
+        <source>Done again: %1</source>
+        <translation>फिर से किया: %1</translation>
+    </message>
+    <message>
+        <source>relievo closes when the package is written</source>
+        <translation>पैकेज लिखे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>relievo closes when the map is written</source>
+        <translation>मानचित्र लिखे जाने पर relievo बंद होगा</translation>
+    </message>
+    <message>
+        <source>Mar&amp;k unmeasured cells</source>
+        <translation>बिना मापी कोशिकाएँ दिखाएँ (&amp;K)</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -5458,10 +5513,6 @@
         <translation>आँखों की दूरी</translation>
     </message>
     <message>
-        <source>Angle between the two eyes&apos; directions at the start</source>
-        <translation>शुरू में दोनों आँखों की दिशाओं के बीच का कोण</translation>
-    </message>
-    <message>
         <source>Keep comfortable</source>
         <translation>आरामदायक रखें</translation>
     </message>
@@ -5540,6 +5591,18 @@
     <message>
         <source>Where recordings go that are made from now on; empty: relievo in the documents folder</source>
         <translation>अब से बनने वाली रिकॉर्डिंग कहाँ जाएँगी; खाली: दस्तावेज़ों के फ़ोल्डर में relievo</translation>
+    </message>
+    <message>
+        <source>Automatic depth</source>
+        <translation>स्वचालित गहराई</translation>
+    </message>
+    <message>
+        <source>Eye separation by the heights that are shown, at the start</source>
+        <translation>आरंभ में दिखाई ऊँचाइयों के अनुसार आँखों की दूरी</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions at the start, without automatic depth</source>
+        <translation>आरंभ में दोनों आँखों की दिशाओं के बीच कोण, स्वचालित गहराई के बिना</translation>
     </message>
 </context>
 <context>
@@ -6087,10 +6150,6 @@
 <context>
     <name>relievo::ReplayControl</name>
     <message>
-        <source>Playing, %1</source>
-        <translation>चल रहा है, %1</translation>
-    </message>
-    <message>
         <source>Paused, %1</source>
         <translation>रुका हुआ, %1</translation>
     </message>
@@ -6144,6 +6203,10 @@
     <message>
         <source>%1 s: %2</source>
         <translation>%1 s: %2</translation>
+    </message>
+    <message>
+        <source>Playing</source>
+        <translation>चल रहा है</translation>
     </message>
 </context>
 <context>
@@ -6342,10 +6405,6 @@
     <message>
         <source>Tables (*.csv)</source>
         <translation>तालिकाएँ (*.csv)</translation>
-    </message>
-    <message>
-        <source>%1 could not be written (%2). Nothing was saved. Choose another place.</source>
-        <translation>%1 लिखी नहीं जा सकी (%2)। कुछ नहीं सहेजा गया। दूसरी जगह चुनें।</translation>
     </message>
     <message>
         <source>Save the plots</source>
@@ -7345,10 +7404,6 @@
         <translation>आँखों की दूरी</translation>
     </message>
     <message>
-        <source>Angle between the two eyes&apos; directions; more gives more depth</source>
-        <translation>दोनों आँखों की दिशाओं के बीच का कोण; अधिक कोण से अधिक गहराई</translation>
-    </message>
-    <message>
         <source>Zero plane at mid height</source>
         <translation>शून्य तल बीच की ऊँचाई पर</translation>
     </message>
@@ -7419,6 +7474,26 @@
     <message>
         <source>%1° of %2°</source>
         <translation>%2° में से %1°</translation>
+    </message>
+    <message>
+        <source>Automatic dept&amp;h</source>
+        <translation>स्वचालित गहराई (&amp;H)</translation>
+    </message>
+    <message>
+        <source>Angle between the two eyes&apos; directions; more gives more depth. A value of your own ends the automatic depth</source>
+        <translation>दोनों आँखों की दिशाओं के बीच कोण; अधिक से अधिक गहराई। अपना मान देने पर स्वचालित गहराई समाप्त होती है</translation>
+    </message>
+    <message>
+        <source>Automatic depth</source>
+        <translation>स्वचालित गहराई</translation>
+    </message>
+    <message>
+        <source>The eye separation with which the heights that are shown fill the comfortable depth</source>
+        <translation>आँखों की वह दूरी जिससे दिखाई ऊँचाइयाँ आरामदायक गहराई भर दें</translation>
+    </message>
+    <message>
+        <source>%1, automatic</source>
+        <translation>%1, स्वचालित</translation>
     </message>
 </context>
 <context>

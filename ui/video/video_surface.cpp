@@ -54,6 +54,7 @@ void VideoSurface::show(ReliefScene& scene, const DepthMap& map, const GridColou
   if (look_.kind != ReliefKind::lit) colours = reliefColours(reliefValues(map, look_), look_, own);
   scene.setSurface({map.frame, &map.heights_mm, &map.origins, colours.empty() ? nullptr : &colours,
                     isLit(look_.kind)});
+  scene.setInterpolated(interpolatedMark(look_));
   const HeightRange range = heightRange(map);
   mid_height_mm_ = 0.5 * (range.min_mm + range.max_mm);
 }

@@ -32,6 +32,8 @@ namespace {
 
 constexpr std::array<double, 3> kStone{0.80, 0.785, 0.755};
 constexpr double kHatchPeriodPx = 14;
+constexpr std::array<float, 3> kUnmeasured{
+    kUnmeasuredColour[0] / 255.0F, kUnmeasuredColour[1] / 255.0F, kUnmeasuredColour[2] / 255.0F};
 
 // Anaglyph for red (left) and cyan (right) glasses, VTK's channel masks. Saturation 0.65 keeps the
 // blue proxy and the red HIP recognisable; the grey relief has no colour to lose.
@@ -63,9 +65,9 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "  return 1.0 - smoothstep(0.09 - 0.5 * soft, 0.09 + 0.5 * soft, d);\n"
       "}\n",
       false);
-  // A cell with corners outside is drawn up to its middle. Interpolated cells: a diagonal hatch.
-  // Base plane: darker, crossed. Beside every dark line runs a light one, which no shadow darkens:
-  // one of the two shows on any ground.
+  // A cell with corners outside is drawn up to its middle. Interpolated cells: a diagonal hatch or
+  // a colour, if they are marked. Base plane: darker, crossed. Beside every dark line runs a light
+  // one, which no shadow darkens: one of the two shows on any ground.
   shader->AddFragmentShaderReplacement(
       "//VTK::Color::Impl", true,
       "//VTK::Color::Impl\n"
@@ -73,15 +75,19 @@ void addHatch(vtkActor* actor, vtkPolyDataMapper* mapper) {
       "  vec2 lines = vec2(placeVSOutput.x + placeVSOutput.y,\n"
       "                    placeVSOutput.x - placeVSOutput.y) / hatchPeriod;\n"
       "  vec2 soft = clamp(fwidth(lines), 0.02, 0.4);\n"
-      "  if (originVSOutput.x + originVSOutput.y > 0.0) {\n"
+      "  float hatched = hatchInterpolated * originVSOutput.x;\n"
+      "  float coloured = colourInterpolated * originVSOutput.x;\n"
+      "  diffuseColor = mix(diffuseColor, unmeasuredColour, 0.8 * coloured);\n"
+      "  ambientColor = mix(ambientColor, 0.2 * unmeasuredColour, 0.8 * coloured);\n"
+      "  if (hatched + originVSOutput.y > 0.0) {\n"
       "    float single = stripe(lines.x, soft.x);\n"
       "    float crossed = max(single, stripe(lines.y, soft.y));\n"
       "    float singleLight = stripe(lines.x + 0.18, soft.x);\n"
       "    float crossedLight = max(singleLight, stripe(lines.y + 0.18, soft.y));\n"
-      "    float ground = 0.05 * originVSOutput.x + 0.16 * originVSOutput.y;\n"
-      "    float lightPart = max(0.5 * originVSOutput.x * singleLight,\n"
+      "    float ground = 0.05 * hatched + 0.16 * originVSOutput.y;\n"
+      "    float lightPart = max(0.5 * hatched * singleLight,\n"
       "                          0.6 * originVSOutput.y * crossedLight);\n"
-      "    float darkPart = max(0.5 * originVSOutput.x * single,\n"
+      "    float darkPart = max(0.5 * hatched * single,\n"
       "                         0.7 * originVSOutput.y * crossed);\n"
       "    diffuseColor = mix(diffuseColor, vec3(0.20, 0.27, 0.38), ground);\n"
       "    diffuseColor = mix(diffuseColor, vec3(0.97, 0.97, 0.95), lightPart);\n"
@@ -117,12 +123,14 @@ struct ReliefScene::Impl {
   bool transparent = false;
   double eye_turn_deg = 0;
   double mark_scale = 1;
+  InterpolatedMark interpolated = InterpolatedMark::hatch;
   std::optional<RectMm> pink;
   bool pink_handles = false;
   std::optional<Probe> probe;
   double ball_radius_mm = 1;
   std::vector<std::vector<ViewMm>> lines, curves;
   bool scale_bar = false;
+  char decimal_mark = '.';
 
   // What draws it. Layer 0: surface; 1: proxy, line, arrow; 2: HIP, pink window, scale bar.
   std::array<vtkNew<vtkRenderer>, 3> layers;
@@ -143,13 +151,14 @@ struct ReliefScene::Impl {
   double markPlane() const { return has_surface ? 0.5 * (mesh.minMm() + mesh.maxMm()) : 0.0; }
   SceneView view(int width, int height) const {
     SceneView v(camera, zeroPlane(), width, height);
-    if (eye_turn_deg != 0) v.turnEye(eye_turn_deg);
+    v.slantSight(eye_turn_deg);
     return v;
   }
   void setShaderUniform(const char* name, float value) {
     surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniformf(name, value);
   }
   void paint();
+  void markInterpolated();
   void placeLights();
   void placeCamera(const SceneView& view, const PictureTile& tile);
   void applyStereo();
@@ -172,6 +181,9 @@ ReliefScene::Impl::Impl() {
   stone->SetInterpolationToPhong();
   addHatch(surface, mapper);
   setShaderUniform("hatchPeriod", 1);  // A window may draw itself before the first prepare().
+  surface->GetShaderProperty()->GetFragmentCustomUniforms()->SetUniform3f("unmeasuredColour",
+                                                                          kUnmeasured.data());
+  markInterpolated();
   for (int i = 0; i < 3; ++i) {
     vtkRenderer* const layer = layers[static_cast<std::size_t>(i)];
     layer->SetLayer(i);
@@ -216,6 +228,11 @@ void ReliefScene::Impl::paint() {
   surface->GetProperty()->SetDiffuse(painted && !grid.lit ? 1.0 : 0.92);
 }
 
+void ReliefScene::Impl::markInterpolated() {
+  setShaderUniform("hatchInterpolated", interpolated == InterpolatedMark::hatch ? 1.0F : 0.0F);
+  setShaderUniform("colourInterpolated", interpolated == InterpolatedMark::colour ? 1.0F : 0.0F);
+}
+
 void ReliefScene::Impl::placeCamera(const SceneView& v, const PictureTile& tile) {
   // Half depth of what has to lie between the clipping planes.
   double reach = v.mm_per_pixel;
@@ -244,6 +261,7 @@ void ReliefScene::Impl::placeCamera(const SceneView& v, const PictureTile& tile)
   vtk_camera->SetParallelScale(0.5 * tile.height * v.mm_per_pixel);
   vtk_camera->SetClippingRange(distance - reach, distance + reach);
   vtk_camera->SetEyeAngle(stereo.eye_angle_deg);
+  vtk_camera->SetViewShear(v.slant, 0, 1);  // About the focal point's distance.
   // VTK keeps the last mono matrix for the left eye unless the camera itself changed.
   vtk_camera->Modified();
 }
@@ -322,6 +340,11 @@ void ReliefScene::setEyeTurn(double turn_deg) {
   impl_->eye_turn_deg = turn_deg;
 }
 
+void ReliefScene::setInterpolated(InterpolatedMark mark) {
+  impl_->interpolated = mark;
+  impl_->markInterpolated();
+}
+
 void ReliefScene::setMarkScale(double pixels) {
   impl_->mark_scale = pixels;
 }
@@ -345,6 +368,10 @@ void ReliefScene::setLines(const std::vector<std::vector<ViewMm>>& lines,
 
 void ReliefScene::setScaleBar(bool visible) {
   impl_->scale_bar = visible;
+}
+
+void ReliefScene::setDecimalMark(char mark) {
+  impl_->decimal_mark = mark;
 }
 
 void ReliefScene::attachTo(vtkRenderWindow* window, int samples) {
@@ -371,6 +398,7 @@ void ReliefScene::prepare(int width_px, int height_px, const std::optional<Pictu
   impl_->marks.draw(view, {.corners = corners,
                            .handles = impl_->pink_handles,
                            .scale_bar = impl_->scale_bar,
+                           .decimal_mark = impl_->decimal_mark,
                            .lines = impl_->lines,
                            .curves = impl_->curves,
                            .scale = impl_->mark_scale,
@@ -405,10 +433,12 @@ std::unique_ptr<ReliefScene> ReliefScene::copy() const {
   other->setTransparent(impl_->transparent);
   other->setEyeTurn(impl_->eye_turn_deg);
   other->setMarkScale(impl_->mark_scale);
+  other->setInterpolated(impl_->interpolated);
   other->setPinkWindow(impl_->pink, impl_->pink_handles);
   other->setProbe(impl_->probe, impl_->ball_radius_mm);
   other->setLines(impl_->lines, impl_->curves);
   other->setScaleBar(impl_->scale_bar);
+  other->setDecimalMark(impl_->decimal_mark);
   return other;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,6 +28,16 @@ struct SurfaceGrid {
   const std::vector<std::uint8_t>* colours = nullptr;
   bool lit = true;  ///< False: colours as they are, without lamps.
 };
+
+/// How cells that were interpolated are told from measured ones. Holes on the base plane are
+/// hatched crosswise in any case.
+enum class InterpolatedMark { none, hatch, colour };
+/// As a look on screen says; figures hatch by a choice of their own.
+inline InterpolatedMark interpolatedMark(const ReliefLook& look) {
+  return look.unmeasured ? InterpolatedMark::colour : InterpolatedMark::none;
+}
+/// Red, green, blue: vermilion, which people of all colour vision tell from stone and viridis.
+inline constexpr std::array<std::uint8_t, 3> kUnmeasuredColour{213, 94, 0};
 
 /// Part of a picture, pixels from its lower left corner.
 struct PictureTile {
@@ -60,9 +71,10 @@ class ReliefScene {
   void setBackground(double red, double green, double blue);
   /// Nothing is drawn where there is no relief: pixels keep alpha 0. For pictures off screen.
   void setTransparent(bool transparent);
-  /// Turns the camera to one eye: the sight line by this angle about the picture's upright, on the
-  /// plane of zero parallax; > 0 is the right eye's side. 0: in the middle.
+  /// One eye's picture: sight lines slanted by this angle, about the plane of zero parallax, which
+  /// keeps its place and its size; > 0 is the right eye's side. 0: in the middle.
   void setEyeTurn(double turn_deg);
+  void setInterpolated(InterpolatedMark mark);  ///< At first: hatch.
   /// Pixels that a line of width 1 takes: 2 on a screen of doubled density.
   void setMarkScale(double pixels);
   /// Pink (#ff4fa3) frame 2 px wide with a dark outline and eight handles; nothing hides it.
@@ -76,6 +88,7 @@ class ReliefScene {
                 const std::vector<std::vector<ViewMm>>& curves = {});
   /// "|-- 10 mm --|" at the lower left.
   void setScaleBar(bool visible);
+  void setDecimalMark(char mark);  ///< Of the bar's number; at first a point.
 
   /// Adds this scene's renderers (three layers) to a window and sets the window's stereo. A scene
   /// belongs to one window; copy() makes one for another.

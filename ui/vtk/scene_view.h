@@ -18,8 +18,9 @@ struct PixelPlace {
 /// An orthographic camera over a picture of given size: the exact map between view millimetres and
 /// pixels. Pure geometry; VTK's camera is set from it.
 struct SceneView {
-  ViewMm focal;  ///< Middle of the rectangle, on the plane of zero parallax.
-  ViewMm right, up, towards_viewer;
+  ViewMm focal;                      ///< Middle of the rectangle, on the plane of zero parallax.
+  ViewMm right, up, towards_viewer;  ///< Of the picture's plane, also of one eye's picture.
+  double slant = 0;                  ///< Of the sight lines to the right: a tangent.
   double mm_per_pixel = 1;
   int width_px = 1, height_px = 1;
 
@@ -36,27 +37,24 @@ struct SceneView {
     mm_per_pixel = std::max(camera.rect.width_mm / width_px, camera.rect.height_mm / height_px);
   }
 
-  /// The same picture from a sight line turned about its upright; right > 0. What lies on the focal
-  /// plane's upright through `focal` keeps its place, and nothing moves up or down.
-  void turnEye(double turn_deg) {
-    const double a = turn_deg * std::numbers::pi / 180;
-    const ViewMm r = right, t = towards_viewer;
-    right = std::cos(a) * r + (-std::sin(a)) * t;
-    towards_viewer = std::cos(a) * t + std::sin(a) * r;
-  }
+  /// The same plane of the picture, seen along sight lines slanted by this angle; right > 0. What
+  /// lies on the focal plane keeps its place and its size, and nothing moves up or down. This is
+  /// what VTK's camera does for the two eyes of its own stereo.
+  void slantSight(double turn_deg) { slant = std::tan(turn_deg * std::numbers::pi / 180); }
 
-  bool isUntilted() const { return towards_viewer.z > 1 - 1e-12; }
+  bool isUntilted() const { return slant == 0 && towards_viewer.z > 1 - 1e-12; }
 
   PixelPlace pixelOf(ViewMm p) const {
     const ViewMm d = p - focal;
-    return {0.5 * width_px + dot(d, right) / mm_per_pixel,
+    return {0.5 * width_px + (dot(d, right) - slant * dot(d, towards_viewer)) / mm_per_pixel,
             0.5 * height_px + dot(d, up) / mm_per_pixel};
   }
   ViewMm viewOf(PixelPlace p, double z_mm) const {
     const ViewMm q = focal + ((p.x - 0.5 * width_px) * mm_per_pixel) * right +
                      ((p.y - 0.5 * height_px) * mm_per_pixel) * up;
-    if (std::abs(towards_viewer.z) < 1e-9) return q;  // Edge-on: no such point on the plane.
-    return q + ((z_mm - q.z) / towards_viewer.z) * towards_viewer;
+    const ViewMm sight = towards_viewer + slant * right;
+    if (std::abs(sight.z) < 1e-9) return q;  // Edge-on: no such point on the plane.
+    return q + ((z_mm - q.z) / sight.z) * sight;
   }
 };
 

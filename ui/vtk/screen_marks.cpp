@@ -60,7 +60,7 @@ void ScreenMarks::draw(const SceneView& view, const Marks& marks) {
   for (const auto& course : marks.curves) line(view, course, false);
   for (const auto& course : marks.lines) line(view, course, true);
   label_->SetVisibility(marks.scale_bar);
-  if (marks.scale_bar) scaleBar(view);
+  if (marks.scale_bar) scaleBar(view, marks.decimal_mark);
   poly_->Modified();
 }
 
@@ -130,11 +130,12 @@ void ScreenMarks::line(const SceneView& view, const std::vector<ViewMm>& points,
   }
 }
 
-void ScreenMarks::scaleBar(const SceneView& view) {
+void ScreenMarks::scaleBar(const SceneView& view, char decimal_mark) {
   const double scale = std::max(scale_, std::min(view.width_px, view.height_px) / 900.0);
   const double u = std::round(scale);  // One line of the drawing, in pixels.
   const int font_px = static_cast<int>(std::lround(14 * scale));
-  const ScaleLength length = scaleLength(0.25 * view.width_px * view.mm_per_pixel);
+  ScaleLength length = scaleLength(0.25 * view.width_px * view.mm_per_pixel);
+  std::replace(length.label.begin(), length.label.end(), '.', decimal_mark);
   const double bar = std::round(length.mm / view.mm_per_pixel);
   const double margin = std::round(14 * scale), pad = std::round(9 * scale);
   const double tick = std::round(4 * scale);

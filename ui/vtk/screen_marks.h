@@ -29,6 +29,7 @@ class ScreenMarks {
   struct Marks {
     std::vector<ViewMm> corners;  ///< Of the pink window, in order; empty: none.
     bool handles = false, scale_bar = false;
+    char decimal_mark = '.';                         ///< Of the bar's number.
     std::vector<std::vector<ViewMm>> lines, curves;  ///< Lines have a dot at each point.
     double scale = 1;                                ///< Pixels of a line of width 1.
     int dpi = 72;       ///< Of the render window: VTK enlarges text by it.
@@ -43,7 +44,7 @@ class ScreenMarks {
   void box(double x0, double y0, double x1, double y1, const Colour& colour);
   void edge(PixelPlace a, PixelPlace b, double half_width, const Colour& colour);
   void pinkWindow(const SceneView& view, const std::vector<ViewMm>& corners, bool handles);
-  void scaleBar(const SceneView& view);
+  void scaleBar(const SceneView& view, char decimal_mark);
   void line(const SceneView& view, const std::vector<ViewMm>& points, bool dots);
 
   vtkNew<vtkPolyData> poly_;

@@ -344,6 +344,21 @@ TEST(ColourMaps, BatlowMeetsThePublishedColoursWithinOneStepAndItsEndsExactly) {
   EXPECT_EQ(colourOf(ColourMap::batlow, 1), (Rgb8{250, 204, 250}));
 }
 
+TEST(ReliefImage, EndsOfABarAreRoundAndHoldTheRange) {
+  const auto ends = [](double low, double high) { return roundEnds(low, high); };
+  EXPECT_EQ(ends(3.47, 28.91), std::pair(2.0, 30.0));
+  EXPECT_EQ(ends(0, 20), std::pair(0.0, 20.0));
+  EXPECT_NEAR(ends(-0.0137, 0.0098).first, -0.014, 1e-12);
+  EXPECT_NEAR(ends(-0.0137, 0.0098).second, 0.01, 1e-12);
+  EXPECT_EQ(ends(1203, 1204), std::pair(1203.0, 1204.0));
+  for (const double size : {1e-9, 0.3, 7.0, 9e6}) {
+    const auto [low, high] = ends(0.37 * size, 1.91 * size);
+    EXPECT_LE(low, 0.37 * size);
+    EXPECT_GE(high, 1.91 * size);
+    EXPECT_LE(high - low, 1.2 * (1.91 - 0.37) * size * (1 + 1e-9));
+  }
+}
+
 TEST(ColourMaps, NamesFindTheirKinds) {
   EXPECT_EQ(reliefKind("skyview"), ReliefKind::sky_view);
   EXPECT_EQ(colourMap("cividis"), ColourMap::cividis);

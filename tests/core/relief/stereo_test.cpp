@@ -64,8 +64,29 @@ TEST(StereoForPrint, TheComfortableAngleMeetsTheLimitAndALowReliefKeepsTheChosen
   EXPECT_NEAR(parallax(100, angle, 0.5).visual_deg, kComfortDeg, 1e-6);
   EXPECT_LT(angle, 10);
   EXPECT_EQ(comfortableEyeAngle(1, 0.5, 4), 4);
-  // 10 mm under 4 degrees, printed 1:2: 2 * 10 * sin(2 degrees) / 2 mm apart.
+  // 10 mm under 4 degrees, printed 1:2: 2 * 10 * tan(2 degrees) / 2 mm apart.
   EXPECT_NEAR(parallax(10, 4, 0.5).paper_mm, 0.349, 1e-3);
+}
+
+TEST(StereoForPrint, AutomaticDepthFillsTheComfortableRangeAndHidesNoFlanks) {
+  for (const double height : {1.0, 5.0, 200.0}) {
+    const double angle = automaticEyeAngle(height, 10, 600);
+    EXPECT_NEAR(parallax(height, angle, 10, 600).visual_deg, kComfortDeg, 1e-9) << height;
+    EXPECT_LE(angle, kMostEyeAngleDeg);
+  }
+  EXPECT_EQ(automaticEyeAngle(0.01, 1, 600), kMostEyeAngleDeg);
+  EXPECT_EQ(automaticEyeAngle(0, 1, 600), StereoOptions{}.eye_angle_deg) << "a plane has no depth";
+}
+
+TEST(StereoForPrint, AColourOfBothEyesIsGreyInAGreyAnaglyphAndItselfWithoutOne) {
+  const std::array<std::uint8_t, 3> orange{213, 94, 0};
+  EXPECT_EQ(mixedColour(StereoPrint::off, orange), orange);
+  EXPECT_EQ(mixedColour(StereoPrint::side_by_side, orange), orange);
+  const auto grey = mixedColour(StereoPrint::grey, orange);
+  EXPECT_EQ(grey[0], grey[1]);
+  EXPECT_EQ(grey[1], grey[2]);
+  EXPECT_GT(mixedColour(StereoPrint::half_colour, orange)[0],
+            mixedColour(StereoPrint::half_colour, orange)[2]);
 }
 
 /// By the share that is dark for one eye: green and blue reach the right eye, yellow both.
