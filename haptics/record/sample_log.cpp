@@ -85,28 +85,32 @@ class PlacedLog : public SampleLog {
   }
 
   void write(const HapticSample& sample, double t_s, std::string_view event) override {
-    try {
-      log_->write(sample, t_s, event);
-    } catch (const WriteError&) {
-      is_closed_ = true;  // With the rows that were saved.
-      place_.release();
-      throw;
-    }
+    orStop([&] { log_->write(sample, t_s, event); });
+  }
+  void keep(std::string_view lines) override {
+    orStop([&] { log_->keep(lines); });
   }
   void close(std::string_view footer) override {
     if (std::exchange(is_closed_, true)) return;
-    try {
-      log_->close(footer);
-    } catch (const WriteError&) {
-      place_.release();
-      throw;
-    }
+    orStop([&] { log_->close(footer); });
     place_.keep();
   }
   std::uint64_t rows() const noexcept override { return log_->rows(); }
   const std::filesystem::path& file() const noexcept override { return place_.target(); }
 
  private:
+  /// What stops a log leaves it where it is, with the rows that were saved.
+  template <class Work>
+  void orStop(const Work& work) {
+    try {
+      work();
+    } catch (const WriteError&) {
+      is_closed_ = true;
+      place_.release();
+      throw;
+    }
+  }
+
   LogPlace place_;
   LogKind kind_;
   std::unique_ptr<SampleLog> log_;
