@@ -8,17 +8,18 @@ namespace relievo {
 void RateWatch::tick(std::int64_t now_ns, std::int64_t reading_ns) RELIEVO_REALTIME {
   if (!started_) {
     started_ = true;
-    mark_ns_ = now_ns;
+    now_ns_ = now_ns;
     reading_ns_ = reading_ns;
     return;
   }
   ++ticks_;
   if (reading_ns != reading_ns_) ++readings_;
   reading_ns_ = reading_ns;
-  const std::int64_t passed_ns = now_ns - mark_ns_;
-  if (passed_ns < kWindowNs) return;
-  measured(1e9 * std::min(ticks_, readings_) / static_cast<double>(passed_ns), now_ns);
-  mark_ns_ = now_ns;
+  passed_ns_ += std::min(now_ns - now_ns_, kLongestNs);
+  now_ns_ = now_ns;
+  if (passed_ns_ < kWindowNs) return;
+  measured(1e9 * std::min(ticks_, readings_) / static_cast<double>(passed_ns_), now_ns);
+  passed_ns_ = 0;
   ticks_ = readings_ = 0;
 }
 

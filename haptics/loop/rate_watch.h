@@ -12,8 +12,10 @@ namespace relievo {
 /// [haptic loop]
 class RateWatch {
  public:
-  static constexpr double kLeastHz = 800;                    ///< Below it, E306.
-  static constexpr std::int64_t kWindowNs = 250'000'000;     ///< One measurement.
+  static constexpr double kLeastHz = 800;                 ///< Below it, E306.
+  static constexpr std::int64_t kWindowNs = 250'000'000;  ///< One measurement.
+  /// A longer gap counts as so long: it is a pause, after which the force starts from zero anyway.
+  static constexpr std::int64_t kLongestNs = 20'000'000;
   static constexpr std::int64_t kRecoverNs = 2'000'000'000;  ///< Good for so long: it is over.
 
   /// @param now_ns      of the tick
@@ -27,7 +29,7 @@ class RateWatch {
   void measured(double hz, std::int64_t now_ns) RELIEVO_REALTIME;
 
   bool started_ = false;
-  std::int64_t mark_ns_ = 0, reading_ns_ = 0;
+  std::int64_t now_ns_ = 0, passed_ns_ = 0, reading_ns_ = 0;
   std::int32_t ticks_ = 0, readings_ = 0;  // Since the mark.
   double slow_hz_ = 0;
   std::int64_t slow_ns_ = 0;  // The last slow measurement.

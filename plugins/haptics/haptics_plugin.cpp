@@ -165,7 +165,11 @@ void HapticsPlugin::connectControls() {
     host_->announce(tr("The ground is firm where it was measured."));
   });
   connect(panel_, &HapticsPanel::settingsChanged, this, [this] {
-    settings_ = panel_->settings();
+    // What has no control stays.
+    TouchSettings settings = panel_->settings();
+    settings.window_silence_s = settings_.window_silence_s;
+    settings.bound_by_rate = settings_.bound_by_rate;
+    settings_ = settings;
     if (settings_.device != opened_) {
       wish_ = settings_.device;
       changeDevice();

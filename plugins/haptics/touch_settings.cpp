@@ -22,6 +22,7 @@ HapticOptions hapticOptions(const TouchSettings& settings, bool forces_on) {
   options.force.strength = settings.strength_percent / 100.0;
   options.force.forces_on = forces_on;
   options.frame = true;
+  options.bound_by_rate = settings.bound_by_rate;
   options.holds_grip = settings.holds_grip;
   options.stop.window_silence_s = settings.window_silence_s;
   return options;
@@ -47,6 +48,7 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"crossing_n", feel.transient.crossing_n},
                            {"firmness", QString::fromStdString(settings.firmness)},
                            {"window_silence_s", settings.window_silence_s},
+                           {"bound_by_rate", settings.bound_by_rate},
                            {"holds_grip", settings.holds_grip},
                            {"device", QString::fromStdString(settings.device)}};
   return QJsonDocument(object).toJson(QJsonDocument::Compact);
@@ -82,6 +84,7 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
   if (!device.isEmpty()) settings.device = device.toStdString();
   settings.window_silence_s =
       within(object["window_silence_s"], kLeastSilenceS, kMostSilenceS, settings.window_silence_s);
+  settings.bound_by_rate = object["bound_by_rate"].toBool(true);
   settings.holds_grip = object["holds_grip"].toBool(true);
   const int proxy = object["proxy"].toInt(0);
   if (proxy >= 0 && proxy < kProxyKinds) feel.proxy = static_cast<ProxyKind>(proxy);

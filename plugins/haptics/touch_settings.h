@@ -16,6 +16,7 @@ struct TouchSettings {
   std::string firmness;          ///< A raster that says where it is firm; empty: the origins do.
   std::string device = "mouse";  ///< An id of deviceCatalog().
   double window_silence_s = 2;   ///< ForceStopOptions; only in the settings' file.
+  bool bound_by_rate = true;     ///< Likewise: false only where a device is emulated (E306).
   bool holds_grip = true;        ///< HapticOptions.
   friend bool operator==(const TouchSettings&, const TouchSettings&) = default;
 };

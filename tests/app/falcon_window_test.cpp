@@ -99,7 +99,8 @@ class FalconWindowTest : public ::testing::Test {
     // The device was chosen in an earlier session.
     QSettings settings(home_.filePath("config/relievo/relievo.ini"), QSettings::IniFormat);
     settings.setValue("falcon_firmware", QString::fromStdString(firmware_.string()));
-    settings.setValue("plugins/haptics_plugin", QByteArray(R"({"device": "falcon:0"})").toBase64());
+    settings.setValue("plugins/haptics_plugin",
+                      QByteArray(R"({"device": "falcon:0", "bound_by_rate": false})").toBase64());
   }
 
   void installFirmware() {

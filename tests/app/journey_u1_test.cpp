@@ -56,8 +56,9 @@ class JourneyU1 : public Journey {
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
     falcon::installFirmware(falcon::readFirmware(image), falcon::firmwarePlaces());
-    window().settings().setChoice(QStringLiteral("plugins/haptics_plugin"),
-                                  QByteArray(R"({"device": "falcon:0"})").toBase64());
+    window().settings().setChoice(
+        QStringLiteral("plugins/haptics_plugin"),
+        QByteArray(R"({"device": "falcon:0", "bound_by_rate": false})").toBase64());
     falcon_ = std::make_shared<SharedFalcon>(emulator::EmulatorOptions{});
     usb_.plugIn(falcon_);
     attach();
