@@ -57,8 +57,13 @@ Project fullProject() {
   p.look.radius_mm = 7;
   p.look.range = {{-1, 2}};
   p.look.shading = 0.3;
-  p.stereo = {
-      .mode = StereoMode::anaglyph, .eye_angle_deg = 2.5, .zero_plane_mm = 3, .swap_eyes = true};
+  p.look.unmeasured = true;
+  p.stereo = {.mode = StereoMode::anaglyph,
+              .eye_angle_deg = 2.5,
+              .zero_plane_mm = 3,
+              .swap_eyes = true,
+              .automatic_depth = true};
+  p.figures = {"fig.png"};
   p.azimuth_deg = 12;
   p.elevation_deg = -7;
   p.figure.layout = FigureLayout::plot;
