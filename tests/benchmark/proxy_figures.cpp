@@ -42,16 +42,22 @@ int writePage(const std::string& file) {
          "page, shared with other work: read the ratios.\n";
   writeTable(out, "Accuracy", accuracyRows());
   writeTable(out, "Robustness", robustnessRows());
-  out << "\nTwo of these compare the core with itself: they say that it is consistent, not that it "
-         "is "
-         "right. Against a second evaluator in\n"
-         "long double, written from the equations over the window's own samples "
-         "(`haptics/proxy/independent_truth_test`: a rough relief of\n"
-         "creases, steps, a ridge and noise at every sample, 60 000 ticks): the proxy is less than "
-         "1 "
-         "nm below the facets, the force less than\n"
-         "1 nN from k d, and nowhere around the proxy are the facets nearer to the hand. The rough "
-         "relief of the table is three smooth sines.\n";
+  out << "\nWhat is compared with what:\n\n"
+         "| Row | Ours | Truth |\n|---|---|---|\n"
+         "| proxy below its surface, by the evaluator that moved it; force against k d, both of "
+         "the core | the core | the core: that it is "
+         "consistent, not that it is right |\n"
+         "| against the second evaluator | proxy and force of the core, floats and doubles, slopes "
+         "and twists per sample | heights in long double from the window's own "
+         "samples: facets by equation, the spline by its second derivatives along every row and "
+         "then along the column "
+         "(`tests/haptics/proxy/second_evaluator.h`, which includes nothing of haptics/) |\n"
+         "| the same, gated | the surface that breaks at creases | the spline where nothing "
+         "breaks; the facets on roofs and steps that "
+         "are straight between creases along the samples. On curved relief beside creases there "
+         "is no second evaluator |\n"
+         "| rough relief | | creases, steps, a ridge and noise at every sample "
+         "(`tests/haptics/proxy/truth_scenes.h`) |\n";
   writeTable(out, "Time and memory", timeRows());
   out << "\nWhy what is marked is missed:\n\n"
          "- Largest step of force at 8 samples per wave: an interpolating cubic spline bends too "

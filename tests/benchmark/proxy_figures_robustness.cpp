@@ -6,6 +6,7 @@
 #include "tests/haptics/hollows.h"
 #include "tests/haptics/proxy/measure.h"
 #include "tests/haptics/proxy/profiles.h"
+#include "tests/haptics/proxy/truth_scenes.h"
 
 namespace relievo {
 
@@ -60,7 +61,7 @@ void addOptimality(std::vector<FigureRow>& rows) {
     }
   }
   const double most = test::quantile(angles, 1), usual = test::quantile(angles, 0.999);
-  rows.push_back({"angle between force and normal at the proxy, rough relief, 150 000 ticks",
+  rows.push_back({"angle between force and normal at the proxy, three smooth sines, 150 000 ticks",
                   "p99.9 <= 0.0001, max <= 0.01 deg",
                   decimal(usual, 7) + ", " + decimal(most, 6) + " deg",
                   usual <= 1e-4 && most <= 0.01, "0.00002, 0.002", "equation: not converged"});
@@ -217,6 +218,22 @@ FigureRow millionRow() {
       "-"};
 }
 
+/// By an evaluator that shares nothing with the core.
+void addTruths(std::vector<FigureRow>& rows) {
+  for (const test::TruthScene& scene : test::truthScenes()) {
+    const int ticks = scene.spline ? 50'000 : 200'000;
+    const test::TruthFindings found = test::wanderOver(scene, ticks);
+    const auto nano = [](test::Real value) { return decimal(1e9 * static_cast<double>(value), 2); };
+    rows.push_back(
+        {scene.name + ", against the second evaluator in long double, " + std::to_string(ticks) +
+             " ticks: proxy below; force off k d; nearer to the hand around the proxy",
+         "<= 1 nm; <= 1 uN; 0",
+         nano(found.below_mm * 1e-3L) + " nm; " + nano(found.force_off_n) + " nN; " +
+             std::to_string(found.nearer) + " of " + std::to_string(found.judged),
+         found.below_mm <= 1e-6L && found.force_off_n <= 1e-6L && found.nearer == 0, "-", "-"});
+  }
+}
+
 FigureRow springRow() {
   const auto space = test::spaceOf(test::waves(1, 10), 100, SurfaceKind::gated);
   HapticCore core(ForceChain::bare);
@@ -240,6 +257,7 @@ std::vector<FigureRow> robustnessRows() {
   std::vector<FigureRow> rows{finRow()};
   addOptimality(rows);
   rows.push_back(springRow());
+  addTruths(rows);
   addEnergy(rows);
   addChanges(rows);
   rows.push_back(millionRow());

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The whole program for as long as asked: the real force thread with the virtual hand, while the
-// window renders, opens scans and switches levels. Writes what the loop counted. Exit 1: a force
-// went beyond its bounds.
+// The whole program for as long as asked: the real force thread with the virtual hand, or with the
+// emulated Falcon behind the real libusb, while the window renders, opens scans and switches
+// levels. Writes what the loop counted, and what the Falcon saw. Exit 1: a force went beyond its
+// bounds.
 //   xvfb-run -a build/release/benchmark/evidence_run --minutes 60 --out evidence.md
+//   xvfb-run -a build/release/benchmark/evidence_run --falcon --busy 2 --minutes 60 --out wire.md
 #include <QVTKOpenGLNativeWidget.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <clocale>
 #include <cmath>
@@ -20,9 +26,17 @@
 #include <QTextStream>
 #include <QTimer>
 
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <string_view>
+#include <vector>
+
 #include "app/host.h"
 #include "haptics/rt/realtime_thread.h"
 #include "plugins/haptics/haptics_plugin.h"
+#include "tests/emulator/mock_usb.h"
+#include "tests/realtime/falcon_wire.h"
 #include "ui/detail_view.h"
 #include "ui/main_window.h"
 #include "ui/vtk/depth_capture.h"
@@ -38,13 +52,17 @@ struct Deeds {
 
 class Exerciser : public QObject {
  public:
-  Exerciser(MainWindow& window, WindowHost& host) : window_(window), host_(host) {
+  /// @param falcon  whose grip is moved; null: the mouse leads the hand
+  Exerciser(MainWindow& window, WindowHost& host, emulator::SharedFalcon* falcon)
+      : window_(window), host_(host), falcon_(falcon) {
     every(50, [this] { moveHand(); });
     every(2'300, [this] { switchLevel(); });
     every(30'000, [this] { openNext(); });
     every(20'000, [this] { switchForcesOff(); });
     QTimer::singleShot(3'000, this, [this] { setForces(true); });
     every(60'000, [this] { block(); });
+    // A person whose Falcon answered late switches the forces on again.
+    if (falcon_ != nullptr) every(1'000, [this] { setForces(true); });
     openNext();
   }
   const Deeds& deeds() const { return deeds_; }
@@ -68,6 +86,15 @@ class Exerciser : public QObject {
     const QPointF at(box.center().x() + 0.35 * box.width() * std::sin(0.61 * t),
                      box.center().y() + 0.35 * box.height() * std::sin(0.47 * t + 1));
     const bool press = steps_ % 60 < 40;
+    if (falcon_ != nullptr) {
+      deeds_.presses += press && !pressed_ ? 1 : 0;
+      pressed_ = press;
+      falcon_->with([&](emulator::FalconEmulator& f) {
+        f.body.pullToward(
+            {20 * std::sin(0.61 * t), 20 * std::sin(0.47 * t + 1), press ? kPressedZ : kLiftedZ});
+      });
+      return;
+    }
     if (press != pressed_) {
       pressed_ = press;
       deeds_.presses += press ? 1 : 0;
@@ -108,8 +135,10 @@ class Exerciser : public QObject {
     ++deeds_.blocked;
   }
 
+  static constexpr double kPressedZ = 112, kLiftedZ = 158;  // Of the grip, mm from the base.
   MainWindow& window_;
   WindowHost& host_;
+  emulator::SharedFalcon* falcon_;
   Deeds deeds_;
   int steps_ = 0;
   std::size_t next_level_ = 0, next_sample_ = 0;
@@ -135,16 +164,35 @@ void writeBins(QTextStream& out, const char* what, const std::array<std::int64_t
   }
 }
 
+/// What the emulated Falcon saw, and every time that its force went out in a touch.
+void writeWire(QTextStream& out, const test::FalconWire& wire) {
+  out << "\n| the Falcon's side | |\n|---|---:|\n"
+      << "| commands | " << wire.commands() << " |\n"
+      << "| of these, unreadable | " << wire.badCommands() << " |\n"
+      << "| of these, with a force | " << wire.pushing() << " |\n"
+      << "| largest force at the grip, looked at 20 times a second | "
+      << QString::number(wire.largestN(), 'f', 3) << " N |\n"
+      << "| longest time between two commands | " << QString::number(wire.longestMs(), 'f', 1)
+      << " ms |\n"
+      << "| times that the force went out in a touch and came back within a second | "
+      << wire.forceGaps().size() << " |\n";
+  writeBins(out, "from command to command", test::FalconWire::kEdgesNs, wire.gaps(),
+            std::max<std::uint64_t>(wire.commands(), 2) - 1);
+  out << "\n| force out at | for | commands of zero |\n|---|---:|---:|\n";
+  for (const test::FalconWire::ForceGap& gap : wire.forceGaps()) {
+    out << "| " << QString::number(gap.at_s, 'f', 1) << " s | " << QString::number(gap.ms, 'f', 0)
+        << " ms | " << gap.commands << " |\n";
+  }
+}
+
 void writeReport(QTextStream& out, const LoopStats& stats, const RealtimeGrant& grant,
-                 const Deeds& deeds, double seconds) {
+                 const Deeds& deeds, double seconds, const QString& hand, const QString& words) {
   const ForceAudit& audit = stats.audit;
   out << "# The force loop for " << QString::number(seconds / 60, 'f', 1) << " minutes\n\n"
-      << "The whole program: the real force thread with the virtual hand (firm grip), while "
-         "the\n"
+      << "The whole program: the real force thread with " << hand << ", while the\n"
       << "window renders, opens the samples, switches levels, is pressed on and is blocked. "
          "Written\n"
-      << "by `evidence_run --minutes " << std::lround(seconds / 60)
-      << "`, which ends with an error\n"
+      << "by `evidence_run" << words << "`, which ends with an error\n"
       << "if a force went beyond its bounds; the bounds are computed from each tick's inputs "
          "alone\n"
       << "(`ForceAudit`). Stalls of the computer itself are in the tables; nothing is left out.\n\n"
@@ -177,26 +225,49 @@ void writeReport(QTextStream& out, const LoopStats& stats, const RealtimeGrant& 
   writeBins(out, "work", LoopStats::kWorkEdgesNs, stats.work, stats.ticks);
 }
 
+const QString kFalconWord = QStringLiteral("falcon"), kBusyWord = QStringLiteral("busy");
+
 int run(QApplication& app) {
   QCommandLineParser parser;
   const QCommandLineOption minutes(QStringLiteral("minutes"), QStringLiteral("How long."),
                                    QStringLiteral("N"), QStringLiteral("1"));
   const QCommandLineOption file(QStringLiteral("out"), QStringLiteral("Where the report goes."),
                                 QStringLiteral("FILE"), QStringLiteral("evidence.md"));
-  parser.addOptions({minutes, file});
+  // Both are looked at before there is an application.
+  const QCommandLineOption falcon_option(kFalconWord, QStringLiteral("With an emulated Falcon."));
+  const QCommandLineOption busy(kBusyWord, QStringLiteral("Other processes that do nothing else."),
+                                QStringLiteral("N"), QStringLiteral("0"));
+  parser.addOptions({minutes, file, falcon_option, busy});
   parser.addHelpOption();
   parser.process(app);
 
+  std::unique_ptr<emulator::MockUsb> usb;
+  std::shared_ptr<emulator::SharedFalcon> falcon;
+  std::unique_ptr<test::FalconWire> wire;
+  if (parser.isSet(falcon_option)) {
+    usb = std::make_unique<emulator::MockUsb>();
+    falcon = std::make_shared<emulator::SharedFalcon>(
+        emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
+    falcon->with([](emulator::FalconEmulator& f) { f.body.pullToward({0, 0, 158}); });
+    usb->plugIn(falcon);
+    wire = std::make_unique<test::FalconWire>(falcon);
+  }
   MainWindow window(captureDepths);
   WindowHost host(window);
   HapticsPlugin plugin;
   plugin.attach(host);
-  plugin.restoreState(R"({"device": "virtual:firm", "strength_percent": 100})");
+  plugin.restoreState(falcon ? R"({"device": "falcon:0", "strength_percent": 100})"
+                             : R"({"device": "virtual:firm", "strength_percent": 100})");
   window.resize(900, 600);
   window.show();
   QElapsedTimer clock;
   clock.start();
-  Exerciser exerciser(window, host);
+  Exerciser exerciser(window, host, falcon.get());
+  QTimer wire_timer;
+  if (wire) {
+    QObject::connect(&wire_timer, &QTimer::timeout, &wire_timer, [&] { wire->take(); });
+    wire_timer.start(50);
+  }
   const auto line = [&] {
     const LoopStats& stats = plugin.loopStats();
     std::printf("%7.1f s  ticks %llu  late %llu  pauses %llu  worst %.1f ms  violations %llu\n",
@@ -222,17 +293,58 @@ int run(QApplication& app) {
     return 3;
   }
   QTextStream text(&out);
+  const QString busy_words =
+      parser.value(busy) == QStringLiteral("0")
+          ? QString()
+          : QStringLiteral(", beside %1 processes that keep a core each busy")
+                .arg(parser.value(busy));
+  const QString hand = (falcon ? QStringLiteral("the emulated Falcon behind the real libusb")
+                               : QStringLiteral("the virtual hand (firm grip)")) +
+                       busy_words;
   writeReport(text, stats, plugin.realtime(), exerciser.deeds(),
-              1e-3 * static_cast<double>(clock.elapsed()));
+              1e-3 * static_cast<double>(clock.elapsed()), hand,
+              ' ' + QCoreApplication::arguments().mid(1).join(' '));
+  if (wire) {
+    wire->take();
+    writeWire(text, *wire);
+  }
   text.flush();
   plugin.detach();
   return stats.audit.violations() == 0 ? 0 : 1;
+}
+
+/// The mocked port is a preloaded library's.
+void preloadMock(int argc, char** argv) {
+  const std::vector<std::string_view> words(argv + 1, argv + argc);
+  const bool falcon = std::find(words.begin(), words.end(), "--falcon") != words.end();
+  if (!falcon || std::getenv("LD_PRELOAD") != nullptr) return;
+  setenv("LD_PRELOAD", "libumockdev-preload.so.0", 1);
+  execv("/proc/self/exe", argv);
+}
+
+/// Processes that only compute, until this one ends.
+void keepCoresBusy(int argc, char** argv) {
+  const std::vector<std::string_view> words(argv + 1, argv + argc);
+  const auto busy = std::find(words.begin(), words.end(), "--busy");
+  if (busy == words.end() || busy + 1 == words.end()) return;
+  const pid_t parent = getpid();
+  for (int i = std::atoi((busy + 1)->data()); i > 0; --i) {
+    if (fork() != 0) continue;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    volatile double sum = 0;
+    while (getppid() == parent) {
+      for (int k = 0; k < 1'000'000; ++k) sum = sum + std::sqrt(k);
+    }
+    _exit(0);
+  }
 }
 
 }  // namespace
 }  // namespace relievo
 
 int main(int argc, char** argv) {
+  relievo::preloadMock(argc, argv);
+  relievo::keepCoresBusy(argc, argv);
   const relievo::DisplayGuard display;
   QTemporaryDir places;
   qputenv("XDG_CONFIG_HOME", places.filePath("config").toLocal8Bit());

@@ -236,6 +236,25 @@ TEST(SceneChange, StiffnessOfAnotherDetailComesGradually) {
   EXPECT_LE(change.largest_step_n, kMostStepN);
 }
 
+/// What the old surface was as firm as still counts while it goes: the ground turns from one slope
+/// to another, and from a spring of 3 N/mm to one of 0.1 N/mm, and back.
+TEST(SceneChange, FromFirmToSoftAndBackTheForceTurnsAsGently) {
+  HapticOptions options = bare();
+  options.stiffness_by_detail = true;
+  options.detail_stiffness = {3, 1, 0.3, 0.1};
+  const auto slope = [](double x) { return [x](double at, double) { return x * (at - 40); }; };
+  for (const SurfaceKind kind : {SurfaceKind::gated, SurfaceKind::bilinear}) {
+    const auto firm = test::spaceOf(80, slope(0.8), 1, {1, 4}, kind);
+    const auto soft = test::spaceOf(80, slope(-0.8), 2, {4, 4}, kind);
+    for (const DeviceMm hip : {DeviceMm{0, 0, -1}, DeviceMm{0, 3, -2.5}, DeviceMm{1, 0, -1.5}}) {
+      const Change softer = changeUnderAStillHand(*firm, *soft, hip, options);
+      EXPECT_LE(softer.largest_step_n, kMostStepN);
+      const Change firmer = changeUnderAStillHand(*soft, *firm, hip, options);
+      EXPECT_LE(firmer.largest_step_n, kMostStepN);
+    }
+  }
+}
+
 TEST(SceneChange, RandomWalksWithSwitchesStayOutsideAndFinite) {
   std::mt19937 random(21);
   std::uniform_real_distribution<double> unit(-1, 1);

@@ -84,6 +84,40 @@ TEST(Friction, OnlyLosesWork) {
   }
 }
 
+/// The place that is held back on the cone can be farther from the hand than where the proxy came
+/// from: over relief that falls off between the two. Going there would give the hand energy.
+TEST(Friction, NoMoveOfLessThanACellStretchesTheSpring) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  int moves = 0;
+  for (int scene = 0; scene < 12; ++scene) {
+    const auto space = test::spaceOf(
+        80,
+        [&](double x, double y) {
+          return 1.5 * std::sin(0.9 * x) * std::cos(0.8 * y) + 0.5 * unit(random);
+        },
+        1, {}, kKinds[static_cast<std::size_t>(scene) % kKinds.size()]);
+    for (int trial = 0; trial < 400; ++trial) {
+      const double mu = 0.05 + 0.9 * std::abs(unit(random));
+      const ProxyOptions options = rubbing(1.4 * mu, mu);
+      const double x = 100 + 80 * unit(random), y = 100 + 80 * unit(random);
+      const double surface = surfaceHeight(*space, x, y);
+      ProxyState state = proxyPlace(*space, {x, y, surface + 1});
+      GridPoint hip{x, y, surface - 2 - 3 * std::abs(unit(random))};
+      for (int n = 0; n < 40; ++n) {
+        const ProxyState before = state;
+        hip = hip + 0.55 * GridPoint{unit(random), unit(random), 0.5 * unit(random)};
+        state = proxyTick(*space, state, hip, options);
+        if (!before.contact || !state.contact || state.position == before.position) continue;
+        ++moves;
+        ASSERT_LE(norm(state.position - hip), norm(before.position - hip) * (1 + 1e-9) + 1e-9)
+            << "scene " << scene << ", trial " << trial << ", tick " << n;
+      }
+    }
+  }
+  EXPECT_GT(moves, 10'000);
+}
+
 TEST(Friction, KeepsTheForceWithinTheConeAndTheProxyOutside) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(-1, 1);
