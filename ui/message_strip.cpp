@@ -20,7 +20,10 @@ class TextAndButtons : public QBoxLayout {
  public:
   TextAndButtons(QWidget* strip, QLayout* buttons)
       : QBoxLayout(QBoxLayout::LeftToRight, strip), buttons_(buttons) {}
-  bool hasHeightForWidth() const override { return true; }
+  bool hasHeightForWidth() const override {
+    QBoxLayout::hasHeightForWidth();  // Looks at the widgets if any has changed.
+    return true;
+  }
   int heightForWidth(int width) const override {
     const_cast<TextAndButtons*>(this)->turnFor(width);
     return QBoxLayout::heightForWidth(width);

@@ -346,8 +346,9 @@ TEST(HapticLoop, WhileAWindowComesTheNewestWaitsAndReplacesTheOneBeforeIt) {
   loop.start();
   std::vector<std::uint64_t> windows;
   HapticSample before;
-  bool came = false;
+  bool came = false, paused = false;
   waitFor(loop, [&](const HapticSample& s) {
+    paused = paused || s.resumed;
     if (windows.empty() || windows.back() != s.window_id) windows.push_back(s.window_id);
     came = came || (s.window_id == 2 && s.change < 1);
     EXPECT_TRUE(s.window_id != 4 || before.window_id == 4 || before.change == 1);
@@ -355,7 +356,8 @@ TEST(HapticLoop, WhileAWindowComesTheNewestWaitsAndReplacesTheOneBeforeIt) {
     return s.window_id == 4 && s.change == 1;
   });
   loop.stop();
-  EXPECT_TRUE(came) << "little by little";
+  // After a pause of the whole computer no force is felt, and a window comes at once.
+  EXPECT_TRUE(came || paused) << "little by little";
   EXPECT_EQ(windows, (std::vector<std::uint64_t>{1, 2, 4}));
 }
 

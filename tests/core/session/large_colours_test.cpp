@@ -208,7 +208,7 @@ TEST(LargeColours, AreLeftOutInWordsWhereTheMemoryIsTooSmall) {
   writeLas(folder / "a.las", madePoints(200'000), 8);
   SurfaceOptions fine = gridOptions(PointRule::median);
   fine.spacing_mm = 0.05;
-  const LargeMap large = largeMap(folder, "a.las", fine, 170'000'000);
+  const LargeMap large = largeMap(folder, "a.las", fine, 185'000'000);
   EXPECT_FALSE(large.has_colours);
   EXPECT_TRUE(says(large.not_done, "The scan's colours were left out"));
   EXPECT_FALSE(std::filesystem::exists(colourFileOf(folder / "map.tif")));

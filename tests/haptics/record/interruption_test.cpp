@@ -21,8 +21,11 @@
 namespace relievo {
 namespace {
 
+/// A name that is free: what stands there would stay until a log is whole.
 std::filesystem::path temporary(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / name;
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+  std::filesystem::remove(file);
+  return file;
 }
 
 /// Clear of the surface, then down on it and round and round there.
@@ -236,7 +239,7 @@ TEST_F(Interruption, WhatIsOnTheDiskOfARecordingThatWasNeverClosedIsTheSame) {
   int with_fault = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    // An HDF5 log writes out 4096 rows at a time, a CSV log some hundred.
+    // A log writes out some hundred rows at a time.
     const bool as_hdf5 = seed % 5 == 0;
     const std::vector<HapticSample> samples =
         Drawn(seed).samples(*space_, options, as_hdf5 ? 4200 : 400);
