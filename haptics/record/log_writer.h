@@ -53,7 +53,7 @@ class LogWriter : public SampleLog {
   std::uint64_t rows_on_disk_ = 0;
   std::int64_t bytes_on_disk_ = 0;
   double unsaved_since_s_ = 0;  // Of the first row that is buffered.
-  std::int64_t room_at_ = 0;  // Where the footer's room begins; 0: there is none.
+  std::int64_t room_at_ = 0;    // Where the footer's room begins; 0: there is none.
 };
 
 }  // namespace relievo

@@ -85,12 +85,12 @@ class SampleLog {
 /// A stroke runs on a clock of its own; a recording has a loop whose times end it.
 enum class LogKind : std::uint8_t { stroke, recording };
 
-/// HDF5 where the name ends in .h5 or .hdf5, else CSV. What stands there already stays until the log
-/// is closed; until then it is written beside it (LogPlace). A log that is never closed is removed if
-/// it is a stroke's or has no rows. `header` as for LogWriter; its line
-/// "parameters {...}" becomes /parameters of an HDF5 file, "relievo:state {...}" its
-/// /relievo:state. In a CSV file of a recording the footer stands before the rows, in room that is
-/// kept for it. `surface`: what is touched, for /surface; may be null.
+/// HDF5 where the name ends in .h5 or .hdf5, else CSV. What stands there already stays until the
+/// log is closed; until then it is written beside it (LogPlace). A log that is never closed is
+/// removed if it is a stroke's or has no rows. `header` as for LogWriter; its line "parameters
+/// {...}" becomes /parameters of an HDF5 file, "relievo:state {...}" its /relievo:state. In a CSV
+/// file of a recording the footer stands before the rows, in room that is kept for it. `surface`:
+/// what is touched, for /surface; may be null.
 /// @throw WriteError  the file cannot be made, or somebody else is writing it
 std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::string_view header,
                                    const HapticSpace* surface = nullptr,
