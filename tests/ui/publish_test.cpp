@@ -587,9 +587,15 @@ TEST_F(PublishTest, AReliefImageThatTakesLongComesWhenItIsReady) {
   EXPECT_FALSE(bar->isVisible());
   ASSERT_TRUE(waitFor([&] { return !view.sceneState().grid->colours.empty(); }));
   EXPECT_TRUE(bar->accessibleDescription().startsWith("openness"));
+  // The ends are those of the overview, once that is painted as well.
+  const SurfaceView& overview = window().referenceView();
+  ASSERT_TRUE(
+      waitFor([&] { return overview.shownRange() && view.shownRange() == overview.shownRange(); }));
   const SceneState plain = view.plainState();
+  ReliefLook look = plain.look;
+  look.range = overview.shownRange();
   EXPECT_EQ(view.sceneState().grid->colours,
-            GridPainter::paintNow(*plain.grid, plain.look).grid->colours);
+            GridPainter::paintNow(*plain.grid, look).grid->colours);
 
   const auto before = view.sceneState().grid;
   document().setRect({40, 40, 60, 60});

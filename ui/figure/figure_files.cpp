@@ -30,6 +30,7 @@ PictureText textOf(const Surface& surface, const Project& project, const FigureF
                    const fs::path& file) {
   Project state = relativeTo(project, file);
   state.made = madeText(surface);
+  state.figures.clear();  // What else was drawn changes no figure.
   return {{"Title", fs::path(project.file).filename().string()},
           {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
           {"Description", facts.caption},
