@@ -52,6 +52,7 @@ class BlendedSurface {
   bool onLineY(double y) const RELIEVO_REALTIME;
   bool runsOn(const Patch& patch, double x, double y) const RELIEVO_REALTIME;
   bool isSmooth(double x, double y) const RELIEVO_REALTIME;
+  double deviceMmPerCell() const RELIEVO_REALTIME { return now_.deviceMmPerCell(); }
 
  private:
   const HapticSpace& was_;

@@ -70,6 +70,7 @@ class Follower {
       state_.contact = hit.found;
       state_.slides = true;
       state_.still = 0;
+      state_.trail_x = state_.trail_y = 0;
       have_patch_ = false;
     }
     const bool rubs = state_.contact && options_.static_friction > 0;
@@ -81,7 +82,7 @@ class Follower {
       if (step() == Step::at_rest) break;
     }
     if (rubs && state_.contact) {
-      state_.position = heldBack(surface_, before, state_, options_);
+      state_.position = heldBack(surface_, before, state_, options_, surface_.deviceMmPerCell());
       have_patch_ = false;
     }
     return iterations;

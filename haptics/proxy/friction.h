@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "haptics/proxy/proxy.h"
 #include "haptics/proxy/surface.h"
@@ -18,9 +19,18 @@ namespace relievo {
 // A hand that goes on slowly stands still between two counts of its encoders. Rest is therefore a
 // proxy that has stayed for kRestTicks (Karnopp 1985: a speed too small to be told from none counts
 // as none); before, it slides on, and the static cone does not come back at every count.
+//
+// A count across the way would turn the pull of a proxy that trails close behind, by k times the
+// count. Friction is against the way of sliding, not against the last count of it: the proxy trails
+// along a line of at least kTrailMm, drawn behind the hand like its own (a tractrix).
 
 /// At 1 kHz: a count of 0.0635 mm in so many ticks is 2.5 mm/s.
 inline constexpr std::uint8_t kRestTicks = 25;
+/// Millimetres of the hand. A count of 0.0635 mm turns a line of this length by 0.064.
+inline constexpr double kTrailMm = 1;
+/// The line may turn the proxy by no more than so many millimetres of the hand off its own way: two
+/// counts of the coarsest device, so that a hand that turns is followed at once.
+inline constexpr double kMostTurnMm = 0.15;
 
 /// Tangent of the angle between the force at p and the surface's normal; infinite if it pulls.
 inline double forceSlope(const Jet& jet, GridPoint p, GridPoint hip) RELIEVO_REALTIME {
@@ -56,28 +66,57 @@ bool sticks(const Surface& surface, ProxyState& state,
     state.still = 0;
   } else if (state.slides && ++state.still >= kRestTicks) {
     state.slides = false;
+    state.trail_x = state.trail_y = 0;
   }
   return holds;
 }
 
-/// Where a proxy that came from `before` stays behind its frictionless place `state.position`: the
-/// first point of that way on which the force lies within the dynamic cone.
 template <class Surface>
-GridPoint heldBack(const Surface& surface, GridPoint before, const ProxyState& state,
-                   const ProxyOptions& options) RELIEVO_REALTIME {
+GridPoint onGround(const Surface& surface, double x, double y) RELIEVO_REALTIME {
+  return {x, y, surface.patch(x, y, 0, 0).height(x, y)};
+}
+
+/// Draws the line on which the proxy trails behind its frictionless place `state.position`, from
+/// `before` where it still is.
+inline void drawTrail(ProxyState& state, GridPoint before, double mm_per_cell) RELIEVO_REALTIME {
+  const double x = before.x - state.position.x, y = before.y - state.position.y;
+  const double length = std::hypot(x, y);
+  if (!(length > 0)) return;
+  const double own_x = x / length, own_y = y / length;
+  // What the line is longer than the proxy's own way, still on its old course.
+  const double rest = std::max(0.0, kTrailMm / mm_per_cell - length);
+  const double line_x = x + rest * state.trail_x, line_y = y + rest * state.trail_y;
+  const double along = line_x * own_x + line_y * own_y, across = own_x * line_y - own_y * line_x;
+  state.trail_x = own_x;
+  state.trail_y = own_y;
+  // A hand that has turned back pulls on its own way.
+  if (!(along > length)) return;
+  const double most = kMostTurnMm / mm_per_cell / length;  // Sine of the turn.
+  const double size = std::hypot(along, across);
+  const double turn = std::clamp(across / size, -std::min(most, 1.0), std::min(most, 1.0));
+  const double straight = std::sqrt(1 - turn * turn);
+  state.trail_x = straight * own_x - turn * own_y;
+  state.trail_y = straight * own_y + turn * own_x;
+}
+
+/// The first point of the way from `start` to the proxy's frictionless place `state.position` on
+/// which the force lies within the dynamic cone; nothing: it does at the start.
+template <class Surface>
+std::optional<GridPoint> heldOnTheWay(const Surface& surface, GridPoint start,
+                                      const ProxyState& state,
+                                      const ProxyOptions& options) RELIEVO_REALTIME {
   const GridPoint goal = state.position;
   const double cone = std::min(options.dynamic_friction, options.static_friction);
-  // Part 0 is the goal, part 1 where it came from; below `inner` the force lies within the cone.
+  // Part 0 is the goal, part 1 the start; below `inner` the force lies within the cone.
   const auto point_at = [&](double part) RELIEVO_REALTIME {
-    GridPoint p{goal.x + part * (before.x - goal.x), goal.y + part * (before.y - goal.y), 0};
-    p.z = surface.patch(p.x, p.y, 0, 0).height(p.x, p.y);
-    return p;
+    return onGround(surface, goal.x + part * (start.x - goal.x),
+                    goal.y + part * (start.y - goal.y));
   };
   const auto excess = [&](GridPoint p) RELIEVO_REALTIME {
     return std::min(leastForceSlope(surface, p, state.hip), 1e3) - cone;
   };
-  double inner = 0, outer = 1, inner_excess = -cone, outer_excess = excess(before);
-  if (!(outer_excess > 0)) return before;
+  double inner = 0, outer = 1, inner_excess = -cone, outer_excess = excess(start);
+  if (!(outer_excess > 0)) return std::nullopt;
   GridPoint held = goal;
   constexpr int kMostProbes = 24;
   for (int i = 0; i < kMostProbes && outer - inner > 1e-9; ++i) {
@@ -98,8 +137,28 @@ GridPoint heldBack(const Surface& surface, GridPoint before, const ProxyState& s
       inner_excess *= 0.5;
     }
   }
+  return held;
+}
+
+/// Where a proxy that came from `before` stays behind its frictionless place `state.position`, on
+/// the line that it trails on.
+template <class Surface>
+GridPoint heldBack(const Surface& surface, GridPoint before, ProxyState& state,
+                   const ProxyOptions& options, double mm_per_cell) RELIEVO_REALTIME {
+  const GridPoint goal = state.position;
   // Only a move that relaxes the spring loses work.
-  return norm(held - state.hip) <= norm(before - state.hip) ? held : goal;
+  const auto relaxes = [&](GridPoint p) RELIEVO_REALTIME {
+    return norm(p - state.hip) <= norm(before - state.hip);
+  };
+  drawTrail(state, before, mm_per_cell);
+  const double length = std::hypot(before.x - goal.x, before.y - goal.y);
+  const GridPoint behind =
+      onGround(surface, goal.x + length * state.trail_x, goal.y + length * state.trail_y);
+  if (const auto held = heldOnTheWay(surface, behind, state, options); held && relaxes(*held)) {
+    return *held;
+  }
+  const GridPoint held = heldOnTheWay(surface, before, state, options).value_or(before);
+  return relaxes(held) ? held : goal;
 }
 
 }  // namespace relievo

@@ -33,6 +33,9 @@ struct ProxyState {
   bool contact = false;
   bool slides = false;     ///< With friction: has not rested yet, so that the dynamic cone holds.
   std::uint8_t still = 0;  ///< Ticks in a row in which it stayed, while it slides.
+  /// The way on which it trails behind its hand while it slides, of length 1 in x and y; of length
+  /// 0 where it has not slid yet.
+  double trail_x = 0, trail_y = 0;
 };
 
 /// Start of a stroke: free at the HIP, or, if the HIP is below the surface, on the surface straight

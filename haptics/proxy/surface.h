@@ -16,6 +16,7 @@ namespace relievo {
 //   onLineX(x), onLineY(y)    is that coordinate on a line between two cells?
 //   runsOn(patch, x, y)       the surface is C1 from the patch to (x, y), at most one cell away
 //   isSmooth(x, y)            nothing breaks in the cell around it
+//   deviceMmPerCell()         millimetres of the hand from sample to sample
 // Two such surfaces exist, and a third that blends two windows (haptics/proxy/blend.h).
 
 /// Facets over one window.
@@ -32,6 +33,7 @@ class BilinearSurface {
   static bool runsOn(const Patch&, double, double) RELIEVO_REALTIME { return false; }
   static bool isSmooth(double, double) RELIEVO_REALTIME { return false; }
   const HapticSpace& space() const RELIEVO_REALTIME { return space_; }
+  double deviceMmPerCell() const RELIEVO_REALTIME { return space_.deviceMmPerCell(); }
 
  private:
   const HapticSpace& space_;
@@ -57,6 +59,7 @@ class SplineSurface {
     return isSmoothCell(space_, static_cast<int>(x), static_cast<int>(y));
   }
   const HapticSpace& space() const RELIEVO_REALTIME { return space_; }
+  double deviceMmPerCell() const RELIEVO_REALTIME { return space_.deviceMmPerCell(); }
 
  private:
   const HapticSpace& space_;

@@ -13,13 +13,14 @@ struct Law {
   int number;
   std::string_view since, change;
 };
-constexpr std::array<Law, 2> kLaws{{
+constexpr std::array<Law, 3> kLaws{{
     {2, "2026-11-22",
      "a tick sends the force that it has computed, not the last one's; settings and surfaces "
      "change "
      "by the force that is felt; the frame is one potential with the spring"},
     {3, "2026-11-23",
      "a slow loop or device bounds the stiffness (E306); a calibrated grip's weight is held"},
+    {4, "2026-11-23", "friction pulls against the way of the last millimetre"},
 }};
 static_assert(kLaws.back().number == kForceLaw);
 }  // namespace

@@ -204,7 +204,8 @@ TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
   for (const SurfacePreset& preset : rubbingPresets()) {
     for (const double step_mm : kCounts) {
       for (const double mm_per_s : kSteadySpeeds) {
-        for (const double turn : {0.0, kDiagonal, 2 * kDiagonal, 3 * kDiagonal}) {
+        for (const double turn :
+             {0.0, 0.2, 0.4, kDiagonal, 1.2, 2 * kDiagonal, 3 * kDiagonal, -0.3}) {
           EXPECT_LE(ripple(preset.feel, {.step_mm = step_mm, .mm_per_s = mm_per_s, .turn = turn}),
                     kMostRippleN)
               << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s, turned "
@@ -215,23 +216,34 @@ TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
   }
 }
 
-/// Between those directions a count across the way comes alone, and turns the pull of a proxy that
-/// trails behind: as much as such a count changes the force of one that is held, k times the count.
-TEST(Friction, AcrossTheCountsTheRippleIsThatOfOneCountOfTheSpring) {
-  for (const SurfacePreset& preset : rubbingPresets()) {
-    const SurfaceFeel& feel = preset.feel;
-    const double k = feel.stiffness_by_detail ? 0.8 : feel.stiffness_n_per_mm;
-    for (const double step_mm : kCounts) {
-      for (const double mm_per_s : kSteadySpeeds) {
-        for (const double turn : {0.2, 0.4, 1.2, -0.3}) {
-          EXPECT_LE(ripple(feel, {.step_mm = step_mm, .mm_per_s = mm_per_s, .turn = turn}),
-                    std::max(kMostRippleN, 1.25 * k * step_mm))
-              << preset.id << ", count " << step_mm << " mm, " << mm_per_s << " mm/s, turned "
-              << turn;
-        }
-      }
-    }
+/// A proxy towed on a line of its own length r follows a corner as a tractrix: its pull is turned
+/// by 2 atan(exp(-s / r)) from the new way after s. The longer line may lag by kMostTurnMm of
+/// spring.
+TEST(Friction, AHandThatTurnsACornerIsFollowedAndOneThatTurnsBackIsPulledStraight) {
+  const auto space = flat(SurfaceKind::gated);
+  const double mm_per_cell = space->deviceMmPerCell(), deep = 2.5 / mm_per_cell, mu = 0.15;
+  const ProxyOptions options = rubbing(0.2, mu);
+  ProxyState state = proxyPlace(*space, {60, 60, 1});
+  GridPoint hip{60, 60, -deep};
+  const auto move = [&](double x, double y) {
+    hip = hip + GridPoint{x / mm_per_cell, y / mm_per_cell, 0};
+    state = proxyTick(*space, state, hip, options);
+    return mm_per_cell * (hip - state.position);
+  };
+  constexpr double kStepMm = 0.02, r = 2.5 * 0.15;
+  for (int n = 0; n < 500; ++n) move(kStepMm, 0);
+  double most = 0, last = 0;
+  for (int n = 1; n <= 250; ++n) {
+    const GridPoint pull = move(0, kStepMm);
+    const double turned = 2 * std::atan(std::exp(-n * kStepMm / r));
+    last = std::abs(pull.x - r * std::sin(turned));
+    most = std::max(most, last);
   }
+  EXPECT_LE(most, 0.2) << "of what it lags, its own way is turned as well";
+  EXPECT_LE(last, 0.01);
+  double aside = 0;
+  for (int n = 0; n < 250; ++n) aside = std::max(aside, std::abs(move(0, -kStepMm).x));
+  EXPECT_LE(aside, 0.01) << "back";
 }
 
 /// On a slope the counts change the depth as well, whatever rubs: a spring of 0.8 N/mm swings by
