@@ -101,7 +101,7 @@ CellProposal proposeCells(const Scan& scan, const Rotation& rotation, std::uint6
   const auto count =
       static_cast<double>(std::max<std::uint64_t>(scan.points.size(), points_in_all));
   const std::optional<double> step_x = evenSpacing(planar.x);
-  const std::optional<double> step_y = evenSpacing(planar.y);
+  const std::optional<double> step_y = step_x ? evenSpacing(planar.y) : std::nullopt;
   if (step_x && step_y && std::abs(*step_x - *step_y) < 0.01 * *step_x) {
     const double nodes = ((*right - *left) / *step_x + 1) * ((*top - *bottom) / *step_y + 1);
     const double across = std::round(side / *step_x) + 1;

@@ -5,6 +5,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <utility>
+
+#include "core/base/bands.h"
 
 namespace relievo {
 namespace {
@@ -15,6 +18,11 @@ constexpr double kPointsOfCube = 8;
 // Points in a cube and around it, itself among them: a surface meets some nine of these cubes.
 constexpr double kFewestCompany = 4;
 constexpr double kCompanyOfMean = 0.8;  // In cubes of the mean number of points.
+
+/// Fibonacci hashing: the upper bits of the product are well mixed.
+std::uint64_t mixed(std::uint64_t number) {
+  return number * 0x9E3779B97F4A7C15U;
+}
 
 /// How many points each cube of a grid holds: a table by the cubes' numbers, open addressing.
 class CubeCounts {
@@ -46,8 +54,7 @@ class CubeCounts {
 
   /// Where the cube is, or would be put.
   std::size_t placeOf(std::uint64_t number) const {
-    // Fibonacci hashing: the upper bits of the product are well mixed.
-    std::size_t at = (number * 0x9E3779B97F4A7C15U) >> (64 - std::countr_zero(cubes_.size()));
+    std::size_t at = mixed(number) >> (64 - std::countr_zero(cubes_.size()));
     while (cubes_[at].number != kFree && cubes_[at].number != number) {
       at = (at + 1) & (cubes_.size() - 1);
     }
@@ -76,8 +83,9 @@ class CubeGrid {
     return step(p.x, low_.x) | step(p.y, low_.y) << 21U | step(p.z, low_.z) << 42U;
   }
 
-  /// Points in a cube and the 26 around it.
-  static std::uint32_t around(std::uint64_t number, const CubeCounts& counts) {
+  /// Points in a cube and the 26 around it. @param counts  knows points(number)
+  template <class Counts>
+  static std::uint32_t around(std::uint64_t number, const Counts& counts) {
     std::uint32_t sum = 0;
     for (int k = 0; k < 27; ++k) {
       const std::array<int, 3> off{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
@@ -104,27 +112,154 @@ std::array<float, 3> single(const ViewMm& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-/// The points of a cube, from the box's corner.
-class Gathered {
- public:
-  void add(const ViewMm& p) {
-    sum_.x += p.x;
-    sum_.y += p.y;
-    sum_.z += p.z;
-    ++count_;
-  }
-  std::array<float, 3> middle() const {
-    return single({sum_.x / count_, sum_.y / count_, sum_.z / count_});
-  }
-
- private:
-  ViewMm sum_{};
-  std::uint32_t count_ = 0;
-};
-
 bool isInside(const ViewBox& box, const ViewMm& p) {
   return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y &&
          p.z >= box.min.z && p.z <= box.max.z;
+}
+
+/// take(points, place of the first among all in the box), for the points in the box in the cloud's
+/// order, many at a time.
+template <class Take>
+void forBatches(const ViewBlocks& points, const ViewBox& box, const Task& task, Take&& take) {
+  constexpr std::size_t kBatch = 1U << 16U;
+  std::vector<ViewMm> batch;
+  batch.reserve(kBatch);
+  std::uint64_t before = 0;
+  const auto give = [&] {
+    task.check();
+    take(std::span<const ViewMm>(batch), before);
+    before += batch.size();
+    batch.clear();
+  };
+  points([&](std::span<const ViewMm> block) {
+    for (const ViewMm& p : block) {
+      if (!isInside(box, p)) continue;
+      batch.push_back(p);
+      if (batch.size() == kBatch) give();
+    }
+  });
+  give();
+}
+
+/// Only how many cubes there are.
+class CountedCubes {
+ public:
+  explicit CountedCubes(std::size_t expected) : counts_(expected) {}
+  void add(std::uint64_t number, const ViewMm&, std::uint64_t) { counts_.add(number); }
+  const CubeCounts& counts() const { return counts_; }
+
+ private:
+  CubeCounts counts_;
+};
+
+/// Also the sum of what is in each, in the order in which the cubes were met.
+class SummedCubes {
+ public:
+  struct Cube {
+    std::uint64_t number = 0;
+    std::uint64_t first = 0;  // The place of the first of its points.
+    ViewMm sum{};
+    std::uint32_t count = 0;
+  };
+
+  explicit SummedCubes(std::size_t expected) : counts_(expected) {
+    cubes_.reserve(expected + expected / 2);
+  }
+  void add(std::uint64_t number, const ViewMm& from_corner, std::uint64_t place) {
+    const std::size_t order = counts_.add(number);
+    if (order == cubes_.size()) {
+      cubes_.push_back({.number = number, .first = place, .sum = {}, .count = 0});
+    }
+    Cube& cube = cubes_[order];
+    cube.sum = cube.sum + from_corner;
+    ++cube.count;
+  }
+  const CubeCounts& counts() const { return counts_; }
+  const std::vector<Cube>& cubes() const { return cubes_; }
+
+ private:
+  CubeCounts counts_;
+  std::vector<Cube> cubes_;
+};
+
+/// The cubes of a grid, each of them one thread's: what is in one is counted and summed in the
+/// cloud's order, the same for any number of threads.
+template <class Cubes>
+class SharedCubes {
+ public:
+  SharedCubes(int threads, const CubeGrid& grid, const ViewMm& corner, std::size_t expected)
+      : grid_(grid), corner_(corner) {
+    for (int i = 0; i < threads; ++i) {
+      shares_.emplace_back(expected / static_cast<std::size_t>(threads));
+    }
+  }
+
+  void add(std::span<const ViewMm> points, std::uint64_t before) {
+    onEach([&](std::size_t own) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint64_t number = grid_(points[i]);
+        if (ownerOf(number) == own) shares_[own].add(number, points[i] - corner_, before + i);
+      }
+    });
+  }
+  /// work(i) for every share, each on a thread.
+  template <class Work>
+  void onEach(Work&& work) const {
+    const auto count = static_cast<int>(shares_.size());
+    inBands(count, count, [&](int own, int) { work(static_cast<std::size_t>(own)); });
+  }
+  /// How many cubes hold points.
+  std::size_t count() const {
+    std::size_t sum = 0;
+    for (const Cubes& share : shares_) sum += share.counts().count();
+    return sum;
+  }
+  std::uint32_t points(std::uint64_t number) const {
+    return shares_[ownerOf(number)].counts().points(number);
+  }
+  const std::vector<Cubes>& shares() const { return shares_; }
+
+ private:
+  std::size_t ownerOf(std::uint64_t number) const {
+    return shares_.size() == 1 ? 0 : (mixed(number) >> 20U) % shares_.size();
+  }
+
+  CubeGrid grid_;
+  ViewMm corner_;
+  std::vector<Cubes> shares_;
+};
+
+/// The middle of each cube that holds points enough, itself or with those around it, in the order
+/// in which the cubes were met. Thinning leaves of a surface one point in many, of strays every
+/// one: most of what is chosen would be strays. Their cubes have nobody around.
+std::vector<std::array<float, 3>> inCompany(const SharedCubes<SummedCubes>& cubes,
+                                            std::uint64_t count) {
+  struct Chosen {
+    std::uint64_t first;
+    std::array<float, 3> middle;
+  };
+  const double mean = static_cast<double>(count) / static_cast<double>(cubes.count());
+  const auto company = static_cast<std::uint32_t>(std::max(kFewestCompany, kCompanyOfMean * mean));
+  std::vector<std::vector<Chosen>> of_shares(cubes.shares().size());
+  cubes.onEach([&](std::size_t own) {
+    for (const SummedCubes::Cube& cube : cubes.shares()[own].cubes()) {
+      if (cube.count < company && CubeGrid::around(cube.number, cubes) < company) continue;
+      const double points = cube.count;
+      of_shares[own].push_back(
+          {cube.first, single({cube.sum.x / points, cube.sum.y / points, cube.sum.z / points})});
+    }
+  });
+  std::vector<Chosen> all = std::move(of_shares.front());
+  for (std::size_t i = 1; i < of_shares.size(); ++i) {
+    const auto middle = static_cast<std::ptrdiff_t>(all.size());
+    all.insert(all.end(), of_shares[i].begin(), of_shares[i].end());
+    std::inplace_merge(all.begin(), all.begin() + middle, all.end(),
+                       [](const Chosen& a, const Chosen& b) { return a.first < b.first; });
+  }
+  std::vector<std::array<float, 3>> chosen;
+  chosen.reserve(all.size());
+  for (const Chosen& one : all) chosen.push_back(one.middle);
+  return chosen;
 }
 
 }  // namespace
@@ -134,53 +269,31 @@ std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const Vie
                                              const Task& task) {
   const double side =
       std::max({box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z, 1e-300});
-  std::vector<std::array<float, 3>> chosen;
-  const auto forInside = [&](auto&& take) {
-    points([&](std::span<const ViewMm> block) {
-      task.check();
-      for (const ViewMm& p : block) {
-        if (isInside(box, p)) take(p - box.min, p);
-      }
+  if (count <= wanted) {
+    std::vector<std::array<float, 3>> all;
+    all.reserve(static_cast<std::size_t>(count));
+    forBatches(points, box, task, [&](std::span<const ViewMm> batch, std::uint64_t) {
+      for (const ViewMm& p : batch) all.push_back(single(p - box.min));
+    });
+    return all;
+  }
+  const int threads = threadsFor(static_cast<std::size_t>(count), 0);
+  const auto fill = [&](auto& cubes) {
+    forBatches(points, box, task, [&](std::span<const ViewMm> batch, std::uint64_t before) {
+      cubes.add(batch, before);
     });
   };
-  if (count <= wanted) {
-    chosen.reserve(static_cast<std::size_t>(count));
-    forInside(
-        [&](const ViewMm& from_corner, const ViewMm&) { chosen.push_back(single(from_corner)); });
-    return chosen;
-  }
   // A surface meets the square of twice as many cubes of half the side.
   const double across = std::sqrt(static_cast<double>(count) / kPointsOfCube);
   const double counted_side = side / std::clamp(across, 1.0, kMostAcross);
-  CubeCounts coarse(1U << 16U);
-  const CubeGrid coarse_grid(box, counted_side);
-  forInside([&](const ViewMm&, const ViewMm& p) { coarse.add(coarse_grid(p)); });
+  SharedCubes<CountedCubes> coarse(threads, CubeGrid(box, counted_side), box.min, 1U << 16U);
+  fill(coarse);
   const double cube_side =
       counted_side * std::sqrt(static_cast<double>(coarse.count()) / static_cast<double>(wanted));
-  CubeCounts cubes(wanted);
-  const CubeGrid grid(box, std::max(cube_side, side / (1U << 20U)));
-  std::vector<std::uint64_t> numbers;
-  std::vector<Gathered> gathered;
-  gathered.reserve(wanted + wanted / 2);
-  forInside([&](const ViewMm& from_corner, const ViewMm& p) {
-    const std::uint64_t number = grid(p);
-    const std::size_t order = cubes.add(number);
-    if (order == numbers.size()) {
-      numbers.push_back(number);
-      gathered.emplace_back();
-    }
-    gathered[order].add(from_corner);
-  });
-  // Thinning leaves of a surface one point in many, of strays every one: most of what is chosen
-  // would be strays. Their cubes have nobody around.
-  const double mean = static_cast<double>(count) / static_cast<double>(cubes.count());
-  const auto company = static_cast<std::uint32_t>(std::max(kFewestCompany, kCompanyOfMean * mean));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const bool has_company =
-        cubes.points(numbers[i]) >= company || CubeGrid::around(numbers[i], cubes) >= company;
-    if (has_company) chosen.push_back(gathered[i].middle());
-  }
-  return chosen;
+  SharedCubes<SummedCubes> cubes(threads, CubeGrid(box, std::max(cube_side, side / (1U << 20U))),
+                                 box.min, wanted);
+  fill(cubes);
+  return inCompany(cubes, count);
 }
 
 }  // namespace relievo

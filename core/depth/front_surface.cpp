@@ -2,8 +2,10 @@
 #include "core/depth/front_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/base/bands.h"
 #include "core/depth/front_voids.h"
@@ -21,6 +23,7 @@ constexpr float kOnSurface = 1.35F;    // Spacings off the surface, across it.
 constexpr float kAveraged = 0.5F;      // Of that, behind the foremost piece.
 constexpr double kRough = 0.5;         // Thickness over width: noise hides the planes.
 constexpr int kSquarePixels = 4;
+constexpr int kPixelsAtOnce = 32;
 constexpr float kLayerSpacings = 6;  // Farther apart, points behind are two layers.
 constexpr std::size_t kFewDiscs = 20'000;
 
@@ -42,31 +45,51 @@ class DrawnDisc {
   int firstCol() const { return pixelOf(disc_.centre[0] - half_width_); }
   int lastCol() const { return pixelOf(disc_.centre[0] + half_width_); }
 
-  /// z of the disc in the middle of a pixel, and its weight there; z is kNone beside the disc.
-  float depth(int col, int row, float& weight) const {
-    const float x = (static_cast<float>(col) + 0.5F) * pixel_ - disc_.centre[0];
-    const float y = (static_cast<float>(row) + 0.5F) * pixel_ - disc_.centre[1];
-    const bool is_middle = std::abs(x) <= pixel_ / 2 && std::abs(y) <= pixel_ / 2;
-    weight = 1;
-    const auto& n = disc_.normal;
-    if (n[2] <= kEdgeOn) return is_middle || isOnLine(x, y) ? disc_.centre[2] : kNone;
-    const float z = -(n[0] * x + n[1] * y) / n[2];
-    const float a = disc_.right[0] * x + disc_.right[1] * y + disc_.right[2] * z;
-    const float b = disc_.up[0] * x + disc_.up[1] * y + disc_.up[2] * z;
-    const float squared = a * a + b * b;
-    const float c = (a + b) * 0.70710678F;
-    const float e = (a - b) * 0.70710678F;
-    const auto& reach = disc_.reach;
-    const bool is_in = squared <= disc_.radius * disc_.radius && a <= reach[0] && -a <= reach[1] &&
-                       b <= reach[2] && -b <= reach[3] && c <= reach[4] && -c <= reach[5] &&
-                       e <= reach[6] && -e <= reach[7];
-    if (!is_in) return is_middle ? disc_.centre[2] : kNone;
-    // A Gaussian of half the radius: near pieces know best.
-    weight = std::exp(-2 * squared / (disc_.radius * disc_.radius));
-    return disc_.centre[2] + z;
+  /// Of the pixels of one row from `first` on: z of the disc in their middles, kNone beside the
+  /// disc; and how far from its centre that is, squared, in radii. Without a branch, for vectors.
+  void depths(int first, int row, std::span<float> z, std::span<float> squared_radii) const {
+    if (disc_.normal[2] <= kEdgeOn) return depthsOfLine(first, row, z, squared_radii);
+    const SurfaceDisc disc = disc_;
+    const float pixel = pixel_, limit = disc.radius * disc.radius;
+    const std::size_t count = z.size();
+    const float y = (static_cast<float>(row) + 0.5F) * pixel - disc.centre[1];
+    float* const out_z = z.data();
+    float* const out_squared = squared_radii.data();
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x =
+          (static_cast<float>(first + static_cast<int>(i)) + 0.5F) * pixel - disc.centre[0];
+      const float rise = -(disc.normal[0] * x + disc.normal[1] * y) / disc.normal[2];
+      const float a = disc.right[0] * x + disc.right[1] * y + disc.right[2] * rise;
+      const float b = disc.up[0] * x + disc.up[1] * y + disc.up[2] * rise;
+      const float squared = a * a + b * b;
+      const float c = (a + b) * 0.70710678F;
+      const float e = (a - b) * 0.70710678F;
+      const auto& reach = disc.reach;
+      // What lies beyond the disc is above 0 in one of these.
+      float beyond = std::max(squared - limit, std::max(a - reach[0], -a - reach[1]));
+      beyond = std::max(beyond, std::max(b - reach[2], -b - reach[3]));
+      beyond = std::max(beyond, std::max(c - reach[4], -c - reach[5]));
+      beyond = std::max(beyond, std::max(e - reach[6], -e - reach[7]));
+      const float off_middle = std::max(std::abs(x), std::abs(y)) - pixel / 2;
+      const float beside = off_middle <= 0 ? disc.centre[2] : kNone;
+      const float on_disc = disc.centre[2] + rise, part = squared / limit;
+      out_z[i] = beyond <= 0 ? on_disc : beside;
+      out_squared[i] = beyond <= 0 ? part : 0.0F;
+    }
   }
 
  private:
+  void depthsOfLine(int first, int row, std::span<float> z, std::span<float> squared_radii) const {
+    const float y = (static_cast<float>(row) + 0.5F) * pixel_ - disc_.centre[1];
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      const float x =
+          (static_cast<float>(first + static_cast<int>(i)) + 0.5F) * pixel_ - disc_.centre[0];
+      const bool is_middle = std::abs(x) <= pixel_ / 2 && std::abs(y) <= pixel_ / 2;
+      z[i] = is_middle || isOnLine(x, y) ? disc_.centre[2] : kNone;
+      squared_radii[i] = 0;
+    }
+  }
+
   /// Seen edge-on, a disc is a line as long as it reaches.
   bool isOnLine(float x, float y) const {
     const auto& n = disc_.normal;
@@ -86,21 +109,23 @@ class DrawnDisc {
   float half_width_ = 0, half_height_ = 0;
 };
 
-/// visit(pixel, z, weight, disc) for all pixels of a band that discs cover.
+/// visit(pixel, z, squared_radii, disc) for all pixels of a band that discs cover.
 template <class Visit>
 void forPixels(const std::vector<SurfaceDisc>& discs, GridSize size, float pixel, int first_row,
                int end_row, const Task& task, Visit&& visit) {
+  std::array<float, kPixelsAtOnce> z{}, squared_radii{};
   for (std::size_t i = 0; i < discs.size(); ++i) {
     if (i % 4096 == 0) task.check();
     const DrawnDisc disc(discs[i], pixel);
     const int last_row = std::min(disc.lastRow(), end_row - 1);
     const int last_col = std::min(disc.lastCol(), size.cols - 1);
     for (int row = std::max(disc.firstRow(), first_row); row <= last_row; ++row) {
-      for (int col = std::max(disc.firstCol(), 0); col <= last_col; ++col) {
-        float weight = 0;
-        const float z = disc.depth(col, row, weight);
-        if (z != kNone) {
-          visit(size.index({.col = col, .row = row}), z, weight, disc);
+      for (int col = std::max(disc.firstCol(), 0); col <= last_col; col += kPixelsAtOnce) {
+        const auto count = static_cast<std::size_t>(std::min(kPixelsAtOnce, last_col - col + 1));
+        disc.depths(col, row, {z.data(), count}, {squared_radii.data(), count});
+        const std::size_t first = size.index({.col = col, .row = row});
+        for (std::size_t k = 0; k < count; ++k) {
+          if (z[k] != kNone) visit(first + k, z[k], squared_radii[k], disc);
         }
       }
     }
@@ -192,9 +217,11 @@ void FrontSurface::drawBand(const std::vector<SurfaceDisc>& discs, int first_row
             });
   // Pieces as near as the front's own tolerance are the same surface.
   forPixels(discs, size_, pixel, first_row, end_row, task,
-            [&](std::size_t at, float z, float weight, const DrawnDisc&) {
+            [&](std::size_t at, float z, float squared_radii, const DrawnDisc&) {
               Sum& sum = sums[at - offset];
               if (z < sum.front - kAveraged * sum.tolerance) return;
+              // A Gaussian of half the radius: near pieces know best.
+              const float weight = std::exp(-2 * squared_radii);
               sum.weight += weight;
               sum.z += weight * (z - sum.front);
             });

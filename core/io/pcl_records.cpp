@@ -13,9 +13,11 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/base/bands.h"
 #include "core/base/error.h"
 #include "core/io/owned_fd.h"
 
@@ -178,39 +180,73 @@ bool writeAll(int fd, std::string_view bytes) {
   return true;
 }
 
-void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint64_t count,
-                    const TakeColumns& take) {
-  const RecordLayout file_layout = recordLayoutOf(header);
-  const PlyForm form(file_layout);
-  const OwnedFd memory(::memfd_create("relievo-ply", MFD_CLOEXEC));
-  const std::string path = "/proc/self/fd/" + std::to_string(memory.get());
-  pcl::PCLPointCloud2 cloud;
-  for (std::uint64_t done = 0; done < count; done += kPlyBlock) {
-    const std::uint64_t block = std::min(kPlyBlock, count - done);
-    const std::string_view bytes =
-        records.substr(done * file_layout.bytes, block * file_layout.bytes);
+/// Reads a block of records at a time through a file in memory, the only way into PCL's reader.
+class PlyBlocks {
+ public:
+  PlyBlocks(const PlyForm& form, const RecordLayout& file_layout)
+      : form_(form),
+        file_layout_(file_layout),
+        memory_(::memfd_create("relievo-ply", MFD_CLOEXEC)),
+        path_("/proc/self/fd/" + std::to_string(memory_.get())) {}
+
+  /// Reads `count` records, on any thread. @throw FileError  PCL cannot
+  void read(std::string_view records, std::uint64_t count) {
+    count_ = count;
     pcl::PLYReader reader;
-    const bool read = memory.get() >= 0 && ::ftruncate(memory.get(), 0) == 0 &&
-                      ::lseek(memory.get(), 0, SEEK_SET) == 0 &&
-                      writeAll(memory.get(), form.header(block, file_layout.order)) &&
-                      writeAll(memory.get(), bytes) && reader.read(path, cloud) >= 0;
-    if (!read || cloud.fields.size() != form.properties() ||
-        std::uint64_t{cloud.width} * cloud.height != block ||
-        cloud.data.size() < block * cloud.point_step) {
+    const bool read = memory_.get() >= 0 && ::ftruncate(memory_.get(), 0) == 0 &&
+                      ::lseek(memory_.get(), 0, SEEK_SET) == 0 &&
+                      writeAll(memory_.get(), form_.header(count, file_layout_.order)) &&
+                      writeAll(memory_.get(), records.substr(0, count * file_layout_.bytes)) &&
+                      reader.read(path_, cloud_) >= 0;
+    if (!read || cloud_.fields.size() != form_.properties() ||
+        std::uint64_t{cloud_.width} * cloud_.height != count ||
+        cloud_.data.size() < count * cloud_.point_step) {
       throw FileError("PCL gave up on its points. Give --reader own.");
     }
+  }
+  /// What was read last.
+  void give(const TakeColumns& take) const {
     const auto moved = [&](const StoredNumber& number) {
-      return StoredNumber{cloud.fields[form.propertyAt(number.offset)].offset, number.type};
+      return StoredNumber{cloud_.fields[form_.propertyAt(number.offset)].offset, number.type};
     };
     RecordLayout layout;  // PCL has turned all numbers to this machine's order.
-    layout.bytes = cloud.point_step;
-    for (std::size_t k = 0; k < 3; ++k) layout.xyz[k] = moved(file_layout.xyz[k]);
-    if (file_layout.colour) {
-      layout.colour = std::array{moved((*file_layout.colour)[0]), moved((*file_layout.colour)[1]),
-                                 moved((*file_layout.colour)[2])};
+    layout.bytes = cloud_.point_step;
+    for (std::size_t k = 0; k < 3; ++k) layout.xyz[k] = moved(file_layout_.xyz[k]);
+    if (file_layout_.colour) {
+      layout.colour = std::array{moved((*file_layout_.colour)[0]), moved((*file_layout_.colour)[1]),
+                                 moved((*file_layout_.colour)[2])};
     }
-    if (file_layout.intensity) layout.intensity = moved(*file_layout.intensity);
-    take(columnsOf(layout, charsOf(cloud)), block);
+    if (file_layout_.intensity) layout.intensity = moved(*file_layout_.intensity);
+    take(columnsOf(layout, charsOf(cloud_)), count_);
+  }
+
+ private:
+  const PlyForm& form_;
+  const RecordLayout& file_layout_;
+  OwnedFd memory_;
+  std::string path_;
+  pcl::PCLPointCloud2 cloud_;
+  std::uint64_t count_ = 0;
+};
+
+/// PCL asks a stream for every number, which takes longer than all else: blocks are read side by
+/// side, and given in their order.
+void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint64_t count,
+                    const TakeColumns& take) {
+  const RecordLayout layout = recordLayoutOf(header);
+  const PlyForm form(layout);
+  const auto blocks = static_cast<int>((count + kPlyBlock - 1) / kPlyBlock);
+  const int readers = std::min(threadsFor(static_cast<std::size_t>(count), 0), std::max(blocks, 1));
+  std::vector<std::unique_ptr<PlyBlocks>> own;
+  for (int i = 0; i < readers; ++i) own.push_back(std::make_unique<PlyBlocks>(form, layout));
+  for (int first = 0; first < blocks; first += readers) {
+    const int now = std::min(readers, blocks - first);
+    inBands(now, now, [&](int reader, int) {
+      const std::uint64_t done = kPlyBlock * static_cast<std::uint64_t>(first + reader);
+      own[static_cast<std::size_t>(reader)]->read(records.substr(done * layout.bytes),
+                                                  std::min(kPlyBlock, count - done));
+    });
+    for (int i = 0; i < now; ++i) own[static_cast<std::size_t>(i)]->give(take);
   }
 }
 

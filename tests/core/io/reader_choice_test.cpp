@@ -213,6 +213,13 @@ TEST_F(MadeFiles, OfEveryTypeAreTheSameByBothWholeAndCut) {
   }
 }
 
+/// So many that PCL reads blocks of them side by side.
+TEST_F(MadeFiles, AMillionPointsOfAPlyKeepTheirOrder) {
+  constexpr int kPoints = 1'100'000;
+  const Made ply = madePly(kTypes[6], false, kPoints, "");
+  EXPECT_TRUE(same("a.ply", ply.header + randomBytes(random_, ply.record * kPoints)));
+}
+
 TEST_F(MadeFiles, AThousandDamagedBodiesEndTheSameByBoth) {
   std::vector<std::pair<std::string, std::string>> good;
   for (const std::string data : {"binary", "binary_compressed"}) {
