@@ -20,11 +20,12 @@
 #include "haptics/rt/realtime_thread.h"
 #include "tests/emulator/idle_client.h"
 #include "tests/emulator/made_image.h"
-#include "tests/emulator/usbip_server.h"
+#include "tests/emulator/plugged.h"
 
 namespace {
 
 using namespace relievo;  // NOLINT(google-build-using-namespace): a program of one file.
+using emulator::Plugged;
 using emulator::SharedFalcon;
 using falcon::FalconDevice;
 using falcon::LinkState;
@@ -40,29 +41,6 @@ void expect(bool holds, const std::string& step) {
   std::printf("ok: %s\n", step.c_str());
   std::fflush(stdout);
 }
-
-/// A whole Falcon with its cable.
-class Plugged {
- public:
-  explicit Plugged(std::shared_ptr<SharedFalcon> falcon) : falcon_(std::move(falcon)) {
-    falcon_->with([](auto& f) { f.plugIn(); });
-    const int socket = emulator::attachToVhci();
-    expect(socket >= 0, "the kernel takes the virtual port");
-    thread_ = std::jthread([this, socket](const std::stop_token& stop) {
-      emulator::UsbipServer(socket, falcon_, false).serve(stop);
-    });
-  }
-  /// The server leaves, the kernel sees the cable pulled.
-  void unplug() {
-    falcon_->with([](auto& f) { f.unplug(); });
-    if (thread_.joinable()) thread_.join();
-  }
-  ~Plugged() { unplug(); }
-
- private:
-  std::shared_ptr<SharedFalcon> falcon_;
-  std::jthread thread_;
-};
 
 bool eventually(const std::function<bool()>& holds, int seconds = 120) {
   const std::int64_t give_up = monotonicNs() + seconds * 1000 * kMs;

@@ -1,9 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# tests/emulator/vm.sh BUILD: boots Debian's kernel in QEMU (no KVM, no network) with vhci_hcd and runs
-# falcon_vm_check in it. Nothing is installed: the kernel package is only unpacked into BUILD/vm.
+# tests/emulator/vm.sh BUILD [soak MINUTES]: boots Debian's kernel in QEMU (no KVM, no network) with vhci_hcd
+# and runs falcon_vm_check in it, or falcon_vm_soak for that long by the guest's clock. Nothing is installed: the kernel package is only unpacked into BUILD/vm.
 set -uo pipefail
 build=$1
+program=falcon_vm_check
+limit=1500
+if [ "${2:-}" = soak ]; then
+  program=falcon_vm_soak
+  limit=$((1500 + ${3:-1} * 300))
+fi
 here=$build/vm
 
 fail() {
@@ -30,8 +36,8 @@ tree=$here/tree
 rm -rf "$tree"
 mkdir -p "$tree"/{bin,dev,proc,sys,tmp,modules,run}
 cp "$(command -v busybox)" "$tree/bin/busybox"
-cp "$build/tests/falcon_vm_check" "$tree/bin/"
-ldd "$build/tests/falcon_vm_check" | grep -o '/[^ ]*' | sort -u | while read -r library; do
+cp "$build/tests/$program" "$tree/bin/"
+ldd "$build/tests/$program" | grep -o '/[^ ]*' | sort -u | while read -r library; do
   mkdir -p "$tree$(dirname "$library")"
   cp -L "$library" "$tree$library"
 done
@@ -49,7 +55,7 @@ cat >"$tree/init" <<INIT
 /bin/busybox mount -t sysfs none /sys
 /bin/busybox mount -t devtmpfs none /dev
 for module in ${load[*]}; do /bin/busybox insmod /modules/\$module || echo "VM FAILED: insmod \$module"; done
-/bin/falcon_vm_check
+/bin/$program ${3:-}
 /bin/busybox poweroff -f
 INIT
 chmod +x "$tree/init"
@@ -57,9 +63,9 @@ chmod +x "$tree/init"
 
 # One processor: with two, emulated without KVM, USB runs ten times slower. The guest's clock counts its
 # instructions (4 ns each) and skips what it sleeps: a busy host makes the run longer, never an answer late.
-timeout 1500 qemu-system-x86_64 -M q35 -accel tcg -cpu max -smp 1 -m 512 -nographic -no-reboot -nic none \
+timeout "$limit" qemu-system-x86_64 -M q35 -accel tcg -cpu max -smp 1 -m 512 -nographic -no-reboot -nic none \
   -icount shift=2,sleep=off -rtc clock=vm \
   -kernel "$kernel" -initrd "$here/initrd.gz" \
   -append "console=ttyS0 quiet panic=-1 rdinit=/init" </dev/null | tee "$here/log" |
-  grep --line-buffered -aE '^(ok:|   |VM )'
+  grep --line-buffered -aE '^(ok:|   |\| |VM )'
 grep -aq '^VM PASSED' "$here/log" || fail "The check in the virtual machine did not pass; see $here/log."
