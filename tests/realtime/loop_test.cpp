@@ -31,17 +31,20 @@ void showFlat(HapticLoop& loop, std::uint64_t id) {
       80, [](double, double) { return 0.0; }, id));
 }
 
-/// Takes samples until one satisfies something.
+/// Takes samples until one satisfies something; the last one, and a failure, where none does.
 template <class Holds>
 HapticSample waitFor(HapticLoop& loop, const Holds& holds) {
+  constexpr std::int64_t kLimitNs = 60'000'000'000;
   HapticSample sample;
-  for (;;) {
+  for (const std::int64_t give_up = monotonicNs() + kLimitNs; monotonicNs() < give_up;) {
     if (!loop.samples().pop(sample)) {
       std::this_thread::yield();
       continue;
     }
     if (holds(sample)) return sample;
   }
+  ADD_FAILURE() << "No sample was as awaited.";
+  return sample;
 }
 
 TEST(HapticLoop, TicksWithTheNewestWindowAndJoins) {
