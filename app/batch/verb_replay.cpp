@@ -7,6 +7,7 @@
 
 #include "app/batch/companions.h"
 #include "app/batch/json.h"
+#include "app/batch/packed_file.h"
 #include "app/batch/replay_command.h"
 #include "app/batch/replay_window.h"
 #include "app/batch/state.h"
@@ -110,22 +111,25 @@ Json jsonOfLaw(const LogTable& log) {
 /// One recording of a package, made by a verb or in the window, on the package's input.
 /// @throw FileError  it says how it was made, but cannot be replayed here
 ReplayResult replayPacked(const LogTable& log, const std::string& recording,
-                          const std::string& input, const Task& task) {
+                          const std::string& input, const std::filesystem::path& folder,
+                          const Task& task) {
   const auto each = [](const HapticSample&, double) {};
-  if (const auto of_window = replayOfWindow(log, recording, input, each, task)) return *of_window;
+  if (const auto of_window = replayOfWindow(log, recording, input, each, folder, task))
+    return *of_window;
   TouchArguments touch = argumentsOf(commandOf(log, recording));
   touch.map.file = input;
   touch.lift_n = liftIn(log);
   if (const auto raster = firmnessOfCommand(log)) {
-    touch.firmness = foundInput(recording, raster->file, raster->sha256, task).string();
+    touch.firmness = packedFile(folder, recording, raster->file, raster->sha256, task).string();
   }
   const TouchSetup setup = prepareTouch(touch, task);
   return replay(*setup.space, setup.core, setup.options.chain, log, each, task);
 }
 
 /// What became of one recording of a package. @return false if it is not the same
-bool verifyRecording(const std::string& recording, const std::string& input, Json& report,
-                     std::string& line, const Task& task) {
+bool verifyRecording(const std::string& recording, const std::string& input,
+                     const std::filesystem::path& folder, Json& report, std::string& line,
+                     const Task& task) {
   const LogTable log = readLog(recording, task);
   line = std::filesystem::path(recording).filename().string() + ": ";
   const LogCheck check = checkLog(recording, task);
@@ -133,7 +137,7 @@ bool verifyRecording(const std::string& recording, const std::string& input, Jso
   report = {{"recording", std::filesystem::path(recording).filename().string()},
             {"integrity", jsonOfCheck(check)}};
   try {
-    const ReplayResult result = replayPacked(log, recording, input, task);
+    const ReplayResult result = replayPacked(log, recording, input, folder, task);
     report["replayed"] = true;
     report["ticks"] = result.ticks;
     report["different_ticks"] = result.different;
@@ -181,8 +185,8 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
     }
     for (const InputFile& recording : project.recordings) {
       Json& report = json["recordings"].emplace_back();
-      const bool same =
-          verifyRecording(recording.file, input, report, outcome.lines.emplace_back(), task);
+      const bool same = verifyRecording(recording.file, input, folder.path(), report,
+                                        outcome.lines.emplace_back(), task);
       if (!same) outcome.exit_code = kVerifyMismatch;
     }
   }
@@ -230,7 +234,7 @@ ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
   };
   if (!a.out.empty() && isOfWindow(log)) out = openLog(a.out, log.header);
   json["input"] = a.input;
-  std::optional<ReplayResult> result = replayOfWindow(log, a.log, a.input, each, task);
+  std::optional<ReplayResult> result = replayOfWindow(log, a.log, a.input, each, {}, task);
   if (!result) {
     TouchArguments touch = argumentsOf(commandOf(log, a.log));
     if (!a.input.empty()) touch.map.file = a.input;
