@@ -39,6 +39,21 @@ using Zip = std::unique_ptr<zip_t, DiscardZip>;
 
 // ---- writing -------------------------------------------------------------------------------
 
+// Characters that end a manifest's line, and how `sha256sum` writes them behind a backslash.
+constexpr std::string_view kSpecial = "\\\n\r", kWritten = "\\nr";
+
+/// A line of the manifest as `sha256sum` writes it: a name of several lines is escaped, and a
+/// backslash before the checksum says so.
+std::string manifestLine(const std::string& sha256, const std::string& name) {
+  std::string escaped;
+  for (const char c : name) {
+    const std::size_t which = kSpecial.find(c);
+    if (which != std::string_view::npos) escaped += '\\';
+    escaped += which == std::string_view::npos ? c : kWritten[which];
+  }
+  return (escaped == name ? "" : "\\") + sha256 + "  " + escaped + '\n';
+}
+
 class PackageWriter {
  public:
   explicit PackageWriter(std::filesystem::path target)
@@ -73,8 +88,7 @@ class PackageWriter {
 
   void close(const Task& task) {
     std::string lines;
-    for (const auto& [name, sha256] : manifest_)
-      lines.append(sha256).append("  ").append(name).append("\n");
+    for (const auto& [name, sha256] : manifest_) lines += manifestLine(sha256, name);
     addText(kManifest, lines);
     // Everything is read, packed and written here.
     zip_register_cancel_callback_with_state(
@@ -229,15 +243,35 @@ std::optional<std::string> entryText(zip_t* archive, const std::string& name, co
   return text;
 }
 
+/// The name that manifestLine() escaped; nothing if it is none.
+std::optional<std::string> unescaped(std::string_view text) {
+  std::string name;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\') {
+      name += text[i];
+      continue;
+    }
+    const std::size_t which = ++i < text.size() ? kWritten.find(text[i]) : std::string_view::npos;
+    if (which == std::string_view::npos) return std::nullopt;
+    name += kSpecial[which];
+  }
+  return name;
+}
+
 /// Name to checksum; nothing for a line of another form.
 std::optional<std::map<std::string, std::string>> manifestFrom(std::string_view text) {
   std::map<std::string, std::string> manifest;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
+    std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
+    const bool is_escaped = line.starts_with('\\');
+    line.remove_prefix(is_escaped ? 1 : 0);
     if (line.size() < 67 || line.substr(64, 2) != "  ") return std::nullopt;
-    manifest[std::string(line.substr(66))] = line.substr(0, 64);
+    const std::string_view written = line.substr(66);
+    const auto name = is_escaped ? unescaped(written) : std::optional(std::string(written));
+    if (!name) return std::nullopt;
+    manifest[*name] = line.substr(0, 64);
   }
   return manifest;
 }
