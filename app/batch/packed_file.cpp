@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/io/file_check.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/sha256.h"
 
 namespace relievo::batch {
@@ -24,7 +25,8 @@ bool isBelow(const fs::path& file, const fs::path& folder) {
 
 fs::path packedFile(const fs::path& package_folder, const fs::path& recording,
                     const fs::path& named, const std::string& sha256, const Task& task) {
-  const fs::path beside = recording.parent_path(), name = named.filename();
+  const fs::path beside = recording.parent_path();
+  const fs::path name = textOfName(named.filename().string());  // As it was packed.
   const auto is_it = [&](const fs::path& file) {
     return isBelow(file, package_folder) && (sha256.empty() || sha256OfFile(file, task) == sha256);
   };

@@ -10,6 +10,7 @@
 #include "app/batch/packed_file.h"
 #include "app/batch/replay_command.h"
 #include "app/batch/replay_window.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
@@ -191,7 +192,7 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
     }
   }
   json["identical"] = outcome.exit_code == 0;
-  outcome.json = json.dump(2);
+  outcome.json = reportText(json);
   return outcome;
 }
 
@@ -297,7 +298,7 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     json["problem"] = error.what();
     line = std::string("not replayed. ") + error.what();
   }
-  return {.json = json.dump(2),
+  return {.json = reportText(json),
           .lines = {a.log + ": " + line, sentenceOf(check) + ".",
                     "Computed again and compared: " + listed(json["recomputed"]) +
                         ". Told by checksums alone: " + listed(json["only_by_checksum"]) + "."},

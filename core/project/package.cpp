@@ -16,6 +16,7 @@
 #include "core/io/file_check.h"
 #include "core/io/replaced_file.h"
 #include "core/project/project_files.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/tiles/tiled_map.h"
 
@@ -72,9 +73,11 @@ class PackageWriter {
   /// @return its name in the package; a second one of the same name gets a number
   std::string addFile(const std::string& folder, const std::filesystem::path& file,
                       const std::string& sha256) {
-    std::string name = folder + "/" + file.filename().string();
+    // A zip's names are UTF-8.
+    const std::string own_name = textOfName(file.filename().string());
+    std::string name = folder + "/" + own_name;
     for (int i = 2; manifest_.contains(name); ++i) {
-      name = folder + "/" + std::to_string(i) + "-" + file.filename().string();
+      name = folder + "/" + std::to_string(i) + "-" + own_name;
     }
     add(name, zip_source_file(archive_.get(), file.c_str(), 0, -1), sha256);
     return name;
