@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/batch/large.h"
+#include "app/batch/report_text.h"
 
 #include <unistd.h>
 
@@ -134,7 +135,7 @@ Outcome runByTiles(const MapArguments& arguments, double memory_mb,
   for (const std::string& message : map.messages) tell(message);
   for (const std::string& left : map.not_done) tell(left);
   const Json json = reportOf(map);
-  Outcome outcome{.json = json.dump(2), .lines = {}};
+  Outcome outcome{.json = reportText(json), .lines = {}};
   for (const Json& level : json["levels"]) {
     outcome.lines.push_back(level["file"].get<std::string>() + ": " + level["cells"][0].dump() +
                             " x " + level["cells"][1].dump());

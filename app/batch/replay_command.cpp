@@ -8,6 +8,7 @@
 #include "app/batch/json.h"
 #include "core/base/error.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
@@ -32,7 +33,9 @@ std::optional<std::vector<std::string>> commandIn(const LogTable& log) {
                    [](const Json& part) { return part.is_string(); })) {
     return std::nullopt;
   }
-  return command.get<std::vector<std::string>>();
+  std::vector<std::string> words;
+  for (const Json& word : command) words.push_back(nameFromText(word.get<std::string>()));
+  return words;
 }
 
 std::vector<std::string> commandOf(const LogTable& log, const std::string& file) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/batch/packed_file.h"
 #include "app/batch/state.h"
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
@@ -25,10 +26,12 @@ namespace {
 class Scenes {
  public:
   /// @param header  what the recording's header says, its input found
-  Scenes(Project header, const RecordedLoop& loop, std::filesystem::path recording, Task task)
+  Scenes(Project header, const RecordedLoop& loop, std::filesystem::path recording,
+         std::filesystem::path package_folder, Task task)
       : header_(std::move(header)),
         loop_(loop),
         recording_(std::move(recording)),
+        package_folder_(std::move(package_folder)),
         task_(std::move(task)) {}
 
   const HapticSpace& at(const RecordedScene& scene) {
@@ -86,8 +89,12 @@ class Scenes {
     }
     if (project->sha256 == header_.sha256) {  // Found already, wherever it is now.
       project->file = header_.file;
-    } else {
+    } else if (package_folder_.empty()) {
       findInput(*project, recording_, {}, false, task_);
+    } else {
+      const auto packed =
+          packedFile(package_folder_, recording_, project->file, project->sha256, task_);
+      findInput(*project, recording_, packed.string(), false, task_);
     }
     return std::move(*project);
   }
@@ -103,8 +110,10 @@ class Scenes {
     }
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::absolute(recording_, error).parent_path();
+    const std::filesystem::path place = (folder / named->second).lexically_normal();
     const std::filesystem::path file =
-        foundInput(recording_, (folder / named->second).lexically_normal(), sha256, task_);
+        package_folder_.empty() ? foundInput(recording_, place, sha256, task_)
+                                : packedFile(package_folder_, recording_, place, sha256, task_);
     if (sha256OfFile(file, task_) != sha256) {
       throw ChangedInputError("'" + file.filename().string() +
                                   "' is not the raster of firm ground that was felt (checksum "
@@ -118,6 +127,7 @@ class Scenes {
   Project header_;
   const RecordedLoop& loop_;
   std::filesystem::path recording_;
+  std::filesystem::path package_folder_;  ///< Empty: of none.
   Task task_;
   std::unique_ptr<Surface> surface_;
   std::uint64_t map_ = 0;                        ///< Of surface_.
@@ -129,10 +139,12 @@ class Scenes {
 
 std::optional<ReplayResult> replayOfWindow(
     const LogTable& log, const std::string& file, const std::string& input,
-    const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
+    const std::function<void(const HapticSample&, double t_s)>& each,
+    const std::filesystem::path& package_folder, const Task& task) {
   const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
   if (!loop) return std::nullopt;
-  Scenes scenes(storedProject({.from_image = file, .project = {}}, input, task), *loop, file, task);
+  Scenes scenes(storedProject({.from_image = file, .project = {}}, input, task), *loop, file,
+                package_folder, task);
   return replayLoop(
       *loop, log,
       [&scenes](const RecordedScene& scene) -> const HapticSpace& { return scenes.at(scene); },

@@ -28,7 +28,8 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
 }  // namespace
 
 std::optional<Project> stateIn(const fs::path& carrier) {
-  if (readHead(carrier, 4) != "\x89HDF") return carriedProject(carrier);
+  constexpr std::size_t kHeadBytes = 32;
+  if (!isHdf5Log(readHead(carrier, kHeadBytes))) return carriedProject(carrier);
   const auto state = hdf5State(carrier);
   return state ? carriedProject(carrier, *state) : std::nullopt;
 }

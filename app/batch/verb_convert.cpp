@@ -4,6 +4,7 @@
 #include "app/batch/json.h"
 #include "app/batch/look_arguments.h"
 #include "app/batch/number_option.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -134,7 +135,7 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   json["frame"] = in_file ? "file" : "view";
   json["heights"] = written.heights;
   return {
-      .json = json.dump(2),
+      .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(written.size.cols) + " x " +
                 std::to_string(written.size.rows) + " cells of " + shortNumber(written.spacing, 9) +
                 " " + written.unit + ", " + std::to_string(written.heights) +

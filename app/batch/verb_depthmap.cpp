@@ -5,6 +5,7 @@
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/map_report.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/colour_raster.h"
@@ -123,7 +124,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   json["likely_nodata"] = suspectJson(surface.suspect_height);
   json["not_done"] = surface.not_done;
   return {
-      .json = json.dump(2),
+      .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(frame.size.cols) + " x " +
                     std::to_string(frame.size.rows) + " cells of " + shortNumber(frame.spacing_mm) +
                     " mm, view " + surface.view_name + ", engine " + surface.engine,

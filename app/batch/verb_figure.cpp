@@ -4,6 +4,7 @@
 #include "app/batch/figure_arguments.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -110,7 +111,7 @@ Outcome runFigure(const Arguments& a, const Task& task) {
     json["parallax_deg"] = written.eyes->parallax_deg;
   }
   return {
-      .json = json.dump(2),
+      .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
                     std::to_string(facts.height_px) + " pixels, " + shortNumber(facts.width_mm) +
                     " x " + shortNumber(facts.height_mm) + " mm on paper",

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/batch/json.h"
+#include "app/batch/report_text.h"
 #include "app/batch/verb.h"
 #include "core/depth/colour_fill.h"
 #include "core/depth/colours.h"
@@ -72,7 +73,7 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   }
   const auto done = std::count_if(filled.holes.begin(), filled.holes.end(),
                                   [](const Hole& h) { return h.filled; });
-  outcome.json = Json{{"file", a.out}, {"holes", holes}, {"filled", done}}.dump(2);
+  outcome.json = reportText(Json{{"file", a.out}, {"holes", holes}, {"filled", done}});
   outcome.lines = {a.out + ": " + std::to_string(done) + " of " +
                    std::to_string(filled.holes.size()) + " holes filled"};
   return outcome;

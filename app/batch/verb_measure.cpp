@@ -10,6 +10,7 @@
 #include "app/batch/large.h"
 #include "app/batch/look_arguments.h"
 #include "app/batch/number_option.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/text_file.h"
@@ -221,14 +222,14 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
       writeSectionFiles(a, readings[i], list[i], title, header);
     }
   }
-  outcome.json = json.dump(2);
+  outcome.json = reportText(json);
   if (!a.out.empty()) {
     const bool as_json = std::filesystem::path(a.out).extension() == ".json";
     if (as_json) {
       json["provenance"] = Json::parse(toJson(provenanceOfVerb(a.map, surface, a.out, task)));
     }
     writeTextFile(a.out,
-                  as_json ? json.dump(2) + "\n" : measurementsCsv(cells, list, header(a.out)));
+                  as_json ? reportText(json) + "\n" : measurementsCsv(cells, list, header(a.out)));
   }
   return outcome;
 }

@@ -5,6 +5,7 @@
 
 #include "app/batch/companions.h"
 #include "app/batch/json.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -73,7 +74,7 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
     project.recordings.back().file = fs::absolute(recording).lexically_normal().generic_string();
   }
   writeProject(a.out, project);
-  return {.json = Json{{"project", a.out}, {"places", namesOf(project.places)}}.dump(2),
+  return {.json = reportText(Json{{"project", a.out}, {"places", namesOf(project.places)}}),
           .lines = {a.out + ": a project on " + fs::path(project.file).filename().string()}};
 }
 
@@ -88,7 +89,8 @@ Outcome showInfo(const ProjectArguments& a) {
   json["recordings"] = Json::array();
   for (const InputFile& file : p.recordings) json["recordings"].push_back(file.file);
   json["steps"] = p.history.size();
-  Outcome outcome{.json = json.dump(2), .lines = {}};
+  Outcome outcome{.json = reportText(json), .lines = {}};
+  json = Json::parse(outcome.json);  // With names that are UTF-8.
   for (const auto& [key, value] : json.items()) {
     outcome.lines.push_back(key + ": " +
                             (value.is_string() ? value.template get<std::string>() : value.dump()));
@@ -99,7 +101,7 @@ Outcome showInfo(const ProjectArguments& a) {
 /// Exit 5 if a file is missing or is another one.
 Outcome check(const ProjectArguments& a, const Task& task) {
   const std::vector<FileCheck> checks = checkFiles(readProject(a.file), task);
-  Outcome outcome{.json = Json{{"files", checkJson(checks)}}.dump(2), .lines = {}};
+  Outcome outcome{.json = reportText(Json{{"files", checkJson(checks)}}), .lines = {}};
   for (const FileCheck& one : checks) {
     outcome.lines.push_back(one.file.file + ": " +
                             kFileStates.at(static_cast<std::size_t>(one.state)));
@@ -132,7 +134,7 @@ Outcome relink(const ProjectArguments& a, const Task& task) {
   }
   if (found > 0) writeProject(a.out.empty() ? a.file : a.out, project);
   const std::vector<FileCheck> after = checkFiles(project, task);
-  Outcome outcome{.json = Json{{"relinked", found}, {"files", checkJson(after)}}.dump(2),
+  Outcome outcome{.json = reportText(Json{{"relinked", found}, {"files", checkJson(after)}}),
                   .lines = {std::to_string(found) + " files were found again"}};
   if (!allAsBefore(after)) {
     outcome.exit_code = 5;
@@ -154,14 +156,14 @@ Outcome pack(const ProjectArguments& a, const Task& task) {
       }};
   for (const std::string& figure : a.figures) contents.figures.emplace_back(figure);
   writePackage(a.out, project, contents, task);
-  return {.json = Json{{"package", a.out}, {"sha256", sha256OfFile(a.out, task)}}.dump(2),
+  return {.json = reportText(Json{{"package", a.out}, {"sha256", sha256OfFile(a.out, task)}}),
           .lines = {a.out + ": packed for citation"}};
 }
 
 Outcome verify(const ProjectArguments& a, const Task& task) {
   const PackageCheck result = verifyPackage(a.file, task);
   Outcome outcome{
-      .json = Json{{"files", result.files}, {"problems", result.problems}}.dump(2),
+      .json = reportText(Json{{"files", result.files}, {"problems", result.problems}}),
       .lines = {a.file + ": " + std::to_string(result.files) + " files are as they were packed"}};
   for (const std::string& problem : result.problems) tell(problem);
   if (!result.problems.empty()) outcome.exit_code = 5;

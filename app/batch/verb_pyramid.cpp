@@ -3,6 +3,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/large.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/io/colour_raster.h"
@@ -52,9 +53,8 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
                             std::to_string(level.frame.size.rows));
   }
   const double factor = surface.pyramid.factor;
-  outcome.json =
-      Json{{"levels", levels}, {"factor", factor}, {"gain_at_nyquist", gainAtNyquist(factor)}}.dump(
-          2);
+  outcome.json = reportText(
+      {{"levels", levels}, {"factor", factor}, {"gain_at_nyquist", gainAtNyquist(factor)}});
   outcome.exit_code = exitCodeAfter(surface);
   return outcome;
 }

@@ -6,6 +6,7 @@
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
 #include "app/batch/number_option.h"
+#include "app/batch/report_text.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_files.h"
@@ -86,7 +87,7 @@ Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
          "\" on there was no force; the recording is saved. Look at the device in 'relievo "
          "devices', then begin again.");
   }
-  return {.json = json.dump(2),
+  return {.json = reportText(json),
           .lines = {file + ": " + std::to_string(rows) + " ticks with " + loop.device().name +
                     ", " + std::to_string(stats.late_ticks) + " late"},
           .exit_code = slept || failed ? kDeviceExit : 0};

@@ -6,6 +6,7 @@
 #include "app/batch/large.h"
 #include "app/batch/look_arguments.h"
 #include "app/batch/number_option.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -128,7 +129,7 @@ Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, const Task&
   json["gain"] = stored.project.gain;
   json["stereo"] = name(stored.project.figure.stereo);
   json["caption"] = facts.caption;
-  Outcome outcome{.json = json.dump(2),
+  Outcome outcome{.json = reportText(json),
                   .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
                             std::to_string(facts.height_px) + " pixels, " +
                             (a.carrier.given() ? "as the figure" : "two eyes' pictures")},
@@ -171,7 +172,7 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   json["view"] = surface.view_name;
   json["view_from_file"] = jsonOf(surface.view_from_file);
   json["caption"] = facts.caption;
-  Outcome outcome{.json = json.dump(2),
+  Outcome outcome{.json = reportText(json),
                   .lines = {a.out + ": " + std::to_string(facts.width_px) + " x " +
                             std::to_string(facts.height_px) + " pixels, " +
                             ShownLengths(surface).text(facts.mm_per_pixel) + " each, level " +

@@ -7,8 +7,10 @@
 
 #include "app/batch/companions.h"
 #include "app/batch/json.h"
+#include "app/batch/packed_file.h"
 #include "app/batch/replay_command.h"
 #include "app/batch/replay_window.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
@@ -16,6 +18,7 @@
 #include "core/project/package.h"
 #include "core/project/project.h"
 #include "haptics/record/force_law.h"
+#include "haptics/record/log_check.h"
 #include "haptics/record/replay.h"
 
 namespace relievo::batch {
@@ -58,6 +61,49 @@ class WorkFolder {
   std::filesystem::path path_;
 };
 
+/// What of a log is computed again, and what its checksums alone can tell.
+Json jsonOfColumns(bool recomputed) {
+  Json columns = Json::array();
+  for (const LogColumn& column : kLogColumns) {
+    if (isRecomputed(column.name) == recomputed) columns.push_back(column.name);
+  }
+  if (!recomputed) columns.insert(columns.end(), {"event", "header", "footer"});
+  return columns;
+}
+
+std::string listed(const Json& names) {
+  std::string text;
+  for (const Json& name : names) {
+    text += (text.empty() ? "" : ", ") + name.get<std::string>();
+  }
+  return text;
+}
+
+Json jsonOfCheck(const LogCheck& check) {
+  return {{"state", name(check.state)},
+          {"rows", check.rows},
+          {"where", check.where.empty() ? Json() : Json(check.where)}};
+}
+
+std::string sentenceOf(const LogCheck& check) {
+  const std::string first = "its first " + std::to_string(check.rows) + " rows";
+  switch (check.state) {
+    case LogCheck::State::none:
+      return "It carries no checksum, as an earlier build made it: what is not computed again was "
+             "not checked";
+    case LogCheck::State::whole:
+      return "By its checksums every row, event and line is as it was written";
+    case LogCheck::State::unfinished:
+      return "It was not finished, as its program was ended or the disk was full; by its "
+             "checksums " +
+             first + ", with events and header, are as they were written";
+    case LogCheck::State::changed:
+      return "It was changed: " + check.where +
+             (check.rows > 0 ? "; " + first + " are" : std::string());
+  }
+  return {};
+}
+
 Json jsonOfLaw(const LogTable& log) {
   const std::optional<int> law = lawIn(log.header);
   return {{"recorded", law ? Json(*law) : Json()}, {"this_build", kForceLaw}};
@@ -66,27 +112,33 @@ Json jsonOfLaw(const LogTable& log) {
 /// One recording of a package, made by a verb or in the window, on the package's input.
 /// @throw FileError  it says how it was made, but cannot be replayed here
 ReplayResult replayPacked(const LogTable& log, const std::string& recording,
-                          const std::string& input, const Task& task) {
+                          const std::string& input, const std::filesystem::path& folder,
+                          const Task& task) {
   const auto each = [](const HapticSample&, double) {};
-  if (const auto of_window = replayOfWindow(log, recording, input, each, task)) return *of_window;
+  if (const auto of_window = replayOfWindow(log, recording, input, each, folder, task))
+    return *of_window;
   TouchArguments touch = argumentsOf(commandOf(log, recording));
   touch.map.file = input;
   touch.lift_n = liftIn(log);
   if (const auto raster = firmnessOfCommand(log)) {
-    touch.firmness = foundInput(recording, raster->file, raster->sha256, task).string();
+    touch.firmness = packedFile(folder, recording, raster->file, raster->sha256, task).string();
   }
   const TouchSetup setup = prepareTouch(touch, task);
   return replay(*setup.space, setup.core, setup.options.chain, log, each, task);
 }
 
 /// What became of one recording of a package. @return false if it is not the same
-bool verifyRecording(const std::string& recording, const std::string& input, Json& report,
-                     std::string& line, const Task& task) {
+bool verifyRecording(const std::string& recording, const std::string& input,
+                     const std::filesystem::path& folder, Json& report, std::string& line,
+                     const Task& task) {
   const LogTable log = readLog(recording, task);
   line = std::filesystem::path(recording).filename().string() + ": ";
-  report = {{"recording", std::filesystem::path(recording).filename().string()}};
+  const LogCheck check = checkLog(recording, task);
+  const bool is_changed = check.state == LogCheck::State::changed;
+  report = {{"recording", std::filesystem::path(recording).filename().string()},
+            {"integrity", jsonOfCheck(check)}};
   try {
-    const ReplayResult result = replayPacked(log, recording, input, task);
+    const ReplayResult result = replayPacked(log, recording, input, folder, task);
     report["replayed"] = true;
     report["ticks"] = result.ticks;
     report["different_ticks"] = result.different;
@@ -96,8 +148,9 @@ bool verifyRecording(const std::string& recording, const std::string& input, Jso
     line += std::to_string(result.ticks) +
             (result.different == 0 ? " ticks replayed, all the same to the last bit"
                                    : " ticks replayed, " + std::to_string(result.different) +
-                                         " differ" + (why.empty() ? "" : ". " + why));
-    return result.different == 0;
+                                         " differ" + (why.empty() ? "" : ". " + why)) +
+            ". " + sentenceOf(check);
+    return result.different == 0 && !is_changed;
   } catch (const FileError& error) {
     report["replayed"] = false;
     report["ticks"] = log.rows.size();
@@ -133,13 +186,13 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
     }
     for (const InputFile& recording : project.recordings) {
       Json& report = json["recordings"].emplace_back();
-      const bool same =
-          verifyRecording(recording.file, input, report, outcome.lines.emplace_back(), task);
+      const bool same = verifyRecording(recording.file, input, folder.path(), report,
+                                        outcome.lines.emplace_back(), task);
       if (!same) outcome.exit_code = kVerifyMismatch;
     }
   }
   json["identical"] = outcome.exit_code == 0;
-  outcome.json = json.dump(2);
+  outcome.json = reportText(json);
   return outcome;
 }
 
@@ -169,6 +222,54 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
   check(files);
 }
 
+/// The hand of one recording, given to its surface again. @throw FileError, ArgumentError
+ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
+  const LogTable log = readLog(a.log, task);
+  json["law"] = jsonOfLaw(log);
+  const std::string why = lawDifference(log.header);
+  json["why"] = why.empty() ? Json() : Json(why);
+  checkOutput(a, log, task);
+  std::unique_ptr<SampleLog> out;
+  const auto each = [&out](const HapticSample& sample, double t_s) {
+    if (out) out->write(sample, t_s);
+  };
+  if (!a.out.empty() && isOfWindow(log)) out = openLog(a.out, log.header);
+  json["input"] = a.input;
+  std::optional<ReplayResult> result = replayOfWindow(log, a.log, a.input, each, {}, task);
+  if (!result) {
+    TouchArguments touch = argumentsOf(commandOf(log, a.log));
+    if (!a.input.empty()) touch.map.file = a.input;
+    json["input"] = touch.map.file;
+    touch.lift_n = liftIn(log);
+    const TouchSetup setup = prepareTouch(touch, task);
+    if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
+    result = replay(*setup.space, setup.core, setup.options.chain, log, each, task);
+  }
+  if (out) out->close();
+  return *result;
+}
+
+/// What a replay found, as a report and as a sentence.
+std::string said(const ReplayResult& result, Json& json) {
+  json["ticks"] = result.ticks;
+  json["different_ticks"] = result.different;
+  json["identical"] = result.different == 0;
+  std::string line = std::to_string(result.ticks) + " ticks replayed, ";
+  if (!result.first) {
+    json.erase("why");
+    return line + "all the same to the last bit";
+  }
+  const ReplayDifference& first = *result.first;
+  json["first_difference"] = {{"tick", first.tick},
+                              {"column", first.column},
+                              {"logged", first.logged},
+                              {"replayed", first.replayed}};
+  line += std::to_string(result.different) + " differ; the first is " + first.column + " in tick " +
+          std::to_string(first.tick) + ": " + Json(first.logged).dump() + " in the log, " +
+          Json(first.replayed).dump() + " now";
+  return line + (json["why"].is_null() ? "" : ". " + json["why"].get<std::string>());
+}
+
 Outcome runReplay(const ReplayArguments& a, const Task& task) {
   if (isPackage(a.log)) {
     if (!a.out.empty()) {
@@ -178,53 +279,30 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     }
     return verifyAll(a, task);
   }
-  const LogTable log = readLog(a.log);
-  checkOutput(a, log, task);
-  std::unique_ptr<SampleLog> out;
-  const auto each = [&out](const HapticSample& sample, double t_s) {
-    if (out) out->write(sample, t_s);
-  };
-  if (!a.out.empty() && isOfWindow(log)) out = openLog(a.out, log.header);
-  std::string input = a.input;
-  std::optional<ReplayResult> of_window = replayOfWindow(log, a.log, a.input, each, task);
-  if (!of_window) {
-    TouchArguments touch = argumentsOf(commandOf(log, a.log));
-    if (!a.input.empty()) touch.map.file = a.input;
-    input = touch.map.file;
-    touch.lift_n = liftIn(log);
-    const TouchSetup setup = prepareTouch(touch, task);
-    if (!a.out.empty()) out = openLog(a.out, log.header, setup.space.get());
-    of_window = replay(*setup.space, setup.core, setup.options.chain, log, each, task);
+  const LogCheck check = checkLog(a.log, task);
+  const bool is_changed = check.state == LogCheck::State::changed;
+  Json json{{"log", a.log},
+            {"integrity", jsonOfCheck(check)},
+            {"recomputed", jsonOfColumns(true)},
+            {"only_by_checksum", jsonOfColumns(false)}};
+  std::string line;
+  bool is_same = false;
+  try {
+    const ReplayResult result = replayed(a, json, task);
+    line = said(result, json);
+    is_same = result.different == 0;
+  } catch (const FileError& error) {
+    // What was changed may be what a replay needs; that it was changed is the answer then.
+    if (!a.verify || !is_changed) throw;
+    json["identical"] = false;
+    json["problem"] = error.what();
+    line = std::string("not replayed. ") + error.what();
   }
-  const ReplayResult& result = *of_window;
-  if (out) out->close();
-
-  Json json;
-  json["log"] = a.log;
-  json["input"] = input;
-  json["ticks"] = result.ticks;
-  json["different_ticks"] = result.different;
-  json["identical"] = result.different == 0;
-  json["law"] = jsonOfLaw(log);
-  std::string line = a.log + ": " + std::to_string(result.ticks) + " ticks replayed, ";
-  if (result.first) {
-    const ReplayDifference& first = *result.first;
-    json["first_difference"] = {{"tick", first.tick},
-                                {"column", first.column},
-                                {"logged", first.logged},
-                                {"replayed", first.replayed}};
-    line += std::to_string(result.different) + " differ; the first is " + first.column +
-            " in tick " + std::to_string(first.tick) + ": " + Json(first.logged).dump() +
-            " in the log, " + Json(first.replayed).dump() + " now";
-    const std::string why = lawDifference(log.header);
-    json["why"] = why.empty() ? Json() : Json(why);
-    if (!why.empty()) line += ". " + why;
-  } else {
-    line += "all the same to the last bit";
-  }
-  return {.json = json.dump(2),
-          .lines = {line},
-          .exit_code = a.verify && result.different > 0 ? kVerifyMismatch : 0};
+  return {.json = reportText(json),
+          .lines = {a.log + ": " + line, sentenceOf(check) + ".",
+                    "Computed again and compared: " + listed(json["recomputed"]) +
+                        ". Told by checksums alone: " + listed(json["only_by_checksum"]) + "."},
+          .exit_code = a.verify && (!is_same || is_changed) ? kVerifyMismatch : 0};
 }
 
 }  // namespace
@@ -242,7 +320,7 @@ Verb replayVerb() {
                                 "The scan or map, if it is not where the log says");
                 verb.add_option("-o,--output", arguments->out, "Write what came out, too");
                 verb.add_flag("--verify", arguments->verify,
-                              "Exit 5 if a single bit differs from the log");
+                              "Exit 5 if a single bit differs, or the log was changed");
               },
           .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runReplay(*arguments, task); }};

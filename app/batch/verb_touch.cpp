@@ -9,11 +9,13 @@
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/look_arguments.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
 #include "core/region/hand.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
@@ -120,11 +122,11 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
   Json touch = Json::parse(feelJson(a));
   if (!a.stroke.empty()) {
     const InputFile stroke = inputFile(a.stroke, {}, task);
-    touch["stroke"] = {{"file", stroke.file}, {"sha256", stroke.sha256}};
+    touch["stroke"] = {{"file", textOfName(stroke.file)}, {"sha256", stroke.sha256}};
   }
   if (!a.firmness.empty()) {
     const InputFile firmness = inputFile(a.firmness, {}, task);
-    touch["firmness"] = {{"file", firmness.file}, {"sha256", firmness.sha256}};
+    touch["firmness"] = {{"file", textOfName(firmness.file)}, {"sha256", firmness.sha256}};
   }
   touch["frame"] = a.frame;
   touch["device"] = a.device;
@@ -213,7 +215,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   json["proxy_off_surface_mm"] = findings.off_surface_mm;
   json["force_to_normal_deg"] = findings.force_to_normal_deg;
   return {
-      .json = json.dump(2),
+      .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(ticks) + " ticks, largest force " +
                 shortNumber(findings.largest_force_n) + " N" +
                 (findings.beyond_ticks > 0
@@ -261,7 +263,8 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
                                  ? "by hand"
                                  : "stroke " + std::filesystem::path(a.stroke).filename().string();
   Json parameters = Json::parse(feelJson(a));
-  parameters["command"] = a.words;
+  parameters["command"] = Json::array();
+  for (const std::string& word : a.words) parameters["command"].push_back(textOfName(word));
   parameters["safety"] = safetyOf(a);
   return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\n" +
          lawLine() + "\ninput " + surface.info.file.filename().string() + "\nunit " +

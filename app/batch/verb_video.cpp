@@ -7,6 +7,7 @@
 #include "app/batch/look_arguments.h"
 #include "app/batch/number_option.h"
 #include "app/batch/recording.h"
+#include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
@@ -99,7 +100,7 @@ Outcome drawOne(const Surface& surface, const TouchRecording* recording,
   constexpr double kScreenDpi = 96;
   writePng(a.out, frames.draw(*a.frame), kScreenDpi,
            {{"Software", std::string("relievo ") + RELIEVO_VERSION_STRING}, {kStateEntry, state}});
-  return {.json = Json{{"file", a.out}, {"time_s", frames.times().ofFrame(*a.frame)}}.dump(2),
+  return {.json = reportText(Json{{"file", a.out}, {"time_s", frames.times().ofFrame(*a.frame)}}),
           .lines = {a.out + ": one frame"}};
 }
 
@@ -157,7 +158,7 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
   json["drawing_s"] = facts.drawing_s;
   json["packing_s"] = facts.packing_s;
   return {
-      .json = json.dump(2),
+      .json = reportText(json),
       .lines = {a.out + ": " + std::to_string(facts.frames) + " frames, " +
                 shortNumber(facts.seconds) + " s, " + std::to_string(facts.bytes / 1024) + " kB"}};
 }

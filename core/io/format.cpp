@@ -47,7 +47,7 @@ struct Magic {
   std::string_view name;  ///< Empty: that of the format.
 };
 
-constexpr std::array<Magic, 31> kMagics{{
+constexpr std::array<Magic, 32> kMagics{{
     {"II*\0"sv, FileFormat::tiff, {}},
     {"MM\0*"sv, FileFormat::tiff, {}},
     {"II+\0"sv, FileFormat::tiff, {}},
@@ -74,6 +74,7 @@ constexpr std::array<Magic, 31> kMagics{{
     {"\x1F\x8B"sv, FileFormat::other, "a gzip archive; unpack it first"},
     {"7z\xBC\xAF"sv, FileFormat::other, "a 7z archive; unpack it first"},
     {"\x89HDF"sv, FileFormat::other, "an HDF5 file"},
+    {"relievo HDF5"sv, FileFormat::other, "a recording of a touch"},
     {"\x7F"
      "ELF"sv,
      FileFormat::other, "a program"},

@@ -16,6 +16,7 @@
 #include "core/io/file_check.h"
 #include "core/io/replaced_file.h"
 #include "core/project/project_files.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/tiles/tiled_map.h"
 
@@ -39,6 +40,21 @@ using Zip = std::unique_ptr<zip_t, DiscardZip>;
 
 // ---- writing -------------------------------------------------------------------------------
 
+// Characters that end a manifest's line, and how `sha256sum` writes them behind a backslash.
+constexpr std::string_view kSpecial = "\\\n\r", kWritten = "\\nr";
+
+/// A line of the manifest as `sha256sum` writes it: a name of several lines is escaped, and a
+/// backslash before the checksum says so.
+std::string manifestLine(const std::string& sha256, const std::string& name) {
+  std::string escaped;
+  for (const char c : name) {
+    const std::size_t which = kSpecial.find(c);
+    if (which != std::string_view::npos) escaped += '\\';
+    escaped += which == std::string_view::npos ? c : kWritten[which];
+  }
+  return (escaped == name ? "" : "\\") + sha256 + "  " + escaped + '\n';
+}
+
 class PackageWriter {
  public:
   explicit PackageWriter(std::filesystem::path target)
@@ -57,9 +73,11 @@ class PackageWriter {
   /// @return its name in the package; a second one of the same name gets a number
   std::string addFile(const std::string& folder, const std::filesystem::path& file,
                       const std::string& sha256) {
-    std::string name = folder + "/" + file.filename().string();
+    // A zip's names are UTF-8.
+    const std::string own_name = textOfName(file.filename().string());
+    std::string name = folder + "/" + own_name;
     for (int i = 2; manifest_.contains(name); ++i) {
-      name = folder + "/" + std::to_string(i) + "-" + file.filename().string();
+      name = folder + "/" + std::to_string(i) + "-" + own_name;
     }
     add(name, zip_source_file(archive_.get(), file.c_str(), 0, -1), sha256);
     return name;
@@ -73,8 +91,7 @@ class PackageWriter {
 
   void close(const Task& task) {
     std::string lines;
-    for (const auto& [name, sha256] : manifest_)
-      lines.append(sha256).append("  ").append(name).append("\n");
+    for (const auto& [name, sha256] : manifest_) lines += manifestLine(sha256, name);
     addText(kManifest, lines);
     // Everything is read, packed and written here.
     zip_register_cancel_callback_with_state(
@@ -229,15 +246,35 @@ std::optional<std::string> entryText(zip_t* archive, const std::string& name, co
   return text;
 }
 
+/// The name that manifestLine() escaped; nothing if it is none.
+std::optional<std::string> unescaped(std::string_view text) {
+  std::string name;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\') {
+      name += text[i];
+      continue;
+    }
+    const std::size_t which = ++i < text.size() ? kWritten.find(text[i]) : std::string_view::npos;
+    if (which == std::string_view::npos) return std::nullopt;
+    name += kSpecial[which];
+  }
+  return name;
+}
+
 /// Name to checksum; nothing for a line of another form.
 std::optional<std::map<std::string, std::string>> manifestFrom(std::string_view text) {
   std::map<std::string, std::string> manifest;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
+    std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
+    const bool is_escaped = line.starts_with('\\');
+    line.remove_prefix(is_escaped ? 1 : 0);
     if (line.size() < 67 || line.substr(64, 2) != "  ") return std::nullopt;
-    manifest[std::string(line.substr(66))] = line.substr(0, 64);
+    const std::string_view written = line.substr(66);
+    const auto name = is_escaped ? unescaped(written) : std::optional(std::string(written));
+    if (!name) return std::nullopt;
+    manifest[*name] = line.substr(0, 64);
   }
   return manifest;
 }

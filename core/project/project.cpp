@@ -8,6 +8,7 @@
 #include "core/base/replaceable.h"
 #include "core/io/file_check.h"
 #include "core/io/text_file.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
 
@@ -210,6 +211,7 @@ Project projectFrom(Json json) {
     p.recordings.push_back(inputFrom(file));
   }
   p.figures = json.value("figures", std::vector<std::string>());
+  for (std::string& figure : p.figures) figure = nameFromText(figure);
   for (const Json& path : json.value("camera_paths", Json::array())) {
     p.paths.push_back(pathFrom(path));
   }
@@ -282,7 +284,7 @@ std::string projectJson(const Project& p) {
   for (const Measurement& m : p.measurements) json["measurements"].push_back(measurementJson(m));
   json["recordings"] = Json::array();
   for (const InputFile& file : p.recordings) json["recordings"].push_back(jsonOf(file));
-  if (!p.figures.empty()) json["figures"] = p.figures;
+  for (const std::string& figure : p.figures) json["figures"].push_back(textOfName(figure));
   if (!p.paths.empty()) json["camera_paths"] = Json::array();
   for (const CameraPath& path : p.paths) json["camera_paths"].push_back(pathJson(path));
   json["history"] = p.history;

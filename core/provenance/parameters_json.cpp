@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/depth/point_rule.h"
+#include "core/provenance/name_text.h"
 
 namespace relievo {
 namespace {
@@ -123,11 +124,11 @@ ScanChoices scanChoicesFrom(const Json& input) {
 }
 
 Json jsonOf(const InputFile& input) {
-  return {{"file", input.file}, {"bytes", input.bytes}, {"sha256", input.sha256}};
+  return {{"file", textOfName(input.file)}, {"bytes", input.bytes}, {"sha256", input.sha256}};
 }
 
 InputFile inputFrom(const Json& json) {
-  InputFile input{.file = json.at("file").get<std::string>(),
+  InputFile input{.file = nameFromText(json.at("file").get<std::string>()),
                   .sha256 = json.at("sha256").get<std::string>(),
                   .bytes = json.at("bytes").get<std::uint64_t>()};
   const bool is_digits = std::all_of(input.sha256.begin(), input.sha256.end(), [](char c) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/hdf5_log.h"
 
-#include <hdf5.h>
-
 #include <algorithm>
 #include <cassert>
 #include <mutex>
@@ -15,48 +13,32 @@
 
 #include "core/base/error.h"
 #include "haptics/record/event_row.h"
+#include "haptics/record/hdf5_session.h"
+#include "haptics/record/log_checksum.h"
 #include "haptics/record/pending_file.h"
 #include "haptics/record/recording_error.h"
-#include "haptics/record/replay.h"
 
 namespace relievo {
+
+using hdf5::appendBytes;
+using hdf5::appendText;
+using hdf5::eventType;
+using hdf5::Id;
+using hdf5::kChecksumsSet;
+using hdf5::KeptLine;
+using hdf5::kEventsSet;
+using hdf5::kLineBytes;
+using hdf5::kLinesSet;
+using hdf5::kStateSet;
+using hdf5::library;
+using hdf5::require;
+using hdf5::textType;
 
 namespace {
 constexpr hsize_t kChunkRows = 400;  // kMostUnsavedS at 1 kHz: a chunk is written once.
 constexpr hsize_t kChunkEvents = 64;
+constexpr hsize_t kChunkChecksums = 16;
 constexpr unsigned kDeflate = 4;
-
-/// The library serves one thread at a time.
-std::mutex& library() {
-  static std::mutex one;
-  return one;
-}
-
-/// An HDF5 identifier and what closes it.
-class Id {
- public:
-  Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id_ < 0) throw WriteError("HDF5 refused a part of the file.", "E401");
-  }
-  ~Id() {
-    if (id_ >= 0) close_(id_);
-  }
-  Id(Id&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Id(const Id&) = delete;
-  Id& operator=(const Id&) = delete;
-  Id& operator=(Id&&) = delete;
-  operator hid_t() const {
-    return id_;
-  }  // NOLINT(google-explicit-constructor): the library's type.
-
- private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-void require(herr_t status) {
-  if (status < 0) throw WriteError("HDF5 could not write.", "E401");
-}
 
 /// What the library sees of a PendingFile, which it can neither fill nor break: a library that
 /// could write only a part leaves a file that nothing can read, and crashes at the program's end.
@@ -138,13 +120,6 @@ Id accessTo(PendingFile& file) {
   return access;
 }
 
-Id textType(std::size_t bytes) {
-  Id type(H5Tcopy(H5T_C_S1), H5Tclose);
-  require(H5Tset_size(type, bytes));
-  require(H5Tset_cset(type, H5T_CSET_UTF8));
-  return type;
-}
-
 void writeAttribute(hid_t object, const char* name, std::string_view text) {
   const std::string value(text.empty() ? "-" : text);
   const Id type = textType(value.size());
@@ -153,21 +128,24 @@ void writeAttribute(hid_t object, const char* name, std::string_view text) {
   require(H5Awrite(attribute, type, value.data()));
 }
 
-void writeText(hid_t file, const char* name, std::string_view text) {
-  const std::string value(text.empty() ? "-" : text);
+/// @return  what is in the file now
+std::string writeText(hid_t file, const char* name, std::string_view text) {
+  std::string value(text.empty() ? "-" : text);
   const Id type = textType(value.size());
   const Id space(H5Screate(H5S_SCALAR), H5Sclose);
   const Id set(H5Dcreate2(file, name, type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                H5Dclose);
   require(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()));
+  return value;
 }
 
-Id growingSet(hid_t group, const std::string& name, hid_t type, hsize_t chunk) {
+Id growingSet(hid_t group, const std::string& name, hid_t type, hsize_t chunk,
+              unsigned deflate = kDeflate) {
   const hsize_t none = 0, unlimited = H5S_UNLIMITED;
   const Id space(H5Screate_simple(1, &none, &unlimited), H5Sclose);
   const Id properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   require(H5Pset_chunk(properties, 1, &chunk));
-  require(H5Pset_deflate(properties, kDeflate));
+  if (deflate > 0) require(H5Pset_deflate(properties, deflate));
   return {H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
           H5Dclose};
 }
@@ -181,7 +159,8 @@ void append(hid_t set, hid_t type, hsize_t before, hsize_t count, const void* va
   require(H5Dwrite(set, type, block, everything, H5P_DEFAULT, values));
 }
 
-void writeSurface(hid_t file, const HapticSpace& surface) {
+/// @return  heights and origins, as they are in the file now
+std::string writeSurface(hid_t file, const HapticSpace& surface) {
   const Id group(H5Gcreate2(file, "surface", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   const std::array<hsize_t, 2> cells{kWindowSamples, kWindowSamples};
   const Id space(H5Screate_simple(2, cells.data(), nullptr), H5Sclose);
@@ -201,114 +180,13 @@ void writeSurface(hid_t file, const HapticSpace& surface) {
       H5Dwrite(origin, H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, surface.origins.data()));
   writeAttribute(origin, "description",
                  "0 measured, 1 interpolated, 2 base plane, 3 steep, 4 outside");
+  std::string bytes;
+  appendBytes(bytes, heights_mm.data(), heights_mm.size());
+  appendBytes(bytes, surface.origins.data(), surface.origins.size());
+  return bytes;
 }
 
-constexpr const char* kStateSet = "relievo:state";  // As in the CSV's comment.
-constexpr const char* kEventsSet = "events";
-constexpr const char* kLinesSet = "lines";  // Of keep().
-constexpr std::size_t kLineBytes = 128;
-using KeptLine = std::array<char, kLineBytes>;
-
-Id eventType() {
-  Id type(H5Tcreate(H5T_COMPOUND, sizeof(EventRow)), H5Tclose);
-  const Id text = textType(sizeof(EventRow::text));
-  require(H5Tinsert(type, "time_s", HOFFSET(EventRow, time_s), H5T_NATIVE_DOUBLE));
-  require(H5Tinsert(type, "tick", HOFFSET(EventRow, tick), H5T_NATIVE_DOUBLE));
-  require(H5Tinsert(type, "text", HOFFSET(EventRow, text), text));
-  return type;
-}
-
-std::string readText(hid_t file, const char* name) {
-  const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
-  const Id type(H5Dget_type(set), H5Tclose);
-  std::string text(H5Tget_size(type), '\0');
-  require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()));
-  return text;
-}
-
-std::vector<double> readColumn(hid_t file, std::string_view name) {
-  const Id set(H5Dopen2(file, ("log/" + std::string(name)).c_str(), H5P_DEFAULT), H5Dclose);
-  const Id space(H5Dget_space(set), H5Sclose);
-  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  return values;
-}
-
-/// Logs of earlier versions have shorter texts, which the library brings to this length.
-std::vector<LogEvent> readEvents(hid_t file) {
-  const Id set(H5Dopen2(file, kEventsSet, H5P_DEFAULT), H5Dclose);
-  const Id space(H5Dget_space(set), H5Sclose);
-  const Id type = eventType();
-  std::vector<EventRow> rows(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  if (!rows.empty()) {
-    require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()));
-  }
-  std::vector<LogEvent> events;
-  for (EventRow& row : rows) {
-    row.text.back() = 0;
-    events.push_back({row.time_s, static_cast<std::uint64_t>(row.tick), row.text.data()});
-  }
-  return events;
-}
-/// What keep() was given; logs of earlier versions have none.
-std::string readLines(hid_t file) {
-  if (H5Lexists(file, kLinesSet, H5P_DEFAULT) <= 0) return {};
-  const Id set(H5Dopen2(file, kLinesSet, H5P_DEFAULT), H5Dclose);
-  const Id space(H5Dget_space(set), H5Sclose);
-  const Id type = textType(kLineBytes);
-  std::vector<KeptLine> kept(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  if (!kept.empty()) {
-    require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, kept.data()));
-  }
-  std::string lines;
-  for (KeptLine& line : kept) {
-    line.back() = 0;
-    lines.append(line.data()).append("\n");
-  }
-  return lines;
-}
 }  // namespace
-
-LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
-  const std::string name = "The log \"" + file.string() + "\" ";
-  std::unique_lock<std::mutex> turn(library());
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
-  LogTable table;
-  try {
-    if (H5Fis_hdf5(file.c_str()) == 0) throw noRecording(file);
-    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    table.header = readText(held, "provenance");
-    if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
-    const std::string lines = readLines(held);
-    if (!lines.empty()) table.footer += '\n' + lines;
-    table.events = readEvents(held);
-    for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
-      task.check();
-      const std::vector<double> values = readColumn(held, kLogColumns[i].name);
-      if (i == 0) table.rows.resize(values.size());
-      if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
-      turn.unlock();  // A recording may be running, and its thread must not wait for long.
-      for (std::size_t row = 0; row < values.size(); ++row) table.rows[row][i] = values[row];
-      turn.lock();
-    }
-  } catch (const WriteError&) {
-    throw FileError(name + "cannot be read as a log of this version.");
-  }
-  if (table.rows.empty()) throw FileError(name + "has no rows.");
-  return table;
-}
-
-std::optional<std::string> hdf5State(const std::filesystem::path& file) {
-  const std::lock_guard<std::mutex> turn(library());
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  try {
-    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-    if (H5Lexists(held, kStateSet, H5P_DEFAULT) <= 0) return std::nullopt;
-    return readText(held, kStateSet);
-  } catch (const WriteError&) {
-    throw FileError("\"" + file.string() + "\" cannot be read as HDF5.");
-  }
-}
 
 /// Every call into the library is made while its turn is held.
 struct Hdf5Log::Impl {
@@ -320,12 +198,14 @@ struct Hdf5Log::Impl {
   std::vector<EventRow> events;
   std::vector<std::uint64_t> rows_of_events;
   std::vector<KeptLine> lines;
-  std::uint64_t rows = 0, saved = 0, events_saved = 0, lines_saved = 0;
+  std::uint64_t rows = 0, saved = 0, events_saved = 0, lines_saved = 0, checksums_saved = 0;
+  std::string digits, next_digits;  // Of the last checksum on the disk, and of the one prepared.
 
   void create(std::string_view header, const HapticSpace* surface);
   void openSets();
   void prepare(std::size_t count);
-  void prepareEvents(std::uint64_t before_row);
+  std::size_t prepareEvents(std::uint64_t before_row);
+  void prepareChecksum(std::string_view count, std::string_view block);
   bool fits(std::size_t count);
   void flush();
   void saveWhatFits(int why);
@@ -333,20 +213,25 @@ struct Hdf5Log::Impl {
     sets.clear();
     if (file >= 0) H5Fclose(std::exchange(file, -1));
   }
-  void shut();
+  void finishDisk();
+  void shut(bool is_finished);
   [[noreturn]] void giveUp(int why);
 };
 
 void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
-  file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, accessTo(*disk));
+  const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  require(H5Pset_userblock(creation, kUserBlockBytes));
+  file = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, accessTo(*disk));
   require(file < 0 ? -1 : 0);
-  writeText(file, "provenance", header);
+  require(disk->write(0, userBlock({})) ? 0 : -1);
+  std::string covered;
+  appendText(covered, writeText(file, "provenance", header));
   const std::string_view parameters = headerLine(header, "parameters ");
-  writeText(file, "parameters", parameters.empty() ? "{}" : parameters);
+  appendText(covered, writeText(file, "parameters", parameters.empty() ? "{}" : parameters));
   const std::string_view state = headerLine(header, std::string(kStateSet) + " ");
-  if (!state.empty()) writeText(file, kStateSet, state);
-  if (surface != nullptr) writeSurface(file, *surface);
+  appendText(covered, state.empty() ? std::string() : writeText(file, kStateSet, state));
+  if (surface != nullptr) covered += writeSurface(file, *surface);
   const Id group(H5Gcreate2(file, "log", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   for (const LogColumn& column : kLogColumns) {
     sets.push_back(growingSet(group, std::string(column.name), H5T_IEEE_F64LE, kChunkRows));
@@ -357,6 +242,9 @@ void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) 
   [[maybe_unused]] const Id made = growingSet(file, kEventsSet, type, kChunkEvents);
   const Id line_type = textType(kLineBytes);
   [[maybe_unused]] const Id kept = growingSet(file, kLinesSet, line_type, kChunkEvents);
+  [[maybe_unused]] const Id sums =
+      growingSet(file, kChecksumsSet, line_type, kChunkChecksums, 0);  // Digits do not get smaller.
+  prepareChecksum(hdf5::kNothingYet, covered);
   require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
@@ -374,10 +262,13 @@ void Hdf5Log::Impl::openSets() {
 
 /// The first rows that are held, and what happened in them; not yet on the disk.
 void Hdf5Log::Impl::prepare(std::size_t count) {
+  std::string block;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     append(sets[i], H5T_NATIVE_DOUBLE, saved, count, columns[i].data());
+    appendBytes(block, columns[i].data(), count);
   }
-  prepareEvents(saved + count);
+  const std::size_t event_count = prepareEvents(saved + count);
+  appendBytes(block, events.data(), event_count);
   // All that are held, also where some of their rows do not fit any more: a line that no row needs
   // says nothing.
   if (!lines.empty()) {
@@ -385,16 +276,33 @@ void Hdf5Log::Impl::prepare(std::size_t count) {
     const Id type = textType(kLineBytes);
     append(set, type, lines_saved, lines.size(), lines.data());
   }
+  appendBytes(block, lines.data(), lines.size());
+  prepareChecksum(std::to_string(saved + count) + ' ' + std::to_string(events_saved + event_count) +
+                      ' ' + std::to_string(lines_saved + lines.size()),
+                  block);
   require(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
-void Hdf5Log::Impl::prepareEvents(std::uint64_t before_row) {
+void Hdf5Log::Impl::prepareChecksum(std::string_view count, std::string_view block) {
+  const std::string text = checksumLine(digits, kBlockWord, count, block);
+  assert(text.size() < kLineBytes);
+  KeptLine line{};
+  text.copy(line.data(), kLineBytes - 1);
+  const Id set(H5Dopen2(file, kChecksumsSet, H5P_DEFAULT), H5Dclose);
+  const Id type = textType(kLineBytes);
+  append(set, type, checksums_saved, 1, line.data());
+  next_digits = digitsOf(text);
+}
+
+/// @return  how many
+std::size_t Hdf5Log::Impl::prepareEvents(std::uint64_t before_row) {
   const auto end = std::lower_bound(rows_of_events.begin(), rows_of_events.end(), before_row);
   const auto count = static_cast<hsize_t>(end - rows_of_events.begin());
-  if (count == 0) return;
+  if (count == 0) return 0;
   const Id set(H5Dopen2(file, kEventsSet, H5P_DEFAULT), H5Dclose);
   const Id type = eventType();
   append(set, type, events_saved, count, events.data());
+  return count;
 }
 
 void Hdf5Log::Impl::flush() {
@@ -405,6 +313,8 @@ void Hdf5Log::Impl::flush() {
   saved += held;
   events_saved += events.size();
   lines_saved += lines.size();
+  ++checksums_saved;
+  digits = next_digits;
   lines.clear();
   for (std::vector<double>& column : columns) column.clear();
   events.clear();
@@ -435,11 +345,26 @@ void Hdf5Log::Impl::saveWhatFits(int why) {
   giveUp(why);
 }
 
+/// The checksum of the whole file, before it. Its place is there already: this takes no room.
+void Hdf5Log::Impl::finishDisk() {
+  constexpr std::uint64_t kPieceBytes = 1U << 20U;
+  std::string piece;
+  LogHash hash;
+  for (std::uint64_t at = kUserBlockBytes; at < disk->size(); at += piece.size()) {
+    piece.resize(std::min(kPieceBytes, disk->size() - at));
+    if (!disk->read(at, piece)) return;
+    hash.add(piece);
+  }
+  if (!disk->write(0, userBlock(hash.digits()))) return;
+  [[maybe_unused]] const int error = disk->commit();  // whole() says the same below.
+}
+
 /// What the library writes as it closes is kept if it can be: the file is complete without it.
-void Hdf5Log::Impl::shut() {
+void Hdf5Log::Impl::shut(bool is_finished) {
   closeFile();
   if (!disk) return;
-  [[maybe_unused]] const int error = disk->commit();
+  const int error = disk->commit();
+  if (is_finished && error == 0) finishDisk();
   const bool whole = disk->whole() && disk->close() == 0;
   disk.reset();
   if (whole) return;
@@ -451,7 +376,7 @@ void Hdf5Log::Impl::giveUp(int why) {
   rows = saved;
   closeFile();
   disk->drop();
-  shut();
+  shut(false);
   throw recordingStopped(path, why, rows);
 }
 
@@ -465,7 +390,11 @@ Hdf5Log::Hdf5Log(std::filesystem::path file, std::string_view header, const Hapt
   try {
     log.create(header, surface);
     error = log.disk->commit();
-    if (error == 0) return;
+    if (error == 0) {
+      ++log.checksums_saved;
+      log.digits = log.next_digits;
+      return;
+    }
   } catch (const WriteError&) {
     // Told below, with the file's name.
   }
@@ -480,7 +409,10 @@ Hdf5Log::Hdf5Log(std::filesystem::path file, std::string_view header, const Hapt
 
 Hdf5Log::~Hdf5Log() {
   try {
-    close();
+    if (impl_->file < 0) return;
+    const std::lock_guard<std::mutex> turn(library());
+    impl_->flush();
+    impl_->shut(false);
   } catch (const Error&) {
     // Said in the header: whoever wants to hear of it calls close().
   }
@@ -533,7 +465,7 @@ void Hdf5Log::close(std::string_view footer) {
     if (!impl_->disk) throw;
     impl_->giveUp(0);
   }
-  impl_->shut();
+  impl_->shut(true);
 }
 
 std::uint64_t Hdf5Log::rows() const noexcept {

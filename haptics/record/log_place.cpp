@@ -21,11 +21,20 @@ namespace {
 constexpr int kMostLeftOver = 99;
 constexpr int kNewMode = 0666;
 
-/// A link is followed: what it names is replaced, not the link.
+/// A link is followed: what it names is replaced or made, not the link. One that leads in a circle
+/// stays as it is, so that whoever opens it says why that cannot be done.
 std::filesystem::path followed(const std::filesystem::path& file) {
+  constexpr int kMostLinks = 40;  // As the system itself follows.
   std::error_code none;
-  const std::filesystem::path real = std::filesystem::canonical(file, none);
-  return none ? file : real;
+  std::filesystem::path real = std::filesystem::canonical(file, none);
+  if (!none) return real;
+  real = file;
+  for (int links = 0; links < kMostLinks; ++links) {
+    const std::filesystem::path named = std::filesystem::read_symlink(real, none);
+    if (none) return real;  // No link: the name that is free.
+    real = real.parent_path() / named;
+  }
+  return file;
 }
 
 /// Takes the file, unless somebody else writes it. Locks of this kind are not those of the HDF5

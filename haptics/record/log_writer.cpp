@@ -11,13 +11,13 @@
 #include <cstring>
 #include <utility>
 
+#include "haptics/record/log_checksum.h"
 #include "haptics/record/recording_error.h"
 
 namespace relievo {
 
 namespace {
 constexpr std::size_t kFlushBytes = 1U << 16U;
-constexpr std::size_t kRoomBytes = 2048;  // For the footer, which is known at the end.
 
 template <class Number>
 void appendNumber(std::string& to, Number value) {
@@ -117,28 +117,31 @@ LogWriter::LogWriter(std::filesystem::path file, std::string_view header, LogKin
     : file_(std::move(file)),
       descriptor_(::open(file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) throw recordingRefused(file_, errno);
-  buffer_ = commented(header);
-  if (kind == LogKind::recording) {
-    room_at_ = static_cast<std::int64_t>(buffer_.size());
-    buffer_.append("# not ended").append(kRoomBytes - 12, ' ').append("\n");
-  }
-  buffer_.append(logColumns()).append("\n");
+  // What cannot be gone back in, a pipe, has no room: its last lines follow the rows.
+  const bool has_room = kind == LogKind::recording && ::lseek(descriptor_, 0, SEEK_CUR) == 0;
+  const std::string before =
+      commented(header) + commented(has_room ? kChecksumsButRoom : kChecksums);
+  const std::string columns = std::string(logColumns()) + '\n';
+  buffer_ = before + columns;
   if (kind != LogKind::recording) return;
-  if (!writeOut(buffer_)) {
+  if (has_room) room_at_ = static_cast<std::int64_t>(before.size());
+  const std::string sum = checksumLine(digits_, kBlockWord, "0", buffer_);
+  if (!writeOut(before + (has_room ? emptyRoom() : std::string()) + columns + commented(sum))) {
     const int why = errno;
     ::close(std::exchange(descriptor_, -1));
     throw recordingRefused(file_, why);
   }
+  digits_ = digitsOf(sum);
   buffer_.clear();
 }
 
 LogWriter::~LogWriter() {
   try {
-    close();
+    flush();
   } catch (const Error&) {
     // Said in the header: whoever wants to hear of it calls close().
-    descriptor_ = -1;
   }
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 void LogWriter::write(const HapticSample& sample, double t_s, std::string_view event) {
@@ -166,20 +169,37 @@ bool LogWriter::writeOut(std::string_view text) {
 }
 
 void LogWriter::flush() {
-  if (descriptor_ < 0) return;
+  if (descriptor_ >= 0 && !buffer_.empty()) writeBlock(kBlockWord);
+}
+
+/// What is buffered, and its checksum; or as much of it as there is room for.
+void LogWriter::writeBlock(std::string_view word) {
+  const std::string sum = checksumLine(digits_, word, std::to_string(rows_), buffer_);
+  const std::string line = commented(sum);
   const std::int64_t before = bytes_on_disk_;
-  if (!writeOut(buffer_)) {
-    const int error_number = errno;
-    // Keep the whole lines of what went through.
+  if (!writeOut(buffer_ + line)) {
+    const int why = errno;
     const auto through = static_cast<std::size_t>(bytes_on_disk_ - before);
-    const std::size_t end = buffer_.rfind('\n', through == 0 ? 0 : through - 1);
-    const std::size_t whole = (through == 0 || end == std::string::npos) ? 0 : end + 1;
-    rows_ = rows_on_disk_ + rowsIn(std::string_view(buffer_).substr(0, whole));
-    bytes_on_disk_ = before + static_cast<std::int64_t>(whole);
-    giveUp(error_number);
+    bytes_on_disk_ = before;
+    keepWholeRows(through < line.size() ? 0 : through - line.size());
+    giveUp(why);
   }
+  digits_ = digitsOf(sum);
   buffer_.clear();
   rows_on_disk_ = rows_;
+}
+
+/// The whole lines of so many bytes that are on the disk already, and their checksum over what
+/// follows them there, which needs no new room.
+void LogWriter::keepWholeRows(std::size_t bytes) {
+  const std::size_t end = buffer_.rfind('\n', bytes == 0 ? 0 : bytes - 1);
+  buffer_.resize(bytes == 0 || end == std::string::npos ? 0 : end + 1);
+  rows_ = rows_on_disk_ + rowsIn(buffer_);
+  const std::string line =
+      commented(checksumLine(digits_, kBlockWord, std::to_string(rows_), buffer_));
+  const std::int64_t at = bytes_on_disk_ + static_cast<std::int64_t>(buffer_.size());
+  const ssize_t count = buffer_.empty() ? 0 : ::pwrite(descriptor_, line.data(), line.size(), at);
+  bytes_on_disk_ = at + std::max<std::int64_t>(count, 0);
 }
 
 void LogWriter::giveUp(int error_number) {
@@ -191,26 +211,28 @@ void LogWriter::giveUp(int error_number) {
   throw recordingStopped(file_, error_number, rows_);
 }
 
-/// Exactly as long as the room, by blanks before the last line end.
-bool LogWriter::writeIntoRoom(std::string text) {
-  if (room_at_ == 0 || text.empty() || text.size() > kRoomBytes) return false;
-  text.insert(text.size() - 1, kRoomBytes - text.size(), ' ');
-  const ssize_t count = ::pwrite(descriptor_, text.data(), text.size(), room_at_);
-  return count == static_cast<ssize_t>(text.size());
+/// The last that is written, in one piece, so that a log is finished or it is not.
+/// @return false: it could not be, errno says why
+bool LogWriter::fillRoom(std::string lines) {
+  lines += commented(checksumLine(digits_, kFinishedWord, std::to_string(rows_), lines));
+  lines.insert(lines.size() - 1, kRoomBytes - lines.size(), ' ');
+  const ssize_t count = ::pwrite(descriptor_, lines.data(), lines.size(), room_at_);
+  return count == static_cast<ssize_t>(lines.size());
 }
 
 void LogWriter::close(std::string_view footer) {
   if (descriptor_ < 0) return;
-  flush();
   const Footer parts = splitFooter(footer);
-  std::string after = commented(parts.windows);
-  if (!parts.loop.empty() && !writeIntoRoom(commented(parts.loop))) {
-    after = commented(parts.loop) + after;
-  }
-  if (!after.empty()) {
-    // The rows are safe: a footer that does not fit is left out.
-    const std::int64_t before = bytes_on_disk_;
-    if (!writeOut(after) && ::ftruncate(descriptor_, before) != 0) giveUp(errno);
+  std::string loop = commented(parts.loop);
+  constexpr std::size_t kMostChecksumBytes = 128;
+  const bool fits = room_at_ > 0 && loop.size() + kMostChecksumBytes <= kRoomBytes;
+  if (!fits) buffer_ += std::exchange(loop, {});
+  buffer_ += commented(parts.windows);
+  if (room_at_ > 0) {
+    flush();
+    if (!fillRoom(loop)) giveUp(errno);
+  } else {
+    writeBlock(kFinishedWord);
   }
   const int descriptor = std::exchange(descriptor_, -1);
   // Some file systems report a full disk only here.

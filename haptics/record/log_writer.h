@@ -18,9 +18,9 @@ std::string_view logColumns() noexcept;
 void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event);
 
 /// Writes a log file: lines that start with #, the columns, then rows, between them what keep() was
-/// given, each line behind "# ". What is on disk is always
-/// whole rows: if the disk fills up, the file is cut after the last row that fits and stays
-/// readable. [one thread]
+/// given, each line behind "# ", and after each piece that is written its checksum
+/// (haptics/record/log_checksum.h). What is on disk is always whole rows: if the disk fills up, the
+/// file is cut after the last row that fits and stays readable. [one thread]
 class LogWriter : public SampleLog {
  public:
   /// @param header  comment lines, each without "#"; "" for none. Separated by line ends.
@@ -28,14 +28,15 @@ class LogWriter : public SampleLog {
   /// @throw WriteError  the file cannot be made
   explicit LogWriter(std::filesystem::path file, std::string_view header = {},
                      LogKind kind = LogKind::stroke);
-  ~LogWriter() override;
+  ~LogWriter()
+      override;  ///< Of a log that was not closed: the rows are written, it stays unfinished.
 
   void write(const HapticSample& sample, double t_s, std::string_view event = {}) override;
   void keep(std::string_view lines) override;
   /// Writes out what is buffered. @throw WriteError (E401)  as above
   void flush();
   /// Footer lines, each with "# " before it. In a recording's header, but for lines "window ..."
-  /// and "replay ...": those, and a stroke's, follow the rows.
+  /// and "replay ...": those, and a stroke's, follow the rows. From here on the log is finished.
   void close(std::string_view footer = {}) override;
 
   std::uint64_t rows() const noexcept override { return rows_; }
@@ -43,12 +44,15 @@ class LogWriter : public SampleLog {
 
  private:
   bool writeOut(std::string_view text);
-  bool writeIntoRoom(std::string text);
+  void writeBlock(std::string_view word);
+  void keepWholeRows(std::size_t bytes);
+  bool fillRoom(std::string lines);
   [[noreturn]] void giveUp(int error_number);
 
   std::filesystem::path file_;
   int descriptor_ = -1;
-  std::string buffer_;
+  std::string buffer_;  // What the next checksum covers.
+  std::string digits_;  // Of the last checksum.
   std::uint64_t rows_ = 0;
   std::uint64_t rows_on_disk_ = 0;
   std::int64_t bytes_on_disk_ = 0;

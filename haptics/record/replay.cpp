@@ -2,6 +2,7 @@
 #include "haptics/record/replay.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -12,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "haptics/record/hdf5_log.h"
+#include "haptics/record/log_checksum.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/recorded_loop.h"
 
@@ -71,8 +73,9 @@ LogTable readCsvLog(const std::filesystem::path& file, const Task& task) {
     // Whoever wrote it was ended in the middle of a row: the ones before it are whole.
     if (in.eof() && table.header.find(kNotEnded) != std::string::npos) break;
     if (line.starts_with('#')) {
+      const std::string comment = line.substr(std::min<std::size_t>(2, line.size()));
       std::string& lines = have_columns ? table.footer : table.header;
-      lines += line.substr(std::min<std::size_t>(2, line.size())) + '\n';
+      if (!isChecksumLine(comment)) lines += comment + '\n';
       continue;
     }
     if (!have_columns) {
@@ -113,6 +116,12 @@ FileError noRecording(const std::filesystem::path& file) {
 LogTable readLog(const std::filesystem::path& file, const Task& task) {
   const std::string ending = file.extension().string();
   return ending == ".h5" || ending == ".hdf5" ? readHdf5Log(file, task) : readCsvLog(file, task);
+}
+
+bool isRecomputed(std::string_view column) noexcept {
+  constexpr std::array<std::string_view, 4> kGiven{"t_s", "buttons", "rate_Hz", "age_s"};
+  return !column.starts_with("dev_hip_") &&
+         std::find(kGiven.begin(), kGiven.end(), column) == kGiven.end();
 }
 
 std::uint64_t tickOf(const LogRow& row) {

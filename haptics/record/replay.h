@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -62,6 +63,9 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core, ForceCh
                     const LogTable& log,
                     const std::function<void(const HapticSample&, double t_s)>& each,
                     const Task& task = {});
+
+/// Is a column computed again by a replay, and not what the replay is given?
+bool isRecomputed(std::string_view column) noexcept;
 
 // For replays: what a row says, and what is made of it.
 std::uint64_t tickOf(const LogRow& row);

@@ -96,6 +96,9 @@ std::unique_ptr<SampleLog> openLog(const std::filesystem::path& file, std::strin
                                    const HapticSpace* surface = nullptr,
                                    LogKind kind = LogKind::stroke);
 
+/// Is it an HDF5 log, of this build or an earlier one? @param head  its first bytes, 32 or more
+bool isHdf5Log(std::string_view head) noexcept;
+
 /// The provenance inside an HDF5 log; nothing if it has none. @throw FileError  no HDF5 file
 std::optional<std::string> hdf5State(const std::filesystem::path& file);
 

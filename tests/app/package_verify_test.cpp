@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/project/package.h"
 #include "tests/app/command_test.h"
 
 namespace relievo {
@@ -124,6 +125,30 @@ TEST_F(PackageVerify, HoldsTheRastersOfFirmGroundThatItsRecordingsNeed) {
   EXPECT_EQ(changed.exit_code, 2);
   EXPECT_NE(changed.err.find("firm.asc', which is not there (E501)"), std::string::npos)
       << changed.err;
+}
+
+/// Whoever made a package chose the names in it: none may lead to a file of whoever checks it.
+TEST_F(PackageVerify, ReadsNothingOutsideOfThePackage) {
+  fs::create_directories(path("private"));
+  write("private/firm.asc",
+        "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 100\n1 0 1 0 1 0\n");
+  const CommandResult touch =
+      runRelievo({"touch", path("relief.ply"), "--unit", "mm", "--view", "top", "--cells", "300",
+                  "--region", "180,60,100,100", "--soft", "0.3", "--firmness",
+                  path("private/firm.asc"), "--stroke", test::kFlatStroke, "-o", path("log.csv")});
+  ASSERT_EQ(touch.exit_code, 0) << touch.err;
+  Project project = readProject([this] {
+    const CommandResult made = runRelievo(
+        {"project", "new", path("log.csv"), "-o", path("p.json"), "--recording", path("log.csv")});
+    EXPECT_EQ(made.exit_code, 0) << made.err;
+    return path("p.json");
+  }());
+  writePackage(path("p.zip"), project, {});  // Without what the recording needs.
+  const CommandResult result = verify();
+  EXPECT_EQ(result.exit_code, 5) << result.out;
+  const std::string problem = json::parse(result.out)["recordings"][0]["problem"];
+  EXPECT_NE(problem.find("'firm.asc', which the package does not hold"), std::string::npos)
+      << problem;
 }
 
 TEST_F(PackageVerify, AsksForAnInputThatMayNotBeGivenAway) {

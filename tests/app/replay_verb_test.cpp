@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // touch with a device, record in real time, and replay of both, as a user runs them.
 #include <fstream>
+#include <sstream>
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
@@ -59,6 +60,84 @@ TEST_F(ReplayVerb, RepeatsARealTimeRecordingAndEndsWithFiveOnAMismatch) {
   EXPECT_EQ(replay.exit_code, 5) << replay.err;
   EXPECT_TRUE(nlohmann::json::parse(replay.out).contains("first_difference"));
   EXPECT_EQ(runRelievo({"replay", log}).exit_code, 0) << "without --verify it only tells";
+}
+
+/// What a replay is given and what it never looks at: only checksums tell that it was changed.
+TEST_F(ReplayVerb, EndsWithFiveForChangesThatNoReplaySees) {
+  const std::string log = path("touch.csv");
+  ASSERT_EQ(made("touch", log, {"--device", "virtual:light"}).exit_code, 0);
+  const CommandResult same = runRelievo({"replay", log, "--verify"});
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_NE(same.out.find("By its checksums every row, event and line is as it was written."),
+            std::string::npos)
+      << same.out;
+  EXPECT_NE(same.out.find("Told by checksums alone: t_s, buttons, rate_Hz"), std::string::npos);
+
+  const std::string text = test::bytesOf(log);
+  const std::size_t row = text.find("\n0.4") + 1;
+  /// Another value in one column of a row.
+  const auto field = [&](int column, const std::string& value) {
+    std::string other = text;
+    std::size_t begin = row;
+    for (int i = 0; i < column; ++i) begin = other.find(',', begin) + 1;
+    return other.replace(begin, other.find_first_of(",\n", begin) - begin, value);
+  };
+  const auto without = [&](const std::string& words) {
+    std::string other = text;
+    const std::size_t at = other.find(words);
+    EXPECT_NE(at, std::string::npos) << words;
+    return other.erase(at, words.size());
+  };
+  const std::string sum = nlohmann::json::parse(embeddedState(log).value())["input"]["sha256"];
+  const std::vector<std::pair<const char*, std::string>> changes{
+      {"buttons", field(21, "1")},
+      {"rate", field(22, "999.25")},
+      {"event", field(23, "\"forged\"")},
+      {"age", field(30, "0.00012345")},
+      {"device", without("virtual")},
+      {"checksum of the input", without(sum)},
+      {"rows at the end", text.substr(0, row)},
+      {"a time", field(0, "0.4000001")}};
+  for (const auto& [what, other] : changes) {
+    ASSERT_NE(other, text) << what;
+    std::ofstream(log, std::ios::binary) << other;
+    const CommandResult replay = runRelievo({"replay", log, "--verify", "--report", "json"});
+    EXPECT_EQ(replay.exit_code, 5) << what << ": " << replay.err;
+    const auto report = nlohmann::json::parse(replay.out, nullptr, false);
+    ASSERT_TRUE(report.is_object()) << what;
+    EXPECT_EQ(report["integrity"]["state"], "changed") << what;
+  }
+}
+
+TEST_F(ReplayVerb, EndsWithFiveForAnyBitOfAnHdf5Log) {
+  const std::string log = path("touch.h5");
+  ASSERT_EQ(made("touch", log, {"--device", "virtual:light"}).exit_code, 0);
+  EXPECT_EQ(runRelievo({"replay", log, "--verify"}).exit_code, 0);
+  const std::string bytes = test::bytesOf(log);
+  for (const std::size_t place : {std::size_t{3}, std::size_t{520}, bytes.size() / 2}) {
+    std::string other = bytes;
+    other[place] ^= 4;
+    std::ofstream(log, std::ios::binary) << other;
+    const CommandResult replay = runRelievo({"replay", log, "--verify"});
+    EXPECT_EQ(replay.exit_code, 5) << place << ": " << replay.err;
+    EXPECT_NE(replay.out.find("It was changed: "), std::string::npos) << replay.out;
+  }
+}
+
+TEST_F(ReplayVerb, SaysThatALogOfAnEarlierBuildCarriesNoChecksum) {
+  const std::string log = path("old.csv");
+  ASSERT_EQ(made("touch", log, {"--device", "virtual:light"}).exit_code, 0);
+  std::istringstream in(test::bytesOf(log));
+  std::string old;
+  for (std::string line; std::getline(in, line);) {
+    const bool is_about_checksums = line.starts_with("# checksums ") ||
+                                    line.starts_with("# sum ") || line.starts_with("# finished ");
+    if (!is_about_checksums) old += line + '\n';
+  }
+  std::ofstream(log, std::ios::binary) << old;
+  const CommandResult replay = runRelievo({"replay", log, "--verify"});
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+  EXPECT_NE(replay.out.find("It carries no checksum"), std::string::npos) << replay.out;
 }
 
 /// A recording of an older build opens, and what differs is put down to the law and not to the
@@ -156,7 +235,11 @@ TEST_F(ReplayVerb, SaysThatTheLastLinesOfAWindowsRecordingAreMissing) {
   const std::string log = path("cut.csv");
   ASSERT_EQ(made("touch", log, {}).exit_code, 0);
   const std::string text = test::bytesOf(log);
-  const std::string rows = text.substr(text.find("t_s,tick"));
+  std::istringstream lines(text.substr(text.find("t_s,tick")));
+  std::string rows;  // Without the checksums of this log.
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('#')) rows += line + '\n';
+  }
   const auto said = [&](const std::string& header) {
     std::ofstream(log, std::ios::trunc) << "# relievo recording, schema 1\n# input f.ply\n"
                                         << header << rows;

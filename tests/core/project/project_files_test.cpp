@@ -236,6 +236,25 @@ TEST_F(OnDisk, APackageThatWasZippedAnewWithItsFoldersIsAsBefore) {
             std::vector<std::string>{"'input' was added after packing."});
 }
 
+TEST_F(OnDisk, NamesOfSeveralLinesArePackedAndUnpacked) {
+  PackageContents contents;
+  for (const char* name : {"two\nlines.png", "a\\n.png", "back\\slash.png", "re\rturn.png",
+                           "\\.png", "quote\"' and\ttab.png"}) {
+    contents.figures.push_back(folder_.write(name, name));
+  }
+  writePackage(folder("one.zip"), project_, contents);
+  const PackageCheck check = verifyPackage(folder("one.zip"));
+  EXPECT_EQ(check.problems, std::vector<std::string>{});
+  EXPECT_EQ(check.files, 4U + contents.figures.size());
+  fs::create_directories(folder("unpacked"));
+  unpackPackage(folder("one.zip"), folder("unpacked"));
+  for (const fs::path& figure : contents.figures) {
+    const fs::path unpacked = folder("unpacked/figures") / figure.filename();
+    ASSERT_TRUE(fs::exists(unpacked)) << unpacked;
+    EXPECT_EQ(sha256OfFile(unpacked), sha256OfFile(figure)) << figure;
+  }
+}
+
 TEST_F(OnDisk, WhatARecordingNeedsIsPackedBesideItOnce) {
   const fs::path raster = folder_.write("firm.tif", "where it is firm");
   const std::string sha256 = sha256OfFile(raster);

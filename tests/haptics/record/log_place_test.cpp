@@ -181,6 +181,27 @@ TEST_F(LogPlaceTest, ALinkAndTheModeOfAFileStay) {
   EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
 }
 
+TEST_F(LogPlaceTest, WhatALinkNamesIsMadeIfItIsNotThereYet) {
+  fs::create_directory(at("there"));
+  fs::create_symlink("there/second.csv", at("first.csv"));
+  fs::create_symlink("new.csv", at("there/second.csv"));
+  const auto log = openLog(at("first.csv"), "unit mm");
+  writeRows(*log, 1);
+  log->close();
+  EXPECT_TRUE(fs::is_symlink(at("first.csv")));
+  EXPECT_TRUE(fs::is_symlink(at("there/second.csv")));
+  EXPECT_THAT(textOf(at("there/new.csv")), HasSubstr("unit mm"));
+}
+
+TEST_F(LogPlaceTest, ALinkThatLeadsNowhereIsRefused) {
+  fs::create_symlink("b.csv", at("a.csv"));
+  fs::create_symlink("a.csv", at("b.csv"));
+  fs::create_symlink("missing/c.csv", at("c.csv"));
+  EXPECT_THROW(openLog(at("a.csv"), "unit mm"), WriteError);
+  EXPECT_THROW(openLog(at("c.csv"), "unit mm"), WriteError);
+  EXPECT_THAT(names(), UnorderedElementsAre("a.csv", "b.csv", "c.csv"));
+}
+
 TEST_F(LogPlaceTest, ADeviceIsWrittenAsItIs) {
   const auto log = openLog("/dev/null", "unit mm");
   writeRows(*log, 1);

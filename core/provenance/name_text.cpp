@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/provenance/name_text.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace relievo {
+namespace {
+
+unsigned byteAt(std::string_view text, std::size_t at) {
+  return static_cast<unsigned char>(text[at]);
+}
+
+/// Of the well-formed character at the beginning (Unicode 15, table 3-7); 0: there is none.
+std::size_t characterBytes(std::string_view text) {
+  const unsigned first = byteAt(text, 0);
+  if (first < 0x80) return 1;
+  const std::size_t bytes = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < bytes) return 0;
+  const unsigned low = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+  const unsigned high = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+  if (byteAt(text, 1) < low || byteAt(text, 1) > high) return 0;
+  for (std::size_t i = 2; i < bytes; ++i) {
+    if (byteAt(text, i) < 0x80 || byteAt(text, i) > 0xBF) return 0;
+  }
+  return bytes;
+}
+
+/// U+EF80 to U+EFFF, EE BE 80 to EE BF BF.
+bool standsForAByte(std::string_view text) {
+  return text.size() >= 3 && byteAt(text, 0) == 0xEE &&
+         (byteAt(text, 1) == 0xBE || byteAt(text, 1) == 0xBF) && byteAt(text, 2) >= 0x80 &&
+         byteAt(text, 2) <= 0xBF;
+}
+
+}  // namespace
+
+std::string textOfName(std::string_view name) {
+  std::string text;
+  while (!name.empty()) {
+    const std::size_t bytes = characterBytes(name);
+    if (bytes > 0 && !standsForAByte(name)) {
+      text += name.substr(0, bytes);
+      name.remove_prefix(bytes);
+      continue;
+    }
+    const unsigned byte = byteAt(name, 0);
+    text += "\xEE";
+    text += static_cast<char>(byte < 0xC0 ? 0xBE : 0xBF);
+    text += static_cast<char>(0x80 | (byte & 0x3FU));
+    name.remove_prefix(1);
+  }
+  return text;
+}
+
+std::string nameFromText(std::string_view text) {
+  std::string name;
+  while (!text.empty()) {
+    const bool is_byte = standsForAByte(text);
+    name +=
+        is_byte
+            ? static_cast<char>((byteAt(text, 1) == 0xBE ? 0x80 : 0xC0) | (byteAt(text, 2) & 0x3FU))
+            : text[0];
+    text.remove_prefix(is_byte ? 3 : 1);
+  }
+  return name;
+}
+
+}  // namespace relievo

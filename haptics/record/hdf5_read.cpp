@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fstream>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "haptics/record/event_row.h"
+#include "haptics/record/hdf5_log.h"
+#include "haptics/record/hdf5_session.h"
+#include "haptics/record/log_check.h"
+#include "haptics/record/log_checksum.h"
+#include "haptics/record/replay.h"
+
+namespace relievo {
+
+using hdf5::appendBytes;
+using hdf5::appendText;
+using hdf5::eventType;
+using hdf5::Id;
+using hdf5::kChecksumsSet;
+using hdf5::KeptLine;
+using hdf5::kEventsSet;
+using hdf5::kLineBytes;
+using hdf5::kLinesSet;
+using hdf5::kStateSet;
+using hdf5::library;
+using hdf5::require;
+using hdf5::textType;
+
+namespace {
+std::string readText(hid_t file, const char* name) {
+  const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  const Id type(H5Dget_type(set), H5Tclose);
+  std::string text(H5Tget_size(type), '\0');
+  require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()));
+  return text;
+}
+
+std::vector<double> readColumn(hid_t file, std::string_view name) {
+  const Id set(H5Dopen2(file, ("log/" + std::string(name)).c_str(), H5P_DEFAULT), H5Dclose);
+  const Id space(H5Dget_space(set), H5Sclose);
+  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  return values;
+}
+
+template <class Row>
+std::vector<Row> readRows(hid_t file, const char* name, hid_t type) {
+  const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  const Id space(H5Dget_space(set), H5Sclose);
+  std::vector<Row> rows(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  if (!rows.empty()) require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()));
+  return rows;
+}
+
+/// Logs of earlier versions have shorter texts, which the library brings to this length.
+std::vector<EventRow> readEventRows(hid_t file) {
+  return readRows<EventRow>(file, kEventsSet, eventType());
+}
+
+/// What keep() was given; logs of earlier versions have none.
+std::vector<KeptLine> readLines(hid_t file) {
+  if (H5Lexists(file, kLinesSet, H5P_DEFAULT) <= 0) return {};
+  return readRows<KeptLine>(file, kLinesSet, textType(kLineBytes));
+}
+
+std::vector<LogEvent> eventsIn(hid_t file) {
+  std::vector<LogEvent> events;
+  for (EventRow& row : readEventRows(file)) {
+    row.text.back() = 0;
+    events.push_back({row.time_s, static_cast<std::uint64_t>(row.tick), row.text.data()});
+  }
+  return events;
+}
+
+std::string linesIn(hid_t file) {
+  std::string lines;
+  for (KeptLine& line : readLines(file)) {
+    line.back() = 0;
+    lines.append(line.data()).append("\n");
+  }
+  return lines;
+}
+
+LogCheck changed(std::uint64_t rows, std::string where) {
+  return {LogCheck::State::changed, rows, std::move(where)};
+}
+
+std::string readAttribute(hid_t object, const char* name) {
+  const Id attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Id type(H5Aget_type(attribute), H5Tclose);
+  std::string text(H5Tget_size(type), '\0');
+  require(H5Aread(attribute, type, text.data()));
+  return text;
+}
+
+/// Units and descriptions are those of every log, so that they need no checksum.
+bool areColumnsNamedRight(hid_t file) {
+  return std::all_of(kLogColumns.begin(), kLogColumns.end(), [&](const LogColumn& column) {
+    const Id set(H5Dopen2(file, ("log/" + std::string(column.name)).c_str(), H5P_DEFAULT),
+                 H5Dclose);
+    return readAttribute(set, "unit") == column.unit &&
+           readAttribute(set, "description") == column.description;
+  });
+}
+
+/// What the first checksum covers.
+std::string bytesBeforeRows(hid_t file) {
+  std::string bytes;
+  appendText(bytes, readText(file, "provenance"));
+  appendText(bytes, readText(file, "parameters"));
+  const bool has_state = H5Lexists(file, kStateSet, H5P_DEFAULT) > 0;
+  appendText(bytes, has_state ? readText(file, kStateSet) : std::string());
+  if (H5Lexists(file, "surface", H5P_DEFAULT) <= 0) return bytes;
+  const auto heights = readRows<float>(file, "surface/depth", H5T_NATIVE_FLOAT);
+  appendBytes(bytes, heights.data(), heights.size());
+  const auto origins = readRows<std::uint8_t>(file, "surface/origin", H5T_NATIVE_UINT8);
+  appendBytes(bytes, origins.data(), origins.size());
+  return bytes;
+}
+
+/// How many rows, events and lines a checksum covers, with all before it.
+struct Covered {
+  std::size_t rows = 0, events = 0, lines = 0;
+};
+
+std::optional<Covered> coveredBy(std::string_view checksum_line) {
+  Covered count;
+  if (!checksum_line.starts_with(kBlockWord)) return std::nullopt;
+  const char* at = checksum_line.data() + kBlockWord.size();
+  const char* const end = checksum_line.data() + checksum_line.size();
+  for (std::size_t* number : {&count.rows, &count.events, &count.lines}) {
+    const auto [next, error] = std::from_chars(at, end, *number);
+    if (error != std::errc() || next == end || *next != ' ') return std::nullopt;
+    at = next + 1;
+  }
+  return count;
+}
+
+/// The blocks of a log that was not finished. [the library's turn is held]
+LogCheck checkBlocks(hid_t file, const Task& task) {
+  std::vector<std::string> sums;
+  for (KeptLine& line : readRows<KeptLine>(file, kChecksumsSet, textType(kLineBytes))) {
+    line.back() = 0;
+    sums.emplace_back(line.data());
+  }
+  const std::string first = checksumLine({}, kBlockWord, hdf5::kNothingYet, bytesBeforeRows(file));
+  if (sums.empty() || sums.front() != first || !areColumnsNamedRight(file)) {
+    return changed(0, "its header or its surface is not as it was written");
+  }
+  std::vector<std::vector<double>> columns;
+  for (const LogColumn& column : kLogColumns) {
+    task.check();
+    columns.push_back(readColumn(file, column.name));
+  }
+  const std::vector<EventRow> events = readEventRows(file);
+  const std::vector<KeptLine> lines = readLines(file);
+  Covered before;
+  std::string digits = digitsOf(first);
+  for (std::size_t i = 1; i < sums.size(); ++i) {
+    const std::optional<Covered> now = coveredBy(sums[i]);
+    const bool is_possible = now && now->rows >= before.rows && now->events >= before.events &&
+                             now->lines >= before.lines && now->rows <= columns.front().size() &&
+                             now->events <= events.size() && now->lines <= lines.size();
+    std::string block;
+    for (std::size_t c = 0; is_possible && c < columns.size(); ++c) {
+      if (columns[c].size() != columns.front().size()) break;
+      appendBytes(block, columns[c].data() + before.rows, now->rows - before.rows);
+    }
+    if (is_possible) {
+      appendBytes(block, events.data() + before.events, now->events - before.events);
+      appendBytes(block, lines.data() + before.lines, now->lines - before.lines);
+    }
+    const std::string count = is_possible
+                                  ? std::to_string(now->rows) + ' ' + std::to_string(now->events) +
+                                        ' ' + std::to_string(now->lines)
+                                  : std::string();
+    if (!is_possible || sums[i] != checksumLine(digits, kBlockWord, count, block)) {
+      return changed(before.rows, "what follows row " + std::to_string(before.rows) +
+                                      " is not as it was written");
+    }
+    digits = digitsOf(sums[i]);
+    before = *now;
+  }
+  if (columns.front().size() != before.rows) {
+    return changed(before.rows, "it has rows without a checksum");
+  }
+  return {LogCheck::State::unfinished, before.rows, {}};
+}
+
+std::uint64_t rowsOf(hid_t file) {
+  const Id set(H5Dopen2(file, "log/t_s", H5P_DEFAULT), H5Dclose);
+  const Id space(H5Dget_space(set), H5Sclose);
+  return static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space));
+}
+
+/// Of a file whose every byte is as it was written. [the library's turn is held]
+LogCheck wholeHdf5(const std::filesystem::path& file) {
+  const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  return {LogCheck::State::whole, rowsOf(held), {}};
+}
+
+/// The checksum of all that follows the user block.
+std::string digitsOfFile(std::ifstream& in, const Task& task) {
+  constexpr std::size_t kPieceBytes = 1U << 20U;
+  std::string piece(kPieceBytes, '\0');
+  LogHash hash;
+  while (in) {
+    task.check();
+    in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    hash.add(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
+  }
+  return hash.digits();
+}
+
+}  // namespace
+
+LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
+  const std::string name = "The log \"" + file.string() + "\" ";
+  std::unique_lock<std::mutex> turn(library());
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
+  LogTable table;
+  try {
+    if (H5Fis_hdf5(file.c_str()) == 0) throw noRecording(file);
+    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    table.header = readText(held, "provenance");
+    if (H5Lexists(held, "loop", H5P_DEFAULT) > 0) table.footer = readText(held, "loop");
+    const std::string lines = linesIn(held);
+    if (!lines.empty()) table.footer += '\n' + lines;
+    table.events = eventsIn(held);
+    for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
+      task.check();
+      const std::vector<double> values = readColumn(held, kLogColumns[i].name);
+      if (i == 0) table.rows.resize(values.size());
+      if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
+      turn.unlock();  // A recording may be running, and its thread must not wait for long.
+      for (std::size_t row = 0; row < values.size(); ++row) table.rows[row][i] = values[row];
+      turn.lock();
+    }
+  } catch (const WriteError&) {
+    throw FileError(name + "cannot be read as a log of this version.");
+  }
+  if (table.rows.empty()) throw FileError(name + "has no rows.");
+  return table;
+}
+
+std::optional<std::string> hdf5State(const std::filesystem::path& file) {
+  const std::lock_guard<std::mutex> turn(library());
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  try {
+    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    if (H5Lexists(held, kStateSet, H5P_DEFAULT) <= 0) return std::nullopt;
+    return readText(held, kStateSet);
+  } catch (const WriteError&) {
+    throw FileError("\"" + file.string() + "\" cannot be read as HDF5.");
+  }
+}
+
+bool isHdf5Log(std::string_view head) noexcept {
+  return head.starts_with("\x89HDF") || head.starts_with(kUserBlockWords);
+}
+
+LogCheck checkHdf5Log(const std::filesystem::path& file, const Task& task) {
+  std::ifstream in(file, std::ios::binary);
+  std::string block(kUserBlockBytes, '\0');
+  in.read(block.data(), static_cast<std::streamsize>(block.size()));
+  block.resize(static_cast<std::size_t>(in.gcount()));
+  if (block.starts_with("\x89HDF")) return {};  // Earlier builds left no room before it.
+  // All before the library sees it: what was changed may be anywhere.
+  const bool is_unfinished = block == userBlock({});
+  const bool is_whole = !is_unfinished && in && block == userBlock(digitsOfFile(in, task));
+  const std::lock_guard<std::mutex> turn(library());
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
+  if (is_whole) return wholeHdf5(file);
+  if (!is_unfinished) {
+    const bool is_log = block.starts_with(kUserBlockWords) || H5Fis_hdf5(file.c_str()) > 0;
+    if (!is_log) throw noRecording(file);
+    return changed(0, "its bytes are not those of which it carries the checksum");
+  }
+  try {
+    const Id held(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    return checkBlocks(held, task);
+  } catch (const WriteError&) {
+    return changed(0, "a part of it cannot be read");
+  } catch (const std::bad_alloc&) {
+    return changed(0, "a part of it has an impossible size");
+  } catch (const std::length_error&) {
+    return changed(0, "a part of it has an impossible size");
+  }
+}
+
+}  // namespace relievo
