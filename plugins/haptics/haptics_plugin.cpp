@@ -222,6 +222,7 @@ void HapticsPlugin::setForces(bool on) {
   }
   actions_.forces_off->setEnabled(on);
   if (panel_) panel_->setForcesAsked(on);
+  session_->loop().sayAlive();  // Whoever asks is there, though no frame came for a while.
   applySettings();
   if (changed) slowReadouts();  // Escape must know at once that there is something to stop.
   if (changed) host_->announce(on ? tr("Forces on.") : tr("Forces off."));

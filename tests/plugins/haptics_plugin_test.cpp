@@ -472,6 +472,25 @@ TEST_F(HapticsPluginTest, TheLoopOutlivesAGuiThatHangsForTenSecondsAndLetsTheFor
   EXPECT_GT(static_cast<double>(log.rows.size()), 100 * seconds);
 }
 
+TEST_F(HapticsPluginTest, ForcesThatAreSwitchedOnAfterAHangStayOn) {
+  host_.window = flatWindow(5, 34);
+  attach();
+  TouchSettings settings;
+  settings.window_silence_s = kLeastSilenceS;
+  plugin_->restoreState(toJson(settings));
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 34 && !p.touching; }));
+  // As while something long is opened: the key comes before any other event.
+  sleepUntil(monotonicNs() + static_cast<std::int64_t>(2e9 * kLeastSilenceS));
+  host_.actions.at("forces")->trigger();
+  sleepUntil(monotonicNs() + 50'000'000);  // The window draws what the key has changed.
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on; }));
+  press(2);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 0.9; }))
+      << host_.announcements.join('\n').toStdString();
+  EXPECT_TRUE(host_.actions.at("forces")->isChecked());
+}
+
 TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {
   host_.window = flatWindow(5, 35);
   attach();
