@@ -264,14 +264,17 @@ void HapticsPlugin::frame() {
   watchFault(sample);
   watchStop(sample);
   watchEdge(sample);
+  watchWaiting(sample);
   watchSoftening(sample);
   watchRate(sample);
   watchRecording();
   runButtons(sample);
   watchSleep(sample);
-  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
+  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32, kFramesPerStatusAtRest = 256;
+  const bool at_rest = !forces_asked_ && !session_->recorder().running();
   ++frames_;
-  if (frames_ % kFramesPerReadout == 0) slowReadouts(frames_ % kFramesPerStatus == 0);
+  if (frames_ % kFramesPerReadout != 0) return;
+  slowReadouts(frames_ % (at_rest ? kFramesPerStatusAtRest : kFramesPerStatus) == 0);
 }
 
 void HapticsPlugin::slowReadouts(bool with_status) {
@@ -393,6 +396,23 @@ void HapticsPlugin::watchEdge(const HapticSample& sample) {
   const bool at_edge = forces_asked_ && sample.frame != 0;
   if (at_edge && !at_edge_) host_->announce(tr("The hand pushes over the edge of the window."));
   at_edge_ = at_edge;
+}
+
+/// A hand that is clear of the surface waits for a few quiet ticks only.
+void HapticsPlugin::watchWaiting(const HapticSample& sample) {
+  constexpr int kFramesUntilSaid = 6;  // A tenth of a second.
+  if (!forces_asked_ || sample.engaged == EngagePhase::off) {
+    frames_waiting_ = 0;
+  } else if (sample.engaged != EngagePhase::waiting) {
+    if (std::exchange(frames_waiting_, 0) >= kFramesUntilSaid) {
+      host_->announce(tr("The hand is clear: forces come on."));
+    }
+  } else if (++frames_waiting_ == kFramesUntilSaid) {
+    host_->announce(session_->isSteered()
+                        ? tr("Forces wait, because the hand is in the surface. Let go of the mouse "
+                             "button, or press Page Up.")
+                        : tr("Forces wait, because the hand is in the surface. Raise the grip."));
+  }
 }
 
 void HapticsPlugin::watchSoftening(const HapticSample& sample) {

@@ -74,8 +74,12 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   // The hand is in the surface: forces wait.
   ASSERT_TRUE(eventually([this] { return host_.status.forces_on; }));
   EXPECT_EQ(host_.probes.back().force, DeviceN{});
+  ASSERT_TRUE(
+      said("Forces wait, because the hand is in the surface. Let go of the mouse button, or "
+           "press Page Up."));
   hover();
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
+  ASSERT_TRUE(said("The hand is clear: forces come on."));
   const std::size_t plotted = host_.plotted.size();  // Some quiet ticks go by.
   ASSERT_TRUE(eventually([&] { return host_.plotted.size() > plotted + 5; }));
   press(2);

@@ -3251,6 +3251,18 @@
         <translation>Die Hand drückt über den Rand des Fensters.</translation>
     </message>
     <message>
+        <source>The hand is clear: forces come on.</source>
+        <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
+    </message>
+    <message>
+        <source>Forces wait, because the hand is in the surface. Let go of the mouse button, or press Page Up.</source>
+        <translation>Die Kräfte warten, weil die Hand in der Oberfläche ist. Lassen Sie die Maustaste los oder drücken Sie Bild auf.</translation>
+    </message>
+    <message>
+        <source>Forces wait, because the hand is in the surface. Raise the grip.</source>
+        <translation>Die Kräfte warten, weil die Hand in der Oberfläche ist. Heben Sie den Griff.</translation>
+    </message>
+    <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
     </message>
