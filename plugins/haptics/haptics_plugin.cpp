@@ -133,16 +133,21 @@ void HapticsPlugin::detach() noexcept {
   firmness_awaited_.clear();
   finer_window_ = 0;
   shown_ = {};
+  given_window_ = 0;
   host_ = nullptr;
 }
 
 void HapticsPlugin::connectHost() {
   connect(host_, &Host::windowShown, this,
           [this](const std::shared_ptr<const RegionWindow>& window) {
-            if (window && session_) showWindow(*window);
+            if (window && session_ && window->id != given_window_) showWindow(*window);
           });
   connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
-    if (session_) session_->moveHand(target.position);
+    if (!session_) return;
+    // It is over what the host shows, whoever heard first of another window.
+    const auto window = host_->shownWindow();
+    if (window && window->id != given_window_) showWindow(*window);
+    session_->moveHand(target.position);
   });
   connect(host_, &Host::finerHeightsRead, this, &HapticsPlugin::takeFiner);
   connect(host_, &Host::firmnessRead, this, &HapticsPlugin::takeFirmness);
@@ -271,7 +276,7 @@ void HapticsPlugin::frame() {
   runButtons(sample);
   watchSleep(sample);
   constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32, kFramesPerStatusAtRest = 256;
-  const bool at_rest = !forces_asked_ && !session_->recorder().running();
+  const bool at_rest = rate_told_ && !forces_asked_ && !session_->recorder().running();
   ++frames_;
   if (frames_ % kFramesPerReadout != 0) return;
   slowReadouts(frames_ % (at_rest ? kFramesPerStatusAtRest : kFramesPerStatus) == 0);
@@ -306,6 +311,7 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
   host_->showStatus(status);
+  rate_told_ = status.rate_hz > 0;
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {
@@ -409,9 +415,8 @@ void HapticsPlugin::watchWaiting(const HapticSample& sample) {
     }
   } else if (++frames_waiting_ == kFramesUntilSaid) {
     host_->announce(session_->isSteered()
-                        ? tr("Forces wait, because the hand is in the surface. Let go of the mouse "
-                             "button, or press Page Up.")
-                        : tr("Forces wait, because the hand is in the surface. Raise the grip."));
+                        ? tr("Forces wait: the hand is inside. Let go or press Page Up.")
+                        : tr("Forces wait: the hand is inside. Raise the grip."));
   }
 }
 

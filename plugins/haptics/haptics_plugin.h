@@ -105,6 +105,8 @@ class HapticsPlugin : public QObject, public Plugin {
   QPointer<NoteDialog> note_;
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
+  std::uint64_t given_window_ = 0;  // To the session, last.
+  bool rate_told_ = false;          // To the host, of this loop.
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
   bool textured_ = false;

@@ -151,7 +151,10 @@ void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
 }
 
 void LoopSession::moveHand(ViewMm target) {
-  if (filling_.valid()) hand_since_ = target;  // For the surface that comes, as well.
+  if (filling_.valid()) {  // Its height is over the surface that comes, in a moment.
+    hand_since_ = target;
+    return;
+  }
   if (!has_window_ || steered_ == nullptr) return;
   const bool presses = target.z < windowHeightMm(window_, target.x, target.y);
   if (!presses) return hoverAt(target);

@@ -74,9 +74,7 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   // The hand is in the surface: forces wait.
   ASSERT_TRUE(eventually([this] { return host_.status.forces_on; }));
   EXPECT_EQ(host_.probes.back().force, DeviceN{});
-  ASSERT_TRUE(
-      said("Forces wait, because the hand is in the surface. Let go of the mouse button, or "
-           "press Page Up."));
+  ASSERT_TRUE(said("Forces wait: the hand is inside. Let go or press Page Up."));
   hover();
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
   ASSERT_TRUE(said("The hand is clear: forces come on."));
@@ -493,6 +491,21 @@ TEST_F(HapticsPluginTest, ForcesThatAreSwitchedOnAfterAHangStayOn) {
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 0.9; }))
       << host_.announcements.join('\n').toStdString();
   EXPECT_TRUE(host_.actions.at("forces")->isChecked());
+}
+
+TEST_F(HapticsPluginTest, AHandThatIsOverTheNextWindowAlreadyDoesNotPressOnTheLast) {
+  host_.window = flatWindow(40, 35);
+  attach();
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 35 && !p.touching; }));
+  // The view of the window hears of a lower one before the plugin does.
+  const auto low = flatWindow(0, 36);
+  host_.window = low;
+  hover();
+  host_.showWindow(low);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 36; }));
+  for (const Probe& p : host_.probes) EXPECT_FALSE(p.touching) << p.window_id;
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.hip.z > 0 && p.hip.z < 2; }));
 }
 
 TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {

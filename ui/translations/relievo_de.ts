@@ -3255,12 +3255,12 @@
         <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
     </message>
     <message>
-        <source>Forces wait, because the hand is in the surface. Let go of the mouse button, or press Page Up.</source>
-        <translation>Die Kräfte warten, weil die Hand in der Oberfläche ist. Lassen Sie die Maustaste los oder drücken Sie Bild auf.</translation>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Loslassen oder Bild auf.</translation>
     </message>
     <message>
-        <source>Forces wait, because the hand is in the surface. Raise the grip.</source>
-        <translation>Die Kräfte warten, weil die Hand in der Oberfläche ist. Heben Sie den Griff.</translation>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Heben Sie den Griff.</translation>
     </message>
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>

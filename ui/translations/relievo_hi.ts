@@ -3255,12 +3255,12 @@
         <translation>हाथ सतह से अलग है: बल चालू हो रहे हैं।</translation>
     </message>
     <message>
-        <source>Forces wait, because the hand is in the surface. Let go of the mouse button, or press Page Up.</source>
-        <translation>बल प्रतीक्षा कर रहे हैं, क्योंकि हाथ सतह के भीतर है। माउस बटन छोड़ें, या Page Up दबाएँ।</translation>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>बल रुके हैं: हाथ सतह के भीतर है। बटन छोड़ें या Page Up दबाएँ।</translation>
     </message>
     <message>
-        <source>Forces wait, because the hand is in the surface. Raise the grip.</source>
-        <translation>बल प्रतीक्षा कर रहे हैं, क्योंकि हाथ सतह के भीतर है। हत्था ऊपर उठाएँ।</translation>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>बल रुके हैं: हाथ सतह के भीतर है। हत्था ऊपर उठाएँ।</translation>
     </message>
     <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
