@@ -2,6 +2,7 @@
 #include "ui/colour_bar.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QPainter>
 
 #include "ui/core_words.h"
@@ -29,12 +30,22 @@ void ColourBar::show(const ReliefValues& values, const ReliefLook& look) {
     title_ += QStringLiteral(" (%1)").arg(
         QString::fromUtf8(values.unit.data(), static_cast<int>(values.unit.size())));
   }
-  const double step = (high_ - low_) / 100;
-  setAccessibleDescription(
-      tr("%1 from %2 to %3").arg(title_, mmText(low_, step), mmText(high_, step)));
+  setAccessibleDescription(tr("%1 from %2 to %3").arg(title_, endText(low_), endText(high_)));
   setVisible(hasLegend(look.kind));
   place();
   update();
+}
+
+/// The ends are round: no more decimals than both of them need.
+QString ColourBar::endText(double value) const {
+  constexpr int kMostDecimals = 6;
+  const double near = 1e-3 * (high_ - low_);
+  int decimals = 0;
+  for (double scale = 1; decimals < kMostDecimals; ++decimals, scale *= 10) {
+    const auto rest = [scale](double v) { return std::abs(std::round(v * scale) / scale - v); };
+    if (rest(low_) <= near && rest(high_) <= near) break;
+  }
+  return numberText(value, decimals);
 }
 
 void ColourBar::setPrint(StereoPrint print) {
@@ -68,10 +79,9 @@ void ColourBar::paintEvent(QPaintEvent* /*event*/) {
   }
   painter.setPen(QColor(245, 245, 245));
   const QRect words = bar.translated(0, line + kPadding);
-  const double step = (high_ - low_) / 100;
-  painter.drawText(words, Qt::AlignLeft, mmText(low_, step));
+  painter.drawText(words, Qt::AlignLeft, endText(low_));
   painter.drawText(words, Qt::AlignHCenter, title_);
-  painter.drawText(words, Qt::AlignRight, mmText(high_, step));
+  painter.drawText(words, Qt::AlignRight, endText(high_));
 }
 
 }  // namespace relievo

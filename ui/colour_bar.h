@@ -28,6 +28,8 @@ class ColourBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString endText(double value) const;
+
   ReliefLook look_;
   StereoPrint print_ = StereoPrint::off;
   double low_ = 0, high_ = 1;

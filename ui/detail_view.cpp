@@ -60,7 +60,18 @@ void DetailView::showWindow() {
   if (camera_region_ != window->region) fitCamera();
   camera_region_ = window->region;
   clearProbe();
-  if (inside_ && drag_ == Drag::none) placeHand(hand_.x, hand_.y);
+  if (inside_ && drag_ == Drag::none) keepHand();
+}
+
+/// Over another window: at its place, so that steps of detail go on about it; where that is not in
+/// the window, below the pointer that carries it, or as far as the window goes.
+void DetailView::keepHand() {
+  const Region& r = document_.window()->region;
+  const double x = std::clamp(hand_.x, r.x_mm, r.x_mm + r.side_mm);
+  const double y = std::clamp(hand_.y, r.y_mm, r.y_mm + r.side_mm);
+  const bool is_over = x == hand_.x && y == hand_.y;
+  if (!is_over && pointer_ && !pressing()) return pointHandAt(*pointer_);
+  placeHand(x, y);
 }
 
 void DetailView::fitCamera() {
@@ -141,6 +152,7 @@ ViewMm DetailView::onSurface(const QPointF& point) const {
 }
 
 void DetailView::pointHandAt(const QPointF& point) {
+  pointer_ = point;
   const ViewMm p = onSurface(point);
   placeHand(p.x, p.y);
 }
@@ -239,6 +251,7 @@ void DetailView::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
   if (mouse_presses_ || !inside_ || key_depth_mm_ > 0) return;
   inside_ = false;
+  pointer_.reset();
   Q_EMIT handMoved(hand_, false);
 }
 
@@ -302,6 +315,7 @@ bool DetailView::moveHandByKey(int key, double cells) {
     default:
       return false;
   }
+  pointer_.reset();
   placeHand(std::clamp(x, r.x_mm, r.x_mm + r.side_mm), std::clamp(y, r.y_mm, r.y_mm + r.side_mm));
   return true;
 }

@@ -64,6 +64,7 @@ class DetailView : public SurfaceView {
   ViewMm onSurface(const QPointF& point) const;
   void pointHandAt(const QPointF& point);
   void placeHand(double x_mm, double y_mm);
+  void keepHand();
   void zoomAbout(const QPointF& point, int notches);
   void pan(const QPointF& point);
   bool moveHandByKey(int key, double cells);
@@ -74,6 +75,7 @@ class DetailView : public SurfaceView {
   QPointF drag_point_;
   Region drag_start_;
   ViewMm hand_;
+  std::optional<QPointF> pointer_;  ///< Carries the hand; none: the keys do.
   bool inside_ = false;
   bool mouse_presses_ = false;
   bool picking_ = false;

@@ -40,10 +40,15 @@ enum class DeviceFault : std::uint8_t {
 };
 std::string_view describe(DeviceFault fault) noexcept;  ///< For people; a few words.
 
+/// Of DeviceReading::buttons: the hand hovers. A mouse that is not pressed carries it through the
+/// air, and it touches nothing on its way.
+inline constexpr std::uint32_t kHoverBit = 1U << 4U;
+
 struct DeviceReading {
   DeviceMm position;
-  std::uint32_t buttons = 0;  ///< Bit i: button i is down (0 plus, 1 forward, 2 centre, 3 minus).
-  std::int64_t time_ns = 0;   ///< Monotonic, when the position was sampled.
+  /// Bit i: button i is down (0 plus, 1 forward, 2 centre, 3 minus); and kHoverBit.
+  std::uint32_t buttons = 0;
+  std::int64_t time_ns = 0;  ///< Monotonic, when the position was sampled.
   DeviceFault fault = DeviceFault::none;
 };
 
@@ -87,6 +92,9 @@ class SteeredDevice : public Device {
   /// The hand is there at once, as after a change of window.
   virtual void placeAt(DeviceMm target) RELIEVO_REALTIME = 0;
   virtual void setButtons(std::uint32_t buttons) RELIEVO_REALTIME = 0;
+  /// The hand hovers there, until moveTo() puts it down at that place. A hand with a mass has a way
+  /// through the air like any other: it goes there as by moveTo().
+  virtual void hoverAt(DeviceMm target) RELIEVO_REALTIME { moveTo(target); }
 };
 
 }  // namespace relievo

@@ -12,12 +12,20 @@ MouseDevice::MouseDevice() {
 
 void MouseDevice::moveTo(DeviceMm target) RELIEVO_REALTIME {
   wanted_.position = target;
+  wanted_.hovering = false;
   targets_.write(wanted_);
 }
 
 void MouseDevice::placeAt(DeviceMm target) RELIEVO_REALTIME {
   ++wanted_.jumps;
   moveTo(target);
+}
+
+void MouseDevice::hoverAt(DeviceMm target) RELIEVO_REALTIME {
+  ++wanted_.hovers;
+  wanted_.position = wanted_.hover = target;
+  wanted_.hovering = true;
+  targets_.write(wanted_);
 }
 
 void MouseDevice::setButtons(std::uint32_t buttons) RELIEVO_REALTIME {
@@ -30,6 +38,13 @@ DeviceReading MouseDevice::read(std::int64_t now_ns) RELIEVO_REALTIME {
   const HandWish& target = targets_.front();
   const double dt_s = 1e-9 * static_cast<double>(now_ns - last_ns_);
   last_ns_ = now_ns;
+  if (target.hovers != hovers_ || target.hovering) {
+    // Also where it is put down already: it touches from that place on.
+    hovers_ = target.hovers;
+    jumps_ = target.jumps;
+    position_ = target.hover;
+    return {position_, target.buttons | kHoverBit, now_ns, DeviceFault::none};
+  }
   if (target.jumps != jumps_ || !isFinite(position_) || !isFinite(target.position)) {
     jumps_ = target.jumps;
     position_ = target.position;

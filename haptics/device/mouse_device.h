@@ -10,7 +10,10 @@ namespace relievo {
 struct HandWish {
   DeviceMm position;
   std::uint32_t buttons = 0;
-  std::uint32_t jumps = 0;  ///< Counts placeAt: one that is skipped over still jumps.
+  std::uint32_t jumps = 0;   ///< Counts placeAt: one that is skipped over still jumps.
+  DeviceMm hover;            ///< Where it hovered last; the way down begins there.
+  std::uint32_t hovers = 0;  ///< Counts hoverAt, likewise.
+  bool hovering = false;
 };
 
 /// The mouse or the keys as a hand: it follows a target that the GUI sets. Pointer events come at
@@ -28,6 +31,8 @@ class MouseDevice : public SteeredDevice {
   void moveTo(DeviceMm target) RELIEVO_REALTIME override;
   void placeAt(DeviceMm target) RELIEVO_REALTIME override;
   void setButtons(std::uint32_t buttons) RELIEVO_REALTIME override;
+  /// At once: the pointer is there already.
+  void hoverAt(DeviceMm target) RELIEVO_REALTIME override;
 
   static constexpr double kFollowSeconds = 0.008;  ///< Time constant of the follower.
 
@@ -37,7 +42,7 @@ class MouseDevice : public SteeredDevice {
   HandWish wanted_;  // [GUI thread]
   // [haptic loop]
   DeviceMm position_;
-  std::uint32_t jumps_ = 0;
+  std::uint32_t jumps_ = 0, hovers_ = 0;
   std::int64_t last_ns_ = 0;
 };
 

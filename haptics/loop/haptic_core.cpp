@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/region/hand.h"
 #include "haptics/proxy/blend.h"
+#include "haptics/proxy/surface.h"
 
 namespace relievo {
 
@@ -158,13 +160,33 @@ Fields HapticCore::yielding(const HapticSpace& space, Fields felt, GridPoint hel
   return felt;
 }
 
-void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
-                        const HapticOptions& options) RELIEVO_REALTIME {
+void HapticCore::placeHand(const HapticSpace& space,
+                           const HapticOptions& options) RELIEVO_REALTIME {
   const GridPoint hand = space.gridFromDevice(hip_);
   hand_ = options.frame ? SceneFrame::framed(space, hand) : FramedHand{.place = hand};
+}
+
+// As high as a hand hovers over what is shown, so that a replay finds the hand that was lifted
+// above the surface already.
+void HapticCore::liftHand(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME {
+  const GridPoint p = hand_.place;
+  const double surface = surfaceHeight(space, p.x, p.y);
+  if (p.z >= surface) return;
+  hip_.z = space.deviceFromGrid({p.x, p.y, surface}).z + kHoverMm;
+  placeHand(space, options);
+}
+
+void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
+                        const HapticOptions& options, bool hovers) RELIEVO_REALTIME {
+  placeHand(space, options);
+  if (hovers) {
+    liftHand(space, options);
+    places_seen_ = 0;  // Its way through the air is no speed of pressing in.
+  }
   const GridPoint hip = hand_.place;
   const bool is_new = !placed_ || !isFelt(space);
-  const bool from_previous = is_new && placed_ && previous != nullptr && isFelt(*previous);
+  const bool from_previous =
+      is_new && placed_ && previous != nullptr && isFelt(*previous) && !hovers;
   if (from_previous) {
     const double fixed = options.force.stiffness_n_per_mm;
     SpringChange spring{fixed, fixed};
@@ -183,7 +205,10 @@ void HapticCore::follow(const HapticSpace& space, const HapticSpace* previous,
   scene_id_ = space.scene_id;
   surface_ = space.surface;
   placed_ = true;
-  if (change_.running() && previous != nullptr) {
+  if (hovers) {
+    proxy_ = {hip, hip, false, false};
+    change_.stop();
+  } else if (change_.running() && previous != nullptr) {
     proxy_ = change_.follow(*previous, space, proxy_, hip, options.proxy, feltSpring(options));
   } else if (!is_new) {
     proxy_ = proxyTick(space, proxy_, hip, options.proxy);
@@ -288,7 +313,7 @@ HapticSample HapticCore::tickOn(const HapticSpace& space, const HapticSpace* pre
   last_ns_ = now_ns;
   if (options.gate.on != gated_) force_ = refade(force_);  // What was felt goes, what comes rises.
   gated_ = options.gate.on;
-  follow(space, previous, options);
+  follow(space, previous, options, (reading.buttons & kHoverBit) != 0);
 
   HapticSample sample = describeTick(space, previous);
   sample.tick = tick_++;

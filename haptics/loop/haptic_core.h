@@ -103,9 +103,10 @@ class HapticCore {
   HapticCore() RELIEVO_REALTIME = default;
   explicit HapticCore(ForceChain chain) RELIEVO_REALTIME : chain_(chain) {}
   /// Given where the hand is, what should it feel? `now_ns` is the time of this tick on the clock
-  /// of the readings. A window with a new id keeps the hand, places the proxy on or above the new
-  /// surface and fades the force in. A fault, or a hand that is no finite place, gives zero force
-  /// until forces_on was false for a tick.
+  /// of the readings. A hand that hovers (kHoverBit) is above the surface, wherever it comes from,
+  /// and touches from there once it is put down. A window with a new id keeps the hand, places the
+  /// proxy on or above the new surface and fades the force in. A fault, or a hand that is no finite
+  /// place, gives zero force until forces_on was false for a tick.
   HapticSample tick(const HapticSpace& space, const HapticOptions& options,
                     const DeviceReading& reading, std::int64_t now_ns) RELIEVO_REALTIME;
   /// The same, with the surface that lay under the hand before: a new one then comes gradually, in
@@ -150,8 +151,12 @@ class HapticCore {
   /// Velocity of the hand over its last 8 places, by their own times: one step of a coarse encoder
   /// is 63 mm/s from tick to tick. A reading that is handed over twice is one place.
   void measureSpeed(std::int64_t reading_ns, ForceInput& input) RELIEVO_REALTIME;
-  void follow(const HapticSpace& space, const HapticSpace* previous,
-              const HapticOptions& options) RELIEVO_REALTIME;
+  void follow(const HapticSpace& space, const HapticSpace* previous, const HapticOptions& options,
+              bool hovers) RELIEVO_REALTIME;
+  /// Where the hand is in the window, brought to a stop at its frame.
+  void placeHand(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME;
+  /// Carries the hand up to where nothing is touched, if it is not there.
+  void liftHand(const HapticSpace& space, const HapticOptions& options) RELIEVO_REALTIME;
   double stiffness(const HapticSpace& space, const HapticOptions& options) const RELIEVO_REALTIME;
   Fields fields(const HapticSpace& space, const HapticSpace* previous, GridPoint held, double k,
                 const HapticOptions& options) const RELIEVO_REALTIME;

@@ -56,7 +56,7 @@ struct HapticLoop::Impl {
 };
 
 void HapticLoop::Impl::reportButtons(const HapticSample& sample) RELIEVO_REALTIME {
-  const std::uint32_t changed = sample.buttons ^ last_buttons;
+  const std::uint32_t changed = (sample.buttons ^ last_buttons) & ~kHoverBit;
   last_buttons = sample.buttons;
   for (std::uint8_t i = 0; i < 32; ++i) {
     const std::uint32_t bit = std::uint32_t{1} << i;

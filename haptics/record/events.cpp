@@ -54,6 +54,10 @@ void addButtons(Events& events, std::uint32_t before, std::uint32_t now) {
   for (std::uint32_t i = 0; i < 32; ++i) {
     const std::uint32_t bit = std::uint32_t{1} << i;
     if (((before ^ now) & bit) == 0) continue;
+    if (bit == kHoverBit) {
+      events.add((now & bit) != 0 ? "the hand is lifted" : "the hand is put down");
+      continue;
+    }
     events.add("button " + std::to_string(i) + ((now & bit) != 0 ? " down" : " up"));
   }
 }

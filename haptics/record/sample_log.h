@@ -42,7 +42,7 @@ inline constexpr std::array<LogColumn, 30> kLogColumns{{
     {"detail", "1", "detail of the window; 1 is the whole"},
     {"region_id", "1", "number of the window"},
     {"origin", "1", "0 measured, 1 interpolated, 2 base, 3 steep, 4 outside"},
-    {"buttons", "1", "bit i: button i is down"},
+    {"buttons", "1", "bit i: button i is down; bit 4: the hand hovers"},
     {"rate_Hz", "Hz", "measured rate of the loop"},
     {"dev_hip_x_mm", "mm", "hand, in its workspace"},
     {"dev_hip_y_mm", "mm", "hand, in its workspace"},

@@ -493,8 +493,11 @@ void HapticsPanel::show(const LoopReport& report) {
   report_ = report;
   if (another_level && by_detail_->isChecked()) showStiffness();
   if (open_details_) open_details_->show(report_);
-  constexpr int kShowsPerLine = 8;  // Read by speech, too: no oftener than once a second.
-  if (health_shows_++ % kShowsPerLine != 0 && report.stats.rate_hz > 0) return;
+  // Read by speech, too: no oftener than once a second. Each new text is a picture of the window,
+  // and without forces nobody waits for it.
+  const int shows_per_line = sample.engaged == EngagePhase::off ? 32 : 8;
+  if (health_shows_++ % shows_per_line != 0 && health_rate_hz_ > 0) return;
+  health_rate_hz_ = report.stats.rate_hz;
   const QString health = healthText(report);
   setTextIfNew(health_, health);
   health_->setAccessibleDescription(health);

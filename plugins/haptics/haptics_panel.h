@@ -94,7 +94,8 @@ class HapticsPanel : public QWidget {
   double magnet_reach_mm_ = 3;  // No control of its own.
   std::string firmness_;        // As in the settings.
   bool firmness_used_ = true;
-  int health_shows_ = 0;  // Since the health line was written.
+  int health_shows_ = 0;       // Since the health line was written.
+  double health_rate_hz_ = 0;  // As the line says; 0: not known yet.
 };
 
 }  // namespace relievo

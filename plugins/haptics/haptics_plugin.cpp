@@ -133,16 +133,21 @@ void HapticsPlugin::detach() noexcept {
   firmness_awaited_.clear();
   finer_window_ = 0;
   shown_ = {};
+  given_window_ = 0;
   host_ = nullptr;
 }
 
 void HapticsPlugin::connectHost() {
   connect(host_, &Host::windowShown, this,
           [this](const std::shared_ptr<const RegionWindow>& window) {
-            if (window && session_) showWindow(*window);
+            if (window && session_ && window->id != given_window_) showWindow(*window);
           });
   connect(host_, &Host::handMoved, this, [this](const HandTarget& target) {
-    if (session_) session_->moveHand(target.position);
+    if (!session_) return;
+    // It is over what the host shows, whoever heard first of another window.
+    const auto window = host_->shownWindow();
+    if (window && window->id != given_window_) showWindow(*window);
+    session_->moveHand(target.position);
   });
   connect(host_, &Host::finerHeightsRead, this, &HapticsPlugin::takeFiner);
   connect(host_, &Host::firmnessRead, this, &HapticsPlugin::takeFirmness);
@@ -222,6 +227,7 @@ void HapticsPlugin::setForces(bool on) {
   }
   actions_.forces_off->setEnabled(on);
   if (panel_) panel_->setForcesAsked(on);
+  session_->loop().sayAlive();  // Whoever asks is there, though no frame came for a while.
   applySettings();
   if (changed) slowReadouts();  // Escape must know at once that there is something to stop.
   if (changed) host_->announce(on ? tr("Forces on.") : tr("Forces off."));
@@ -263,14 +269,17 @@ void HapticsPlugin::frame() {
   watchFault(sample);
   watchStop(sample);
   watchEdge(sample);
+  watchWaiting(sample);
   watchSoftening(sample);
   watchRate(sample);
   watchRecording();
   runButtons(sample);
   watchSleep(sample);
-  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
+  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32, kFramesPerStatusAtRest = 256;
+  const bool at_rest = rate_told_ && !forces_asked_ && !session_->recorder().running();
   ++frames_;
-  if (frames_ % kFramesPerReadout == 0) slowReadouts(frames_ % kFramesPerStatus == 0);
+  if (frames_ % kFramesPerReadout != 0) return;
+  slowReadouts(frames_ % (at_rest ? kFramesPerStatusAtRest : kFramesPerStatus) == 0);
 }
 
 void HapticsPlugin::slowReadouts(bool with_status) {
@@ -302,6 +311,7 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
   host_->showStatus(status);
+  rate_told_ = status.rate_hz > 0;
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {
@@ -392,6 +402,22 @@ void HapticsPlugin::watchEdge(const HapticSample& sample) {
   const bool at_edge = forces_asked_ && sample.frame != 0;
   if (at_edge && !at_edge_) host_->announce(tr("The hand pushes over the edge of the window."));
   at_edge_ = at_edge;
+}
+
+/// A hand that is clear of the surface waits for a few quiet ticks only.
+void HapticsPlugin::watchWaiting(const HapticSample& sample) {
+  constexpr int kFramesUntilSaid = 6;  // A tenth of a second.
+  if (!forces_asked_ || sample.engaged == EngagePhase::off) {
+    frames_waiting_ = 0;
+  } else if (sample.engaged != EngagePhase::waiting) {
+    if (std::exchange(frames_waiting_, 0) >= kFramesUntilSaid) {
+      host_->announce(tr("The hand is clear: forces come on."));
+    }
+  } else if (++frames_waiting_ == kFramesUntilSaid) {
+    host_->announce(session_->isSteered()
+                        ? tr("Forces wait: the hand is inside. Let go or press Page Up.")
+                        : tr("Forces wait: the hand is inside. Raise the grip."));
+  }
 }
 
 void HapticsPlugin::watchSoftening(const HapticSample& sample) {

@@ -59,7 +59,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void setFirmness(std::shared_ptr<const FirmnessMap> firmness);
   void applySurface();  // Another kind of the shown window's, if that was chosen.
   void frame();         // 60 times a second.
-  /// About 8 times a second; the host hears of it twice a second.
+  /// About 8 times a second; the host hears of it twice a second, every four seconds at rest.
   void slowReadouts(bool with_status = true);
   void tellStatus(const LoopReport& report);
   void watchSoftening(const HapticSample& sample);
@@ -68,6 +68,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchFault(const HapticSample& sample);
   void watchStop(const HapticSample& sample);
   void watchEdge(const HapticSample& sample);
+  void watchWaiting(const HapticSample& sample);
   void watchRecording();
   QString folderOfRecording() const;     ///< Of the running one, or of the next.
   void endRecording();                   // Before its loop goes.
@@ -104,6 +105,8 @@ class HapticsPlugin : public QObject, public Plugin {
   QPointer<NoteDialog> note_;
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
+  std::uint64_t given_window_ = 0;  // To the session, last.
+  bool rate_told_ = false;          // To the host, of this loop.
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
   bool textured_ = false;
@@ -114,8 +117,9 @@ class HapticsPlugin : public QObject, public Plugin {
   QString firmness_awaited_;                     // Being read.
   bool firmness_chosen_now_ = false;             // Not remembered.
   bool forces_asked_ = false;
-  bool at_edge_ = false;  // Said.
-  bool slow_ = false;     // Likewise, since forces were switched on.
+  bool at_edge_ = false;    // Said.
+  int frames_waiting_ = 0;  // That the forces have waited for a clear hand.
+  bool slow_ = false;       // Likewise, since forces were switched on.
   DeviceFault fault_ = DeviceFault::none;
 };
 

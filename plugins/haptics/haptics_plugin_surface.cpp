@@ -11,6 +11,7 @@ namespace relievo {
 
 void HapticsPlugin::showWindow(const RegionWindow& window) {
   shown_ = {};  // The host may have cleared its probe.
+  given_window_ = window.id;
   surface_ = settings_.feel.surface;
   session_->show(window, surface_, mapsUnder(window));
   if (session_->recorder().running()) recorded_windows_ += windowLine(window);

@@ -88,7 +88,7 @@ void LoopSession::takePrepared() {
       filling_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;
   }
-  const Order order = std::move(*std::exchange(coming_, std::nullopt));
+  Order order = std::move(*std::exchange(coming_, std::nullopt));
   try {
     filling_.get();
   } catch (const Error& error) {
@@ -106,20 +106,33 @@ void LoopSession::takePrepared() {
   *shown_ = space;
   loop_->spaces().publish();
   mapping_ = mappingOf(order.window, order.touched);
+  window_ = std::move(order.window);
   const bool first = !std::exchange(has_window_, true);
-  placeHand(order.window, loop_->latest().front(), first);
+  placeHand(loop_->latest().front(), first);
   if (hand_since_) moveHand(*hand_since_);
   prepareNext();
 }
 
-void LoopSession::placeHand(const RegionWindow& window, const HapticSample& last, bool first) {
+/// The hand keeps its place sideways, as far as that is over the window, and its depth.
+void LoopSession::placeHand(const HapticSample& last, bool first) {
   if (steered_ == nullptr) return;
+  const Region& r = window_.region;
   ViewMm over = mapping_.device_from_view.inverseOfSimilarity()(last.hip);
-  if (first) over = {window.region.centreX(), window.region.centreY(), 0};
+  if (first) over = {r.centreX(), r.centreY(), 0};
+  over.x = std::clamp(over.x, r.x_mm, r.x_mm + r.side_mm);
+  over.y = std::clamp(over.y, r.y_mm, r.y_mm + r.side_mm);
   const double depth = norm(last.proxy - last.hip);
-  const bool pressing = !first && last.contact;
-  sent_ = mapping_.device_from_view(handOver(window, over.x, over.y, pressing, depth));
+  const bool pressing = !first && !hovers_ && last.contact;
+  const ViewMm place = handOver(window_, over.x, over.y, pressing, depth);
+  sent_ = mapping_.device_from_view(place);
   steered_->placeAt(sent_);
+  if (!pressing) hoverAt(place);
+}
+
+void LoopSession::hoverAt(ViewMm target) {
+  sent_ = mapping_.device_from_view(target);
+  steered_->hoverAt(sent_);
+  hovers_ = true;
 }
 
 void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
@@ -138,8 +151,15 @@ void LoopSession::keep(RecordedScene scene, const SceneMaps& maps) {
 }
 
 void LoopSession::moveHand(ViewMm target) {
-  if (filling_.valid()) hand_since_ = target;  // For the surface that comes, as well.
+  if (filling_.valid()) {  // Its height is over the surface that comes, in a moment.
+    hand_since_ = target;
+    return;
+  }
   if (!has_window_ || steered_ == nullptr) return;
+  const bool presses = target.z < windowHeightMm(window_, target.x, target.y);
+  if (!presses) return hoverAt(target);
+  if (hovers_) hoverAt(handOver(window_, target.x, target.y, false, 0));
+  hovers_ = false;
   sent_ = mapping_.device_from_view(target);
   steered_->moveTo(sent_);
 }
@@ -151,6 +171,7 @@ void LoopSession::pushHand(DeviceMm by) {
   // A hand that a surface holds back is not pushed ever harder.
   if (lead > kMostLeadMm) sent_ = hip + (kMostLeadMm / lead) * (sent_ - hip);
   sent_ = sent_ + by;
+  hovers_ = false;
   steered_->moveTo(sent_);
 }
 

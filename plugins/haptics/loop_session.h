@@ -50,13 +50,16 @@ class LoopSession {
   bool hasWindow() const noexcept { return has_window_ || filling_.valid(); }
   /// Why a surface could not be prepared, once; empty: nothing went wrong.
   std::string takeProblem() { return std::exchange(problem_, {}); }
-  /// Where the pointer wants the hand, view mm of the shown window. A device that a person holds
-  /// does not care.
+  /// Where the pointer wants the hand, view mm of the shown window. Above the surface a mouse's
+  /// hand hovers and touches nothing on its way; a target below it presses in at that place and,
+  /// with those that follow, touches what lies between. A device that a person holds does not care.
   void moveHand(ViewMm target);
   /// Carries the hand on from where it was last sent, not from where it is: pushes that come faster
   /// than the hand follows add up. It never runs ahead by more than `kMostLeadMm`.
   void pushHand(DeviceMm by);
   static constexpr double kMostLeadMm = 6;
+  /// Mouse and keys say where the hand is, and no person who holds the device.
+  bool isSteered() const noexcept { return steered_ != nullptr; }
   void setOptions(const HapticOptions& options);
   /// Begins with one of the next ticks; HDF5 gets the surface that is touched now.
   /// @throw as Recorder::start
@@ -87,7 +90,8 @@ class LoopSession {
   };
   void prepareNext();
   void takePrepared();
-  void placeHand(const RegionWindow& window, const HapticSample& last, bool first);
+  void placeHand(const HapticSample& last, bool first);
+  void hoverAt(ViewMm target);
   void keep(RecordedScene scene, const SceneMaps& maps);
   void plotSink(std::span<const HapticSample> batch);  // [drain thread]
 
@@ -112,6 +116,8 @@ class LoopSession {
   std::vector<std::string> map_states_;                // Map 1 is the first.
   std::string recording_folder_;
   bool has_window_ = false, moving_ = false;
+  bool hovers_ = true;                  // As the hand was last sent.
+  RegionWindow window_;                 // The loop's newest; has_window_: there is one.
   std::unique_ptr<HapticSpace> shown_;  // The loop's newest; the loop's own cannot be read here.
   std::optional<Order> waiting_;        // The newest that was asked for.
   std::optional<Order> coming_;         // The worker prepares it, in the loop's back slot.

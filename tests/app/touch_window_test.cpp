@@ -19,7 +19,9 @@
 #include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/plugin_loader.h"
+#include "core/region/hand.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/reference_view.h"
 #include "ui/replay_panel.h"
 
 namespace relievo {
@@ -95,6 +97,29 @@ class TouchWindowTest : public GuiTest {
     window().open(request);
     ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
     ASSERT_EQ(document().surface()->holes.size(), 1U);
+  }
+  /// A plate of 250 x 200 mm with a wall across its middle, 40 mm high and 8 mm thick.
+  void openWalledRelief() {
+    QFile plate(writeRelief());
+    ASSERT_TRUE(plate.open(QIODevice::ReadOnly));
+    QByteArray bytes = plate.readAll();
+    constexpr int kPoint = 3 * sizeof(float);
+    for (int at = bytes.indexOf("end_header\n") + 11; at < bytes.size(); at += kPoint) {
+      std::array<float, 3> p{};
+      std::memcpy(p.data(), bytes.constData() + at, kPoint);
+      p[2] = std::abs(p[0] - 125) < 4 ? 40 : 0;
+      std::memcpy(bytes.data() + at, p.data(), kPoint);
+    }
+    QFile walled(path("walled.ply"));
+    ASSERT_TRUE(walled.open(QIODevice::WriteOnly));
+    walled.write(bytes);
+    walled.close();
+    OpenRequest request;
+    request.file = walled.fileName();
+    request.unit = LengthUnit::mm;
+    request.view = ViewChoice{"top", {}};
+    window().open(request);
+    ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
   }
   /// Ends the recording that runs. @return its file; empty: none came
   QString endRecording() {
@@ -345,6 +370,83 @@ TEST_F(TouchWindowTest, ARecordingWithARasterOfFirmGroundIsReplayedUnlessTheRast
   EXPECT_TRUE(said({"replay", recording, "--verify"}, 2).contains("is not there (E501)"));
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"))
       << "the package holds the raster that was felt";
+}
+
+TEST_F(TouchWindowTest, APointerThatIsNotPressedIsCarriedOverWallsAndItsRecordingRepeats) {
+  useOwnHome();
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
+  openWalledRelief();
+  auto& view = window().detailView();
+  const QPointF middle = QRectF(view.rect()).center();
+  const QPointF aside(0.3 * view.height(), 0);
+  move(view, middle - aside);
+  QTest::keyClick(&view, Qt::Key_F5);
+  const auto& probe = view.sceneState().probe;
+  ASSERT_TRUE(waitFor([&] { return probe && probe->forces_on; }));
+  action("record")->trigger();
+  double most_apart_mm = 0, most_n = 0;
+  for (int i = 0; i < 60; ++i) {
+    move(view, i % 2 == 0 ? middle + aside : middle - aside);
+    QTest::qWait(16);
+    most_apart_mm = std::max(most_apart_mm, norm(probe->proxy - probe->hip));
+    most_n = std::max(most_n, norm(probe->force));
+  }
+  EXPECT_EQ(most_apart_mm, 0);
+  EXPECT_EQ(most_n, 0);
+  // It touches where it is pressed, and then a wall holds it.
+  press(view, middle + aside);
+  ASSERT_TRUE(waitFor([this] { return forceShown() > 0.1; }));
+  const double pressed_x = probe->proxy.x;
+  move(view, middle - aside, Qt::LeftButton);
+  ASSERT_TRUE(waitFor([&] { return probe->hip.x < 90; }));
+  EXPECT_GT(pressed_x, 150);
+  EXPECT_GT(probe->proxy.x, 120);
+  const QString recording = endRecording();
+  release(view, middle);
+  plugins->detachAll();
+  ASSERT_FALSE(recording.isEmpty());
+  EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
+}
+
+TEST_F(TouchWindowTest, AWindowDrawnByKeysKeepsTheHandOverIt) {
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
+  openWalledRelief();
+  auto& view = window().detailView();
+  auto& overview = window().referenceView();
+  const auto& probe = view.sceneState().probe;
+  move(view, QPointF(4, 4));  // A corner, which will not be in the window.
+  overview.setFocus();
+  QTest::keyClick(&overview, Qt::Key_Space);
+  for (const int key : {Qt::Key_Right, Qt::Key_Down, Qt::Key_Right, Qt::Key_Down, Qt::Key_Right}) {
+    QTest::keyClick(&overview, static_cast<Qt::Key>(key));
+    QTest::qWait(30);
+  }
+  QTest::keyClick(&overview, Qt::Key_Return);
+  view.setFocus();
+  QTest::keyClick(&view, Qt::Key_Left);  // The keys take the hand.
+  const auto is_over = [&] {
+    const auto shown = document().window();
+    if (!probe || probe->window_id != shown->id || probe->touching) return false;
+    const Region& r = shown->region;
+    const bool inside = probe->hip.x >= r.x_mm && probe->hip.x <= r.x_mm + r.side_mm &&
+                        probe->hip.y >= r.y_mm && probe->hip.y <= r.y_mm + r.side_mm;
+    const double above = probe->hip.z - windowHeightMm(*shown, probe->hip.x, probe->hip.y);
+    return inside && above > 0 && above < 2 * kHoverMm * handMapping(*shown).objectMmPerHandMm();
+  };
+  EXPECT_TRUE(waitFor(is_over));
+  QTest::keyClick(&view, Qt::Key_F5);
+  ASSERT_TRUE(waitFor([&] { return probe && probe->forces_on; }));
+  double most_n = 0;
+  QTest::keyClick(&view, Qt::Key_PageDown);
+  EXPECT_TRUE(waitFor([&] { return probe->touching && norm(probe->force) > 0.05; }));
+  for (int i = 0; i < 30; ++i) {
+    most_n = std::max(most_n, norm(probe->force));
+    QTest::qWait(16);
+  }
+  EXPECT_LT(most_n, 0.13) << "0.25 mm at 0.8 N/mm and 60 % at most";
+  plugins->detachAll();
 }
 
 }  // namespace

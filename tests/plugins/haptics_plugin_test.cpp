@@ -74,8 +74,10 @@ TEST_F(HapticsPluginTest, SwitchesForcesOnGentlyAndOffAtOnce) {
   // The hand is in the surface: forces wait.
   ASSERT_TRUE(eventually([this] { return host_.status.forces_on; }));
   EXPECT_EQ(host_.probes.back().force, DeviceN{});
+  ASSERT_TRUE(said("Forces wait: the hand is inside. Let go or press Page Up."));
   hover();
   ASSERT_TRUE(probeBecomes([](const Probe& p) { return !p.touching; }));
+  ASSERT_TRUE(said("The hand is clear: forces come on."));
   const std::size_t plotted = host_.plotted.size();  // Some quiet ticks go by.
   ASSERT_TRUE(eventually([&] { return host_.plotted.size() > plotted + 5; }));
   press(2);
@@ -470,6 +472,40 @@ TEST_F(HapticsPluginTest, TheLoopOutlivesAGuiThatHangsForTenSecondsAndLetsTheFor
   const double seconds = 1e-9 * static_cast<double>(nanosecondsOf(log.rows.back()));
   EXPECT_GT(seconds, 9);
   EXPECT_GT(static_cast<double>(log.rows.size()), 100 * seconds);
+}
+
+TEST_F(HapticsPluginTest, ForcesThatAreSwitchedOnAfterAHangStayOn) {
+  host_.window = flatWindow(5, 34);
+  attach();
+  TouchSettings settings;
+  settings.window_silence_s = kLeastSilenceS;
+  plugin_->restoreState(toJson(settings));
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 34 && !p.touching; }));
+  // As while something long is opened: the key comes before any other event.
+  sleepUntil(monotonicNs() + static_cast<std::int64_t>(2e9 * kLeastSilenceS));
+  host_.actions.at("forces")->trigger();
+  sleepUntil(monotonicNs() + 50'000'000);  // The window draws what the key has changed.
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.forces_on; }));
+  press(2);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.force.z > 0.9; }))
+      << host_.announcements.join('\n').toStdString();
+  EXPECT_TRUE(host_.actions.at("forces")->isChecked());
+}
+
+TEST_F(HapticsPluginTest, AHandThatIsOverTheNextWindowAlreadyDoesNotPressOnTheLast) {
+  host_.window = flatWindow(40, 35);
+  attach();
+  hover();
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 35 && !p.touching; }));
+  // The view of the window hears of a lower one before the plugin does.
+  const auto low = flatWindow(0, 36);
+  host_.window = low;
+  hover();
+  host_.showWindow(low);
+  ASSERT_TRUE(probeBecomes([](const Probe& p) { return p.window_id == 36; }));
+  for (const Probe& p : host_.probes) EXPECT_FALSE(p.touching) << p.window_id;
+  EXPECT_TRUE(probeBecomes([](const Probe& p) { return p.hip.z > 0 && p.hip.z < 2; }));
 }
 
 TEST_F(HapticsPluginTest, InMoveModeTheGateIsFeltInPlaceOfTheSurface) {

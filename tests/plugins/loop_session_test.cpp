@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <utility>
 
+#include "core/region/hand.h"
 #include "tests/plugins/plugin_fixture.h"
 
 namespace relievo {
@@ -62,6 +63,78 @@ TEST(LoopSession, ANewerWindowReplacesTheOneThatWaits) {
   for (const std::uint64_t id : {1, 2, 3}) session.show(flatWindow(id), SurfaceKind::gated);
   ASSERT_TRUE(eventually([&] { return session.update().window_id == 3; }));
   EXPECT_EQ(session.update().scene_id, 2U) << "the second window was never prepared";
+}
+
+/// A wall across the middle, 30 mm high and 4 mm thick.
+RegionWindow walledWindow(std::uint64_t id) {
+  return test::windowOf(
+      80, [](double x, double) { return std::abs(x - 40) < 2 ? 30.0 : 0.0; }, id);
+}
+
+bool rests(LoopSession& session) {
+  HapticSample before = session.update();
+  return eventually([&] {
+    const HapticSample& now = session.update();
+    if (now.tick < before.tick + 5) return false;
+    return norm(now.hip - std::exchange(before, now).hip) < 1e-3;
+  });
+}
+
+TEST(LoopSession, AHandThatIsNotPressedIsCarriedOverAWall) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  const RegionWindow window = walledWindow(7);
+  session.show(window, SurfaceKind::gated);
+  ASSERT_TRUE(eventually([&] { return session.update().window_id == 7; }));
+  for (const double x : {10.0, 70.0, 40.0, 12.0}) {
+    session.moveHand(handOver(window, x, 40, false, 0));
+    ASSERT_TRUE(eventually([&] { return std::abs(session.update().hip_view.x - x) < 0.01; }));
+    EXPECT_FALSE(session.update().contact) << x;
+    EXPECT_EQ(session.update().proxy, session.update().hip) << x;
+  }
+}
+
+TEST(LoopSession, AHandTouchesWhereItIsPutDownHoweverFarItCame) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  const RegionWindow window = walledWindow(7);
+  session.show(window, SurfaceKind::gated);
+  ASSERT_TRUE(eventually([&] { return session.update().window_id == 7; }));
+  session.moveHand(handOver(window, 10, 40, false, 0));
+  ASSERT_TRUE(eventually([&] { return std::abs(session.update().hip_view.x - 10) < 0.01; }));
+  session.moveHand(handOver(window, 70, 40, true, 2));
+  ASSERT_TRUE(eventually([&] { return session.update().contact; }));
+  ASSERT_TRUE(rests(session));
+  EXPECT_NEAR(session.update().proxy_view.x, 70, 0.1);
+  EXPECT_NEAR(norm(session.update().proxy - session.update().hip), 2, 0.01);
+  // From there on it touches what is on its way: a wall holds.
+  session.moveHand(handOver(window, 10, 40, true, 2));
+  ASSERT_TRUE(eventually([&] { return std::abs(session.update().hip_view.x - 10) < 0.01; }));
+  EXPECT_GT(session.update().proxy_view.x, 41);
+}
+
+TEST(LoopSession, WindowsThatComeUnderAHoveringHandAreNotPressed) {
+  const test::PrivateHome home;
+  LoopSession session("mouse");
+  for (std::uint64_t id = 1; id <= 60; ++id) {
+    // A hill and a hollow in turns under the same hand.
+    const RegionWindow window = test::windowOf(
+        80,
+        [id](double x, double y) {
+          const bool inner = std::hypot(x - 40, y - 40) < 20;
+          return inner == (id % 2 == 0) ? 60.0 : 0.0;
+        },
+        id);
+    session.show(window, SurfaceKind::gated);
+    ASSERT_TRUE(eventually([&] { return session.update().window_id == id; }));
+    for (int look = 0; look < 20; ++look) {
+      ASSERT_FALSE(session.update().contact) << id;
+      QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+    }
+    ASSERT_TRUE(rests(session));
+    const ViewMm hip = session.update().hip_view;
+    ASSERT_GT(hip.z, windowHeightMm(window, hip.x, hip.y)) << id;
+  }
 }
 
 TEST(LoopSession, ASurfaceThatCannotBePreparedIsTold) {

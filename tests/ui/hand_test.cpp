@@ -53,6 +53,24 @@ TEST_F(HandTest, TheLeftButtonPressesInToThePressDepthAndLetsGo) {
   EXPECT_GT(last().position.z, surfaceAt(last().position));
 }
 
+TEST_F(HandTest, AWindowElsewhereKeepsTheHandOfTheKeysOverIt) {
+  QTest::keyClick(&view(), Qt::Key_Left);
+  ASSERT_NEAR(last().position.x, 100, 2);
+  document().setRect({0, 0, 40, 40});
+  const Region region = document().state().region;
+  EXPECT_LE(last().position.x, region.x_mm + region.side_mm);
+  EXPECT_LE(last().position.y, region.y_mm + region.side_mm);
+  EXPECT_NEAR(last().position.z - surfaceAt(last().position), kHoverMm * objectPerHand(), 1e-9);
+}
+
+TEST_F(HandTest, AWindowElsewhereComesUnderThePointer) {
+  move(view(), middle());
+  document().setRect({0, 0, 40, 40});
+  const Region region = document().state().region;
+  EXPECT_NEAR(last().position.x, region.centreX(), 0.02 * region.side_mm);
+  EXPECT_NEAR(last().position.y, region.centreY(), 0.02 * region.side_mm);
+}
+
 TEST_F(HandTest, TheWheelWhilePressingChangesTheDepthNotTheWindow) {
   const Region before = document().state().region;
   press(view(), middle());

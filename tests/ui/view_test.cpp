@@ -266,6 +266,8 @@ TEST_F(ViewTest, OneValueHasOneColourInBothViewsAndTheBarsEndsAreRound) {
   ASSERT_TRUE(whole.has_value());
   EXPECT_EQ(*whole, (std::array<double, 2>{0, 19})) << "of 98 % of the values";
   EXPECT_EQ(window().detailView().shownRange(), whole);
+  const auto* bar = window().referenceView().findChild<ColourBar*>("colour_bar");
+  EXPECT_EQ(bar->accessibleDescription(), "height (mm) from 0 to 19");
   document().setGain(2);  // Twice the heights are other values.
   EXPECT_NE(window().detailView().shownRange(), whole);
   document().history().undo();

@@ -3251,6 +3251,18 @@
         <translation>Die Hand drückt über den Rand des Fensters.</translation>
     </message>
     <message>
+        <source>The hand is clear: forces come on.</source>
+        <translation>Die Hand ist frei: Die Kräfte kommen.</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Loslassen oder Bild auf.</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>Kräfte warten: Die Hand ist im Inneren. Heben Sie den Griff.</translation>
+    </message>
+    <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>Ein Falcon wurde eingesteckt. Wählen Sie ihn im Feld Fühlen, um ihn zu benutzen.</translation>
     </message>

@@ -3251,6 +3251,18 @@
         <translation>हाथ विंडो के किनारे से बाहर धकेल रहा है।</translation>
     </message>
     <message>
+        <source>The hand is clear: forces come on.</source>
+        <translation>हाथ सतह से अलग है: बल चालू हो रहे हैं।</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Let go or press Page Up.</source>
+        <translation>बल रुके हैं: हाथ सतह के भीतर है। बटन छोड़ें या Page Up दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Forces wait: the hand is inside. Raise the grip.</source>
+        <translation>बल रुके हैं: हाथ सतह के भीतर है। हत्था ऊपर उठाएँ।</translation>
+    </message>
+    <message>
         <source>A Falcon was plugged in. Choose it in the panel Touch to use it.</source>
         <translation>एक Falcon जोड़ा गया। उपयोग के लिए स्पर्श पटल में उसे चुनें।</translation>
     </message>

@@ -61,6 +61,27 @@ TEST(MouseDevice, IsNeverStaleAndCanBePlaced) {
   EXPECT_EQ(mouse.info().max_force_n, 0) << "cannot push back";
 }
 
+TEST(MouseDevice, HoversWhereThePointerIsAndIsPutDownFromThere) {
+  MouseDevice mouse;
+  mouse.hoverAt({1, 2, 3});
+  DeviceReading reading = mouse.exchange({}, kMs);
+  EXPECT_EQ(reading.position, (DeviceMm{1, 2, 3}));
+  EXPECT_EQ(reading.buttons, kHoverBit);
+  // Far away, and pressed in before the loop has looked.
+  mouse.setButtons(1);
+  mouse.hoverAt({60, 2, 3});
+  mouse.moveTo({60, 2, -1});
+  reading = mouse.exchange({}, 2 * kMs);
+  EXPECT_EQ(reading.position, (DeviceMm{60, 2, 3})) << "once where it begins";
+  EXPECT_EQ(reading.buttons, 1U | kHoverBit);
+  reading = mouse.exchange({}, 3 * kMs);
+  EXPECT_EQ(reading.buttons, 1U);
+  EXPECT_EQ(reading.position.x, 60);
+  EXPECT_LT(reading.position.z, 3);
+  mouse.placeAt({0, 0, 0});
+  EXPECT_EQ(mouse.exchange({}, 4 * kMs).position, DeviceMm{});
+}
+
 TEST(ScriptedDevice, PlaysItsReadingsAndStaysAtTheLast) {
   ScriptedDevice device({{{1, 0, 0}, 0, 0}, {{2, 0, 0}, 1, 5 * kMs}});
   EXPECT_EQ(device.exchange({}, 100 * kMs).position.x, 1);

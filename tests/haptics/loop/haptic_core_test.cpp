@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
+#include "core/region/hand.h"
 #include "tests/haptics/haptic_fixture.h"
 
 namespace relievo {
@@ -268,6 +271,85 @@ TEST(CoreSpeed, IsTakenOverTheReadingsOwnTimes) {
   const double expected_n = 0.002 * 1000 * kMmPerMs;
   EXPECT_NEAR(least, expected_n, 0.01 * expected_n);
   EXPECT_NEAR(most, expected_n, 0.01 * expected_n);
+}
+
+class HoveringHand : public Core {
+ protected:
+  HoveringHand() {
+    // A wall across the middle, 20 mm high and 4 mm thick.
+    space_ = spaceOf(
+        80, [](double x, double) { return std::abs(x - 40) < 2 ? 20.0 : 0.0; }, 7);
+  }
+  DeviceMm over(double x, double above_mm) const {
+    const GridPoint g = space_->gridFromView({x, 40, 0});
+    DeviceMm p = space_->deviceFromGrid({g.x, g.y, surfaceHeight(*space_, g.x, g.y)});
+    p.z += above_mm;
+    return p;
+  }
+  DeviceReading readingAt(DeviceMm hand, bool hovers) {
+    DeviceReading reading;
+    reading.position = hand;
+    reading.buttons = hovers ? kHoverBit : 0;
+    reading.time_ns = now_ns_ += 1'000'000;
+    return reading;
+  }
+  HapticSample carry(DeviceMm hand, bool hovers = true) {
+    readings_.push_back(readingAt(hand, hovers));
+    return core_.tick(*space_, options_, readings_.back(), now_ns_);
+  }
+
+  std::vector<DeviceReading> readings_;
+};
+
+TEST_F(HoveringHand, IsCarriedOverAWallThatHoldsAPressedOne) {
+  carry(over(20, 0.5));
+  const HapticSample there = carry(over(60, 0.5));
+  EXPECT_FALSE(there.contact);
+  EXPECT_EQ(there.proxy, there.hip);
+  carry(over(20, 0.5));
+  carry(over(20, -1), false);
+  EXPECT_LT(carry(over(60, -1), false).proxy_view.x, 38.5) << "what is pressed does not go through";
+}
+
+TEST_F(HoveringHand, IsNeverBelowTheSurfaceAndTouchesWhereItIsPutDown) {
+  for (const double x : {10.0, 39.0, 41.0, 70.0}) {
+    const HapticSample lifted = carry(over(x, -15));
+    EXPECT_FALSE(lifted.contact) << x;
+    EXPECT_NEAR(norm(lifted.hip - over(x, kHoverMm)), 0, 1e-9) << x;
+    const HapticSample pressed = carry(over(x, -1), false);
+    EXPECT_TRUE(pressed.contact) << x;
+    EXPECT_NEAR(pressed.proxy_view.x, x, 0.5) << x;
+  }
+}
+
+TEST_F(HoveringHand, AWayThroughTheAirIsNoSpeedOfPressingIn) {
+  options_.force.transient.contact_n = 2;
+  options_.force.damping_n_s_per_mm = 0.002;
+  switchOn();
+  carry(over(5, 0.5));
+  carry(over(75, 0.1));
+  const HapticSample landed = carry(over(75, -0.05), false);
+  EXPECT_TRUE(landed.contact);
+  EXPECT_LT(landed.f_cmd_n, 0.8 * 0.05 + 0.1) << "0.15 mm in a tick, not 70 mm";
+}
+
+TEST_F(HoveringHand, AReplayOfWhatWasFeltIsTheSameToTheLastBit) {
+  options_.force.forces_on = true;
+  std::vector<HapticSample> felt;
+  for (int i = 0; i < 4000; ++i) {
+    const double x = 40 + 38 * std::sin(0.11 * i);
+    felt.push_back(carry(over(x, 4 * std::cos(0.37 * i)), i % 50 < 40));
+  }
+  // As a recording says it: the hand that was used, its buttons and its time.
+  HapticCore again;
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    DeviceReading reading = readings_[i];
+    reading.position = felt[i].hip;
+    const HapticSample sample = again.tick(*space_, options_, reading, reading.time_ns);
+    ASSERT_EQ(sample.hip, felt[i].hip) << i;
+    ASSERT_EQ(sample.proxy, felt[i].proxy) << i;
+    ASSERT_EQ(sample.force, felt[i].force) << i;
+  }
 }
 
 }  // namespace
