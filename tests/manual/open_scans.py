@@ -11,6 +11,7 @@ import argparse
 import ctypes
 import ctypes.util
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -19,6 +20,16 @@ import time
 import zlib
 
 Z_PIXMAP = 2
+PR_SET_PDEATHSIG = 1
+LIBC = ctypes.CDLL(None)
+PARENT = os.getpid()
+
+
+def end_with_parent():
+    """In a child before it starts: it is told to end when this script does, however that ends."""
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+    if os.getppid() != PARENT:  # It ended before it was asked.
+        os._exit(1)
 
 
 class XImage(ctypes.Structure):
@@ -35,10 +46,10 @@ class Screen:
         read, write = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", size + "x24", "-nolisten", "tcp",
-             "-noreset"], pass_fds=(write,), stderr=subprocess.DEVNULL)
+             "-noreset"], pass_fds=(write,), stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
         os.close(write)
-        self.name = ":" + os.read(read, 16).decode().strip()
-        os.close(read)
+        with os.fdopen(read) as answer:  # The server writes number and line end one by one.
+            self.name = ":" + answer.readline().strip()
         self.x = ctypes.CDLL(ctypes.util.find_library("X11"))
         self.test = ctypes.CDLL(ctypes.util.find_library("Xtst"))
         self.x.XOpenDisplay.restype = ctypes.c_void_p
@@ -56,6 +67,8 @@ class Screen:
         self.display = None
         while self.display is None and self.server.poll() is None:
             self.display = self.x.XOpenDisplay(self.name.encode())
+        if self.display is None:
+            raise RuntimeError("Xvfb ended with status " + str(self.server.poll()))
         self.size = [int(n) for n in size.split("x")]
 
     def close(self):
@@ -161,7 +174,7 @@ def main():
             program = subprocess.Popen(
                 [arguments.relievo, "--safe-mode", file] + arguments.program,
                 env=dict(os.environ, DISPLAY=screen.name, HOME=home, XDG_RUNTIME_DIR=home),
-                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
             rgb = settled(screen, arguments.seconds, 6)
             if arguments.look:
                 screen.focus()
