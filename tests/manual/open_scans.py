@@ -4,7 +4,7 @@
 
 open_scans.py RELIEVO OUT_FOLDER FILE...  Every picture has to be looked at; contact_sheet puts them
 side by side. --look "natural" searches for a command once the scan is open and takes it, --size
-1400x900 is the screen's, --seconds 60 the longest wait for a picture that no longer changes.
+1400x900 is the screen's, --seconds 60 the longest wait for the file, and for a picture that no longer changes.
 Needs Xvfb, libX11 and libXtst, and no Python package.
 """
 import argparse
@@ -64,6 +64,10 @@ class Screen:
                                                 ctypes.c_ulong]
         self.x.XSync.argtypes = [ctypes.c_void_p, ctypes.c_int]
         self.x.XDestroyImage.argtypes = [ctypes.POINTER(XImage)]
+        # A window may go while it is asked about; Xlib's own answer ends the script.
+        self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(
+            lambda display, error: 0)
+        self.x.XSetErrorHandler(self.ignore)
         self.display = None
         while self.display is None and self.server.poll() is None:
             self.display = self.x.XOpenDisplay(self.name.encode())
@@ -101,9 +105,8 @@ class Screen:
         self.x.XSync(self.display, 0)
         time.sleep(0.05)
 
-    def focus(self, topmost=False):
-        """Without a window manager nobody gives the program's windows the keys: the largest gets
-        them, or the one on top of all."""
+    def window(self, topmost=False):
+        """The largest one, or the one on top of all; None if there is none."""
         root, parent, children, count = (ctypes.c_ulong(), ctypes.c_ulong(),
                                          ctypes.POINTER(ctypes.c_ulong)(), ctypes.c_uint())
         self.x.XQueryTree.argtypes = [ctypes.c_void_p, ctypes.c_ulong] + [ctypes.c_void_p] * 4
@@ -119,11 +122,25 @@ class Screen:
                                 ctypes.byref(width), ctypes.byref(height), places[3], places[4])
             if topmost and width.value > 100 or width.value * height.value > most:
                 best, most = children[i], width.value * height.value
+        return best
+
+    def focus(self, topmost=False):
+        """Without a window manager nobody gives the program's windows the keys."""
         self.x.XSetInputFocus.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int,
                                           ctypes.c_ulong]
-        if best is not None:
-            self.x.XSetInputFocus(self.display, best, 1, 0)
+        window = self.window(topmost)
+        if window is not None:
+            self.x.XSetInputFocus(self.display, window, 1, 0)
         self.x.XSync(self.display, 0)
+
+    def title(self):
+        """Of the largest window, its Latin-1 letters."""
+        self.x.XFetchName.argtypes = [ctypes.c_void_p, ctypes.c_ulong,
+                                      ctypes.POINTER(ctypes.c_char_p)]
+        window, name = self.window(), ctypes.c_char_p()
+        if window is None or not self.x.XFetchName(self.display, window, ctypes.byref(name)):
+            return ""
+        return name.value.decode("latin1")
 
 
 def write_png(file, rgb, size):
@@ -138,6 +155,13 @@ def write_png(file, rgb, size):
         out.write(b"\x89PNG\r\n\x1a\n")
         out.write(chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)))
         out.write(chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b""))
+
+
+def opened(screen, file, seconds):
+    """Waits until the window is called after the file; a refused one never is."""
+    end = time.time() + seconds
+    while time.time() < end and os.path.basename(file) not in screen.title():
+        time.sleep(0.2)
 
 
 def settled(screen, seconds, least):
@@ -175,6 +199,7 @@ def main():
                 [arguments.relievo, "--safe-mode", file] + arguments.program,
                 env=dict(os.environ, DISPLAY=screen.name, HOME=home, XDG_RUNTIME_DIR=home),
                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
+            opened(screen, file, arguments.seconds)
             rgb = settled(screen, arguments.seconds, 6)
             if arguments.look:
                 screen.focus()
@@ -186,10 +211,10 @@ def main():
                 time.sleep(0.5)
                 screen.key("Return")
                 rgb = settled(screen, arguments.seconds, 2)
-            screen.focus()
-            for key in arguments.keys.split():
-                screen.key(key)
             if arguments.keys:
+                screen.focus()
+                for key in arguments.keys.split():
+                    screen.key(key)
                 rgb = settled(screen, arguments.seconds, 2)
             name = os.path.basename(os.path.dirname(file)) + "_" + os.path.basename(file)
             ok = program.poll() is None
