@@ -4,7 +4,8 @@
 
 open_scans.py RELIEVO OUT_FOLDER FILE...  Every picture has to be looked at; contact_sheet puts them
 side by side. --look "natural" searches for a command once the scan is open and takes it, --size
-1400x900 is the screen's, --seconds 60 the longest wait for the file, and for a picture that no longer changes.
+1400x900 is the screen's, --crop 371,141,733,537 keeps a part of it, such as the right view, --seconds
+60 is the longest wait for the file, and for a picture that no longer changes.
 Needs Xvfb, libX11 and libXtst, and no Python package.
 """
 import argparse
@@ -157,6 +158,14 @@ def write_png(file, rgb, size):
         out.write(chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b""))
 
 
+def cropped(rgb, size, part):
+    """The part's pixels and size."""
+    x, y, width, height = [int(n) for n in part.split(",")] if part else (0, 0, *size)
+    lines = [rgb[3 * (size[0] * row + x):3 * (size[0] * row + x + width)]
+             for row in range(y, y + height)]
+    return b"".join(lines), (width, height)
+
+
 def opened(screen, file, seconds):
     """Waits until the window is called after the file; a refused one never is."""
     end = time.time() + seconds
@@ -187,6 +196,7 @@ def main():
     parser.add_argument("--look")
     parser.add_argument("--keys", default="", help="names of keys pressed before the picture")
     parser.add_argument("--size", default="1400x900")
+    parser.add_argument("--crop", help="X,Y,WIDTH,HEIGHT: what of the screen is kept")
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--program", nargs="*", default=[], help="further words for the program")
     arguments = parser.parse_args()
@@ -218,7 +228,8 @@ def main():
                 rgb = settled(screen, arguments.seconds, 2)
             name = os.path.basename(os.path.dirname(file)) + "_" + os.path.basename(file)
             ok = program.poll() is None
-            write_png(os.path.join(arguments.out, name + ".png"), rgb, screen.size)
+            write_png(os.path.join(arguments.out, name + ".png"),
+                      *cropped(rgb, screen.size, arguments.crop))
             print(name, "open" if ok else "THE PROGRAM ENDED", flush=True)
             failed += 0 if ok else 1
             program.terminate()
