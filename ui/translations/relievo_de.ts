@@ -1630,6 +1630,10 @@
         <source>A height map has none.</source>
         <translation>Eine Höhenkarte hat keine.</translation>
     </message>
+    <message>
+        <source>Leave out, groups too</source>
+        <translation>Weglassen, auch Gruppen</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -2018,6 +2022,10 @@
     <message>
         <source>Keep all heights</source>
         <translation>Alle Höhen behalten</translation>
+    </message>
+    <message>
+        <source>Leave out far-off groups</source>
+        <translation>Weit entfernte Gruppen weglassen</translation>
     </message>
 </context>
 <context>
@@ -4967,6 +4975,14 @@
     <message>
         <source>Mar&amp;k unmeasured cells</source>
         <translation>Nicht gemessene &amp;Zellen markieren</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen beisammen, %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
     </message>
 </context>
 <context>

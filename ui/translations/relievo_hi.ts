@@ -1630,6 +1630,10 @@
         <source>A height map has none.</source>
         <translation>ऊँचाई मानचित्र में ये नहीं होते।</translation>
     </message>
+    <message>
+        <source>Leave out, groups too</source>
+        <translation>छोड़ दें, समूह भी</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -2018,6 +2022,10 @@
     <message>
         <source>Keep all heights</source>
         <translation>सभी ऊँचाइयाँ रखें</translation>
+    </message>
+    <message>
+        <source>Leave out far-off groups</source>
+        <translation>दूर के समूह छोड़ दें</translation>
     </message>
 </context>
 <context>
@@ -4967,6 +4975,14 @@
     <message>
         <source>Mar&amp;k unmeasured cells</source>
         <translation>बिना मापी कोशिकाएँ दिखाएँ (&amp;K)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु एक साथ, बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
     </message>
 </context>
 <context>
