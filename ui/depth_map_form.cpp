@@ -91,6 +91,7 @@ void DepthMapForm::addSource(QFormLayout* layout) {
   strays_ = field<QComboBox>(layout, tr("&Far-off points"), "depth_strays",
                              tr("Few points so far from all others that they stretch the map"));
   strays_->addItem(tr("Leave out"), static_cast<int>(StrayRule::drop));
+  strays_->addItem(tr("Leave out, groups too"), static_cast<int>(StrayRule::drop_groups));
   strays_->addItem(tr("Keep"), static_cast<int>(StrayRule::keep));
   view_ =
       field<QComboBox>(layout, tr("&View"), "depth_view", tr("From which side the object is seen"));

@@ -149,8 +149,9 @@ void Document::setStrays(StrayRule rule) {
   if (!isOpen() || rule == state_.options.strays) return;
   SurfaceOptions options = state_.options;
   options.strays = rule;
-  remake(options,
-         rule == StrayRule::keep ? tr("Keep far-off points") : tr("Leave out far-off points"));
+  remake(options, rule == StrayRule::keep          ? tr("Keep far-off points")
+                  : rule == StrayRule::drop_groups ? tr("Leave out far-off groups")
+                                                   : tr("Leave out far-off points"));
 }
 
 void Document::setNodata(const NodataChoice& nodata) {

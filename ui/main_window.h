@@ -190,6 +190,8 @@ class MainWindow : public QMainWindow {
   void askQuestions();
   void askNext();
   void askStrays();
+  void askGroups();
+  void answerStrays(StrayRule rule);
   void askNodata();
   /// Draws the six faces in a worker and asks for one of them then.
   void drawFaces();

@@ -24,6 +24,11 @@ QString countText(std::uint64_t count) {
   return QLocale().toString(static_cast<qulonglong>(count));
 }
 
+/// Never "100" of what has something left.
+QString shareText(double share_of_box) {
+  return numberText(std::min(std::floor(1000 * share_of_box) / 10, 99.9), 1);
+}
+
 }  // namespace
 
 void MainWindow::connectQuestions() {
@@ -36,6 +41,7 @@ void MainWindow::askQuestions() {
   questions_.clear();
   const Surface& surface = *document_.surface();
   if (surface.strays.points > 0 && !restoring_) questions_.emplace_back([this] { askStrays(); });
+  if (surface.strays.grouped > 0 && !restoring_) questions_.emplace_back([this] { askGroups(); });
   if (surface.suspect_height) questions_.emplace_back([this] { askNodata(); });
   if (surface.unit_source == UnitSource::assumed || surface.unit_source == UnitSource::guessed) {
     questions_.emplace_back([this] { askUnit(); });
@@ -53,25 +59,45 @@ void MainWindow::askNext() {
   ask();
 }
 
+void MainWindow::answerStrays(StrayRule rule) {
+  document_.setStrays(rule);
+  askNext();  // If that was the answer already.
+}
+
 void MainWindow::askStrays() {
   const Strays& strays = document_.surface()->strays;
-  // Never "100 %" of what has something left.
-  const double percent = std::min(std::floor(1000 * strays.share_of_box) / 10, 99.9);
   const QString few = countText(strays.points);
   const QString all = countText(strays.all);
-  const QString share = numberText(percent, 1);
-  const auto answer = [this](StrayRule rule) {
-    document_.setStrays(rule);
-    askNext();  // If that was the answer already.
-  };
-  const MessageStrip::Button keep{tr("&Keep them"), [answer] { answer(StrayRule::keep); }};
-  const MessageStrip::Button drop{tr("&Leave them out"), [answer] { answer(StrayRule::drop); }};
+  const QString share = shareText(strays.share_of_box);
+  // What was said of groups stays.
+  const bool without_groups = document_.state().options.strays == StrayRule::drop_groups;
+  const StrayRule without = without_groups ? StrayRule::drop_groups : StrayRule::drop;
+  const MessageStrip::Button keep{tr("&Keep them"), [this] { answerStrays(StrayRule::keep); }};
+  const MessageStrip::Button drop{tr("&Leave them out"),
+                                  [this, without] { answerStrays(without); }};
   const bool one = strays.points == 1;
   const QString found =
       one ? tr("One of %1 points lies %2 % of the box away from all others.").arg(all, share)
           : tr("%1 of %2 points lie %3 % of the box away from all others.").arg(few, all, share);
   if (strays.kept) {
     const QString kept = tr("Kept, and so most of the map is empty.");
+    strip_->show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
+  } else {
+    strip_->show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});
+  }
+}
+
+void MainWindow::askGroups() {
+  const Strays& strays = document_.surface()->strays;
+  const QString found = tr("%1 of %2 points lie together, %3 % of the box away from all others.")
+                            .arg(countText(strays.grouped), countText(strays.all),
+                                 shareText(strays.share_of_box_grouped));
+  const StrayRule with = strays.kept ? StrayRule::keep : StrayRule::drop;
+  const MessageStrip::Button keep{tr("&Keep them"), [this, with] { answerStrays(with); }};
+  const MessageStrip::Button drop{tr("&Leave them out"),
+                                  [this] { answerStrays(StrayRule::drop_groups); }};
+  if (strays.groups_kept) {
+    const QString kept = tr("Kept, as they may belong to the object.");
     strip_->show(QStringLiteral("%1 %2").arg(found, kept), {drop, keep});
   } else {
     strip_->show(QStringLiteral("%1 %2").arg(found, tr("Left out.")), {keep, drop});

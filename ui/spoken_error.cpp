@@ -26,6 +26,16 @@ constexpr std::array kSentences{
                       "as it was placed by hand."),
     QT_TRANSLATE_NOOP("Core", "%1 was left out: Not aligned: %2."),
     QT_TRANSLATE_NOOP("Core", "Not aligned: %1."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: %2 picked pairs; three or more are needed. Nothing was aligned."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: the picked places lie nearly in one line, which leaves open how the "
+                      "scan is turned about it. Nothing was aligned; pick one more place well "
+                      "beside that line."),
+    QT_TRANSLATE_NOOP("Core",
+                      "%1: the picked places are not equally far from each other on the two "
+                      "scans. Nothing was aligned; look whether the pairs are in the same order "
+                      "and the scans in the same unit."),
     QT_TRANSLATE_NOOP("Core", "%1 states no classes; all its points stay."),
     QT_TRANSLATE_NOOP("Core", "%1 states no pulses with several returns; all its points stay."),
     QT_TRANSLATE_NOOP("Core", "%1 states no intensities; all its points stay."),

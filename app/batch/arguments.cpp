@@ -50,7 +50,8 @@ HoleChoice holeChoice(const std::string& text) {
 StrayRule strayRule(const std::string& text) {
   if (text == "drop") return StrayRule::drop;
   if (text == "keep") return StrayRule::keep;
-  throw ArgumentError("--strays: '" + text + "' is neither drop nor keep.");
+  if (text == "drop-groups") return StrayRule::drop_groups;
+  throw ArgumentError("--strays: '" + text + "' is none of drop, keep and drop-groups.");
 }
 
 std::optional<NodataChoice> nodataChoice(const std::string& text) {
@@ -146,7 +147,8 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   verb.add_option("--holes", a.holes,
                   "base (the paper's), interpolate:MAX_MM2, membrane, membrane:MAX_MM2 or none");
   verb.add_option("--strays", a.strays,
-                  "Few points far from all others, which stretch the box: drop or keep; drop");
+                  "Few points far from all others, which stretch the box: drop, keep, or "
+                  "drop-groups, which also leaves out groups of up to 1 %; drop");
   verb.add_option("--nodata", a.nodata,
                   "A height of the file that stands for none, as -9999; none: every height is one");
   takes(verb.add_option("--factor", a.factor, "The paper's M between levels: 1.1 to 8; 2"),

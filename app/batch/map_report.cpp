@@ -34,7 +34,12 @@ Json lossesJson(const std::optional<DepthLosses>& losses) {
 }
 
 Json straysJson(const Strays& strays) {
-  return {{"points", strays.points}, {"share_of_box", strays.share_of_box}, {"kept", strays.kept}};
+  return {{"points", strays.points},
+          {"share_of_box", strays.share_of_box},
+          {"kept", strays.kept},
+          {"grouped", strays.grouped},
+          {"share_of_box_grouped", strays.share_of_box_grouped},
+          {"groups_kept", strays.groups_kept}};
 }
 
 Json suspectJson(const std::optional<SuspectHeight>& suspect) {

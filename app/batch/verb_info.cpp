@@ -18,16 +18,27 @@
 namespace relievo::batch {
 namespace {
 
-/// Of a file that is only looked at.
-std::string strayText(const Strays& strays) {
-  std::string words = strayWords(strays);
-  const std::string left_out = strays.points == 1 ? "it was left out." : "they were left out.";
-  if (const auto at = words.find(left_out); at != std::string::npos) {
-    words.replace(at, left_out.size(),
-                  "surfaces are made without " + std::string(strays.points == 1 ? "it" : "them") +
-                      ", unless --strays keep is given.");
+/// Of a file that is only looked at: what surfaces are made with and without.
+std::vector<std::string> strayTexts(const Strays& strays) {
+  const auto said = [](std::string words, const std::string& end, const std::string& instead) {
+    if (const auto at = words.find(end); at != std::string::npos) {
+      words.replace(at, end.size(), instead);
+    }
+    return words;
+  };
+  std::vector<std::string> texts;
+  if (strays.points > 0) {
+    const bool one = strays.points == 1;
+    texts.push_back(said(strayWords(strays), one ? "it was left out." : "they were left out.",
+                         "surfaces are made without " + std::string(one ? "it" : "them") +
+                             ", unless --strays keep is given."));
   }
-  return words;
+  if (strays.grouped > 0) {
+    texts.push_back(said(groupWords(strays), "they were kept, as they may belong to the object.",
+                         "surfaces are made with them, as they may belong to the object, unless "
+                         "--strays drop-groups is given."));
+  }
+  return texts;
 }
 
 Json jsonOf(const FilePoint& p) {
@@ -159,7 +170,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   without_strays.bounds = found.box;
   const auto [unit, source] = unitInUse(without_strays, given, UnitSource::given);
   for (const std::string& warning : info.warnings) tell(warning);
-  if (found.strays.points > 0) tell(strayText(found.strays));
+  for (const std::string& text : strayTexts(found.strays)) tell(text);
   if (found.suspect_height) tell(suspectWords(*found.suspect_height));
   if (const std::string words = unitWords(without_strays, {unit, source}); !words.empty()) {
     tell(words);

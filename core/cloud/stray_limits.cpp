@@ -13,7 +13,7 @@ namespace relievo {
 namespace {
 
 constexpr double kTail = 0.02;          // Left aside at each end when the middle is measured.
-constexpr double kFew = 0.01;           // Strays of all points.
+constexpr double kFew = 0.01;           // Strays, or groups, of all points.
 constexpr double kGroup = 0.001;        // Points that hang together and are more than this stay.
 constexpr double kThin = 0.005;         // Of the points in a usual cube: fewer are no surface.
 constexpr int kMostAcross = 16;         // Cubes across the middle.
@@ -277,11 +277,8 @@ std::uint64_t StrayCounts::leastInSolid() const {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(kThin * usual)));
 }
 
-/// Around all groups of touching cubes that are too many points to be strays.
-std::optional<AxisBox> StrayCounts::mainBox() const {
+std::vector<StrayCounts::Group> StrayCounts::groups() const {
   const std::uint64_t least = leastInSolid();
-  const std::uint64_t largest_stray_group =
-      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kGroup * static_cast<double>(points_)));
   std::unordered_map<Cube, bool, Hash> far_seen;
   std::vector<bool> near_seen(near_.size());
   // Counts a cube once, and only if it is solid.
@@ -296,7 +293,7 @@ std::optional<AxisBox> StrayCounts::mainBox() const {
     far_seen[cube] = true;
     return found->second;
   };
-  AxisBox box{.min = {kHuge, kHuge, kHuge}, .max = {-kHuge, -kHuge, -kHuge}};
+  std::vector<Group> groups;
   const auto gather = [&](const Cube& start) {
     std::uint64_t count = take(start);
     if (count == 0) return;
@@ -317,12 +314,12 @@ std::optional<AxisBox> StrayCounts::mainBox() const {
         }
       }
     }
-    if (count <= largest_stray_group) return;
+    AxisBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      box.min[axis] = std::min(box.min[axis], grid_.centre[axis] + grid_.cell * cubes.min[axis]);
-      box.max[axis] =
-          std::max(box.max[axis], grid_.centre[axis] + grid_.cell * (cubes.max[axis] + 1));
+      box.min[axis] = grid_.centre[axis] + grid_.cell * cubes.min[axis];
+      box.max[axis] = grid_.centre[axis] + grid_.cell * (cubes.max[axis] + 1);
     }
+    groups.push_back({count, box});
   };
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (near_[i] < least || near_seen[i]) continue;
@@ -330,47 +327,77 @@ std::optional<AxisBox> StrayCounts::mainBox() const {
     gather({at(i / kNear / kNear), at(i / kNear % kNear), at(i % kNear)});
   }
   for (const auto& [cube, count] : far_) gather(cube);
-  return box.min[0] <= box.max[0] ? std::optional(box) : std::nullopt;
+  return groups;
 }
 
-std::optional<AxisBox> StrayCounts::limits(const AxisBox& all) const {
-  if (points_ < kLeastForStrays || !(grid_.cell > 0) || is_too_wide_) return std::nullopt;
-  const std::optional<AxisBox> main = mainBox();
-  if (!main) return std::nullopt;
-  const double longest = longestSide(*main);
+/// `main` with its margin, if `all` reaches far beyond it.
+std::optional<AxisBox> StrayCounts::stretchedBeyond(const AxisBox& main, const AxisBox& all) const {
+  const double longest = longestSide(main);
   const double most = (points_ < kSmall ? kOverhangOfFew : kOverhang) * longest;
-  AxisBox limits = *main;
+  AxisBox limits = main;
   bool is_stretched = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    is_stretched = is_stretched || main->min[axis] - all.min[axis] > most ||
-                   all.max[axis] - main->max[axis] > most;
+    is_stretched = is_stretched || main.min[axis] - all.min[axis] > most ||
+                   all.max[axis] - main.max[axis] > most;
     limits.min[axis] -= kMargin * longest;
     limits.max[axis] += kMargin * longest;
   }
   return is_stretched ? std::optional(limits) : std::nullopt;
 }
 
+StrayLimits StrayCounts::limits(const AxisBox& all) const {
+  if (points_ < kLeastForStrays || !(grid_.cell > 0) || is_too_wide_) return {};
+  const std::vector<Group> found = groups();
+  // Around all that are too many points to be told apart from the object.
+  const auto around = [&](double share) {
+    const std::uint64_t most = std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(share * static_cast<double>(points_)));
+    std::optional<AxisBox> box;
+    for (const Group& group : found) {
+      if (group.points <= most) continue;
+      if (!box) box = group.box;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        box->min[axis] = std::min(box->min[axis], group.box.min[axis]);
+        box->max[axis] = std::max(box->max[axis], group.box.max[axis]);
+      }
+    }
+    return box;
+  };
+  StrayLimits limits;
+  const std::optional<AxisBox> main = around(kGroup);
+  if (!main) return limits;
+  limits.strays = stretchedBeyond(*main, all);
+  // Strays may lie far beyond a group that stretches nothing.
+  if (const std::optional<AxisBox> core = around(kFew)) {
+    limits.groups = stretchedBeyond(*core, *main);
+  }
+  return limits;
+}
+
 StrayGrid strayGrid(const PointsView& view, const AxisBox& all) {
   return gridFrom(histogramOf(view, all), view, all);
 }
 
-std::optional<AxisBox> strayLimits(const PointsView& view, const AxisBox& all) {
-  if (view.points.size() < kLeastForStrays) return std::nullopt;
-  if (!isThinAtAnEnd(view, all)) return std::nullopt;
+StrayLimits strayLimits(const PointsView& view, const AxisBox& all) {
+  if (view.points.size() < kLeastForStrays) return {};
+  if (!isThinAtAnEnd(view, all)) return {};
   const Histogram histogram = histogramOf(view, all);
   const std::uint64_t count = countOf(histogram);
   StrayCounts counts(gridFrom(histogram, view, all));
   for (std::size_t i = 0; i < view.points.size(); ++i) {
     if (view.counted == nullptr || (*view.counted)[i] != 0) counts.add(view.at(i));
   }
-  const std::optional<AxisBox> limits = counts.limits(all);
-  if (!limits) return std::nullopt;
-  std::uint64_t strays = 0;
-  for (std::size_t i = 0; i < view.points.size(); ++i) {
-    const bool counted = view.counted == nullptr || (*view.counted)[i] != 0;
-    if (counted && !contains(*limits, view.at(i))) ++strays;
+  StrayLimits limits = counts.limits(all);
+  for (std::optional<AxisBox>* box : {&limits.strays, &limits.groups}) {
+    if (!*box) continue;
+    std::uint64_t outside = 0;
+    for (std::size_t i = 0; i < view.points.size(); ++i) {
+      const bool counted = view.counted == nullptr || (*view.counted)[i] != 0;
+      if (counted && !contains(**box, view.at(i))) ++outside;
+    }
+    if (outside == 0 || !areFew(outside, count)) box->reset();
   }
-  return strays > 0 && areFew(strays, count) ? limits : std::nullopt;
+  return limits;
 }
 
 }  // namespace relievo

@@ -41,6 +41,14 @@ struct PointsView {
   Coordinates at(std::size_t i) const noexcept;
 };
 
+/// Boxes around the object. Nothing: nothing of the kind stretches the box.
+struct StrayLimits {
+  std::optional<AxisBox> strays;  ///< Outside lie points that hang together with a thousandth of
+                                  ///< all at most: nobody means them.
+  std::optional<AxisBox> groups;  ///< Outside lie also groups of a hundredth at most: strays in a
+                                  ///< clump, or a thing that somebody scanned.
+};
+
 /// How many points lie in which cube. Counts of parts add up to those of the whole.
 class StrayCounts {
  public:
@@ -48,9 +56,9 @@ class StrayCounts {
   void add(const Coordinates& p);
   void add(const StrayCounts& other);  ///< @pre the same grid
   std::uint64_t points() const noexcept { return points_; }
-  /// The box outside of which only strays lie, if their number allows it (`areFew`); nothing if no
-  /// strays stretch the box. @param all  around every point
-  std::optional<AxisBox> limits(const AxisBox& all) const;
+  /// The boxes outside of which only strays and groups lie, if their number allows it (`areFew`).
+  /// @param all  around every point
+  StrayLimits limits(const AxisBox& all) const;
 
  private:
   using Cube = std::array<double, 3>;  // Whole numbers; those of 1e38 do not fit in integers.
@@ -60,7 +68,13 @@ class StrayCounts {
   static std::optional<std::size_t> nearIndex(const Cube& cube) noexcept;
   void forgetIfTooWide();
   std::uint64_t leastInSolid() const;
-  std::optional<AxisBox> mainBox() const;
+  /// Touching cubes that are not thin.
+  struct Group {
+    std::uint64_t points = 0;
+    AxisBox box;
+  };
+  std::vector<Group> groups() const;
+  std::optional<AxisBox> stretchedBeyond(const AxisBox& main, const AxisBox& all) const;
 
   static constexpr int kNear = 64;                    // Cubes across the part that is an array.
   static constexpr std::size_t kMostFar = 1'000'000;  // Cubes beyond it: 64 MB, no few strays.
@@ -77,7 +91,7 @@ StrayGrid strayGrid(const PointsView& view, const AxisBox& all);
 
 /// All of it for points in memory; two looks at the points at most, one where nothing stretches
 /// the box. [worker] @param all  around the points that count
-std::optional<AxisBox> strayLimits(const PointsView& view, const AxisBox& all);
+StrayLimits strayLimits(const PointsView& view, const AxisBox& all);
 
 /// Whether so many of all can be called few: at most a hundredth, and at least one.
 bool areFew(std::uint64_t strays, std::uint64_t all) noexcept;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/prepare/align_picks.h"
 
-#include <pcl/point_types.h>
-#include <pcl/registration/transformation_estimation_svd.h>
-
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "core/base/error.h"
@@ -54,62 +53,70 @@ double spreadOf(const Places& places, const Eigen::Vector3d& mean) {
   return std::sqrt(sum / static_cast<double>(places.size()));
 }
 
-/// PCL's points are float: from the mean, or projected coordinates lose the picks.
-pcl::PointCloud<pcl::PointXYZ> pclCloud(const Places& places, const Eigen::Vector3d& mean) {
-  pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (const Eigen::Vector3d& p : places) {
-    const Eigen::Vector3f d = (p - mean).cast<float>();
-    cloud.push_back({d.x(), d.y(), d.z()});
+/// A column for each place, from their mean: projected coordinates would lose the picks.
+Eigen::Matrix3Xd columns(const Places& places, const Eigen::Vector3d& mean) {
+  Eigen::Matrix3Xd matrix(3, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    matrix.col(static_cast<Eigen::Index>(i)) = places[i] - mean;
   }
-  return cloud;
+  return matrix;
 }
+
+/// The places of pairs, on the one scan and on the reference.
+struct Sides {
+  explicit Sides(std::span<const PickedPair> picks) {
+    for (const PickedPair& pair : picks) {
+      on_scan.push_back(vector(pair.point));
+      on_reference.push_back(vector(pair.reference));
+    }
+  }
+  Places on_scan, on_reference;
+};
 
 }  // namespace
 
-PickedFit fitPicks(std::span<const PickedPair> picks, const std::string& scan) {
+std::string pickProblem(std::span<const PickedPair> picks, const std::string& scan) {
   if (picks.size() < 3) {
-    throw ArgumentError(scan + ": " + std::to_string(picks.size()) +
-                        " picked pairs; three or more are needed. Nothing was aligned.");
+    return scan + ": " + std::to_string(picks.size()) +
+           " picked pairs; three or more are needed. Nothing was aligned.";
   }
-  Places on_scan;
-  Places on_reference;
-  for (const PickedPair& pair : picks) {
-    on_scan.push_back(vector(pair.point));
-    on_reference.push_back(vector(pair.reference));
+  const Sides sides(picks);
+  if (std::min(bestAngle(sides.on_scan), bestAngle(sides.on_reference)) < kLeastAngle) {
+    return scan +
+           ": the picked places lie nearly in one line, which leaves open how the scan is turned "
+           "about it. Nothing was aligned; pick one more place well beside that line.";
   }
-  if (std::min(bestAngle(on_scan), bestAngle(on_reference)) < kLeastAngle) {
-    throw ArgumentError(scan +
-                        ": the picked places lie nearly in one line, which leaves open how the "
-                        "scan is turned about it. Nothing was aligned; pick one more place well "
-                        "beside that line.");
-  }
-  const Eigen::Vector3d scan_mean = meanOf(on_scan);
-  const Eigen::Vector3d reference_mean = meanOf(on_reference);
-  const double stretch = spreadOf(on_reference, reference_mean) / spreadOf(on_scan, scan_mean);
+  const double stretch = spreadOf(sides.on_reference, meanOf(sides.on_reference)) /
+                         spreadOf(sides.on_scan, meanOf(sides.on_scan));
   if (!(stretch < kMostStretch && stretch > 1 / kMostStretch)) {
-    throw ArgumentError(scan +
-                        ": the picked places are not equally far from each other on the two "
-                        "scans. Nothing was aligned; look whether the pairs are in the same order "
-                        "and the scans in the same unit.");
+    return scan +
+           ": the picked places are not equally far from each other on the two scans. Nothing was "
+           "aligned; look whether the pairs are in the same order and the scans in the same unit.";
   }
-  const pcl::registration::TransformationEstimationSVD<pcl::PointXYZ, pcl::PointXYZ, double> svd;
-  Eigen::Matrix4d found;
-  svd.estimateRigidTransformation(pclCloud(on_scan, scan_mean),
-                                  pclCloud(on_reference, reference_mean), found);
+  return {};
+}
+
+PickedFit fitPicks(std::span<const PickedPair> picks, const std::string& scan) {
+  if (const std::string problem = pickProblem(picks, scan); !problem.empty()) {
+    throw ArgumentError(problem);
+  }
+  const Sides sides(picks);
+  const Eigen::Vector3d scan_mean = meanOf(sides.on_scan);
+  const Eigen::Vector3d reference_mean = meanOf(sides.on_reference);
   LocalPose local = LocalPose::Identity();
-  local.matrix() = found;
-  if (!found.allFinite() || local.linear().determinant() <= 0) {
-    throw ArgumentError(scan +
-                        ": the picked places fit a mirror image only. Nothing was aligned; "
-                        "look whether the pairs are in the same order.");
-  }
+  local.matrix() = Eigen::umeyama(columns(sides.on_scan, scan_mean),
+                                  columns(sides.on_reference, reference_mean), false);
+  assert(local.linear().determinant() > 0);  // Of mirrored places it gives the nearest turn.
   local = exactlyRigid(local);
   const auto file = [](const Eigen::Vector3d& p) { return FilePoint{p.x(), p.y(), p.z()}; };
-  PickedFit fit{fileFromMiddles(local, file(reference_mean), file(scan_mean)), 0};
+  PickedFit fit{.pose = fileFromMiddles(local, file(reference_mean), file(scan_mean)),
+                .error = 0,
+                .errors = {}};
   double squares = 0;
   for (const PickedPair& pair : picks) {
     const FilePoint miss = fit.pose(pair.point) - pair.reference;
     squares += dot(miss, miss);
+    fit.errors.push_back(norm(miss));
   }
   fit.error = std::sqrt(squares / static_cast<double>(picks.size()));
   return fit;

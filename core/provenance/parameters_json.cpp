@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<std::string_view, 4> kHoleRuleNames{"base", "interpolate", "membrane", "none"};
 constexpr std::array<std::string_view, 5> kUnitSourceNames{"given", "file", "remembered", "assumed",
                                                            "guessed"};
-constexpr std::array<std::string_view, 2> kStrayRuleNames{"drop", "keep"};
+constexpr std::array<std::string_view, 3> kStrayRuleNames{"drop", "keep", "drop-groups"};
 constexpr std::array<std::string_view, 7> kRuleNames{"front", "second", "topmean",  "median",
                                                      "mean",  "splat",  "quadratic"};
 constexpr double kAny = std::numeric_limits<double>::max();

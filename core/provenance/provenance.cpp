@@ -33,7 +33,10 @@ Json madeJson(const Made& made, const GridFrame& frame, const HeightRange& heigh
   json["holes"] = made.holes.size();
   json["strays"] = {{"points", made.strays.points},
                     {"share_of_box", made.strays.share_of_box},
-                    {"kept", made.strays.kept}};
+                    {"kept", made.strays.kept},
+                    {"grouped", made.strays.grouped},
+                    {"share_of_box_grouped", made.strays.share_of_box_grouped},
+                    {"groups_kept", made.strays.groups_kept}};
   json["missing"] = made.missing;
   if (!made.info.reader.empty()) json["reader"] = made.info.reader;
   for (std::size_t i = 0; i < kOriginCount; ++i) {

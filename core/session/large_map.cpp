@@ -387,8 +387,8 @@ void sayLeftOut(Surface& facts, const SourceInUse& points, const PointStream& st
   if (points.missing > 0) {
     facts.messages.push_back(missingWords(points.missing, *options.nodata->value));
   }
-  if (std::string words = strayWords(points.strays); !words.empty()) {
-    facts.messages.push_back(std::move(words));
+  for (std::string words : {strayWords(points.strays), groupWords(points.strays)}) {
+    if (!words.empty()) facts.messages.push_back(std::move(words));
   }
   const FileBounds& box = points.bounds.file;
   if (options.nodata || !(isUsualNodata(box.min.z) || isUsualNodata(box.max.z))) return;

@@ -42,6 +42,14 @@ double shareOfBox(const AxisBox& all, const AxisBox& kept) {
   return share;
 }
 
+std::function<bool(const FilePoint&)> insideOf(const AxisBox& box,
+                                               const ViewFromFile& view_from_file) {
+  return [view_from_file, box](const FilePoint& p) {
+    const ViewMm seen = view_from_file(p);
+    return contains(box, {seen.x, seen.y, seen.z});
+  };
+}
+
 }  // namespace
 
 SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rotation,
@@ -65,25 +73,36 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
   if (missing) in_use.missing = finite - bounds.finite_points;
   in_use.bounds = bounds;
   in_use.strays.all = bounds.finite_points;
-  const std::optional<AxisBox> limits = counts.limits(boxOf(bounds));
-  if (!limits) return in_use;
-  const auto within_limits = [view_from_file, box = *limits](const FilePoint& p) {
-    const ViewMm seen = view_from_file(p);
-    return contains(box, {seen.x, seen.y, seen.z});
+  const StrayLimits limits = counts.limits(boxOf(bounds));
+  const auto leave_out = [&](const AxisBox& box, const PointSource& kept,
+                             const SourceBounds& rest) {
+    in_use.source = kept;
+    in_use.keeps = [before = std::move(in_use.keeps), is_inside = insideOf(box, view_from_file)](
+                       const FilePoint& p) { return (!before || before(p)) && is_inside(p); };
+    in_use.bounds = rest;
   };
-  PointSource kept = filtered(in_use.source, within_limits);
-  const SourceBounds within = boundsOf(kept, view_from_file, threads, task);
-  const std::uint64_t strays = bounds.finite_points - within.finite_points;
-  if (strays == 0 || !areFew(strays, bounds.finite_points)) return in_use;
-  in_use.strays.points = strays;
-  in_use.strays.share_of_box = shareOfBox(boxOf(bounds), boxOf(within));
-  in_use.strays.kept = options.strays == StrayRule::keep;
-  if (in_use.strays.kept) return in_use;
-  in_use.source = std::move(kept);
-  in_use.keeps = [before = std::move(in_use.keeps), within_limits](const FilePoint& p) {
-    return (!before || before(p)) && within_limits(p);
-  };
-  in_use.bounds = within;
+  AxisBox counted = boxOf(bounds);
+  std::uint64_t left = bounds.finite_points;
+  for (const bool are_groups : {false, true}) {
+    const std::optional<AxisBox>& box = are_groups ? limits.groups : limits.strays;
+    if (!box) continue;
+    const PointSource kept = filtered(in_use.source, insideOf(*box, view_from_file));
+    const SourceBounds rest = boundsOf(kept, view_from_file, threads, task);
+    if (rest.finite_points >= left ||
+        !areFew(bounds.finite_points - rest.finite_points, bounds.finite_points)) {
+      continue;
+    }
+    const bool is_kept =
+        are_groups ? options.strays != StrayRule::drop_groups : options.strays == StrayRule::keep;
+    Strays& strays = in_use.strays;
+    (are_groups ? strays.grouped : strays.points) = left - rest.finite_points;
+    (are_groups ? strays.share_of_box_grouped : strays.share_of_box) =
+        shareOfBox(counted, boxOf(rest));
+    (are_groups ? strays.groups_kept : strays.kept) = is_kept;
+    if (!is_kept) leave_out(*box, kept, rest);
+    counted = boxOf(rest);
+    left = rest.finite_points;
+  }
   return in_use;
 }
 

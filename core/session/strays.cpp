@@ -77,7 +77,8 @@ bool isPartOfTheObject(const Scan& scan, const PointsView& view, const AxisBox& 
 }
 
 struct Found {
-  Mask keep;  ///< Empty: no strays.
+  Mask keep;         ///< Without strays. Empty: there are none.
+  Mask keep_groups;  ///< Without groups and strays. Empty: there are no groups.
   Strays strays;
 };
 
@@ -87,35 +88,67 @@ void markOutside(Mask& keep, const PointsView& view, const AxisBox& box) {
   }
 }
 
+std::uint64_t countLeftOut(const Mask& keep) {
+  return static_cast<std::uint64_t>(std::count(keep.begin(), keep.end(), std::uint8_t{0}));
+}
+
+/// Of the side that is shortened most: how much.
+double shareTaken(const AxisBox& from, const AxisBox& kept) {
+  double share = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side = from.max[axis] - from.min[axis];
+    if (side > 0) share = std::max(share, 1 - (kept.max[axis] - kept.min[axis]) / side);
+  }
+  return share;
+}
+
 Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task) {
   task.check();
   const Mask used = usedVertices(scan);
   const PointsView view{
       .points = scan.points, .axes = axes, .counted = used.empty() ? nullptr : &used};
   const AxisBox in_use = boxOf(scan, view);
-  std::optional<AxisBox> limits = strayLimits(view, in_use);
+  StrayLimits limits = strayLimits(view, in_use);
   task.check();
-  if (limits && !used.empty() && isPartOfTheObject(scan, view, in_use, *limits)) limits.reset();
+  for (std::optional<AxisBox>* box : {&limits.strays, &limits.groups}) {
+    if (*box && !used.empty() && isPartOfTheObject(scan, view, in_use, **box)) box->reset();
+  }
   // From the points themselves: the file's own box is not rounded to float.
-  const AxisBox all =
-      used.empty() ? in_use : boxOf(PointsView{.points = scan.points, .axes = axes});
-  Found found{.keep = {}, .strays = {.all = scan.points.size()}};
+  AxisBox all = used.empty() ? in_use : boxOf(PointsView{.points = scan.points, .axes = axes});
+  Found found{.keep = {}, .keep_groups = {}, .strays = {.all = scan.points.size()}};
+  const auto boxOfKept = [&](const Mask& keep) {
+    return boxOf(PointsView{.points = scan.points, .axes = axes, .counted = &keep});
+  };
   const bool has_unused_beyond = !used.empty() && (all.min != in_use.min || all.max != in_use.max);
-  if (!limits && !has_unused_beyond) return found;
-  found.keep.assign(scan.points.size(), 1);
-  if (has_unused_beyond) markOutside(found.keep, view, in_use);
-  if (limits) markOutside(found.keep, view, *limits);
-  const AxisBox kept =
-      boxOf(PointsView{.points = scan.points, .axes = axes, .counted = &found.keep});
-  found.strays.points =
-      static_cast<std::uint64_t>(std::count(found.keep.begin(), found.keep.end(), std::uint8_t{0}));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = all.max[axis] - all.min[axis];
-    if (!(side > 0)) continue;
-    found.strays.share_of_box =
-        std::max(found.strays.share_of_box, 1 - (kept.max[axis] - kept.min[axis]) / side);
+  if (limits.strays || has_unused_beyond) {
+    found.keep.assign(scan.points.size(), 1);
+    if (has_unused_beyond) markOutside(found.keep, view, in_use);
+    if (limits.strays) markOutside(found.keep, view, *limits.strays);
+    const AxisBox kept = boxOfKept(found.keep);
+    found.strays.points = countLeftOut(found.keep);
+    found.strays.share_of_box = shareTaken(all, kept);
+    all = kept;
+  }
+  if (limits.groups) {
+    found.keep_groups = found.keep.empty() ? Mask(scan.points.size(), std::uint8_t{1}) : found.keep;
+    markOutside(found.keep_groups, view, *limits.groups);
+    found.strays.grouped = countLeftOut(found.keep_groups) - found.strays.points;
+    found.strays.share_of_box_grouped = shareTaken(all, boxOfKept(found.keep_groups));
+    if (found.strays.grouped == 0) found.keep_groups.clear();
   }
   return found;
+}
+
+/// What of it a rule leaves out; nothing: nothing.
+const Mask* maskOf(const Found& found, StrayRule rule) {
+  if (rule == StrayRule::keep) return nullptr;
+  if (rule == StrayRule::drop_groups && found.strays.grouped > 0) return &found.keep_groups;
+  return found.strays.points > 0 ? &found.keep : nullptr;
+}
+
+/// Never "100 %" of what has something left.
+std::string shareText(double share_of_box) {
+  return percentText(std::min(std::floor(1000 * share_of_box) / 1000, 0.999));
 }
 
 bool isAxisAligned(const std::array<double, 9>& axes) {
@@ -132,11 +165,17 @@ bool isHeight(double z, double value, double origin_z) noexcept {
 std::string strayWords(const Strays& strays) {
   if (strays.points == 0) return {};
   const bool one = strays.points == 1;
-  // Never "100 %" of what has something left.
-  const double share = std::min(std::floor(1000 * strays.share_of_box) / 1000, 0.999);
   return grouped(strays.points) + " of " + grouped(strays.all) + " points " +
-         (one ? "lies " : "lie ") + percentText(share) + " of the box away from all others; " +
-         (one ? "it was " : "they were ") + (strays.kept ? "kept." : "left out.");
+         (one ? "lies " : "lie ") + shareText(strays.share_of_box) +
+         " of the box away from all others; " + (one ? "it was " : "they were ") +
+         (strays.kept ? "kept." : "left out.");
+}
+
+std::string groupWords(const Strays& strays) {
+  if (strays.grouped == 0) return {};
+  return grouped(strays.grouped) + " of " + grouped(strays.all) + " points lie together " +
+         shareText(strays.share_of_box_grouped) + " of the box away from all others; they were " +
+         (strays.groups_kept ? "kept, as they may belong to the object." : "left out.");
 }
 
 Strays straysOf(const Scan& scan, const Task& task) {
@@ -159,22 +198,29 @@ ScanInUse::ScanInUse(const Scan& whole, StrayRule rule, std::optional<double> mi
     }
     if (missing_ > 0) part_ = partOf(whole, keep);
   }
-  Found found = find(scan(), nullptr, task);
+  const Found found = find(scan(), nullptr, task);
   strays_ = found.strays;
   strays_.kept = rule == StrayRule::keep && strays_.points > 0;
-  if (strays_.points > 0 && rule == StrayRule::drop) part_ = partOf(scan(), found.keep);
+  strays_.groups_kept = rule != StrayRule::drop_groups && strays_.grouped > 0;
+  if (const Mask* const keep = maskOf(found, rule)) part_ = partOf(scan(), *keep);
 }
 
 void ScanInUse::dropAlong(const std::array<double, 9>& axes, const Task& task) {
   if (isAxisAligned(axes)) return;
   const Found found = find(scan(), &axes, task);
-  if (found.strays.points == 0) return;
+  const Strays& more = found.strays;
+  if (more.points == 0 && more.grouped == 0) return;
   // Kept ones that were found along the file's axes are the same points.
-  strays_.points = rule_ == StrayRule::keep ? std::max(strays_.points, found.strays.points)
-                                            : strays_.points + found.strays.points;
-  strays_.share_of_box = std::max(strays_.share_of_box, found.strays.share_of_box);
-  strays_.kept = rule_ == StrayRule::keep;
-  if (rule_ == StrayRule::drop) part_ = partOf(scan(), found.keep);
+  const auto add = [](std::uint64_t& count, std::uint64_t by, bool kept) {
+    count = kept ? std::max(count, by) : count + by;
+  };
+  add(strays_.points, more.points, rule_ == StrayRule::keep);
+  add(strays_.grouped, more.grouped, rule_ != StrayRule::drop_groups);
+  strays_.share_of_box = std::max(strays_.share_of_box, more.share_of_box);
+  strays_.share_of_box_grouped = std::max(strays_.share_of_box_grouped, more.share_of_box_grouped);
+  strays_.kept = rule_ == StrayRule::keep && strays_.points > 0;
+  strays_.groups_kept = rule_ != StrayRule::drop_groups && strays_.grouped > 0;
+  if (const Mask* const keep = maskOf(found, rule_)) part_ = partOf(scan(), *keep);
 }
 
 }  // namespace relievo

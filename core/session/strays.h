@@ -15,7 +15,11 @@ namespace relievo {
 
 /// What becomes of strays: few points so far away that they stretch the box around a scan to
 /// several times the object (docs/adr/0100-strays.md).
-enum class StrayRule { drop, keep };
+enum class StrayRule {
+  drop,        ///< Strays go; groups, which may be what somebody scanned, stay and are told.
+  keep,        ///< Both stay.
+  drop_groups  ///< Both go.
+};
 
 /// What was found. Of a mesh its vertices; of those that no face uses all that lie beyond the rest.
 struct Strays {
@@ -23,10 +27,18 @@ struct Strays {
   std::uint64_t all = 0;     ///< Points looked at.
   double share_of_box = 0;   ///< Of the box's side that they stretch most: how much is theirs.
   bool kept = false;         ///< They are part of the surface.
+
+  std::uint64_t grouped = 0;        ///< Points of groups; 0: none.
+  double share_of_box_grouped = 0;  ///< As share_of_box, of the box without strays.
+  bool groups_kept = false;         ///< They are part of the surface.
 };
 
 /// "12 of 20 000 points lie 99 % of the box away from all others; they were left out." Empty: none.
 std::string strayWords(const Strays& strays);
+
+/// "150 of 20 000 points lie together 90 % of the box away from all others; they were kept, as they
+/// may belong to the object." Empty: none.
+std::string groupWords(const Strays& strays);
 
 /// The strays of a scan, along the file's axes. [worker]
 Strays straysOf(const Scan& scan, const Task& task = {});

@@ -171,8 +171,8 @@ void takeLeftOut(Surface& surface, const ScanInUse& in_use, const Scan& whole,
   if (surface.missing > 0) {
     surface.messages.push_back(missingWords(surface.missing, *options.nodata->value));
   }
-  if (std::string words = strayWords(surface.strays); !words.empty()) {
-    surface.messages.push_back(std::move(words));
+  for (std::string words : {strayWords(surface.strays), groupWords(surface.strays)}) {
+    if (!words.empty()) surface.messages.push_back(std::move(words));
   }
   if (!options.nodata) surface.suspect_height = suspectHeight(whole);
   if (surface.suspect_height) {

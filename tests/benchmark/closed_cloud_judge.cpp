@@ -2,11 +2,13 @@
 #include "tests/benchmark/closed_cloud_judge.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <string>
+
+#include "core/depth/rasterize.h"
 
 namespace relievo::benchmark {
 namespace {
@@ -19,6 +21,21 @@ std::size_t number(const char* variable, std::size_t otherwise) {
 bool isWithinBars(const Found& found) {
   return found.pits <= 0.1 && found.lost <= 0.5 && found.fine_pits <= 0.1 &&
          found.fine_lost <= 0.5 && found.rms <= 0.6;
+}
+
+void print(const std::string& name, const Sampling& how, const char* view, const Surface& surface,
+           const Found& found, double seconds) {
+  std::printf(
+      "%c %-20.20s %7zu noise %.3f uneven %2.0f strays %.2f %-6s %4dx%-4d pits %6.3f bumps "
+      "%6.3f lost %6.3f fine pits %6.3f lost %6.3f beyond %5.2f rms %.3f median %.3f "
+      "measured %3.0f %% hidden %2.0f %% %.2f s  "
+      "%s\n",
+      isWithinBars(found) ? ' ' : '!', name.c_str(), how.points, how.noise, how.unevenness,
+      how.strays, view, surface.map.frame.size.cols, surface.map.frame.size.rows, found.pits,
+      found.bumps, found.lost, found.fine_pits, found.fine_lost, found.beyond, found.rms,
+      found.median, found.measured, 100 * surface.losses->hidden_share, seconds,
+      surface.rule.c_str());
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -114,19 +131,28 @@ Found compared(const Surface& surface, const std::vector<float>& truth) {
   return found;
 }
 
-bool report(const char* name, const Sampling& how, const char* view, const Surface& surface,
-            const Found& found, double seconds) {
-  std::printf(
-      "%c %-20.20s %7zu noise %.3f uneven %2.0f strays %.2f %-6s %4dx%-4d pits %6.3f bumps "
-      "%6.3f lost %6.3f fine pits %6.3f lost %6.3f beyond %5.2f rms %.3f median %.3f "
-      "measured %3.0f %% hidden %2.0f %% %.2f s  "
-      "%s\n",
-      isWithinBars(found) ? ' ' : '!', name, how.points, how.noise, how.unevenness, how.strays,
-      view, surface.map.frame.size.cols, surface.map.frame.size.rows, found.pits, found.bumps,
-      found.lost, found.fine_pits, found.fine_lost, found.beyond, found.rms, found.median,
-      found.measured, 100 * surface.losses->hidden_share, seconds, surface.rule.c_str());
-  std::fflush(stdout);
-  return isWithinBars(found);
+void Judgement::judge(const std::string& name, const CloudOf& cloud_of, const Judge& judge) {
+  for (const Sampling& how : samplings()) {
+    const Scan cloud = cloud_of(how);
+    for (const char* view : views()) {
+      SurfaceOptions options;
+      options.unit = LengthUnit::mm;
+      options.view = ViewChoice{.name = view, .rotation = {}};
+      const auto start = std::chrono::steady_clock::now();
+      const Surface surface = makeSurface(cloud, options, rasterize);
+      const double seconds =
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      const Found found = judge(surface, options);
+      ++tried_;
+      missed_ += isWithinBars(found) ? 0 : 1;
+      print(name, how, view, surface, found, seconds);
+    }
+  }
+}
+
+int Judgement::end() const {
+  std::printf("%d of %d clouds miss a bar\n", missed_, tried_);
+  return missed_ == 0 ? 0 : 1;
 }
 
 }  // namespace relievo::benchmark

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "core/session/surface.h"
@@ -32,9 +34,22 @@ struct Found {
 /// @param truth  heights of the object at the samples of the map, mm; NaN: nothing is there
 Found compared(const Surface& surface, const std::vector<float>& truth);
 
-/// One line a cloud. @return  false if a bar is missed: pits 0.1 %, lost cells 0.5 %, rms 0.6 of
-/// the spacing away from silhouettes
-bool report(const char* name, const Sampling& how, const char* view, const Surface& surface,
-            const Found& found, double seconds);
+/// Clouds of objects, one line each as it is judged. Bars: pits 0.1 %, lost cells 0.5 %, rms 0.6 of
+/// the spacing away from silhouettes.
+class Judgement {
+ public:
+  using CloudOf = std::function<Scan(const Sampling&)>;
+  /// @param options  the surface was made with
+  using Judge = std::function<Found(const Surface& surface, const SurfaceOptions& options)>;
+
+  /// Every sampling of an object, seen from every side.
+  void judge(const std::string& name, const CloudOf& cloud_of, const Judge& judge);
+
+  /// Says how many missed a bar. @return  the program's exit status
+  int end() const;
+
+ private:
+  int missed_ = 0, tried_ = 0;
+};
 
 }  // namespace relievo::benchmark

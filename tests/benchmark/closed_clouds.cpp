@@ -5,7 +5,6 @@
 // away from silhouettes.
 // CLOSED_CLOUDS_VIEW, _LEAST, _MOST: one view, clouds of so many points; _PITS: says where.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -154,33 +153,19 @@ Found judged(const Surface& surface, const Scan& mesh, const Surface& fine) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  int missed = 0;
-  int tried = 0;
+  Judgement judgement;
   for (int k = 1; k < argc; ++k) {
     const Scan mesh = importScan(argv[k]);
-    const std::string name = std::filesystem::path(argv[k]).filename().string();
-    std::map<std::string, Surface> fine;
-    for (const Sampling& how : samplings()) {
-      const Scan cloud = sampled(mesh, how, 7);
-      for (const char* view : views()) {
-        SurfaceOptions options;
-        options.unit = LengthUnit::mm;
-        options.view = ViewChoice{.name = view, .rotation = {}};
-        const auto start = std::chrono::steady_clock::now();
-        const Surface surface = makeSurface(cloud, options, rasterize);
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        if (!fine.contains(view)) {
-          SurfaceOptions finely = options;
+    std::map<std::string, Surface> fine;  // By the view.
+    judgement.judge(
+        std::filesystem::path(argv[k]).filename().string(),
+        [&mesh](const Sampling& how) { return sampled(mesh, how, 7); },
+        [&](const Surface& surface, SurfaceOptions finely) {
+          const std::string view = finely.view->name;
           finely.cells = kFineCells;
-          fine.emplace(view, makeSurface(mesh, finely, rasterize));
-        }
-        const Found found = judged(surface, mesh, fine.at(view));
-        ++tried;
-        missed += report(name.c_str(), how, view, surface, found, seconds) ? 0 : 1;
-      }
-    }
+          if (!fine.contains(view)) fine.emplace(view, makeSurface(mesh, finely, rasterize));
+          return judged(surface, mesh, fine.at(view));
+        });
   }
-  std::printf("%d of %d clouds miss a bar\n", missed, tried);
-  return missed == 0 ? 0 : 1;
+  return judgement.end();
 }

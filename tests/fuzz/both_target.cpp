@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PCL's reader and ours on the same bytes, under libFuzzer; RELIEVO_FUZZ_READER names the format.
 // Both give the same scan to the bit, or refuse it with the same words.
-#include <cstring>
 #include <optional>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/io/pcl_records.h"
 #include "core/io/read_scan.h"
+#include "tests/core/io/same_bytes.h"
 #include "tests/fuzz/invariants.h"
 
 namespace {
@@ -36,17 +36,11 @@ Outcome readBy(ReaderChoice choice, std::string_view bytes, const PclLibrary* pc
   return outcome;
 }
 
-template <class List>
-bool sameBytes(const List& a, const List& b) {
-  return a.size() == b.size() &&
-         (a.empty() ||
-          std::memcmp(a.data(), b.data(), a.size() * sizeof(typename List::value_type)) == 0);
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using fuzz::require;
+  using test::sameBytes;
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const Outcome ours = readBy(ReaderChoice::own, bytes, &pclLibrary());
   const Outcome other = readBy(ReaderChoice::automatic, bytes, &pclLibrary());

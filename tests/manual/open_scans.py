@@ -4,13 +4,15 @@
 
 open_scans.py RELIEVO OUT_FOLDER FILE...  Every picture has to be looked at; contact_sheet puts them
 side by side. --look "natural" searches for a command once the scan is open and takes it, --size
-1400x900 is the screen's, --seconds 60 the longest wait for a picture that no longer changes.
+1400x900 is the screen's, --crop 371,141,733,537 keeps a part of it, such as the right view, --seconds
+60 is the longest wait for the file, and for a picture that no longer changes.
 Needs Xvfb, libX11 and libXtst, and no Python package.
 """
 import argparse
 import ctypes
 import ctypes.util
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -19,6 +21,16 @@ import time
 import zlib
 
 Z_PIXMAP = 2
+PR_SET_PDEATHSIG = 1
+LIBC = ctypes.CDLL(None)
+PARENT = os.getpid()
+
+
+def end_with_parent():
+    """In a child before it starts: it is told to end when this script does, however that ends."""
+    LIBC.prctl(PR_SET_PDEATHSIG, signal.SIGTERM)
+    if os.getppid() != PARENT:  # It ended before it was asked.
+        os._exit(1)
 
 
 class XImage(ctypes.Structure):
@@ -35,10 +47,10 @@ class Screen:
         read, write = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(write), "-screen", "0", size + "x24", "-nolisten", "tcp",
-             "-noreset"], pass_fds=(write,), stderr=subprocess.DEVNULL)
+             "-noreset"], pass_fds=(write,), stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
         os.close(write)
-        self.name = ":" + os.read(read, 16).decode().strip()
-        os.close(read)
+        with os.fdopen(read) as answer:  # The server writes number and line end one by one.
+            self.name = ":" + answer.readline().strip()
         self.x = ctypes.CDLL(ctypes.util.find_library("X11"))
         self.test = ctypes.CDLL(ctypes.util.find_library("Xtst"))
         self.x.XOpenDisplay.restype = ctypes.c_void_p
@@ -53,9 +65,15 @@ class Screen:
                                                 ctypes.c_ulong]
         self.x.XSync.argtypes = [ctypes.c_void_p, ctypes.c_int]
         self.x.XDestroyImage.argtypes = [ctypes.POINTER(XImage)]
+        # A window may go while it is asked about; Xlib's own answer ends the script.
+        self.ignore = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p, ctypes.c_void_p)(
+            lambda display, error: 0)
+        self.x.XSetErrorHandler(self.ignore)
         self.display = None
         while self.display is None and self.server.poll() is None:
             self.display = self.x.XOpenDisplay(self.name.encode())
+        if self.display is None:
+            raise RuntimeError("Xvfb ended with status " + str(self.server.poll()))
         self.size = [int(n) for n in size.split("x")]
 
     def close(self):
@@ -88,9 +106,8 @@ class Screen:
         self.x.XSync(self.display, 0)
         time.sleep(0.05)
 
-    def focus(self, topmost=False):
-        """Without a window manager nobody gives the program's windows the keys: the largest gets
-        them, or the one on top of all."""
+    def window(self, topmost=False):
+        """The largest one, or the one on top of all; None if there is none."""
         root, parent, children, count = (ctypes.c_ulong(), ctypes.c_ulong(),
                                          ctypes.POINTER(ctypes.c_ulong)(), ctypes.c_uint())
         self.x.XQueryTree.argtypes = [ctypes.c_void_p, ctypes.c_ulong] + [ctypes.c_void_p] * 4
@@ -106,11 +123,25 @@ class Screen:
                                 ctypes.byref(width), ctypes.byref(height), places[3], places[4])
             if topmost and width.value > 100 or width.value * height.value > most:
                 best, most = children[i], width.value * height.value
+        return best
+
+    def focus(self, topmost=False):
+        """Without a window manager nobody gives the program's windows the keys."""
         self.x.XSetInputFocus.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.c_int,
                                           ctypes.c_ulong]
-        if best is not None:
-            self.x.XSetInputFocus(self.display, best, 1, 0)
+        window = self.window(topmost)
+        if window is not None:
+            self.x.XSetInputFocus(self.display, window, 1, 0)
         self.x.XSync(self.display, 0)
+
+    def title(self):
+        """Of the largest window, its Latin-1 letters."""
+        self.x.XFetchName.argtypes = [ctypes.c_void_p, ctypes.c_ulong,
+                                      ctypes.POINTER(ctypes.c_char_p)]
+        window, name = self.window(), ctypes.c_char_p()
+        if window is None or not self.x.XFetchName(self.display, window, ctypes.byref(name)):
+            return ""
+        return name.value.decode("latin1")
 
 
 def write_png(file, rgb, size):
@@ -125,6 +156,21 @@ def write_png(file, rgb, size):
         out.write(b"\x89PNG\r\n\x1a\n")
         out.write(chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)))
         out.write(chunk(b"IDAT", zlib.compress(rows, 6)) + chunk(b"IEND", b""))
+
+
+def cropped(rgb, size, part):
+    """The part's pixels and size."""
+    x, y, width, height = [int(n) for n in part.split(",")] if part else (0, 0, *size)
+    lines = [rgb[3 * (size[0] * row + x):3 * (size[0] * row + x + width)]
+             for row in range(y, y + height)]
+    return b"".join(lines), (width, height)
+
+
+def opened(screen, file, seconds):
+    """Waits until the window is called after the file; a refused one never is."""
+    end = time.time() + seconds
+    while time.time() < end and os.path.basename(file) not in screen.title():
+        time.sleep(0.2)
 
 
 def settled(screen, seconds, least):
@@ -150,6 +196,7 @@ def main():
     parser.add_argument("--look")
     parser.add_argument("--keys", default="", help="names of keys pressed before the picture")
     parser.add_argument("--size", default="1400x900")
+    parser.add_argument("--crop", help="X,Y,WIDTH,HEIGHT: what of the screen is kept")
     parser.add_argument("--seconds", type=float, default=60)
     parser.add_argument("--program", nargs="*", default=[], help="further words for the program")
     arguments = parser.parse_args()
@@ -161,7 +208,8 @@ def main():
             program = subprocess.Popen(
                 [arguments.relievo, "--safe-mode", file] + arguments.program,
                 env=dict(os.environ, DISPLAY=screen.name, HOME=home, XDG_RUNTIME_DIR=home),
-                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=end_with_parent)
+            opened(screen, file, arguments.seconds)
             rgb = settled(screen, arguments.seconds, 6)
             if arguments.look:
                 screen.focus()
@@ -173,14 +221,15 @@ def main():
                 time.sleep(0.5)
                 screen.key("Return")
                 rgb = settled(screen, arguments.seconds, 2)
-            screen.focus()
-            for key in arguments.keys.split():
-                screen.key(key)
             if arguments.keys:
+                screen.focus()
+                for key in arguments.keys.split():
+                    screen.key(key)
                 rgb = settled(screen, arguments.seconds, 2)
             name = os.path.basename(os.path.dirname(file)) + "_" + os.path.basename(file)
             ok = program.poll() is None
-            write_png(os.path.join(arguments.out, name + ".png"), rgb, screen.size)
+            write_png(os.path.join(arguments.out, name + ".png"),
+                      *cropped(rgb, screen.size, arguments.crop))
             print(name, "open" if ok else "THE PROGRAM ENDED", flush=True)
             failed += 0 if ok else 1
             program.terminate()

@@ -214,6 +214,83 @@ TEST_F(PrepareAlignTest, PairsPickedByMouseCanBeTakenBack) {
   EXPECT_LT(worstError(dialog), 0.2);
 }
 
+TEST_F(PrepareAlignTest, TheErrorOfEveryPairIsShownAndTheWorstIsRemoved) {
+  PrepareDialog& dialog = openTwo();
+  QTreeWidget& pairs = tree(dialog, "prepare_pairs");
+  EXPECT_FALSE(pairs.isVisible());
+  chooseScan(dialog, 1);
+  click(dialog, "prepare_pick");
+  ASSERT_TRUE(pairs.isVisible());
+  CloudView& scan = cloudView(dialog);
+  CloudView& reference = cloudView(dialog, "prepare_reference_cloud");
+  reference.look(turned(*standardRotation("right"), {0, -20, 0}));
+  scan.look(turned(*standardRotation("right"), {0, -20 - kSide.turned_deg, 0}));
+  QApplication::processEvents();
+  const auto pick = [](CloudView& view, const BodyPlace& place, double azimuth, double z) {
+    const QPointF at = view.pixelOf(laid(onBody(azimuth, z), place));
+    press(view, at);
+    release(view, at);
+  };
+  const auto pickPair = [&](double azimuth, double z, double wrong_by = 0) {
+    pick(scan, kSide, azimuth, z);
+    pick(reference, kFront, azimuth + wrong_by, z);
+  };
+  const auto errorOf = [&pairs](int row) { return pairs.topLevelItem(row)->text(1); };
+  const auto mmOf = [&](int row) { return errorOf(row).section(' ', 0, 0).toDouble(); };
+  pickPair(0, -0.5);
+  pickPair(45, 0.1);
+  ASSERT_EQ(pairs.topLevelItemCount(), 2);
+  EXPECT_EQ(errorOf(0), "") << "two pairs say no pose";
+  pickPair(25, -0.1, 15);  // A mistake.
+  pickPair(10, 0.6);
+  pickPair(40, -0.6);
+  ASSERT_EQ(pairs.topLevelItemCount(), 5);
+  for (int row = 0; row < 5; ++row) {
+    EXPECT_EQ(errorOf(row).endsWith("worst"), row == 2) << errorOf(row).toStdString();
+    EXPECT_TRUE(errorOf(row).contains(" mm"));
+    EXPECT_LE(mmOf(row), mmOf(2));
+  }
+  EXPECT_GT(mmOf(2), 4);
+  EXPECT_TRUE(label(dialog, "prepare_words").contains("pair 3 fits worst"))
+      << label(dialog, "prepare_words").toStdString();
+  pairs.setCurrentItem(pairs.topLevelItem(2));
+  pairs.setFocus();
+  QTest::keyClick(&pairs, Qt::Key_Delete);
+  ASSERT_EQ(pairs.topLevelItemCount(), 4);
+  for (int row = 0; row < 4; ++row) EXPECT_LT(mmOf(row), 1) << row;
+  // What is taken back afterwards is the pair placed last, and a half pair stays half.
+  click(dialog, "prepare_take_back");
+  EXPECT_EQ(pairs.topLevelItemCount(), 3);
+  EXPECT_TRUE(label(dialog, "prepare_words").startsWith("Now place 4 on the reference"));
+  pairs.setCurrentItem(pairs.topLevelItem(0));
+  click(dialog, "prepare_remove_pair");
+  EXPECT_EQ(pairs.topLevelItemCount(), 2);
+  EXPECT_TRUE(label(dialog, "prepare_words").startsWith("Now place 3 on the reference"));
+  pick(reference, kFront, 40, -0.6);
+  ASSERT_EQ(pairs.topLevelItemCount(), 3);
+  for (int row = 0; row < 3; ++row) EXPECT_LT(mmOf(row), 1) << row;
+  click(dialog, "prepare_pick");
+  EXPECT_FALSE(pairs.isVisible());
+  ASSERT_TRUE(isShown(dialog));
+  EXPECT_LT(worstError(dialog), 0.2);
+}
+
+TEST_F(PrepareAlignTest, PairsInOneLineAreToldWhileTheyArePicked) {
+  PrepareDialog& dialog = openTwo();
+  chooseScan(dialog, 1);
+  click(dialog, "prepare_pick");
+  CloudView& scan = cloudView(dialog);
+  CloudView& reference = cloudView(dialog, "prepare_reference_cloud");
+  const BodyPlace same = kFront;
+  for (int i = 0; i < 3; ++i) {
+    scan.pointChosen(laid(onBody(20, 0.1 * i), same));
+    reference.pointChosen(laid(onBody(20, 0.1 * i), same));
+  }
+  EXPECT_TRUE(label(dialog, "prepare_words").contains("nearly in one line"))
+      << label(dialog, "prepare_words").toStdString();
+  EXPECT_EQ(tree(dialog, "prepare_pairs").topLevelItem(0)->text(1), "");
+}
+
 TEST_F(PrepareAlignTest, AFileOfSeveralScansIsSplitAndEachIsChosenForItself) {
   // Two scans of a PTX file: 30 x 20 points each, the second moved by its own matrix.
   QByteArray ptx;

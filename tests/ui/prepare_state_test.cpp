@@ -26,6 +26,16 @@ Align& alignOf(PrepareChoices& choices, const PrepareState& state) {
   return std::get<Align>(choices.steps.at(state.alignStep().value()).step);
 }
 
+/// On the second scan of three and on the third, at x = 1 and 2.
+void pickOnePairEach(PrepareState& state) {
+  PrepareChoices next = state.now();
+  Align& align = alignOf(next, state);
+  align.method = AlignMethod::points;
+  align.pairs = {{.scan = 1, .point = {1, 0, 0}, .reference = {}},
+                 {.scan = 2, .point = {2, 0, 0}, .reference = {}}};
+  state.change(next);
+}
+
 /// An answer in which every scan was moved along x by its number.
 AlignAnswer answerFor(std::size_t scans) {
   AlignAnswer answer;
@@ -117,12 +127,7 @@ TEST(PrepareState, OneUsedScanIsNotAligned) {
 
 TEST(PrepareState, ARemovedScanTakesItsPairsAlong) {
   PrepareState state = stateOf({"a.ply", "b.ply", "c.ply"});
-  PrepareChoices next = state.now();
-  Align& align = alignOf(next, state);
-  align.method = AlignMethod::points;
-  align.pairs = {{.scan = 1, .point = {1, 0, 0}, .reference = {}},
-                 {.scan = 2, .point = {2, 0, 0}, .reference = {}}};
-  state.change(next);
+  pickOnePairEach(state);
   state.removeInput(1);
   const Align& left = std::get<Align>(state.now().steps.at(0).step);
   ASSERT_EQ(left.pairs.size(), 1U);
@@ -134,12 +139,7 @@ TEST(PrepareState, ARemovedScanTakesItsPairsAlong) {
 
 TEST(PrepareState, ASplitFileIsItsScansAndOthersKeepTheirPairs) {
   PrepareState state = stateOf({"a.ply", "arch.e57", "c.ply"});
-  PrepareChoices next = state.now();
-  Align& align = alignOf(next, state);
-  align.method = AlignMethod::points;
-  align.pairs = {{.scan = 1, .point = {1, 0, 0}, .reference = {}},
-                 {.scan = 2, .point = {2, 0, 0}, .reference = {}}};
-  state.change(next);
+  pickOnePairEach(state);
   state.splitInput(1, 3);
   ASSERT_EQ(state.now().inputs.size(), 5U);
   for (int part = 1; part <= 3; ++part) {

@@ -77,6 +77,26 @@ TEST_F(QuestionsTest, StraysAreToldAndKeptByAKeyAndLeftOutAgainByUndo) {
   EXPECT_TRUE(document().surface()->strays.kept);
 }
 
+TEST_F(QuestionsTest, AGroupFarOffIsToldAndLeftOutByAKeyAndComesBackByUndo) {
+  QByteArray group;
+  for (int i = 0; i < 20; ++i) {
+    group += QByteArray::number(900 + i % 5) + ' ' + QByteArray::number(20 + i / 5) + " 5\n";
+  }
+  openAs(relief(group), LengthUnit::mm);
+  EXPECT_TRUE(window().message().startsWith(
+      "20 of 3,020 points lie together, 93.4 % of the box away from all others. Kept,"))
+      << window().message().toStdString();
+  EXPECT_GT(document().surface()->map.widthMm(), 850);
+  ASSERT_EQ(buttons().size(), 2);
+  EXPECT_EQ(buttons()[0]->accessibleName(), "Leave them out");
+  QTest::keyClick(&window().detailView(), Qt::Key_Return, Qt::ControlModifier);
+  ASSERT_TRUE(waitFor([this] { return !document().surface()->strays.groups_kept; }));
+  EXPECT_NEAR(document().surface()->map.widthMm(), 60, 3);
+  document().history().undo();
+  EXPECT_TRUE(document().surface()->strays.groups_kept);
+  EXPECT_GT(document().surface()->map.widthMm(), 850);
+}
+
 TEST_F(QuestionsTest, OneQuestionFollowsTheOther) {
   openAs(relief("1000000 20 5\n"), std::nullopt);
   EXPECT_TRUE(window().message().contains("One of 3,001 points lies"))

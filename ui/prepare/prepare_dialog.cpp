@@ -127,6 +127,12 @@ const ReadScan* PrepareDialog::readOf(const PrepareInput& input) const {
   return heldReadOf(input).get();
 }
 
+LengthUnit PrepareDialog::unitOf(const PrepareInput& input) const {
+  if (input.unit) return *input.unit;
+  const ReadScan* const read = readOf(input);
+  return read != nullptr ? read->scan->info.unit.value_or(LengthUnit::mm) : LengthUnit::mm;
+}
+
 void PrepareDialog::refuse(const QString& sentence) {
   problem_->setText(sentence);
   problem_->setVisible(!sentence.isEmpty());

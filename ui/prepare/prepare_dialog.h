@@ -63,6 +63,8 @@ class PrepareDialog : public QDialog {
     std::size_t input = 0;
     std::vector<FilePoint> on_scan, on_reference;
     std::vector<bool> order;  ///< As they were placed: was it on the reference?
+
+    std::vector<PickedPair> pairs() const;  ///< The whole ones.
   };
 
   // prepare_layout.cpp
@@ -91,6 +93,8 @@ class PrepareDialog : public QDialog {
   const ReadScan* readOf(const PrepareInput& input) const;
   std::shared_ptr<const ReadScan> heldReadOf(const PrepareInput& input) const;
   QString outputFile() const;
+  /// As chosen or as its file says; mm if nobody does.
+  LengthUnit unitOf(const PrepareInput& input) const;
   QString wordsOfWork(const QString& step) const;
 
   // prepare_lists.cpp
@@ -119,7 +123,11 @@ class PrepareDialog : public QDialog {
   void endPicking();
   void placePick(bool on_reference, const FilePoint& point);
   void takeBackPick();
+  void removePair();
+  QString nextPickText() const;
+  QString pairsText() const;
   void showPicks();
+  void showPairs();
   void sayNextPick();
   void drawOutline();
   void takeOutline(const CloudView::Outline& outline);
@@ -132,7 +140,7 @@ class PrepareDialog : public QDialog {
   bool stale_ = true, reading_ = false, take_when_made_ = false, filling_ = false;
   QString recipe_file_;  ///< Saved from the present choices; empty: they were not.
 
-  QTreeWidget *scans_ = nullptr, *steps_ = nullptr;
+  QTreeWidget *scans_ = nullptr, *steps_ = nullptr, *pairs_ = nullptr;
   StepForm* form_ = nullptr;
   CloudView *view_ = nullptr, *other_view_ = nullptr;
   QLabel *view_title_ = nullptr, *other_title_ = nullptr;
@@ -147,7 +155,8 @@ class PrepareDialog : public QDialog {
               *redo_ = nullptr, *add_step_ = nullptr, *remove_step_ = nullptr, *up_ = nullptr,
               *down_ = nullptr, *add_scan_ = nullptr, *remove_scan_ = nullptr,
               *make_reference_ = nullptr, *split_ = nullptr, *pick_button_ = nullptr,
-              *take_back_ = nullptr, *save_recipe_ = nullptr, *copy_command_ = nullptr;
+              *take_back_ = nullptr, *remove_pair_ = nullptr, *save_recipe_ = nullptr,
+              *copy_command_ = nullptr;
   QTimer* delay_ = nullptr;
   LatestWorker painter_;
   LatestWorker worker_;  ///< Last: its job ends before anything else goes.

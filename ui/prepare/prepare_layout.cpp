@@ -127,6 +127,11 @@ QWidget* PrepareDialog::scansPart() {
   pick_button_ = button(tr("Pic&k pairs\u2026"), "prepare_pick",
                         tr("Show the same three places on the chosen scan and on the reference"));
   take_back_ = button(tr("Take back"), "prepare_take_back", tr("Forget the place picked last"));
+  remove_pair_ = button(tr("Remove pair"), "prepare_remove_pair",
+                        tr("Forget the chosen pair, such as the one that fits worst (Delete)"));
+  pairs_ = list(tr("Picked pairs"), "prepare_pairs", {tr("Pair"), tr("Error")});
+  pairs_->setToolTip(
+      tr("How far apart each pair's places are left where all pairs fit best; from three on"));
   split_ = button(tr("Split"), "prepare_split",
                   tr("Each of the file's scans for itself, to leave some out or align them"));
   withheld_ = new QCheckBox(tr("With withheld points"));
@@ -137,6 +142,8 @@ QWidget* PrepareDialog::scansPart() {
   column->addWidget(scans_, 1);
   column->addLayout(rowOf({add_scan_, remove_scan_, make_reference_}));
   column->addLayout(rowOf({pick_button_, take_back_, split_}));
+  column->addWidget(pairs_, 1);
+  column->addLayout(rowOf({remove_pair_}));
   column->addWidget(withheld_);
   connect(scans_, &QTreeWidget::itemChanged, this, &PrepareDialog::scanItemChanged);
   connect(scans_, &QTreeWidget::currentItemChanged, this, [this] {
@@ -166,6 +173,10 @@ QWidget* PrepareDialog::scansPart() {
     }
   });
   connect(take_back_, &QPushButton::clicked, this, &PrepareDialog::takeBackPick);
+  connect(remove_pair_, &QPushButton::clicked, this, &PrepareDialog::removePair);
+  auto* remove_key = new QShortcut(QKeySequence(QKeySequence::Delete), pairs_);
+  remove_key->setContext(Qt::WidgetShortcut);
+  connect(remove_key, &QShortcut::activated, this, &PrepareDialog::removePair);
   connect(split_, &QPushButton::clicked, this, [this] {
     const ReadScan* const read = readOf(state_.now().inputs[chosenScan()]);
     if (read == nullptr || read->scan->info.parts.size() < 2) return;
@@ -248,9 +259,9 @@ QWidget* PrepareDialog::stepsPart() {
 void PrepareDialog::makeStepMenu() {
   QMenu* menu = add_step_->menu();
   menu->clear();
-  const ReadScan* const first = readOf(state_.now().inputs[state_.reference()]);
-  const LengthUnit unit = state_.now().inputs[state_.reference()].unit.value_or(
-      first != nullptr ? first->scan->info.unit.value_or(LengthUnit::mm) : LengthUnit::mm);
+  const PrepareInput& reference = state_.now().inputs[state_.reference()];
+  const ReadScan* const first = readOf(reference);
+  const LengthUnit unit = unitOf(reference);
   const double spacing = first != nullptr ? first->spacing : 1;
   for (const OfferedStep& offered : offeredSteps(boxLeft(), unit, spacing)) {
     QAction* action = menu->addAction(offered.text);

@@ -179,7 +179,10 @@ void PrepareDialog::showScanButtons() {
   pick_button_->setEnabled(can_align || pick_);
   pick_button_->setText(pick_ ? tr("Pairs are pic&ked") : tr("Pic&k pairs\u2026"));
   pick_button_->setAccessibleName(pick_ ? tr("Pairs are picked") : tr("Pick pairs"));
-  take_back_->setVisible(pick_.has_value());
+  for (QWidget* part : {static_cast<QWidget*>(take_back_), static_cast<QWidget*>(pairs_),
+                        static_cast<QWidget*>(remove_pair_)}) {
+    part->setVisible(pick_.has_value());
+  }
   split_->setVisible(!pick_ && read != nullptr && read->scan->info.parts.size() > 1);
   withheld_->setVisible(input.read.keep_withheld ||
                         (read != nullptr && read->scan->info.withheld > 0));

@@ -5,11 +5,24 @@
 #include <QPushButton>
 #include <QTreeWidget>
 
+#include "core/prepare/align_picks.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
+#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
+
+std::vector<PickedPair> PrepareDialog::Pick::pairs() const {
+  std::vector<PickedPair> pairs;
+  for (std::size_t i = 0; i < std::min(on_scan.size(), on_reference.size()); ++i) {
+    pairs.push_back({.scan = static_cast<std::uint32_t>(input),
+                     .point = on_scan[i],
+                     .reference = on_reference[i]});
+  }
+  return pairs;
+}
+
 void PrepareDialog::beginPicking() {
   const auto at = state_.alignStep();
   const std::size_t input = chosenScan();
@@ -56,14 +69,10 @@ void PrepareDialog::endPicking() {
   other_box_->hide();
   PrepareChoices next = state_.now();
   auto& align = std::get<Align>(next.steps[*state_.alignStep()].step);
-  const auto scan = static_cast<std::uint32_t>(pick.input);
-  std::erase_if(align.pairs, [&](const PickedPair& pair) { return pair.scan == scan; });
-  const std::size_t whole = std::min(pick.on_scan.size(), pick.on_reference.size());
-  for (std::size_t i = 0; i < whole; ++i) {
-    align.pairs.push_back(
-        {.scan = scan, .point = pick.on_scan[i], .reference = pick.on_reference[i]});
-  }
-  if (whole > 0) align.method = AlignMethod::points;
+  const std::vector<PickedPair> pairs = pick.pairs();
+  std::erase_if(align.pairs, [&](const PickedPair& pair) { return pair.scan == pick.input; });
+  align.pairs.insert(align.pairs.end(), pairs.begin(), pairs.end());
+  if (!pairs.empty()) align.method = AlignMethod::points;
   align.reference = static_cast<std::uint32_t>(state_.reference());
   state_.change(std::move(next));
   showPicture();
@@ -93,27 +102,56 @@ void PrepareDialog::takeBackPick() {
   sayNextPick();
 }
 
+void PrepareDialog::removePair() {
+  const int row = pairs_->indexOfTopLevelItem(pairs_->currentItem());
+  if (!pick_ || row < 0) return;
+  for (const bool on_reference : {false, true}) {
+    auto& places = on_reference ? pick_->on_reference : pick_->on_scan;
+    places.erase(places.begin() + row);
+    // Of the places on this side the row-th was placed then.
+    auto placed = pick_->order.begin();
+    for (int left = row; *placed != on_reference || left-- > 0;) ++placed;
+    pick_->order.erase(placed);
+  }
+  showPicks();
+  sayNextPick();
+}
+
 void PrepareDialog::sayNextPick() {
   if (!pick_) return;
+  const bool on_scan = pick_->on_scan.size() <= pick_->on_reference.size();
+  (on_scan ? view_ : other_view_)->setFocus();
+  const QStringList texts{nextPickText(), pairsText()};
+  words_->setText(texts.join('\n').trimmed());
+  Q_EMIT said(texts.join(' ').trimmed());
+}
+
+QString PrepareDialog::nextPickText() const {
   const std::size_t a = pick_->on_scan.size(), b = pick_->on_reference.size();
   const std::size_t whole = std::min(a, b);
-  QString text;
-  if (a > b) {
-    text = tr("Now place %1 on the reference").arg(b + 1);
-    other_view_->setFocus();
-  } else if (b > a) {
-    text = tr("Now place %1 on the scan").arg(a + 1);
-    view_->setFocus();
-  } else if (whole < 3) {
-    text = tr("Choose place %1 on the scan, then the same on the reference").arg(whole + 1);
-    view_->setFocus();
-  } else {
-    text = tr("%n pair(s). Escape or the button ends; more pairs do no harm.", nullptr,
-              static_cast<int>(whole));
-    view_->setFocus();
+  if (a > b) return tr("Now place %1 on the reference").arg(b + 1);
+  if (b > a) return tr("Now place %1 on the scan").arg(a + 1);
+  if (whole < 3) {
+    return tr("Choose place %1 on the scan, then the same on the reference").arg(whole + 1);
   }
-  words_->setText(text);
-  Q_EMIT said(text);
+  return tr("%n pair(s). Escape or the button ends; more pairs do no harm.", nullptr,
+            static_cast<int>(whole));
+}
+
+/// How well the pairs go together, or why they say no pose.
+QString PrepareDialog::pairsText() const {
+  const std::vector<PickedPair> pairs = pick_->pairs();
+  if (pairs.size() < 3) return {};
+  const PrepareInput& input = state_.now().inputs[pick_->input];
+  const std::string problem = align::pickProblem(pairs, nameOf(input).toStdString());
+  if (!problem.empty()) return spokenError(QString::fromStdString(problem));
+  const align::PickedFit fit = align::fitPicks(pairs, {});
+  const auto worst = std::max_element(fit.errors.begin(), fit.errors.end());
+  const double mm = mmPer(unitOf(input));
+  return tr("They fit to %1 mm; pair %2 fits worst, %3 mm.")
+      .arg(numberText(mm * fit.error, 3))
+      .arg(worst - fit.errors.begin() + 1)
+      .arg(numberText(mm * *worst, 3));
 }
 
 void PrepareDialog::showPicks() {
@@ -127,6 +165,34 @@ void PrepareDialog::showPicks() {
   };
   view_->setMarks(marks(pick_->on_scan));
   other_view_->setMarks(marks(pick_->on_reference));
+  showPairs();
+}
+
+void PrepareDialog::showPairs() {
+  const std::vector<PickedPair> pairs = pick_->pairs();
+  std::vector<double> errors;
+  if (align::pickProblem(pairs, {}).empty()) errors = align::fitPicks(pairs, {}).errors;
+  const auto worst = std::max_element(errors.begin(), errors.end());
+  const double mm = mmPer(unitOf(state_.now().inputs[pick_->input]));
+  const int chosen = pairs_->indexOfTopLevelItem(pairs_->currentItem());
+  pairs_->clear();
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    auto* item = new QTreeWidgetItem(pairs_);
+    item->setText(0, tr("Pair %1").arg(i + 1));
+    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    if (errors.empty()) continue;
+    const bool is_worst = worst == errors.begin() + static_cast<std::ptrdiff_t>(i);
+    const QString error = numberText(mm * errors[i], 3);
+    item->setText(1, is_worst ? tr("%1 mm, worst").arg(error) : tr("%1 mm").arg(error));
+    QFont font = item->font(0);
+    font.setBold(is_worst);
+    for (const int column : {0, 1}) item->setFont(column, font);
+  }
+  if (!pairs.empty()) {
+    pairs_->setCurrentItem(
+        pairs_->topLevelItem(std::clamp(chosen, 0, static_cast<int>(pairs.size()) - 1)));
+  }
+  remove_pair_->setEnabled(!pairs.empty());
 }
 
 void PrepareDialog::drawOutline() {

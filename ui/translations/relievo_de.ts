@@ -671,6 +671,18 @@
         <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
         <translation>&apos;%1&apos; hat sich seit dem Lesen geändert. Nichts wurde geschrieben. Schließen Sie den Dialog und öffnen Sie die Datei neu.</translation>
     </message>
+    <message>
+        <source>%1: %2 picked pairs; three or more are needed. Nothing was aligned.</source>
+        <translation>%1: %2 gewählte Paare; drei oder mehr sind nötig. Nichts wurde ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>%1: the picked places lie nearly in one line, which leaves open how the scan is turned about it. Nothing was aligned; pick one more place well beside that line.</source>
+        <translation>%1: Die gewählten Stellen liegen fast auf einer Geraden; wie der Scan um sie gedreht ist, bleibt offen. Nichts wurde ausgerichtet; eine weitere Stelle deutlich neben dieser Geraden wählen.</translation>
+    </message>
+    <message>
+        <source>%1: the picked places are not equally far from each other on the two scans. Nothing was aligned; look whether the pairs are in the same order and the scans in the same unit.</source>
+        <translation>%1: Die gewählten Stellen sind auf den beiden Scans nicht gleich weit voneinander entfernt. Nichts wurde ausgerichtet; prüfen, ob die Paare in derselben Reihenfolge und die Scans in derselben Einheit sind.</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -1618,6 +1630,10 @@
         <source>A height map has none.</source>
         <translation>Eine Höhenkarte hat keine.</translation>
     </message>
+    <message>
+        <source>Leave out, groups too</source>
+        <translation>Weglassen, auch Gruppen</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -2006,6 +2022,10 @@
     <message>
         <source>Keep all heights</source>
         <translation>Alle Höhen behalten</translation>
+    </message>
+    <message>
+        <source>Leave out far-off groups</source>
+        <translation>Weit entfernte Gruppen weglassen</translation>
     </message>
 </context>
 <context>
@@ -4968,6 +4988,14 @@
         <source>Mar&amp;k unmeasured cells</source>
         <translation>Nicht gemessene &amp;Zellen markieren</translation>
     </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%1 von %2 Punkten liegen beisammen, %3 % des Kastens von allen anderen entfernt.</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -6063,6 +6091,42 @@
     <message>
         <source>Redone</source>
         <translation>Wiederholt</translation>
+    </message>
+    <message>
+        <source>They fit to %1 mm; pair %2 fits worst, %3 mm.</source>
+        <translation>Sie passen auf %1 mm; Paar %2 passt am schlechtesten, %3 mm.</translation>
+    </message>
+    <message>
+        <source>Pair %1</source>
+        <translation>Paar %1</translation>
+    </message>
+    <message>
+        <source>%1 mm, worst</source>
+        <translation>%1 mm, am größten</translation>
+    </message>
+    <message>
+        <source>Remove pair</source>
+        <translation>Paar entfernen</translation>
+    </message>
+    <message>
+        <source>Forget the chosen pair, such as the one that fits worst (Delete)</source>
+        <translation>Das ausgewählte Paar vergessen, etwa das am schlechtesten passende (Entf)</translation>
+    </message>
+    <message>
+        <source>Picked pairs</source>
+        <translation>Gewählte Paare</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>Paar</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>How far apart each pair&apos;s places are left where all pairs fit best; from three on</source>
+        <translation>Wie weit die Stellen jedes Paares auseinander bleiben, wo alle Paare am besten passen; ab drei Paaren</translation>
     </message>
 </context>
 <context>

@@ -671,6 +671,18 @@
         <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
         <translation>&apos;%1&apos; पढ़े जाने के बाद बदल गई है। कुछ नहीं लिखा गया। संवाद बंद करें और फ़ाइल फिर खोलें।</translation>
     </message>
+    <message>
+        <source>%1: %2 picked pairs; three or more are needed. Nothing was aligned.</source>
+        <translation>%1: %2 चुने हुए जोड़े; तीन या अधिक चाहिए। कुछ संरेखित नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>%1: the picked places lie nearly in one line, which leaves open how the scan is turned about it. Nothing was aligned; pick one more place well beside that line.</source>
+        <translation>%1: चुनी हुई जगहें लगभग एक रेखा में हैं, इसलिए स्कैन उसके चारों ओर कैसे घूमा है यह खुला रहता है। कुछ संरेखित नहीं हुआ; उस रेखा से काफ़ी हटकर एक और जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>%1: the picked places are not equally far from each other on the two scans. Nothing was aligned; look whether the pairs are in the same order and the scans in the same unit.</source>
+        <translation>%1: चुनी हुई जगहें दोनों स्कैन पर एक-दूसरे से समान दूरी पर नहीं हैं। कुछ संरेखित नहीं हुआ; देखें कि जोड़े एक ही क्रम में और स्कैन एक ही इकाई में हैं या नहीं।</translation>
+    </message>
 </context>
 <context>
     <name>Event</name>
@@ -1618,6 +1630,10 @@
         <source>A height map has none.</source>
         <translation>ऊँचाई मानचित्र में ये नहीं होते।</translation>
     </message>
+    <message>
+        <source>Leave out, groups too</source>
+        <translation>छोड़ दें, समूह भी</translation>
+    </message>
 </context>
 <context>
     <name>relievo::DepthMapPreview</name>
@@ -2006,6 +2022,10 @@
     <message>
         <source>Keep all heights</source>
         <translation>सभी ऊँचाइयाँ रखें</translation>
+    </message>
+    <message>
+        <source>Leave out far-off groups</source>
+        <translation>दूर के समूह छोड़ दें</translation>
     </message>
 </context>
 <context>
@@ -4968,6 +4988,14 @@
         <source>Mar&amp;k unmeasured cells</source>
         <translation>बिना मापी कोशिकाएँ दिखाएँ (&amp;K)</translation>
     </message>
+    <message>
+        <source>%1 of %2 points lie together, %3 % of the box away from all others.</source>
+        <translation>%2 में से %1 बिंदु एक साथ, बाकी सबसे घेरे के %3 % जितने दूर हैं।</translation>
+    </message>
+    <message>
+        <source>Kept, as they may belong to the object.</source>
+        <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>
@@ -6063,6 +6091,42 @@
     <message>
         <source>Redone</source>
         <translation>फिर किया</translation>
+    </message>
+    <message>
+        <source>They fit to %1 mm; pair %2 fits worst, %3 mm.</source>
+        <translation>वे %1 mm तक मेल खाते हैं; जोड़ा %2 सबसे कम मेल खाता है, %3 mm।</translation>
+    </message>
+    <message>
+        <source>Pair %1</source>
+        <translation>जोड़ा %1</translation>
+    </message>
+    <message>
+        <source>%1 mm, worst</source>
+        <translation>%1 mm, सबसे अधिक</translation>
+    </message>
+    <message>
+        <source>Remove pair</source>
+        <translation>जोड़ा हटाएँ</translation>
+    </message>
+    <message>
+        <source>Forget the chosen pair, such as the one that fits worst (Delete)</source>
+        <translation>चुना हुआ जोड़ा भूलें, जैसे वह जो सबसे कम मेल खाता है (Delete)</translation>
+    </message>
+    <message>
+        <source>Picked pairs</source>
+        <translation>चुने हुए जोड़े</translation>
+    </message>
+    <message>
+        <source>Pair</source>
+        <translation>जोड़ा</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>त्रुटि</translation>
+    </message>
+    <message>
+        <source>How far apart each pair&apos;s places are left where all pairs fit best; from three on</source>
+        <translation>सभी जोड़े जहाँ सबसे अच्छे मेल खाते हैं वहाँ हर जोड़े की जगहें कितनी दूर रह जाती हैं; तीन जोड़ों से</translation>
     </message>
 </context>
 <context>

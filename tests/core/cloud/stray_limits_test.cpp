@@ -26,18 +26,27 @@ AxisBox boxOf(const Points& points) {
 }
 
 std::optional<AxisBox> limitsOf(const Points& points) {
-  return strayLimits({.points = points}, boxOf(points));
+  return strayLimits({.points = points}, boxOf(points)).strays;
+}
+
+/// Which points lie outside, by number.
+std::vector<std::size_t> outside(const Points& points, const std::optional<AxisBox>& limits) {
+  std::vector<std::size_t> found;
+  const PointsView view{.points = points};
+  for (std::size_t i = 0; limits && i < points.size(); ++i) {
+    if (!contains(*limits, view.at(i))) found.push_back(i);
+  }
+  return found;
 }
 
 /// Which points are strays, by number.
 std::vector<std::size_t> straysOf(const Points& points) {
-  std::vector<std::size_t> strays;
-  const auto limits = limitsOf(points);
-  const PointsView view{.points = points};
-  for (std::size_t i = 0; limits && i < points.size(); ++i) {
-    if (!contains(*limits, view.at(i))) strays.push_back(i);
-  }
-  return strays;
+  return outside(points, limitsOf(points));
+}
+
+/// Which points are strays or of groups, by number.
+std::vector<std::size_t> groupedOf(const Points& points) {
+  return outside(points, strayLimits({.points = points}, boxOf(points)).groups);
 }
 
 class Clouds {
@@ -193,19 +202,61 @@ TEST(StrayLimits, ADistantDenseObjectIsNoStray) {
   }
 }
 
+TEST(StrayLimits, AClumpOfAThousandthToAHundredthIsAGroup) {
+  for (const double share : {0.0012, 0.003, 0.0099}) {
+    Clouds clouds(14);
+    Points points = clouds.sphere(100'000, 10);
+    const auto count = static_cast<std::size_t>(share * 100'000);
+    for (const auto& p : clouds.sphere(count, 2)) {
+      points.push_back({p[0] + 500, p[1] + 300, p[2]});
+    }
+    EXPECT_TRUE(straysOf(points).empty()) << share;
+    const std::vector<std::size_t> grouped = groupedOf(points);
+    ASSERT_EQ(grouped.size(), count) << share;
+    EXPECT_EQ(grouped.front(), 100'000U);
+    // Single points as well: they are strays, and outside of both boxes.
+    points.push_back({-4000, 0, 0});
+    EXPECT_EQ(straysOf(points), std::vector<std::size_t>{points.size() - 1}) << share;
+    EXPECT_EQ(groupedOf(points).size(), count + 1) << share;
+  }
+}
+
+TEST(StrayLimits, GroupsThatStretchNothingOrAreMoreThanAHundredthAreNone) {
+  Clouds clouds(15);
+  const auto with = [&clouds](std::size_t count, float x) {
+    Points points = clouds.sphere(100'000, 10);
+    for (const auto& p : clouds.sphere(count, 1)) points.push_back({p[0] + x, p[1], p[2]});
+    return points;
+  };
+  EXPECT_TRUE(groupedOf(with(500, 15)).empty()) << "a ball beside it, near";
+  EXPECT_EQ(groupedOf(with(500, 60)).size(), 500U);
+  EXPECT_TRUE(groupedOf(with(1'500, 60)).empty());
+  Points several = with(500, 60);
+  for (const auto& p : clouds.sphere(600, 1)) several.push_back({p[0], p[1] - 70, p[2]});
+  EXPECT_TRUE(groupedOf(several).empty()) << "together more than a hundredth";
+  // One stray far beyond a group that is near.
+  Points near = with(500, 15);
+  near.push_back({3'000, 0, 0});
+  EXPECT_EQ(straysOf(near).size(), 1U);
+  EXPECT_TRUE(groupedOf(near).empty());
+}
+
 TEST(StrayLimits, LegitimateShapesLoseNothing) {
   Clouds clouds(9);
   EXPECT_TRUE(straysOf(clouds.relief(20'000)).empty());
+  EXPECT_TRUE(groupedOf(clouds.relief(20'000)).empty());
   Points terraces;
   for (int i = 0; i < 40'000; ++i) {
     const float x = clouds.uniform(0, 100);
     terraces.push_back({x, clouds.uniform(0, 80), 10 * std::floor(x / 20)});
   }
   EXPECT_TRUE(straysOf(terraces).empty());
+  EXPECT_TRUE(groupedOf(terraces).empty());
   // A lance: a thousandth of the points on half the length of all.
   Points lance = clouds.sphere(100'000, 10);
   for (int i = 0; i < 100; ++i) lance.push_back({0, 0, 10 + 0.3F * static_cast<float>(i)});
   EXPECT_TRUE(straysOf(lance).empty());
+  EXPECT_TRUE(groupedOf(lance).empty());
   // Density falling with the square of the distance, as around a scanner.
   Points room;
   for (int i = 0; i < 200'000; ++i) {
@@ -214,6 +265,7 @@ TEST(StrayLimits, LegitimateShapesLoseNothing) {
     room.push_back({r * std::cos(angle), r * std::sin(angle), clouds.uniform(0, 0.1)});
   }
   EXPECT_TRUE(straysOf(room).empty());
+  EXPECT_TRUE(groupedOf(room).empty());
 }
 
 TEST(StrayLimits, SparseAndTinyCloudsLoseNothing) {
@@ -271,9 +323,9 @@ TEST(StrayLimits, CountsOfPartsAreThoseOfTheWhole) {
   parts[0].add(parts[1]);
   parts[0].add(parts[2]);
   EXPECT_EQ(parts[0].points(), whole.points());
-  ASSERT_TRUE(whole.limits(box).has_value());
-  EXPECT_EQ(parts[0].limits(box)->min, whole.limits(box)->min);
-  EXPECT_EQ(parts[0].limits(box)->max, whole.limits(box)->max);
+  ASSERT_TRUE(whole.limits(box).strays.has_value());
+  EXPECT_EQ(parts[0].limits(box).strays->min, whole.limits(box).strays->min);
+  EXPECT_EQ(parts[0].limits(box).strays->max, whole.limits(box).strays->max);
 }
 
 }  // namespace

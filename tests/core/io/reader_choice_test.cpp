@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -16,6 +15,7 @@
 #include "core/io/pcl_records.h"
 #include "core/io/read_scan.h"
 #include "core/io/reader_choice.h"
+#include "tests/core/io/same_bytes.h"
 #include "tests/core/io/sample_files.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -42,13 +42,6 @@ Outcome readBy(const std::filesystem::path& file, ReaderChoice choice) {
     outcome.refusal = error.what();
   }
   return outcome;
-}
-
-template <class List>
-bool sameBytes(const List& a, const List& b) {
-  return a.size() == b.size() &&
-         (a.empty() ||
-          std::memcmp(a.data(), b.data(), a.size() * sizeof(typename List::value_type)) == 0);
 }
 
 /// @return  whether PCL read it

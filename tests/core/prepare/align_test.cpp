@@ -303,9 +303,29 @@ TEST(AlignPicks, ThreePairsSayThePoseExactly) {
   std::vector<FilePoint> reference;
   for (const FilePoint& p : scan) reference.push_back(truth(p));
   const align::PickedFit fit = align::fitPicks(pairs(scan, reference), "left.ply");
-  EXPECT_LT(norm(fit.pose({50, 50, 50}) - truth({50, 50, 50})), 1e-4);
-  EXPECT_LT(fit.error, 1e-4);
+  EXPECT_LT(norm(fit.pose({50, 50, 50}) - truth({50, 50, 50})), 1e-6);
+  EXPECT_LT(fit.error, 1e-6);
   EXPECT_TRUE(isRigid(fit.pose));
+}
+
+TEST(AlignPicks, ThePairThatWasPickedWrongHasTheLargestError) {
+  const Pose truth = motion(77, {1, -2, 0.5}, {510000, 5400000, 20});
+  const std::vector<FilePoint> scan{{0, 0, 0}, {90, 5, 2}, {10, 70, -8}, {80, 75, 20}, {40, 30, 9}};
+  std::vector<FilePoint> reference;
+  for (const FilePoint& p : scan) reference.push_back(truth(p));
+  for (const double error : align::fitPicks(pairs(scan, reference), "left.ply").errors) {
+    EXPECT_LT(error, 1e-6);
+  }
+  reference[3] = reference[3] + FilePoint{0, 0, 6};
+  const align::PickedFit fit = align::fitPicks(pairs(scan, reference), "left.ply");
+  ASSERT_EQ(fit.errors.size(), 5U);
+  const auto worst = std::max_element(fit.errors.begin(), fit.errors.end());
+  EXPECT_EQ(worst - fit.errors.begin(), 3);
+  EXPECT_GT(*worst, 1.5);
+  EXPECT_LT(*worst, 6) << "the others give way";
+  double squares = 0;
+  for (const double error : fit.errors) squares += error * error;
+  EXPECT_NEAR(fit.error, std::sqrt(squares / 5), 1e-12);
 }
 
 TEST(AlignPicks, NearlyInOneLineIsRefusedAndNeverAMirror) {

@@ -25,7 +25,7 @@
 #include "core/tiles/tiled_map.h"
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/laz_sample.h"
-#include "tests/core/tiles/tile_fixtures.h"
+#include "tests/core/session/tiled_fixture.h"
 
 namespace relievo {
 namespace {
@@ -114,15 +114,6 @@ void writePly(const std::filesystem::path& file, const std::vector<Made>& points
   }
 }
 
-SurfaceOptions gridOptions(PointRule rule) {
-  SurfaceOptions options;
-  options.unit = LengthUnit::mm;
-  options.view = ViewChoice{.name = "top", .rotation = std::nullopt};
-  options.spacing_mm = 0.25;
-  options.rule = rule;
-  return options;
-}
-
 LargeMap largeMap(const test::TileFolder& folder, const std::string& name,
                   const SurfaceOptions& options, std::uint64_t memory = kSmallBudget) {
   return makeLargeMap(
@@ -174,10 +165,10 @@ TEST_P(LargeColours, AreThoseOfTheMapInMemory) {
   } else {
     writeLas(folder / name, points, name == "8.las" ? 8 : 16, name == "a.laz");
   }
-  const LargeMap large = largeMap(folder, name, gridOptions(rule));
+  const LargeMap large = largeMap(folder, name, test::topOptions(rule));
   EXPECT_TRUE(large.has_colours && large.has_intensities);
   EXPECT_TRUE(large.not_done.empty());
-  const Surface whole = makeSurface(importScan(folder / name), gridOptions(rule), rasterize);
+  const Surface whole = makeSurface(importScan(folder / name), test::topOptions(rule), rasterize);
   const Surface tiled = openTiledSurface(folder / "map.tif");
   ASSERT_EQ(tiled.tiles->levelMap({0}).heights_mm, whole.map.heights_mm);
   expectTheSame(whole, tiled);
@@ -206,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(LargeColours, AreLeftOutInWordsWhereTheMemoryIsTooSmall) {
   const test::TileFolder folder;
   writeLas(folder / "a.las", madePoints(200'000), 8);
-  SurfaceOptions fine = gridOptions(PointRule::median);
+  SurfaceOptions fine = test::topOptions(PointRule::median);
   fine.spacing_mm = 0.05;
   const LargeMap large = largeMap(folder, "a.las", fine, 185'000'000);
   EXPECT_FALSE(large.has_colours);
@@ -217,10 +208,10 @@ TEST(LargeColours, AreLeftOutInWordsWhereTheMemoryIsTooSmall) {
 TEST(LargeColours, OfAnotherMapAreLeftAsideInWords) {
   const test::TileFolder folder;
   writeLas(folder / "a.las", madePoints(300'000), 8);
-  largeMap(folder, "a.las", gridOptions(PointRule::median));
+  largeMap(folder, "a.las", test::topOptions(PointRule::median));
   std::filesystem::copy_file(colourFileOf(folder / "map.tif"), folder / "kept.tif");
   writeLas(folder / "b.las", madePoints(250'000), 8);
-  largeMap(folder, "b.las", gridOptions(PointRule::median));
+  largeMap(folder, "b.las", test::topOptions(PointRule::median));
   EXPECT_TRUE(openTiledSurface(folder / "map.tif").tiles->hasColours());
   std::filesystem::copy_file(folder / "kept.tif", colourFileOf(folder / "map.tif"),
                              std::filesystem::copy_options::overwrite_existing);
@@ -235,11 +226,11 @@ TEST(LargeColours, GoWhenTheMapIsMadeOfAScanWithoutAny) {
   const test::TileFolder folder;
   std::vector<Made> points = madePoints(300'000);
   writeLas(folder / "a.las", points, 8);
-  largeMap(folder, "a.las", gridOptions(PointRule::median));
+  largeMap(folder, "a.las", test::topOptions(PointRule::median));
   ASSERT_TRUE(std::filesystem::exists(colourFileOf(levelFile(folder / "map.tif", 1))));
   for (Made& p : points) p.colour = {};
   writeLas(folder / "a.las", points, 8);
-  const LargeMap large = largeMap(folder, "a.las", gridOptions(PointRule::median));
+  const LargeMap large = largeMap(folder, "a.las", test::topOptions(PointRule::median));
   EXPECT_FALSE(large.has_colours);
   EXPECT_TRUE(large.has_intensities);
   EXPECT_FALSE(std::filesystem::exists(colourFileOf(folder / "map.tif")));
@@ -251,7 +242,7 @@ TEST(LargeColours, NeverReplaceAFileOfSomebodyElse) {
   const test::TileFolder folder;
   writeLas(folder / "a.las", madePoints(100'000), 8);
   std::ofstream(colourFileOf(folder / "map.tif")) << "a picture of somebody";
-  EXPECT_THROW(largeMap(folder, "a.las", gridOptions(PointRule::median)), WriteError);
+  EXPECT_THROW(largeMap(folder, "a.las", test::topOptions(PointRule::median)), WriteError);
   std::ifstream in(colourFileOf(folder / "map.tif"));
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "a picture of somebody");
 }

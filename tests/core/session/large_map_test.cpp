@@ -25,7 +25,7 @@
 #include "tests/core/io/las_sample.h"
 #include "tests/core/io/laz_sample.h"
 #include "tests/core/scan_fixtures.h"
-#include "tests/core/tiles/tile_fixtures.h"
+#include "tests/core/session/tiled_fixture.h"
 
 namespace relievo {
 namespace {
@@ -67,15 +67,6 @@ Scan scanOf(const test::Las& las) {
   return scan;
 }
 
-SurfaceOptions gridOptions(PointRule rule) {
-  SurfaceOptions options;
-  options.unit = LengthUnit::mm;
-  options.view = ViewChoice{.name = "top", .rotation = std::nullopt};
-  options.spacing_mm = 0.25;
-  options.rule = rule;
-  return options;
-}
-
 constexpr std::uint64_t kTinyBudget = 165'000'000;  // 13 MB for 48 MB of points.
 
 std::string bytesOfFile(const std::filesystem::path& file) {
@@ -87,7 +78,7 @@ TEST(LargeMap, GivesTheBytesOfTheMapInMemory) {
   const test::TileFolder folder;
   const test::Las las = bigLas(3'000'000);
   writeLas(folder / "scan.las", las);
-  const SurfaceOptions options = gridOptions(PointRule::median);
+  const SurfaceOptions options = test::topOptions(PointRule::median);
   const LargeMap large = makeLargeMap(
       folder / "scan.las", options,
       {.file = folder / "map.tif", .memory_bytes = kTinyBudget, .threads = 2, .on_view = {}});
@@ -120,7 +111,7 @@ TEST_P(LargeMapRule, GivesTheHeightsOfTheMapInMemory) {
   const test::TileFolder folder;
   const test::Las las = bigLas(1'500'000);
   writeLas(folder / "scan.las", las);
-  SurfaceOptions options = gridOptions(GetParam());
+  SurfaceOptions options = test::topOptions(GetParam());
   options.spacing_mm = 0.5;
   const LargeMap large = makeLargeMap(
       folder / "scan.las", options,
@@ -153,7 +144,7 @@ TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
     if (i % 5'000 == 1) las.raw[i][2] += 30'000;  // A flyer.
   }
   writeLas(folder / "scan.las", las);
-  SurfaceOptions options = gridOptions(PointRule::front);
+  SurfaceOptions options = test::topOptions(PointRule::front);
   options.rule.reset();
   options.spacing_mm = 1;
   options.holes = {.rule = HoleRule::interpolate, .max_area_mm2 = 5};  // The hole is larger.
@@ -190,7 +181,7 @@ TEST(LargeMap, LosesWhatTheMapInMemoryLosesAndSaysSo) {
 TEST(LargeMap, GivesTheSameFilesForEveryBudgetAndNumberOfThreads) {
   const test::TileFolder folder;
   writeLas(folder / "scan.las", bigLas(2'500'000));
-  const SurfaceOptions options = gridOptions(PointRule::mean);
+  const SurfaceOptions options = test::topOptions(PointRule::mean);
   for (const auto& [name, budget, threads] :
        {std::tuple{"a.tif", kTinyBudget, 1}, std::tuple{"b.tif", std::uint64_t{900'000'000}, 2}}) {
     makeLargeMap(
@@ -217,7 +208,7 @@ TEST(LargeMap, GivesTheBytesOfTheLasForALazOfTheSamePoints) {
   laz.chunk_points = 5000;
   writeLas(folder / "plain.las", las);
   std::ofstream(folder / "packed.laz", std::ios::binary) << test::lazFile(laz).bytes;
-  SurfaceOptions options = gridOptions(PointRule::mean);
+  SurfaceOptions options = test::topOptions(PointRule::mean);
   options.spacing_mm = 2;
   for (const char* const name : {"plain.las", "packed.laz"}) {
     makeLargeMap(folder / name, options,
@@ -298,7 +289,7 @@ TEST(LargeMap, ShowsASampleFirst) {
   const test::TileFolder folder;
   writeLas(folder / "scan.las", bigLas(1'000'000));
   std::vector<GridSize> views;
-  const SurfaceOptions options = gridOptions(PointRule::median);
+  const SurfaceOptions options = test::topOptions(PointRule::median);
   const LargeMap large = makeLargeMap(
       folder / "scan.las", options,
       {.file = folder / "map.tif",
@@ -317,7 +308,7 @@ TEST(LargeMap, RefusesABudgetThatIsTooSmallBeforeTheWork) {
   const test::TileFolder folder;
   writeLas(folder / "scan.las", bigLas(10'000));
   try {
-    makeLargeMap(folder / "scan.las", gridOptions(PointRule::median),
+    makeLargeMap(folder / "scan.las", test::topOptions(PointRule::median),
                  {.file = folder / "map.tif", .memory_bytes = 50'000'000, .on_view = {}});
     FAIL() << "was accepted";
   } catch (const ArgumentError& error) {
@@ -351,7 +342,7 @@ void expectWithin(std::uint64_t budget, const test::Las& las, const std::filesys
     return;
   }
   makeLargeMap(
-      given, gridOptions(PointRule::median),
+      given, test::topOptions(PointRule::median),
       {.file = std::string(given) + ".tif", .memory_bytes = budget, .threads = 2, .on_view = {}});
   EXPECT_GT(peakBytes(), 0U);
   EXPECT_LE(peakBytes(), budget);
@@ -398,7 +389,7 @@ TEST(LargeMap, StaysWithinItsBudgetWherePointsLieDense) {
   // With less than what it takes it is refused, not exceeded.
   try {
     makeLargeMap(
-        folder / "scan.las", gridOptions(PointRule::median),
+        folder / "scan.las", test::topOptions(PointRule::median),
         {.file = folder / "b.tif", .memory_bytes = 250'000'000, .threads = 2, .on_view = {}});
     FAIL() << "was accepted";
   } catch (const ArgumentError& error) {
@@ -416,7 +407,7 @@ TEST(LargeMap, LeavesNothingWhenCancelled) {
     const Task task{.stop = stop.get_token(), .progress = [&](std::string_view now, double) {
                       if (now == step) stop.request_stop();
                     }};
-    EXPECT_THROW(makeLargeMap(folder / "scan.las", gridOptions(PointRule::median),
+    EXPECT_THROW(makeLargeMap(folder / "scan.las", test::topOptions(PointRule::median),
                               {.file = folder / "map.tif", .on_view = {}}, {}, task),
                  Cancelled)
         << step;
@@ -428,7 +419,7 @@ TEST(LargeMap, LeavesNothingWhenCancelled) {
 TEST(TiledSurface, HasTheWindowsAndASmallMapForTheWhole) {
   const test::TileFolder folder;
   writeLas(folder / "scan.las", bigLas(600'000));
-  makeLargeMap(folder / "scan.las", gridOptions(PointRule::median),
+  makeLargeMap(folder / "scan.las", test::topOptions(PointRule::median),
                {.file = folder / "map.tif", .on_view = {}});
   const Surface surface = openTiledSurface(folder / "map.tif");
   EXPECT_EQ(surface.map.frame.size.cols, 1000);

@@ -75,6 +75,69 @@ TEST(Strays, AreKeptOnRequestAndStillTold) {
   EXPECT_GT(surface.map.widthMm(), 14'000);
 }
 
+/// 12 by 10 points, 0.65 % of reliefWith, far beside it.
+std::vector<std::array<float, 3>> clump() {
+  std::vector<std::array<float, 3>> points;
+  for (int i = 0; i < 120; ++i) {
+    points.push_back({1000 + static_cast<float>(i % 12), 60 + static_cast<float>(i / 12), 3});
+  }
+  return points;
+}
+
+TEST(Strays, InAClumpAreKeptAndTold) {
+  const Surface surface = makeSurface(reliefWith(clump()), fromTop(150), rasterize);
+  EXPECT_EQ(surface.strays.points, 0U);
+  EXPECT_EQ(surface.strays.grouped, 120U);
+  EXPECT_TRUE(surface.strays.groups_kept);
+  EXPECT_NEAR(surface.strays.share_of_box_grouped, 0.85, 0.01);
+  EXPECT_GT(surface.map.widthMm(), 1000);
+  EXPECT_EQ(groupWords(surface.strays),
+            "120 of 18 391 points lie together 85.1 % of the box away from all others; they were "
+            "kept, as they may belong to the object.");
+  EXPECT_EQ(
+      std::count(surface.messages.begin(), surface.messages.end(), groupWords(surface.strays)), 1)
+      << testing::PrintToString(surface.messages);
+}
+
+TEST(Strays, InAClumpAreLeftOutOnRequest) {
+  const Surface clean = makeSurface(reliefWith({}), fromTop(150), rasterize);
+  std::vector<std::array<float, 3>> more = clump();
+  const std::vector<std::array<float, 3>> single = twelve();
+  more.insert(more.end(), single.begin(), single.end());
+  const Scan scan = reliefWith(more);
+  const Surface surface = makeSurface(scan, fromTop(150, StrayRule::drop_groups), rasterize);
+  EXPECT_EQ(surface.strays.points, 12U);
+  EXPECT_EQ(surface.strays.grouped, 120U);
+  EXPECT_FALSE(surface.strays.kept);
+  EXPECT_FALSE(surface.strays.groups_kept);
+  EXPECT_EQ(surface.map.heights_mm, clean.map.heights_mm);
+  EXPECT_EQ(surface.view_from_file, clean.view_from_file);
+  EXPECT_TRUE(groupWords(surface.strays).ends_with("they were left out."));
+  // Each rule says the same of both.
+  const Surface drop = makeSurface(scan, fromTop(150), rasterize);
+  EXPECT_EQ(drop.strays.points, 12U);
+  EXPECT_EQ(drop.strays.grouped, 120U);
+  EXPECT_FALSE(drop.strays.kept);
+  EXPECT_TRUE(drop.strays.groups_kept);
+  const Surface keep = makeSurface(scan, fromTop(150, StrayRule::keep), rasterize);
+  EXPECT_EQ(keep.strays.points, 12U);
+  EXPECT_EQ(keep.strays.grouped, 120U);
+  EXPECT_TRUE(keep.strays.kept);
+  EXPECT_TRUE(keep.strays.groups_kept);
+}
+
+TEST(Strays, InAClumpAlongATurnedViewAreToldOnce) {
+  SurfaceOptions options = fromTop(150);
+  options.view->turn_deg = {0, 0, 30};
+  const Scan scan = reliefWith(clump());
+  const Surface kept = makeSurface(scan, options, rasterize);
+  EXPECT_EQ(kept.strays.grouped, 120U);
+  options.strays = StrayRule::drop_groups;
+  const Surface dropped = makeSurface(scan, options, rasterize);
+  EXPECT_EQ(dropped.strays.grouped, 120U);
+  EXPECT_LT(dropped.map.widthMm(), 200);
+}
+
 TEST(Strays, OneFlippedBitDoesNotEmptyTheMap) {
   for (const float far : {3.1e6F, 1e30F, -1e38F}) {
     Scan scan = reliefWith({{far, 60, 0}});
@@ -195,13 +258,16 @@ TEST(Strays, ThePartOfAScanKeepsWhatBelongsToEachPoint) {
 TEST(Strays, OfAMapByTilesAreThoseOfTheMapInMemory) {
   const test::TemporaryFolder folder;
   std::string ply =
-      "ply\nformat binary_little_endian 1.0\nelement vertex 18283\nproperty float x\n"
+      "ply\nformat binary_little_endian 1.0\nelement vertex 18403\nproperty float x\n"
       "property float y\nproperty float z\nend_header\n";
-  const Scan scan = reliefWith(twelve());
-  ASSERT_EQ(scan.points.size(), 18283U);
+  std::vector<std::array<float, 3>> more = clump();
+  const std::vector<std::array<float, 3>> single = twelve();
+  more.insert(more.end(), single.begin(), single.end());
+  const Scan scan = reliefWith(more);
+  ASSERT_EQ(scan.points.size(), 18403U);
   ply.append(reinterpret_cast<const char*>(scan.points.data()), scan.points.size() * 12);
   const auto file = folder.write("strays.ply", ply);
-  for (const StrayRule rule : {StrayRule::drop, StrayRule::keep}) {
+  for (const StrayRule rule : {StrayRule::drop, StrayRule::keep, StrayRule::drop_groups}) {
     const SurfaceOptions options = fromTop(120, rule);
     const Surface surface = makeSurface(importScan(file), options, rasterize);
     const LargeMap map =
@@ -209,6 +275,9 @@ TEST(Strays, OfAMapByTilesAreThoseOfTheMapInMemory) {
     EXPECT_EQ(map.strays.points, 12U);
     EXPECT_EQ(map.strays.kept, rule == StrayRule::keep);
     EXPECT_NEAR(map.strays.share_of_box, surface.strays.share_of_box, 1e-9);
+    EXPECT_EQ(map.strays.grouped, 120U);
+    EXPECT_EQ(map.strays.groups_kept, rule != StrayRule::drop_groups);
+    EXPECT_NEAR(map.strays.share_of_box_grouped, surface.strays.share_of_box_grouped, 1e-9);
     EXPECT_EQ(map.frames.front(), surface.map.frame);
     for (std::size_t i = 0; i < 16; ++i) {
       EXPECT_NEAR(map.view_from_file.m[i], surface.view_from_file.m[i], 1e-6);
@@ -228,6 +297,7 @@ TEST(SharedScans, LoseNoPointThatBelongsToThem) {
     }
     const Strays strays = straysOf(importScan(file));
     EXPECT_EQ(strays.points, 0U) << file.filename() << ": " << strayWords(strays);
+    EXPECT_EQ(strays.grouped, 0U) << file.filename() << ": " << groupWords(strays);
     ++read;
   }
   EXPECT_GE(read, 29);

@@ -36,6 +36,16 @@ inline DepthMap reliefMap(GridSize size) {
   return map;
 }
 
+/// From above, a cell every quarter of a millimetre.
+inline SurfaceOptions topOptions(PointRule rule) {
+  SurfaceOptions options;
+  options.unit = LengthUnit::mm;
+  options.view = ViewChoice{.name = "top", .rotation = std::nullopt};
+  options.spacing_mm = 0.25;
+  options.rule = rule;
+  return options;
+}
+
 /// Writes a map and its levels by tiles.
 inline void writeTiled(const std::filesystem::path& file, const DepthMap& map, double factor = 2) {
   LevelFiles files(file, map.frame, {.factor = factor});
