@@ -135,13 +135,15 @@ class Screen:
         self.x.XSync(self.display, 0)
 
     def title(self):
-        """Of the largest window, its Latin-1 letters."""
-        self.x.XFetchName.argtypes = [ctypes.c_void_p, ctypes.c_ulong,
-                                      ctypes.POINTER(ctypes.c_char_p)]
-        window, name = self.window(), ctypes.c_char_p()
-        if window is None or not self.x.XFetchName(self.display, window, ctypes.byref(name)):
-            return ""
-        return name.value.decode("latin1")
+        """Of the largest window, whatever its encoding, as bytes."""
+        class Property(ctypes.Structure):
+            _fields_ = [("value", ctypes.c_char_p), ("encoding", ctypes.c_ulong),
+                        ("format", ctypes.c_int), ("items", ctypes.c_ulong)]
+        self.x.XGetWMName.argtypes = [ctypes.c_void_p, ctypes.c_ulong, ctypes.POINTER(Property)]
+        window, name = self.window(), Property()
+        if window is None or not self.x.XGetWMName(self.display, window, ctypes.byref(name)):
+            return b""
+        return name.value or b""
 
 
 def write_png(file, rgb, size):
@@ -169,7 +171,7 @@ def cropped(rgb, size, part):
 def opened(screen, file, seconds):
     """Waits until the window is called after the file; a refused one never is."""
     end = time.time() + seconds
-    while time.time() < end and os.path.basename(file) not in screen.title():
+    while time.time() < end and os.fsencode(os.path.basename(file)) not in screen.title():
         time.sleep(0.2)
 
 
