@@ -26,6 +26,7 @@
 #include "ui/palette.h"
 #include "ui/quiet_turns.h"
 #include "ui/vtk/first_draws.h"
+#include "ui/vtk/screen_marks.h"
 
 namespace relievo {
 namespace {
@@ -221,9 +222,10 @@ class SurfaceView::Canvas : public QVTKOpenGLNativeWidget {
     const QSize pixels = size() * devicePixelRatioF();
     // Lines and the scale bar grow with the screen's density and, like text, with its size and the
     // dots that the desktop asks for.
-    scene_.setMarkScale(devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi) *
-                        textScale());
     const int width = std::max(1, pixels.width()), height = std::max(1, pixels.height());
+    scene_.setMarkScale(fittingMarkScale(
+        devicePixelRatioF() * std::max(1.0, logicalDpiX() / kPlainDpi) * textScale(), width,
+        height));
     // Qt tells a size when it changes. What warmed up was a speck, and a widget that had its size
     // by then is not told it again.
     if (window_->GetSize()[0] != width || window_->GetSize()[1] != height) {

@@ -3,34 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "core/base/task.h"
+#include "core/hash/sha256.h"
 
 namespace relievo {
-
-/// SHA-256 (FIPS 180-4) of bytes that come in pieces.
-class Sha256 {
- public:
-  Sha256();
-  ~Sha256();
-  Sha256(const Sha256&) = delete;
-  Sha256& operator=(const Sha256&) = delete;
-
-  void add(std::span<const std::byte> bytes);
-  void add(std::string_view bytes);
-  /// 64 hexadecimal digits, lower case. To be called once, after the last piece.
-  std::string finish();
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
-
-std::string sha256OfText(std::string_view bytes);
 
 /// A file's checksum, read in pieces; reports its progress. [worker]
 /// @throw FileError  missing, not a regular file, or unreadable  @throw Cancelled

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/hash/sha256.h"
 #include "haptics/record/event_row.h"
 #include "haptics/record/hdf5_session.h"
 #include "haptics/record/log_checksum.h"
@@ -349,13 +350,13 @@ void Hdf5Log::Impl::saveWhatFits(int why) {
 void Hdf5Log::Impl::finishDisk() {
   constexpr std::uint64_t kPieceBytes = 1U << 20U;
   std::string piece;
-  LogHash hash;
+  Sha256 hash;
   for (std::uint64_t at = kUserBlockBytes; at < disk->size(); at += piece.size()) {
     piece.resize(std::min(kPieceBytes, disk->size() - at));
     if (!disk->read(at, piece)) return;
     hash.add(piece);
   }
-  if (!disk->write(0, userBlock(hash.digits()))) return;
+  if (!disk->write(0, userBlock(hash.finish()))) return;
   [[maybe_unused]] const int error = disk->commit();  // whole() says the same below.
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/hash/sha256.h"
 #include "haptics/record/event_row.h"
 #include "haptics/record/hdf5_log.h"
 #include "haptics/record/hdf5_session.h"
@@ -212,13 +213,13 @@ LogCheck wholeHdf5(const std::filesystem::path& file) {
 std::string digitsOfFile(std::ifstream& in, const Task& task) {
   constexpr std::size_t kPieceBytes = 1U << 20U;
   std::string piece(kPieceBytes, '\0');
-  LogHash hash;
+  Sha256 hash;
   while (in) {
     task.check();
     in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     hash.add(std::string_view(piece).substr(0, static_cast<std::size_t>(in.gcount())));
   }
-  return hash.digits();
+  return hash.finish();
 }
 
 }  // namespace

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/log_checksum.h"
 
-#include <openssl/evp.h>
-
-#include <algorithm>
-#include <array>
-#include <new>
+#include "core/hash/sha256.h"
 
 namespace relievo {
 
@@ -13,49 +9,17 @@ namespace {
 constexpr std::size_t kDigits = 64;
 }
 
-struct LogHash::Impl {
-  EVP_MD_CTX* context = EVP_MD_CTX_new();
-};
-
-LogHash::LogHash() : impl_(std::make_unique<Impl>()) {
-  if (impl_->context == nullptr || EVP_DigestInit_ex(impl_->context, EVP_sha256(), nullptr) != 1) {
-    EVP_MD_CTX_free(impl_->context);
-    throw std::bad_alloc();  // Nothing else can go wrong in making a digest.
-  }
-}
-
-LogHash::~LogHash() {
-  EVP_MD_CTX_free(impl_->context);
-}
-
-void LogHash::add(std::string_view bytes) {
-  EVP_DigestUpdate(impl_->context, bytes.data(), bytes.size());
-}
-
-std::string LogHash::digits() {
-  std::array<unsigned char, kDigits / 2> digest{};
-  unsigned int length = 0;
-  EVP_DigestFinal_ex(impl_->context, digest.data(), &length);
-  constexpr std::string_view kHexadecimal = "0123456789abcdef";
-  std::string text;
-  for (const unsigned char byte : digest) {
-    text += kHexadecimal[byte >> 4U];
-    text += kHexadecimal[byte & 15U];
-  }
-  return text;
-}
-
 std::string checksumLine(std::string_view before, std::string_view word, std::string_view count,
                          std::string_view block) {
   std::string line(word);
   line.append(count).append(" ");
-  LogHash hash;
+  Sha256 hash;
   hash.add(before);
   hash.add("\n");
   hash.add(line);
   hash.add("\n");
   hash.add(block);
-  return line + hash.digits();
+  return line + hash.finish();
 }
 
 std::string digitsOf(std::string_view checksum_line) {

@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <memory>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace relievo {
 
 // The checksums that stand in a log beside its rows (docs/adr/0132-chained-checksums.md).
-
-/// SHA-256 (FIPS 180-4) of bytes that come in pieces. [one thread at a time]
-class LogHash {
- public:
-  LogHash();
-  ~LogHash();
-  LogHash(const LogHash&) = delete;
-  LogHash& operator=(const LogHash&) = delete;
-
-  void add(std::string_view bytes);
-  /// 64 hexadecimal digits, lower case. To be called once.
-  std::string digits();
-
- private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-};
 
 /// One block of a log and all before it: the checksum's line, "sum ROWS DIGITS" or
 /// "finished ROWS DIGITS". Each covers the digits of the line before, its own word and count, and

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -18,6 +19,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <vtkRenderer.h>
@@ -26,6 +28,7 @@
 #include "tests/ui/vtk/picture.h"
 #include "tests/ui/vtk/synthetic_relief.h"
 #include "ui/vtk/frame_renderer.h"
+#include "ui/vtk/screen_marks.h"
 
 namespace relievo {
 namespace {
@@ -343,6 +346,31 @@ TEST(Offscreen, TheSamePictureComesOutTwice) {
   scene.setCamera({.rect = {0, 0, 100, 100}});
   scene.setScaleBar(true);
   EXPECT_EQ(renderOffscreen(scene, 320, 200).rgb, renderOffscreen(scene, 320, 200).rgb);
+}
+
+/// In large text a window that is not large leaves little room for its views.
+TEST(Offscreen, TheScaleBarOfASmallViewFitsIntoIt) {
+  const auto picture = [](bool bar, int width, int height) {
+    ReliefScene scene;
+    scene.setCamera({.rect = {0, 0, 1.5, 1.0}});
+    scene.setScaleBar(bar);
+    scene.setMarkScale(fittingMarkScale(3, width, height));
+    return renderPicture(scene, {.width = width, .height = height});
+  };
+  for (const auto& [width, height] : {std::pair{215, 165}, std::pair{430, 120}}) {
+    const RgbaImage with = picture(true, width, height), without = picture(false, width, height);
+    int marked = 0;
+    for (int i = 0; i < width * height; ++i) {
+      const auto at = static_cast<std::size_t>(4 * i);
+      if (std::equal(&with.rgba[at], &with.rgba[at] + 4, &without.rgba[at])) continue;
+      ++marked;
+      const int col = i % width, row = i / width;
+      EXPECT_TRUE(col > 0 && col < width - 1 && row > 0 && row < height - 1) << col << ", " << row;
+    }
+    EXPECT_GT(marked, 200);
+    EXPECT_LT(marked, width * height / 5) << "most of the view is free";
+  }
+  EXPECT_EQ(fittingMarkScale(3, 1200, 900), 3) << "as wanted where there is room";
 }
 
 /// Pictures whose scale bars differ in number and size.
