@@ -26,7 +26,7 @@
 #include "ui/palette.h"
 #include "ui/quiet_turns.h"
 #include "ui/vtk/first_draws.h"
-#include "ui/vtk/screen_marks.h"
+#include "ui/vtk/scale_length.h"
 
 namespace relievo {
 namespace {

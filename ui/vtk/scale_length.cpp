@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/vtk/scale_length.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -26,6 +27,11 @@ ScaleLength scaleLength(double at_most_mm) {
     return {mm, text.data()};
   }
   return {mm, {}};
+}
+
+double fittingMarkScale(double wanted, int width_px, int height_px) {
+  constexpr double kSidePx = 180;  // Of the smallest view whose scale bar leaves most of it free.
+  return std::min(wanted, std::max(1.0, std::min(width_px, height_px) / kSidePx));
 }
 
 }  // namespace relievo

@@ -13,4 +13,8 @@ struct ScaleLength {
 /// The longest of 1, 2, 5 x 10^n mm that is not longer than `at_most_mm` (> 0).
 ScaleLength scaleLength(double at_most_mm);
 
+/// How large marks are drawn in a view of so many pixels: as wanted, but where the view is so small
+/// that the scale bar would not fit. 1 at least, at which its numbers can just be read.
+double fittingMarkScale(double wanted, int width_px, int height_px);
+
 }  // namespace relievo

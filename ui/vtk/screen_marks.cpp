@@ -24,11 +24,6 @@ PixelPlace clamped(PixelPlace p) {
 
 }  // namespace
 
-double fittingMarkScale(double wanted, int width_px, int height_px) {
-  constexpr double kSidePx = 180;  // Of the smallest view whose scale bar leaves most of it free.
-  return std::min(wanted, std::max(1.0, std::min(width_px, height_px) / kSidePx));
-}
-
 ScreenMarks::ScreenMarks() {
   vtkNew<vtkPolyDataMapper2D> mapper;
   mapper->SetInputData(poly_);

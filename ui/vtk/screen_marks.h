@@ -19,10 +19,6 @@ namespace relievo {
 
 inline constexpr std::array<std::uint8_t, 3> kPink{0xff, 0x4f, 0xa3};
 
-/// How large marks are drawn in a view of so many pixels: as wanted, but where the view is so small
-/// that the scale bar would not fit. 1 at least, at which its numbers can just be read.
-double fittingMarkScale(double wanted, int width_px, int height_px);
-
 /// What is drawn flat on the picture, in whole pixels, over everything else: the pink window and
 /// the scale bar.
 class ScreenMarks {

@@ -28,7 +28,7 @@
 #include "tests/ui/vtk/picture.h"
 #include "tests/ui/vtk/synthetic_relief.h"
 #include "ui/vtk/frame_renderer.h"
-#include "ui/vtk/screen_marks.h"
+#include "ui/vtk/scale_length.h"
 
 namespace relievo {
 namespace {
