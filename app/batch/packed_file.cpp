@@ -34,7 +34,7 @@ fs::path packedFile(const fs::path& package_folder, const fs::path& recording,
     if (is_it(place)) return place;
   }
   for (int i = 2;; ++i) {
-    const fs::path numbered = beside / (std::to_string(i) + "-" + name.string());
+    fs::path numbered = beside / (std::to_string(i) + "-" + name.string());
     if (is_it(numbered)) return numbered;
     if (!isBelow(numbered, package_folder)) break;
   }

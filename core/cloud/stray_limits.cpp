@@ -21,7 +21,6 @@ constexpr double kOverhang = 0.5;       // Of the longest side: less does not st
 constexpr double kOverhangOfFew = 2;    // The same of clouds below kSmall points.
 constexpr std::uint64_t kSmall = 1000;  // Points.
 constexpr double kMargin = 0.125;       // Of the longest side: what lies so near is no stray.
-constexpr double kHuge = std::numeric_limits<double>::infinity();
 
 constexpr int kBins = 256;
 using Histogram = std::array<std::array<std::uint64_t, kBins>, 3>;
@@ -228,7 +227,7 @@ StrayCounts::StrayCounts(const StrayGrid& grid)
 std::optional<std::size_t> StrayCounts::nearIndex(const Cube& cube) noexcept {
   std::size_t index = 0;
   for (const double number : cube) {
-    const double at = number + kNear / 2;
+    const double at = number + kMiddle;
     if (!(at >= 0 && at < kNear)) return std::nullopt;
     index = index * kNear + static_cast<std::size_t>(at);
   }
@@ -323,7 +322,7 @@ std::vector<StrayCounts::Group> StrayCounts::groups() const {
   };
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (near_[i] < least || near_seen[i]) continue;
-    const auto at = [](std::size_t place) { return static_cast<double>(place) - kNear / 2; };
+    const auto at = [](std::size_t place) { return static_cast<double>(place) - kMiddle; };
     gather({at(i / kNear / kNear), at(i / kNear % kNear), at(i % kNear)});
   }
   for (const auto& [cube, count] : far_) gather(cube);

@@ -76,7 +76,9 @@ class StrayCounts {
   std::vector<Group> groups() const;
   std::optional<AxisBox> stretchedBeyond(const AxisBox& main, const AxisBox& all) const;
 
-  static constexpr int kNear = 64;                    // Cubes across the part that is an array.
+  static constexpr int kNear = 64;       // Cubes across the part that is an array.
+  static constexpr double kMiddle = 32;  // Its half.
+  static_assert(2 * kMiddle == kNear);
   static constexpr std::size_t kMostFar = 1'000'000;  // Cubes beyond it: 64 MB, no few strays.
   StrayGrid grid_;
   bool is_too_wide_ = false;  // More than kMostFar.

@@ -238,6 +238,7 @@ void readPlyRecords(const PlyHeader& header, std::string_view records, std::uint
   const auto blocks = static_cast<int>((count + kPlyBlock - 1) / kPlyBlock);
   const int readers = std::min(threadsFor(static_cast<std::size_t>(count), 0), std::max(blocks, 1));
   std::vector<std::unique_ptr<PlyBlocks>> own;
+  own.reserve(static_cast<std::size_t>(readers));
   for (int i = 0; i < readers; ++i) own.push_back(std::make_unique<PlyBlocks>(form, layout));
   for (int first = 0; first < blocks; first += readers) {
     const int now = std::min(readers, blocks - first);

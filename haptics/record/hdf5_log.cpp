@@ -80,7 +80,7 @@ H5FD_class_t pendingDriver() {
   driver.name = "relievo_pending";
   driver.maxaddr = (static_cast<haddr_t>(1) << 62U);
   driver.fc_degree = H5F_CLOSE_WEAK;
-  driver.fapl_size = sizeof(PendingFile*);
+  driver.fapl_size = sizeof(PendingFile*);  // NOLINT(bugprone-sizeof-expression): a pointer it is.
   driver.open = openDriver;
   driver.close = [](H5FD_t* shared) {
     delete &PendingDriver::of(shared);

@@ -59,7 +59,7 @@ void closeIfOpen(int& descriptor) noexcept {
 
 }  // namespace
 
-LogPlace::LogPlace(std::filesystem::path file) : target_(followed(file)), written_(target_) {
+LogPlace::LogPlace(const std::filesystem::path& file) : target_(followed(file)), written_(target_) {
   struct stat facts {};
   if (::stat(target_.c_str(), &facts) != 0) {
     if (make(target_, kNewMode)) return;

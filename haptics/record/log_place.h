@@ -12,7 +12,7 @@ class LogPlace {
  public:
   /// Makes the file, empty, where there is none. Devices and pipes are written as they are.
   /// @throw WriteError (E401)  it cannot be made, or is being written by somebody else
-  explicit LogPlace(std::filesystem::path file);
+  explicit LogPlace(const std::filesystem::path& file);
   ~LogPlace();
   LogPlace(const LogPlace&) = delete;
   LogPlace& operator=(const LogPlace&) = delete;
