@@ -188,6 +188,15 @@ StrayGrid gridFrom(Histogram histogram, const PointsView& view, AxisBox box) {
 
 }  // namespace
 
+double shareTaken(const AxisBox& from, const AxisBox& kept) noexcept {
+  double share = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double side = from.max[axis] - from.min[axis];
+    if (side > 0) share = std::max(share, 1 - (kept.max[axis] - kept.min[axis]) / side);
+  }
+  return share;
+}
+
 bool contains(const AxisBox& box, const Coordinates& p) noexcept {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(p[axis] >= box.min[axis] && p[axis] <= box.max[axis])) return false;

@@ -22,6 +22,8 @@ struct AxisBox {
 };
 bool contains(const AxisBox& box, const Coordinates& p) noexcept;
 double longestSide(const AxisBox& box) noexcept;
+/// Of the side that is shortened most: how much, 0 to 1.
+double shareTaken(const AxisBox& from, const AxisBox& kept) noexcept;
 
 /// Cubes laid over the middle of a cloud, as small as its points carry.
 struct StrayGrid {

@@ -33,15 +33,6 @@ AxisBox boxOf(const SourceBounds& bounds) {
           .max = {bounds.max.x, bounds.max.y, bounds.max.z}};
 }
 
-double shareOfBox(const AxisBox& all, const AxisBox& kept) {
-  double share = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = all.max[axis] - all.min[axis];
-    if (side > 0) share = std::max(share, 1 - (kept.max[axis] - kept.min[axis]) / side);
-  }
-  return share;
-}
-
 std::function<bool(const FilePoint&)> insideOf(const AxisBox& box,
                                                const ViewFromFile& view_from_file) {
   return [view_from_file, box](const FilePoint& p) {
@@ -97,7 +88,7 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
     Strays& strays = in_use.strays;
     (are_groups ? strays.grouped : strays.points) = left - rest.finite_points;
     (are_groups ? strays.share_of_box_grouped : strays.share_of_box) =
-        shareOfBox(counted, boxOf(rest));
+        shareTaken(counted, boxOf(rest));
     (are_groups ? strays.groups_kept : strays.kept) = is_kept;
     if (!is_kept) leave_out(*box, kept, rest);
     counted = boxOf(rest);

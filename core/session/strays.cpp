@@ -92,16 +92,6 @@ std::uint64_t countLeftOut(const Mask& keep) {
   return static_cast<std::uint64_t>(std::count(keep.begin(), keep.end(), std::uint8_t{0}));
 }
 
-/// Of the side that is shortened most: how much.
-double shareTaken(const AxisBox& from, const AxisBox& kept) {
-  double share = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double side = from.max[axis] - from.min[axis];
-    if (side > 0) share = std::max(share, 1 - (kept.max[axis] - kept.min[axis]) / side);
-  }
-  return share;
-}
-
 Found find(const Scan& scan, const std::array<double, 9>* axes, const Task& task) {
   task.check();
   const Mask used = usedVertices(scan);
