@@ -31,7 +31,7 @@ endfunction()
 
 # relievo_add_test(core/depth/rasterize_test LINK targets... [DISPLAY] [QT] [MAIN] [LABELS ...])
 # One test file tests/<path>.cpp, one executable, one CTest entry of the same name.
-# DISPLAY: needs an X display; ./test provides Xvfb. MAIN: it has a main() of its own, in the
+# DISPLAY: needs an X display, and gets one of its own. MAIN: it has a main() of its own, in the
 # file or among SOURCES.
 function(relievo_add_test path)
   cmake_parse_arguments(ARG "DISPLAY;QT;MAIN" "TIMEOUT" "LINK;SOURCES;LABELS;ENVIRONMENT" ${ARGN})
@@ -50,12 +50,14 @@ function(relievo_add_test path)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()
-  add_test(NAME ${path} COMMAND ${target})
+  set(own_screen)
+  if(ARG_DISPLAY)
+    set(own_screen ${CMAKE_SOURCE_DIR}/tests/own_screen)
+  endif()
+  add_test(NAME ${path} COMMAND ${own_screen} $<TARGET_FILE:${target}>)
   set_tests_properties(${path} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
   if(ARG_DISPLAY)
     list(APPEND ARG_LABELS display)
-    # One at a time: they share a screen, and only one window can have the keyboard.
-    set_tests_properties(${path} PROPERTIES RESOURCE_LOCK display)
   endif()
   if(ARG_LABELS)
     set_tests_properties(${path} PROPERTIES LABELS "${ARG_LABELS}")

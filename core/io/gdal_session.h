@@ -50,7 +50,16 @@ class GdalErrors {
     auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
     if (severity < CE_Failure || self->failed_) return;
     self->failed_ = true;
-    self->first_ = message;
+    self->first_ = withoutFunction(message);
+  }
+  /// libtiff begins with the function that fails, "_tiffWriteProc:", which tells a user nothing.
+  static std::string withoutFunction(std::string_view message) {
+    const std::size_t end = message.find(':');
+    const bool is_function = end != std::string_view::npos && message.find(' ') > end &&
+                             (message.starts_with("TIFF") || message.starts_with("_tiff"));
+    if (is_function) message.remove_prefix(end + 1);
+    while (message.starts_with(' ')) message.remove_prefix(1);
+    return std::string(message);
   }
 
   bool failed_ = false;

@@ -380,6 +380,19 @@ std::string toJson(const Recipe& recipe, int indent) {
   return json.dump(indent, ' ', true, Json::error_handler_t::replace);
 }
 
+namespace {
+
+/// The library names the key that is missing in quotes.
+std::string wordsOf(const nlohmann::json::out_of_range& error) {
+  constexpr int kNoSuchKey = 403;
+  const std::string_view said = error.what();
+  const std::size_t begin = said.find('\''), end = said.rfind('\'');
+  if (error.id != kNoSuchKey || begin == end) return "A number in it is too large.";
+  return "There is no " + std::string(said.substr(begin, end - begin + 1)) + " where one belongs.";
+}
+
+}  // namespace
+
 Recipe recipeFromJson(std::string_view text, const std::string& source) {
   const auto refused = [&source](const std::string& why) {
     return FileError(source + " is no recipe that this version can read. " + why +
@@ -387,8 +400,14 @@ Recipe recipeFromJson(std::string_view text, const std::string& source) {
   };
   try {
     return recipeFrom(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw refused("(" + std::string(error.what()).substr(0, 200) + ")");
+  } catch (const nlohmann::json::parse_error& error) {
+    const std::string_view before = text.substr(0, std::max<std::size_t>(error.byte, 1) - 1);
+    throw refused("Line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) +
+                  " of it is not JSON.");
+  } catch (const nlohmann::json::out_of_range& error) {
+    throw refused(wordsOf(error));
+  } catch (const nlohmann::json::exception&) {
+    throw refused("A part of it is missing or has another form.");
   } catch (const Error& error) {
     throw refused(error.what());
   }

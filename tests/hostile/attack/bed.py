@@ -18,8 +18,8 @@ WAIT_S = 180  # Of the clock, after which a run is given up.
 # What libraries and the runtime say; a person gets sentences of ours.
 RAW = re.compile(
     r"json\.exception|terminate called|what\(\)|std::|Assertion|TIFF[A-Z][a-z]+:|(Warning|ERROR) \d|"
-    r"HDF5-DIAG|Segmentation|Aborted|runtime error|Sanitizer|libpng|QObject|QPainter|vtk[A-Z]|"
-    r"\bpcl::|_tiff\w+|Unknown error|Traceback")
+    r"HDF5-DIAG|Segmentation|Aborted|runtime error|Sanitizer|^libpng|QObject|QPainter|vtk[A-Z]|"
+    r"\bpcl::|_tiff\w+|Unknown error|Traceback", re.MULTILINE)
 
 
 class Run:

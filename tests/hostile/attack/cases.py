@@ -108,6 +108,7 @@ class Stage:
         folder = self.fresh()
         run = self.must_run(command, folder)
         made = {name: data for name, data in contents(folder).items() if name not in self.inputs}
+        self.faults += [f"It left {os.fsdecode(name)}." for name in made if name.startswith(b".")]
         clear(folder)
         return made, run.seconds
 
