@@ -36,6 +36,11 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 Dataset openRaster(const std::filesystem::path& file, const RasterKind& kind,
                    const GdalErrors& errors) {
   registerRasterDrivers();
+  const std::uint64_t metadata = largestTiffMetadata(file);
+  if (metadata > kMostTiffMetadata) {
+    refuse(file, "it carries " + grouped(metadata) + " bytes of metadata, more than the limit of " +
+                     grouped(kMostTiffMetadata) + ". Export it again without them.");
+  }
   const char* const drivers[] = {kind.driver, nullptr};
   Dataset dataset(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
   if (!dataset) {

@@ -52,6 +52,7 @@ Scan readLas(const ReadJob& job) {
   LasRecords records(job, header, kWanted);
   const std::uint64_t found = records.count();
   if (found < header.points) handleShortfall({"points", header.points, found, found}, job, info);
+  builder.requireRoom(found);
   // Later versions may keep waveforms and extended records behind the points.
   if (header.minor <= 2 && records.bytesBehind() > 0) {
     info.warnings.emplace_back(

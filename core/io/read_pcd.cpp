@@ -80,6 +80,7 @@ class PcdReader {
     const std::uint64_t found = std::min(header_.points, body_.size() / header_.record_bytes);
     if (found < header_.points) shortOf(found);
     plantedFault(header_.xyz[0] > header_.xyz[2]);
+    builder_.requireRoom(found);
     expectRecords(layout_, found, hasByteColours(layout_), builder_);
     if (!byPcl()) return addRecords(layout_, body_, found, job_.task, builder_);
     builder_.info().reader = job_.pcl->name;
@@ -121,6 +122,7 @@ class PcdReader {
     if (packed > body_.size() - 8) refuseCut();
     if (header_.points == 0) return;
     job_.task.report("reading points", 0);
+    builder_.requireRoom(header_.points);
     expectRecords(layout_, header_.points, hasByteColours(layout_), builder_);
     if (byPcl()) {
       builder_.info().reader = job_.pcl->name;

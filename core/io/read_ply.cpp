@@ -166,6 +166,7 @@ class PlyReader {
   std::uint64_t readFixedPoints(const PlyElement& element) {
     const std::string_view rest = body_.substr(at_);
     const std::uint64_t found = std::min(element.count, rest.size() / layout_.bytes);
+    builder_.requireRoom(found);
     if (byPcl()) {
       builder_.info().reader = job_.pcl->name;
       std::uint64_t done = 0;

@@ -39,6 +39,7 @@ void readBinary(const ReadJob& job, ScanBuilder& builder) {
   } else if (job.bytes.size() > kHeader + found * kTriangle) {
     builder.info().warnings.emplace_back("Bytes after the last triangle were ignored.");
   }
+  builder.requireRoom(3 * found);
   builder.expectPoints(3 * found);
   for (std::uint64_t i = 0; i < found; ++i) {
     if (i % kReportEvery == 0) {

@@ -39,13 +39,16 @@ void ScanBuilder::expectPoints(std::uint64_t count) {
   reserveLarge(scan_.points, static_cast<std::size_t>(std::min(count, max_points_)));
 }
 
+void ScanBuilder::requireRoom(std::uint64_t count) const {
+  if (count <= max_points_) return;
+  throw FileError("Cannot read " + shownName(scan_.info.file) + ": it holds more than " +
+                  grouped(max_points_) +
+                  " points, the limit. Thin it out or cut it into parts first.");
+}
+
 void ScanBuilder::addSpecialPoint(const std::array<double, 3>& p, bool usable) {
   ScanInfo& info = scan_.info;
-  if (info.points >= max_points_) {
-    throw FileError("Cannot read " + shownName(info.file) + ": it holds more than " +
-                    grouped(max_points_) +
-                    " points, the limit. Thin it out or cut it into parts first.");
-  }
+  requireRoom(info.points + 1);
   ++info.points;
   if (!usable) {
     skipped_.push_back(static_cast<std::uint32_t>(info.points - 1));

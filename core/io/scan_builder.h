@@ -31,6 +31,9 @@ class ScanBuilder {
   std::uint64_t keptCount() const noexcept { return scan_.points.size() + sample_.size(); }
   std::uint64_t faceCount() const noexcept { return scan_.info.faces; }
   void expectPoints(std::uint64_t count);  ///< A hint; never trusted beyond max_points.
+  /// Where a file is known to hold so many points, before the first of them is read.
+  /// @throw FileError  more than max_points
+  void requireRoom(std::uint64_t count) const;
 
   /// The next stored point; those that are not finite are counted only.
   /// @return  whether it is kept; only then what the file says of it is added by the calls below.

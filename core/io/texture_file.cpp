@@ -9,6 +9,7 @@
 
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
+#include "core/io/tiff_head.h"
 
 namespace relievo {
 namespace {
@@ -67,6 +68,10 @@ std::optional<Texture> readTexture(const std::filesystem::path& file, std::uint6
                                    std::string& reason) {
   registerPictureDrivers();
   const GdalErrors errors;
+  if (largestTiffMetadata(file) > kMostTiffMetadata) {
+    reason = "carries more metadata than are taken";
+    return std::nullopt;
+  }
   constexpr std::array<const char*, 4> kDrivers{"PNG", "JPEG", "GTiff", nullptr};
   constexpr std::array<const char*, 1> kNoSiblings{nullptr};
   const Dataset dataset(

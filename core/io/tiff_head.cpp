@@ -19,6 +19,7 @@ namespace relievo {
 namespace {
 
 constexpr std::uint64_t kMostEntries = 4096;
+constexpr int kMostDirectories = 1024;
 constexpr std::uint64_t kMostTextBytes = 16U << 20U;
 constexpr std::uint64_t kMostListBytes = 256U << 20U;  // Offsets of 30 million tiles.
 
@@ -83,8 +84,14 @@ class TiffBytes {
   std::uint64_t size_;
 };
 
-/// The fields of the first directory. Nothing: no TIFF, or damaged.
-std::optional<std::vector<Field>> fieldsOf(TiffBytes& in) {
+/// Where the first directory is, and in which of the two forms all of them are.
+struct TiffStart {
+  bool is_big = false;
+  std::uint64_t directory = 0;
+};
+
+/// Nothing: no TIFF.
+std::optional<TiffStart> startOf(TiffBytes& in) {
   std::array<char, 4> start{};
   if (!in.read(0, start.data(), start.size())) return std::nullopt;
   const std::string_view order(start.data(), 2);
@@ -94,15 +101,26 @@ std::optional<std::vector<Field>> fieldsOf(TiffBytes& in) {
   if (magic != 42 && magic != 43) return std::nullopt;
   const bool big = magic == 43;
   if (big && in.number(4, 4) != (in.little_endian ? 8U : 0x80000U)) return std::nullopt;
-  const std::uint64_t word = big ? 8 : 4;
-  const std::uint64_t length = big ? 8 : 2;
-  const std::uint64_t stride = 4 + 2 * word;
-  const auto directory = in.number(big ? 8 : 4, word);
-  const auto count = directory ? in.number(*directory, length) : std::nullopt;
-  if (!count || *count == 0 || *count > kMostEntries) return std::nullopt;
+  const auto directory = in.number(big ? 8 : 4, big ? 8 : 4);
+  if (!directory) return std::nullopt;
+  return TiffStart{.is_big = big, .directory = *directory};
+}
+
+struct Directory {
   std::vector<Field> fields;
+  std::uint64_t next = 0;  ///< Where the next one is; 0: there is none.
+};
+
+/// Nothing: damaged.
+std::optional<Directory> directoryAt(const TiffBytes& in, const TiffStart& start) {
+  const std::uint64_t word = start.is_big ? 8 : 4;
+  const std::uint64_t length = start.is_big ? 8 : 2;
+  const std::uint64_t stride = 4 + 2 * word;
+  const auto count = in.number(start.directory, length);
+  if (!count || *count == 0 || *count > kMostEntries) return std::nullopt;
+  Directory directory;
   for (std::uint64_t i = 0; i < *count; ++i) {
-    const std::uint64_t at = *directory + length + i * stride;
+    const std::uint64_t at = start.directory + length + i * stride;
     const auto tag = in.number(at, 2);
     const auto type = in.number(at + 2, 2);
     const auto values = in.number(at + 4, word);
@@ -118,9 +136,10 @@ std::optional<std::vector<Field>> fieldsOf(TiffBytes& in) {
       if (!elsewhere) return std::nullopt;
       field.at = *elsewhere;
     }
-    fields.push_back(field);
+    directory.fields.push_back(field);
   }
-  return fields;
+  directory.next = in.number(start.directory + length + *count * stride, word).value_or(0);
+  return directory;
 }
 
 std::optional<std::string> textOf(const TiffBytes& in, const Field& field) {
@@ -231,15 +250,31 @@ bool take(const TiffBytes& in, const Field& field, TiffHead& head) {
 
 std::optional<TiffHead> readTiffHead(const std::filesystem::path& file) {
   TiffBytes in(file, checkedFileSize(file));
-  const auto fields = fieldsOf(in);
-  if (!fields) return std::nullopt;
+  const auto start = startOf(in);
+  const auto first = start ? directoryAt(in, *start) : std::nullopt;
+  if (!first) return std::nullopt;
   TiffHead head;
   head.little_endian = in.little_endian;
-  for (const Field& field : *fields) {
+  for (const Field& field : first->fields) {
     if (!take(in, field, head)) return std::nullopt;
   }
   if (head.cols == 0 || head.rows == 0) return std::nullopt;
   return head;
+}
+
+std::uint64_t largestTiffMetadata(const std::filesystem::path& file) {
+  TiffBytes in(file, checkedFileSize(file));
+  auto start = startOf(in);
+  std::uint64_t largest = 0;
+  for (int i = 0; start && start->directory != 0 && i < kMostDirectories; ++i) {
+    const auto directory = directoryAt(in, *start);
+    if (!directory) break;  // Whoever reads it says what is wrong.
+    for (const Field& field : directory->fields) {
+      if (field.tag == kGdalMetadata) largest = std::max(largest, field.count);
+    }
+    start->directory = directory->next;
+  }
+  return largest;
 }
 
 bool isOwnTiff(const std::filesystem::path& file) {

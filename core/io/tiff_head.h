@@ -30,6 +30,15 @@ struct TiffHead {
 /// @throw FileError  as checkedFileSize
 std::optional<TiffHead> readTiffHead(const std::filesystem::path& file);
 
+/// What is given to GDAL, in bytes. It compares every entry with all before it: the six million
+/// that 180 MB hold would take it hours.
+inline constexpr std::uint64_t kMostTiffMetadata = std::uint64_t{1} << 20U;
+
+/// Bytes of the longest list of GDAL's own entries in any directory of a TIFF; 0 for other files.
+/// [any thread]
+/// @throw FileError  as checkedFileSize
+std::uint64_t largestTiffMetadata(const std::filesystem::path& file);
+
 /// Was the file written by this program, as a TIFF? False for all else. [any thread]
 bool isOwnTiff(const std::filesystem::path& file);
 

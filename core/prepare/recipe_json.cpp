@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json_nesting.h"
 #include "core/prepare/recipe.h"
 
 namespace relievo {
@@ -335,10 +336,8 @@ ScanSource sourceFrom(const Json& json) {
 
 Recipe recipeFrom(std::string_view text) {
   constexpr int kDeepest = 16;
-  const Json json = Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw FileError("It is nested too deep.");
-    return true;
-  });
+  if (isNestedDeeper(text, kDeepest)) throw FileError("It is nested too deep.");
+  const Json json = Json::parse(text);
   if (!json.is_object() || !json.contains(kKey) || !json.at(kKey).is_number_integer()) {
     throw FileError("There is no '" + std::string(kKey) + "' in it.");
   }

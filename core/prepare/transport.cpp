@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/json_nesting.h"
 
 namespace relievo {
 namespace {
@@ -153,10 +154,8 @@ class FileView {
 
 Json parsed(std::string_view text) {
   constexpr int kDeepest = 16;
-  return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw FileError("it is nested too deep");
-    return true;
-  });
+  if (isNestedDeeper(text, kDeepest)) throw FileError("it is nested too deep");
+  return Json::parse(text);
 }
 
 double finite(const Json& json) {

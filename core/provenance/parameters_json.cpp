@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/json_nesting.h"
 #include "core/depth/point_rule.h"
 #include "core/provenance/name_text.h"
 
@@ -101,10 +102,8 @@ StereoOptions stereoFrom(const Json& json) {
 
 Json parsedJson(std::string_view text) {
   constexpr int kDeepest = 64;
-  return Json::parse(text, [](int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw FileError("It is nested too deep.");
-    return true;
-  });
+  if (isNestedDeeper(text, kDeepest)) throw FileError("It is nested too deep.");
+  return Json::parse(text);
 }
 
 void putScanChoices(const ScanChoices& choices, Json& input) {

@@ -135,6 +135,22 @@ TEST(Import, MorePointsThanTheLimitAreRefused) {
   EXPECT_THAT(refusal(folder.write("a.stl", binaryStl(2, 2)), five).words, HasSubstr("limit"));
 }
 
+TEST(Import, AFileOfTooManyPointsIsRefusedBeforeTheyAreRead) {
+  // Nearly all of it are holes of the file system; whoever read the points would need gigabytes.
+  const TemporaryFolder folder;
+  ImportOptions tight;
+  tight.max_memory_bytes = std::uint64_t{256} << 20U;
+  const auto ply = folder.write("site.ply", plyHeader(kLe, "80000000000"));
+  std::filesystem::resize_file(ply, std::filesystem::file_size(ply) + 12 * 80'000'000'000ULL);
+  EXPECT_THAT(refusal(ply, tight).words, HasSubstr("more than 200 000 000 points, the limit"));
+  PcdWords words;
+  words.data = "binary";
+  words.points = "300000000";
+  const auto pcd = folder.write("site.pcd", pcdHeader(words));
+  std::filesystem::resize_file(pcd, std::filesystem::file_size(pcd) + 12 * 300'000'000ULL);
+  EXPECT_THAT(refusal(pcd, tight).words, HasSubstr("more than 200 000 000 points, the limit"));
+}
+
 std::string manyRows() {
   std::string rows;
   const std::string block = textRows(1000);

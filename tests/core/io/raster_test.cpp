@@ -288,6 +288,29 @@ TEST(Raster, StripsLargerThanMemoryAreRefusedFromTheHeader) {
   EXPECT_THAT(write(60000, 2, 10000, GDT_Byte, together), HasSubstr("holds 1 200 MB"));
 }
 
+TEST(Raster, MoreMetadataThanAnybodyNeedsAreRefusedFromTheHeader) {
+  const TemporaryFolder folder;
+  GDALAllRegister();
+  const auto write = [&](std::size_t bytes, int of_directory) {
+    const std::filesystem::path file = folder.path() / "talkative.tif";
+    auto* const geotiff = GetGDALDriverManager()->GetDriverByName("GTiff");
+    for (int i = 0; i <= of_directory; ++i) {  // The next one is appended.
+      const CPLStringList words(i == 0 ? nullptr : CSLAddString(nullptr, "APPEND_SUBDATASET=YES"));
+      const std::unique_ptr<GDALDataset> made(
+          geotiff->Create(file.c_str(), 3, 3, 1, GDT_Float32, const_cast<char**>(words.List())));
+      std::array<double, 6> place{0, 1, 0, 3, 0, -1};
+      made->SetGeoTransform(place.data());
+      made->GetRasterBand(1)->Fill(i + 1);
+      if (i == of_directory) made->SetMetadataItem("long", std::string(bytes, 'x').c_str());
+    }
+    return file;
+  };
+  EXPECT_NO_THROW(readRaster(write(1'000'000, 0)));
+  EXPECT_THAT(refusal(write(1'100'000, 0)), HasSubstr("bytes of metadata, more than the limit"));
+  std::filesystem::remove(folder.path() / "talkative.tif");
+  EXPECT_THAT(refusal(write(1'100'000, 1)), HasSubstr("bytes of metadata, more than the limit"));
+}
+
 TEST(Raster, AnOriginMaskIsNotTakenForHeights) {
   const TemporaryFolder folder;
   writeMap(folder.path() / "map.tif", roughMap({5, 5}), {oddView(), true});
