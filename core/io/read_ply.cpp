@@ -48,10 +48,7 @@ class PlyReader {
     has_byte_colours_ = !ascii && layout_.colour && hasByteColours(layout_);
     for (element_ = 0; element_ < header_.elements.size(); ++element_) {
       const PlyElement& element = header_.elements[element_];
-      if (isVertex()) {
-        expectRecords(layout_, std::min(element.count, possibleRecords(element)), has_byte_colours_,
-                      builder_);
-      }
+      if (isVertex()) expectVertices(element);
       const std::uint64_t found = ascii ? readLines(element) : readRecords(element);
       if (found < element.count && !acceptCut(element, found)) break;
     }
@@ -69,6 +66,14 @@ class PlyReader {
     const std::uint64_t rest = ascii ? lines_.rest().size() : body_.size() - at_;
     const std::uint64_t least = ascii ? 2 * element.properties.size() : element.leastBytes();
     return least == 0 ? element.count : rest / least + 1;
+  }
+
+  void expectVertices(const PlyElement& element) {
+    const std::uint64_t most = std::min(element.count, possibleRecords(element));
+    // Records of one length are counted; as text, or with lists in them, there may be fewer.
+    const bool counted = header_.encoding != PlyEncoding::ascii && !element.hasList() && most > 0;
+    if (counted) builder_.requireRoom(most - 1);
+    expectRecords(layout_, most, has_byte_colours_, builder_);
   }
 
   /// @return  true to go on although the element is cut
@@ -166,7 +171,6 @@ class PlyReader {
   std::uint64_t readFixedPoints(const PlyElement& element) {
     const std::string_view rest = body_.substr(at_);
     const std::uint64_t found = std::min(element.count, rest.size() / layout_.bytes);
-    builder_.requireRoom(found);
     if (byPcl()) {
       builder_.info().reader = job_.pcl->name;
       std::uint64_t done = 0;
