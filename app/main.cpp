@@ -108,6 +108,10 @@ int main(int argc, char** argv) {
   // A file that may not grow is met like a full disk: what is written is completed.
   std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
+  if (const std::string unknown = argc > 1 ? relievo::unknownVerb(argv[1]) : ""; !unknown.empty()) {
+    std::cerr << "relievo: " << unknown << '\n';
+    return kUsage;
+  }
   relievo::WindowOptions options;
   try {
     options = relievo::parseWindowOptions({argv + 1, argv + argc});

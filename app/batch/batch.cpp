@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/batch/batch.h"
 
+#include <algorithm>
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <numeric>
 #include <system_error>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "app/batch/number_option.h"
 #include "app/batch/state.h"
@@ -180,6 +185,21 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& app) {
   return sentence + ". Nothing was done. 'relievo" + verb + " --help' says what there is.";
 }
 
+/// Letters that are put in, taken out or changed to make one word of the other (Levenshtein).
+std::size_t changesBetween(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t before = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = before + (a[i - 1] == b[j - 1] ? 0 : 1);
+      before = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
 }  // namespace
 
 bool isVerb(std::string_view word) {
@@ -187,6 +207,25 @@ bool isVerb(std::string_view word) {
     if (verb.name == word) return true;
   }
   return false;
+}
+
+std::string unknownVerb(const std::string& word) {
+  std::error_code unknown;
+  const bool like_a_file = word.empty() || word.front() == '-' ||
+                           word.find_first_of("./") != std::string::npos ||
+                           std::filesystem::exists(word, unknown);
+  if (like_a_file) return {};
+  std::string nearest;
+  std::size_t least = 3;  // More changes than two make another word.
+  for (const batch::Verb& verb : batch::verbs()) {
+    const std::size_t changes = changesBetween(word, verb.name);
+    if (changes >= least) continue;
+    least = changes;
+    nearest = verb.name;
+  }
+  return "'" + word + "' is neither a verb nor a file that is there. Nothing was done. " +
+         (nearest.empty() ? "" : "Did you mean 'relievo " + nearest + "'? ") +
+         "'relievo --help' lists the verbs.";
 }
 
 std::string verbHelp() {

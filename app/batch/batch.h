@@ -9,6 +9,10 @@ namespace relievo {
 /// Is this word a verb of the command line ("info", "depthmap", ...)?
 bool isVerb(std::string_view word);
 
+/// Of a word that is neither a verb nor, by its look or on the disk, a file: what is wrong and what
+/// may have been meant. Empty for all others.
+std::string unknownVerb(const std::string& word);
+
 /// Every verb with a line about it, and the exit codes.
 std::string verbHelp();
 

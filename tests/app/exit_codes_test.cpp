@@ -58,6 +58,21 @@ class ExitCodes : public test::CommandTest {
   }
 };
 
+TEST_F(ExitCodes, AWordThatIsNoVerbIsMisuseWithAndWithoutAScreen) {
+  for (const std::vector<std::string>& unset : {std::vector<std::string>{}, {"DISPLAY"}}) {
+    const CommandResult near = test::runRelievo({"figrue", plane(), "-o", path("f.png")}, unset);
+    EXPECT_EQ(near.exit_code, 1);
+    EXPECT_NE(near.err.find("Did you mean 'relievo figure'?"), std::string::npos) << near.err;
+    const CommandResult far = test::runRelievo({"bogus"}, unset);
+    EXPECT_EQ(far.exit_code, 1);
+    EXPECT_EQ(far.err.find("Did you mean"), std::string::npos) << far.err;
+    EXPECT_NE(far.err.find("'relievo --help' lists the verbs"), std::string::npos) << far.err;
+  }
+  // A file by its look is told about where files are, and none of these opens a window here.
+  EXPECT_EQ(test::runRelievo({"scan.ply"}, {"DISPLAY"}).exit_code, 7);
+  EXPECT_EQ(test::runRelievo({"./figrue"}, {"DISPLAY"}).exit_code, 7);
+}
+
 TEST_F(ExitCodes, AReportThatStandardOutputDoesNotTakeIsExitThree) {
   const std::string scan = plane();
   for (const char* format : {"text", "json"}) {
