@@ -22,8 +22,8 @@ enum class CellChoice { automatic, count, size };
 
 /// "" stands for: from the data.
 constexpr int kLeastCharacters = 16;  // That a field shows.
-constexpr std::array<const char*, 7> kRules{"front", "second", "topmean",  "median",
-                                            "mean",  "splat",  "quadratic"};
+constexpr std::array<const char*, 8> kRules{"front", "second", "topmean",   "median",
+                                            "mean",  "splat",  "quadratic", "min"};
 
 QString capital(QString text) {
   if (!text.isEmpty()) text[0] = text[0].toUpper();

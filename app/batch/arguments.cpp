@@ -141,9 +141,10 @@ void addMapOptions(CLI::App& verb, MapArguments& a) {
   takes(verb.add_option("--spacing", a.spacing_mm, "Distance of samples in mm"),
         {.low = 1e-4, .high = 1e6, .unit = "mm"});
   verb.add_option("--engine", a.engine, "cpu or depthbuffer (the paper's OpenGL way)");
-  verb.add_option("--rule", a.rule,
-                  "A cell's height from its points: auto front second topmean median mean splat "
-                  "quadratic");
+  verb.add_option(
+      "--rule", a.rule,
+      "A cell's height from its points: auto front second topmean median mean min splat "
+      "quadratic");
   verb.add_option("--holes", a.holes,
                   "base (the paper's), interpolate:MAX_MM2, membrane, membrane:MAX_MM2 or none");
   verb.add_option("--strays", a.strays,
@@ -172,7 +173,7 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
     options.rule = pointRule(a.rule);
     if (!options.rule) {
       throw ArgumentError("--rule: '" + a.rule +
-                          "' is none of auto, front, second, topmean, median, mean, splat and "
+                          "' is none of auto, front, second, topmean, median, mean, min, splat and "
                           "quadratic.");
     }
   }

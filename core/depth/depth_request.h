@@ -27,6 +27,7 @@ enum class PointRule {
   mean,       ///< All points; for one layer without flyers.
   splat,      ///< Mean with bilinear weights: a point counts for the four samples around it.
   quadratic,  ///< Local quadratic through the points around the sample; for one layer.
+  lowest,     ///< The rear-most: the ground below plants; noise lowers it; for one layer.
 };
 
 /// Cells from `first` to before `end`.

@@ -30,14 +30,15 @@ constexpr int kRowsBetweenChecks = 4;   // Of a wide grid, a few milliseconds.
 constexpr int kFitsAtOnce = 256;        // Columns: their sums take 300 kB.
 constexpr double kTopLayerCells = 1.5;  // Depth of the top layer: slopes up to 56 degrees.
 
-constexpr std::array<std::pair<std::string_view, PointRule>, 7> kNames{
+constexpr std::array<std::pair<std::string_view, PointRule>, 8> kNames{
     {{"front", PointRule::front},
      {"second", PointRule::second},
      {"topmean", PointRule::top_mean},
      {"median", PointRule::median},
      {"mean", PointRule::mean},
      {"splat", PointRule::splat},
-     {"quadratic", PointRule::quadratic}}};
+     {"quadratic", PointRule::quadratic},
+     {"min", PointRule::lowest}}};
 
 using CellSpan = std::span<const PlacedPoint>;
 
@@ -45,6 +46,12 @@ float frontMost(CellSpan cell) {
   float highest = kLowest;
   for (const PlacedPoint& p : cell) highest = std::max(highest, p.z);
   return highest;
+}
+
+float rearMost(CellSpan cell) {
+  float lowest = -kLowest;
+  for (const PlacedPoint& p : cell) lowest = std::min(lowest, p.z);
+  return lowest;
 }
 
 /// Second largest, or the only one.
@@ -192,6 +199,8 @@ class RowWriter {
         for (const PlacedPoint& p : cell) all.add(p.z, top);
         return static_cast<float>(all.mean(top));
       }
+      case PointRule::lowest:
+        return rearMost(cell);
       case PointRule::front:
         break;
     }
@@ -256,6 +265,8 @@ std::string_view describe(PointRule rule) {
       return "bilinear splat";
     case PointRule::quadratic:
       return "local quadratic";
+    case PointRule::lowest:
+      return "rear-most point";
     case PointRule::front:
       break;
   }
@@ -267,7 +278,8 @@ bool isForOneLayer(PointRule rule) {
 }
 
 bool mixesLayers(PointRule rule) {
-  return isForOneLayer(rule) || rule == PointRule::mean || rule == PointRule::splat;
+  return isForOneLayer(rule) || rule == PointRule::mean || rule == PointRule::splat ||
+         rule == PointRule::lowest;
 }
 
 namespace {

@@ -9,7 +9,8 @@
 
 namespace relievo {
 
-/// "front", "second", "topmean", "median", "mean", "splat", "quadratic"; nothing for other words.
+/// "front", "second", "topmean", "median", "mean", "splat", "quadratic", "min"; nothing for other
+/// words.
 std::optional<PointRule> pointRule(std::string_view name);
 /// In words, for people: "front-most point", "median of the points", ...
 std::string_view describe(PointRule rule);

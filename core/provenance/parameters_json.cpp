@@ -16,8 +16,8 @@ constexpr std::array<std::string_view, 4> kHoleRuleNames{"base", "interpolate", 
 constexpr std::array<std::string_view, 5> kUnitSourceNames{"given", "file", "remembered", "assumed",
                                                            "guessed"};
 constexpr std::array<std::string_view, 3> kStrayRuleNames{"drop", "keep", "drop-groups"};
-constexpr std::array<std::string_view, 7> kRuleNames{"front", "second", "topmean",  "median",
-                                                     "mean",  "splat",  "quadratic"};
+constexpr std::array<std::string_view, 8> kRuleNames{"front", "second", "topmean",   "median",
+                                                     "mean",  "splat",  "quadratic", "min"};
 constexpr double kAny = std::numeric_limits<double>::max();
 
 /// A number within its limits. @throw FileError naming the key

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/session/map_facts.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/depth/point_rule.h"
 #include "core/tiles/tiled_map.h"
 
@@ -9,7 +12,9 @@ namespace {
 
 /// Rules that take one of a cell's points for its height, by their words in Surface::rule.
 bool takesOnePoint(const std::string& rule) {
-  return rule.ends_with(describe(PointRule::front)) || rule.ends_with(describe(PointRule::second));
+  constexpr std::array kOfOnePoint{PointRule::front, PointRule::second, PointRule::lowest};
+  return std::any_of(kOfOnePoint.begin(), kOfOnePoint.end(),
+                     [&rule](PointRule of) { return rule.ends_with(describe(of)); });
 }
 
 HeightErrors heightErrors(const Surface& surface) {

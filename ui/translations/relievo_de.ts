@@ -88,6 +88,10 @@
         <translation>Mittel der obersten Schicht</translation>
     </message>
     <message>
+        <source>rear-most point</source>
+        <translation>hinterster Punkt</translation>
+    </message>
+    <message>
         <source>median of the points</source>
         <translation>Median der Punkte</translation>
     </message>

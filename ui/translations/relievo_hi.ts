@@ -88,6 +88,10 @@
         <translation>ऊपरी परत का औसत</translation>
     </message>
     <message>
+        <source>rear-most point</source>
+        <translation>सबसे पीछे का बिंदु</translation>
+    </message>
+    <message>
         <source>median of the points</source>
         <translation>बिंदुओं का माध्यक</translation>
     </message>

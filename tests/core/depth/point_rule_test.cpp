@@ -210,7 +210,8 @@ TEST(PointRule, ALocalQuadraticDoesNotLeaveItsPointsBehind) {
 
 TEST(PointRule, EveryRuleGivesTheSameBytesForAnyNumberOfThreads) {
   Scan scan = noisyRelief(5, 0.002, 12);
-  for (const char* name : {"front", "second", "topmean", "median", "mean", "splat", "quadratic"}) {
+  for (const char* name :
+       {"front", "second", "topmean", "median", "mean", "splat", "quadratic", "min"}) {
     DepthRequest request = requestOf(scan, *pointRule(name));
     request.threads = 1;
     const CapturedDepths one = rasterize(request);
@@ -249,12 +250,14 @@ TEST(PointRule, EachRuleTakesItsPointsOfACell) {
   EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::median), 3);
   EXPECT_FLOAT_EQ(heightOf({1, 4, 9}, PointRule::median), 4);
   EXPECT_FLOAT_EQ(heightOf({1, 4, 2, 9}, PointRule::mean), 4);
+  EXPECT_FLOAT_EQ(heightOf({4, 1, 2, 9}, PointRule::lowest), 1);
   // Second 5: the layer within 1.5 cells of it; the flyer at 9 and the back at 1 are not in it.
   EXPECT_FLOAT_EQ(heightOf({1, 5, 4.75F, 1.1F, 9, 4.875F}, PointRule::top_mean), 4.875F);
 }
 
 TEST(PointRule, TheOnlyPointOfACellIsItsHeightByEveryRule) {
-  for (const char* name : {"front", "second", "topmean", "median", "mean", "splat", "quadratic"}) {
+  for (const char* name :
+       {"front", "second", "topmean", "median", "mean", "splat", "quadratic", "min"}) {
     const auto rule = pointRule(name);
     ASSERT_TRUE(rule) << name;
     EXPECT_EQ(heightOf({2.5F}, *rule), 2.5F) << name;

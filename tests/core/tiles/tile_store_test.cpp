@@ -70,8 +70,8 @@ void expectSameBytes(const Gridded& a, const Gridded& b) {
   EXPECT_EQ(std::memcmp(a.depths.data(), b.depths.data(), 4 * a.depths.size()), 0);
 }
 
-constexpr PointRule kRules[] = {PointRule::front, PointRule::second, PointRule::mean,
-                                PointRule::median, PointRule::top_mean};
+constexpr PointRule kRules[] = {PointRule::front,  PointRule::second,   PointRule::mean,
+                                PointRule::median, PointRule::top_mean, PointRule::lowest};
 
 TEST(TileStore, GivesTheSameBytesForEveryOrderBudgetAndNumberOfThreads) {
   std::vector<FilePoint> points = randomPoints(600'000);
