@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
 #include "core/io/colour_rows.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 namespace {
@@ -100,7 +100,7 @@ void writeCompanion(const std::filesystem::path& file, const DepthMap& map,
     throw ArgumentError("A map of " + std::to_string(size.count()) + " cells has " +
                         std::to_string(pixels.size()) + " " + std::string(content) + ".");
   }
-  ReplacedFile written(file);
+  AtomicFile written(file);
   const GdalErrors errors;
   registerRasterDrivers();
   const char* const options[] = {"COMPRESS=DEFLATE",

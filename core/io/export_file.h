@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/file/atomic_file.h"
 #include "core/io/export_grid.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 
@@ -57,7 +57,7 @@ class ExportFile {
 
  private:
   std::filesystem::path shown_;
-  ReplacedFile file_;
+  AtomicFile file_;
   std::ofstream stream_;
 };
 

@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
+#include "core/file/owned_fd.h"
 #include "core/io/file_check.h"
-#include "core/io/owned_fd.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 namespace {
@@ -28,7 +28,7 @@ bool writeAll(int descriptor, std::string_view text) {
 }  // namespace
 
 void writeTextFile(const std::filesystem::path& file, std::string_view text) {
-  ReplacedFile replaced(file);
+  AtomicFile replaced(file);
   {
     const OwnedFd out(
         ::open(replaced.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));

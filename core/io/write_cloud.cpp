@@ -8,8 +8,8 @@
 #include <fstream>
 #include <vector>
 
+#include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 namespace {
@@ -135,7 +135,7 @@ class CloudWriter {
   const Scan& scan_;
   const CloudNotes& notes_;
   const Task& task_;
-  ReplacedFile file_;
+  AtomicFile file_;
   std::ofstream out_;
   bool exact_, some_without_colour_, intensities_, parts_;
 };

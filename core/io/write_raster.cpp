@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
 #include "core/io/export_grid.h"
 #include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
-#include "core/io/replaced_file.h"
 #include "core/io/tiff_head.h"
 
 namespace relievo {
@@ -138,11 +138,11 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
 
   const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) requireOwnOrAbsent(origin_name);
-  ReplacedFile map_file(file);
+  AtomicFile map_file(file);
   writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},
             metadata);
   if (options.write_origins) {
-    ReplacedFile origin_file(origin_name);
+    AtomicFile origin_file(origin_name);
     metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
     writeBand(origin_file.path(), origin_name, placeOf(map.frame), {GDT_Byte, codes.data(), 1},
               metadata);
@@ -192,7 +192,7 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
     heights[i] = kNaN;
     mask[i] = 0;
   }
-  ReplacedFile written(file);
+  AtomicFile written(file);
   writeBand(written.path(), file, placeOf(grid),
             {GDT_Float32, heights.data(), sizeof(float), &mask}, factsOf(grid));
   written.keep();
@@ -202,7 +202,7 @@ void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid
                        const Task& task) {
   GdalErrors errors;
   registerRasterDrivers();
-  ReplacedFile written(file);
+  AtomicFile written(file);
   // The driver copies what is complete: its first bytes say where everything is.
   Dataset whole(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
       "", grid.size.cols, grid.size.rows, 1, GDT_Float32, nullptr));

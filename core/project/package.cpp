@@ -13,8 +13,8 @@
 
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
+#include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
-#include "core/io/replaced_file.h"
 #include "core/project/project_files.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
@@ -129,7 +129,7 @@ class PackageWriter {
   }
 
   std::filesystem::path target_;
-  ReplacedFile part_;
+  AtomicFile part_;
   std::vector<std::unique_ptr<std::string>> texts_;  ///< Until the archive is closed.
   std::map<std::string, std::string> manifest_;
   Zip archive_;

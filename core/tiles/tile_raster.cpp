@@ -14,9 +14,9 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
-#include "core/io/replaced_file.h"
 #include "core/io/tiff_head.h"
 #include "core/tiles/tile_layout.h"
 
@@ -39,7 +39,7 @@ struct TileRasterWriter::Impl {
   explicit Impl(const std::filesystem::path& name) : file(name), written(name) {}
 
   std::filesystem::path file;
-  ReplacedFile written;
+  AtomicFile written;
   GridFrame frame;
   Layout layout;
   Dataset dataset;

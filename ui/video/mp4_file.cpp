@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "core/io/spawn.h"
 #include "ui/video/mp4_boxes.h"
 #include "ui/video/video_file.h"
@@ -272,7 +272,7 @@ class Mp4File : public VideoFile {
   }
 
   fs::path program_, file_;
-  ReplacedFile part_;
+  AtomicFile part_;
   double fps_;
   OwnedFd out_, in_, encoded_, words_;  // Ours.
   bool words_open_ = true;

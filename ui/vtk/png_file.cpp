@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 
@@ -97,7 +97,7 @@ void writeRows(const std::filesystem::path& file, const PngShape& shape,
   for (int row = 0; row < shape.height; ++row) {
     rows.push_back(bytes.data() + row_bytes * static_cast<std::size_t>(row));
   }
-  ReplacedFile replaced(file);
+  AtomicFile replaced(file);
   std::FILE* const out = std::fopen(replaced.path().c_str(), "wb");
   const bool opened = out != nullptr;
   const bool encoded = opened && encode(out, shape, rows.data(), entries);

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo {
@@ -67,7 +67,7 @@ void describe(TIFF* tiff, const TiffShape& shape, const PictureText& text) {
 
 void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t* bytes,
                const PictureText& text) {
-  ReplacedFile replaced(file);
+  AtomicFile replaced(file);
   TIFFSetErrorHandler(beQuiet);
   TIFFSetWarningHandler(beQuiet);
   bool good = shape.width > 0 && shape.height > 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -32,7 +32,7 @@ pid_t writerOf(const std::filesystem::path& file) {
   EXPECT_EQ(::pipe(ready.data()), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const ReplacedFile written(file);
+    const AtomicFile written(file);
     std::ofstream(written.path()) << "half";
     [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1);
     for (;;) ::pause();
@@ -44,7 +44,7 @@ pid_t writerOf(const std::filesystem::path& file) {
   return child;
 }
 
-TEST(ReplacedFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
+TEST(AtomicFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
   const test::TemporaryFolder folder;
   const auto somebodys = folder.write(".map.99999999.tmp.tif", "not of our form");
   folder.write(".map.relievo-x.tmp.tif", "no number");
@@ -54,20 +54,20 @@ TEST(ReplacedFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
   EXPECT_TRUE(namesIn(folder.path()).contains(left));
   {
     // While it lives nobody touches it.
-    const ReplacedFile other(folder.path() / "other.tif");
+    const AtomicFile other(folder.path() / "other.tif");
     EXPECT_TRUE(namesIn(folder.path()).contains(left));
   }
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   EXPECT_TRUE(namesIn(folder.path()).contains(left)) << "nobody could remove it so far";
-  { const ReplacedFile other(folder.path() / "other.tif"); }
+  { const AtomicFile other(folder.path() / "other.tif"); }
   EXPECT_EQ(namesIn(folder.path()),
             (std::set<std::string>{".map.99999999.tmp.tif", ".map.relievo-x.tmp.tif",
                                    "map.relievo-99999999.tmp.tif"}));
 }
 
 /// A writer in another container has a number that means nothing here, but holds its lock.
-TEST(ReplacedFile, AFileThatSomebodyHoldsIsLeftAlone) {
+TEST(AtomicFile, AFileThatSomebodyHoldsIsLeftAlone) {
   const test::TemporaryFolder folder;
   const pid_t child = writerOf(folder.path() / "map.tif");
   const auto as_if_elsewhere = folder.path() / ".map.relievo-99999999.tmp.tif";
@@ -81,13 +81,13 @@ TEST(ReplacedFile, AFileThatSomebodyHoldsIsLeftAlone) {
   EXPECT_FALSE(std::filesystem::exists(as_if_elsewhere));
 }
 
-TEST(ReplacedFile, KeepsWhatWasWrittenAndElseNothing) {
+TEST(AtomicFile, KeepsWhatWasWrittenAndElseNothing) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("a.txt", "old");
-  { std::ofstream(ReplacedFile(file).path()) << "half"; }
+  { std::ofstream(AtomicFile(file).path()) << "half"; }
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
   {
-    ReplacedFile written(file);
+    AtomicFile written(file);
     std::ofstream(written.path()) << "new";
     written.keep();
   }
@@ -96,13 +96,13 @@ TEST(ReplacedFile, KeepsWhatWasWrittenAndElseNothing) {
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
 }
 
-TEST(ReplacedFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
+TEST(AtomicFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
   namespace fs = std::filesystem;
   const test::TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
   fs::create_symlink("a.txt", folder.path() / "link.txt");
-  ReplacedFile written(folder.path() / "link.txt");
+  AtomicFile written(folder.path() / "link.txt");
   std::ofstream(written.path()) << "new";
   written.keep();
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
@@ -113,12 +113,12 @@ TEST(ReplacedFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
             fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
 }
 
-TEST(ReplacedFile, KeepsTheOwnerOfWhatItReplaces) {
+TEST(AtomicFile, KeepsTheOwnerOfWhatItReplaces) {
   if (::getuid() != 0) GTEST_SKIP() << "Only the superuser can give a file to somebody else.";
   const test::TemporaryFolder folder;
   const auto file = folder.write("a.txt", "old");
   ASSERT_EQ(::chown(file.c_str(), 12, 34), 0);
-  ReplacedFile written(file);
+  AtomicFile written(file);
   std::ofstream(written.path()) << "new";
   written.keep();
   struct stat now {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -73,7 +73,7 @@ void removeLeftFiles(const std::filesystem::path& folder) {
   }
 }
 
-ReplacedFile::ReplacedFile(const std::filesystem::path& final_name)
+AtomicFile::AtomicFile(const std::filesystem::path& final_name)
     : final_(requireReplaceable(final_name)),
       temporary_(final_.parent_path() /
                  ("." + final_.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
@@ -84,12 +84,12 @@ ReplacedFile::ReplacedFile(const std::filesystem::path& final_name)
   if (lock_.get() >= 0) ::flock(lock_.get(), LOCK_EX | LOCK_NB);
 }
 
-ReplacedFile::~ReplacedFile() {
+AtomicFile::~AtomicFile() {
   std::error_code ignored;
   if (!kept_) std::filesystem::remove(temporary_, ignored);
 }
 
-void ReplacedFile::keep() {
+void AtomicFile::keep() {
   const OwnedFd written(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   if (written.get() < 0 || !takeOver(final_, written.get()) || ::fsync(written.get()) != 0 ||
       ::rename(temporary_.c_str(), final_.c_str()) != 0) {

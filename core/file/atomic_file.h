@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 
@@ -19,13 +19,13 @@ void removeLeftFiles(const std::filesystem::path& folder);
 /// failure leaves nothing half done, and what was there before: with its mode and its owner, and
 /// where the final name is a symbolic link, behind it. What a killed process left in the folder
 /// goes when the next one begins to write there.
-class ReplacedFile {
+class AtomicFile {
  public:
   /// @throw WriteError  what is there must not be replaced
-  explicit ReplacedFile(const std::filesystem::path& final_name);
-  ~ReplacedFile();
-  ReplacedFile(const ReplacedFile&) = delete;
-  ReplacedFile& operator=(const ReplacedFile&) = delete;
+  explicit AtomicFile(const std::filesystem::path& final_name);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
 
   const std::filesystem::path& path() const noexcept { return temporary_; }
   /// What was written is on the disk, under its final name, when this returns. The writer has
