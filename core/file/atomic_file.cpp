@@ -17,6 +17,8 @@
 
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
+#include "core/file/output_set.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 namespace {
@@ -54,6 +56,32 @@ bool takeOver(const std::filesystem::path& replaced, int descriptor) {
   return ::fchmod(descriptor, before.st_mode & 07777U) == 0;
 }
 
+/// ".NAME.relievo-123.tmp.tif" and, where that is taken, ".NAME.relievo-123.tmp2.tif".
+std::filesystem::path nameBeside(const std::filesystem::path& place, int number) {
+  return place.parent_path() /
+         ("." + place.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
+          std::string(kEnd) + (number < 2 ? std::string() : std::to_string(number)) +
+          place.extension().string());
+}
+
+constexpr int kMostBeside = 99;  ///< Of one place and one process.
+
+std::filesystem::path throughProc(int descriptor) {
+  return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+/// A file without a name that can be opened again and given one later.
+OwnedFd unnamedIn(const std::filesystem::path& folder) {
+  OwnedFd file(::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666));
+  struct stat own {
+  }, found{};
+  const bool reachable = file.get() >= 0 && ::fstat(file.get(), &own) == 0 &&
+                         ::stat(throughProc(file.get()).c_str(), &found) == 0 &&
+                         own.st_dev == found.st_dev && own.st_ino == found.st_ino;
+  if (!reachable) file.reset();
+  return file;
+}
+
 }  // namespace
 
 void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
@@ -73,34 +101,94 @@ void removeLeftFiles(const std::filesystem::path& folder) {
   }
 }
 
-AtomicFile::AtomicFile(const std::filesystem::path& final_name)
-    : final_(requireReplaceable(final_name)),
-      temporary_(final_.parent_path() /
-                 ("." + final_.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
-                  std::string(kEnd) + final_.extension().string())) {
-  removeLeftFiles(final_.parent_path());
-  // Whoever opens it for writing says what is wrong, if this fails.
-  lock_.reset(::open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
-  if (lock_.get() >= 0) ::flock(lock_.get(), LOCK_EX | LOCK_NB);
+struct AtomicFile::Impl {
+  std::filesystem::path place;    ///< What is replaced, behind all links.
+  std::filesystem::path written;  ///< What the writer opens.
+  std::filesystem::path beside;   ///< Its name in the folder; empty: none (yet, or any more).
+  OwnedFd file;                   ///< Holds the lock while it is written.
+  OutputSet* set = nullptr;
+};
+
+AtomicFile::AtomicFile(const OutputFile& file, TemporaryName name)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& own = *impl_;
+  own.set = file.set;
+  own.place = requireReplaceable(file.path);
+  removeLeftFiles(folder());
+  if (name == TemporaryName::none) own.file = unnamedIn(folder());
+  if (own.file.get() >= 0) {
+    own.written = throughProc(own.file.get());
+  } else {
+    for (int number = 1; number <= kMostBeside; ++number) {
+      own.beside = nameBeside(own.place, number);
+      own.file.reset(
+          ::open(own.beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0666));
+      // Whoever opens it for writing says what is wrong, if this fails.
+      if (own.file.get() >= 0 || errno != EEXIST) break;
+    }
+    own.written = own.beside;
+  }
+  if (own.file.get() >= 0) ::flock(own.file.get(), LOCK_EX | LOCK_NB);
 }
+
+AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
 
 AtomicFile::~AtomicFile() {
+  if (!impl_ || impl_->beside.empty()) return;
   std::error_code ignored;
-  if (!kept_) std::filesystem::remove(temporary_, ignored);
+  std::filesystem::remove(impl_->beside, ignored);
 }
 
-void AtomicFile::keep() {
-  const OwnedFd written(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-  if (written.get() < 0 || !takeOver(final_, written.get()) || ::fsync(written.get()) != 0 ||
-      ::rename(temporary_.c_str(), final_.c_str()) != 0) {
-    cannotWrite(final_, std::strerror(errno));
+const std::filesystem::path& AtomicFile::path() const noexcept {
+  return impl_->written;
+}
+
+std::filesystem::path AtomicFile::folder() const {
+  return impl_->place.parent_path();
+}
+
+void AtomicFile::commit() {
+  if (impl_->set != nullptr) {
+    impl_->set->add(std::move(*this));
+    return;
   }
-  kept_ = true;
-  // The name is on the disk, too. Some network file systems have no such call for folders.
-  const std::filesystem::path folder = final_.parent_path();
-  const OwnedFd names(
-      ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (names.get() >= 0) ::fsync(names.get());
+  bringToDisk();
+  giveNameBeside();
+  takePlace();
+  bringNamesToDisk(folder());
+}
+
+/// Mode and owner of what it replaces, and every byte.
+void AtomicFile::bringToDisk() {
+  Impl& own = *impl_;
+  // Some libraries replace the file that they are given the name of.
+  if (!own.beside.empty()) {
+    own.file.reset(::open(own.beside.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  }
+  if (own.file.get() < 0 || !takeOver(own.place, own.file.get()) || ::fsync(own.file.get()) != 0) {
+    cannotWrite(own.place, std::strerror(errno));
+  }
+}
+
+/// The system gives an open file no name that is taken: it gets one beside its place first.
+void AtomicFile::giveNameBeside() {
+  Impl& own = *impl_;
+  for (int number = 1; own.beside.empty(); ++number) {
+    const std::filesystem::path name = nameBeside(own.place, number);
+    if (::linkat(AT_FDCWD, own.written.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      own.beside = name;
+    } else if (errno != EEXIST || number == kMostBeside) {
+      cannotWrite(own.place, std::strerror(errno));
+    }
+  }
+}
+
+void AtomicFile::takePlace() {
+  Impl& own = *impl_;
+  if (::rename(own.beside.c_str(), own.place.c_str()) != 0) {
+    cannotWrite(own.place, std::strerror(errno));
+  }
+  own.beside.clear();
 }
 
 }  // namespace relievo

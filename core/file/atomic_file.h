@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <filesystem>
+#include <memory>
 #include <string>
-
-#include "core/file/owned_fd.h"
+#include <utility>
 
 namespace relievo {
+
+class OutputSet;  // core/file/output_set.h
 
 /// "Cannot write FILE: <reason>." with what to look at. @throw WriteError
 [[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason);
@@ -15,27 +18,57 @@ namespace relievo {
 /// process that is no more, and by nobody's holding their lock. Anything else stays. [any thread]
 void removeLeftFiles(const std::filesystem::path& folder);
 
-/// A file under a temporary name beside its final one; removed unless `keep` was called. So a
-/// failure leaves nothing half done, and what was there before: with its mode and its owner, and
-/// where the final name is a symbolic link, behind it. What a killed process left in the folder
-/// goes when the next one begins to write there.
+/// Where a writer puts a file: a path alone, or a path as a member of a set whose files all take
+/// their places together.
+struct OutputFile {
+  template <class Path>
+  requires std::convertible_to<Path, std::filesystem::path> OutputFile(
+      Path&& file)  // NOLINT(google-explicit-constructor): a path alone is a place, too.
+      : path(std::forward<Path>(file)) {}
+  OutputFile(std::filesystem::path file, OutputSet* of) : path(std::move(file)), set(of) {}
+
+  std::filesystem::path path;
+  OutputSet* set = nullptr;  ///< Null: the file takes its place by itself.
+};
+
+/// What a file is called while it is written.
+enum class TemporaryName {
+  /// Nothing, where the file system knows such files: it vanishes with the process, however that
+  /// ends. `AtomicFile::path` leads to it through /proc.
+  none,
+  /// A hidden name beside its place, for libraries that write other files beside the one they are
+  /// given or replace it themselves.
+  beside,
+};
+
+/// A file that is written beside its place and takes it at the end; it vanishes unless `commit` was
+/// called. So a failure leaves nothing half done, and what was there before: with its mode and its
+/// owner, and where the place is a symbolic link, behind it. What a killed process left in the
+/// folder goes when the next one begins to write there.
 class AtomicFile {
  public:
   /// @throw WriteError  what is there must not be replaced
-  explicit AtomicFile(const std::filesystem::path& final_name);
+  explicit AtomicFile(const OutputFile& file, TemporaryName name = TemporaryName::none);
   ~AtomicFile();
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile(AtomicFile&&) noexcept;
+  AtomicFile& operator=(AtomicFile&&) = delete;
 
-  const std::filesystem::path& path() const noexcept { return temporary_; }
-  /// What was written is on the disk, under its final name, when this returns. The writer has
-  /// closed it before. @throw WriteError
-  void keep();
+  /// What the writer opens. No other process finds the file by it.
+  const std::filesystem::path& path() const noexcept;
+  /// What was written is on the disk, under its final name, when this returns; as a member of a set
+  /// it is on the disk and waits for the others. The writer has closed it before.
+  /// @throw WriteError
+  void commit();
 
  private:
-  std::filesystem::path final_, temporary_;
-  OwnedFd lock_;  ///< Of the temporary file, while it is written.
-  bool kept_ = false;
+  friend class OutputSet;
+  struct Impl;
+  void bringToDisk();
+  void giveNameBeside();
+  void takePlace();
+  std::filesystem::path folder() const;
+
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace relievo

@@ -24,8 +24,8 @@ static_assert(std::endian::native == std::endian::little, "binary exports are wr
 /// Buffered text and bytes into a file that replaces the old one when all went well.
 class ExportFile {
  public:
-  explicit ExportFile(const std::filesystem::path& file)
-      : shown_(file), file_(file), stream_(file_.path(), std::ios::binary | std::ios::trunc) {
+  explicit ExportFile(const OutputFile& file)
+      : shown_(file.path), file_(file), stream_(file_.path(), std::ios::binary | std::ios::trunc) {
     if (!stream_) cannotWrite(shown_, std::strerror(errno));
   }
 
@@ -49,10 +49,10 @@ class ExportFile {
     stream_.write(reinterpret_cast<const char*>(values.data()),
                   static_cast<std::streamsize>(values.size() * sizeof(T)));
   }
-  void keep() {
+  void commit() {
     stream_.close();
     if (!stream_) cannotWrite(shown_, "the disk is full or failed");
-    file_.keep();
+    file_.commit();
   }
 
  private:

@@ -27,17 +27,17 @@ bool writeAll(int descriptor, std::string_view text) {
 
 }  // namespace
 
-void writeTextFile(const std::filesystem::path& file, std::string_view text) {
+void writeTextFile(const OutputFile& file, std::string_view text) {
   AtomicFile replaced(file);
   {
     const OwnedFd out(
         ::open(replaced.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (out.get() < 0 || !writeAll(out.get(), text)) {
-      throw WriteError("Cannot write " + file.string() + " (" + std::strerror(errno) +
+      throw WriteError("Cannot write " + file.path.string() + " (" + std::strerror(errno) +
                        "). What was there is as before. Choose another folder or free some space.");
     }
   }
-  replaced.keep();
+  replaced.commit();
 }
 
 std::string readTextFile(const std::filesystem::path& file, std::size_t most_bytes) {

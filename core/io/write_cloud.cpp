@@ -21,9 +21,8 @@ constexpr std::size_t kStatePiece = 200;
 
 class CloudWriter {
  public:
-  CloudWriter(const std::filesystem::path& file, const Scan& scan, const CloudNotes& notes,
-              const Task& task)
-      : shown_(file),
+  CloudWriter(const OutputFile& file, const Scan& scan, const CloudNotes& notes, const Task& task)
+      : shown_(file.path),
         scan_(scan),
         notes_(notes),
         task_(task),
@@ -54,7 +53,7 @@ class CloudWriter {
     flush(block);
     out_.close();
     if (!out_) cannotWrite(shown_, "the disk is full or failed");
-    file_.keep();
+    file_.commit();
   }
 
  private:
@@ -143,7 +142,7 @@ static_assert(sizeof(FilePoint) == 3 * sizeof(double));
 
 }  // namespace
 
-void writeCloud(const std::filesystem::path& file, const Scan& scan, const CloudNotes& notes,
+void writeCloud(const OutputFile& file, const Scan& scan, const CloudNotes& notes,
                 const Task& task) {
   CloudWriter(file, scan, notes, task).write();
 }

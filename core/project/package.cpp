@@ -58,7 +58,7 @@ std::string manifestLine(const std::string& sha256, const std::string& name) {
 class PackageWriter {
  public:
   explicit PackageWriter(std::filesystem::path target)
-      : target_(std::move(target)), part_(target_) {
+      : target_(std::move(target)), part_(target_, TemporaryName::beside) {
     int code = 0;
     archive_.reset(zip_open(part_.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
     if (!archive_) {
@@ -105,7 +105,7 @@ class PackageWriter {
       fail(zip_strerror(archive_.get()));
     }
     archive_.release();  // NOLINT(bugprone-unused-return-value): closed, hence freed.
-    part_.keep();
+    part_.commit();
   }
 
  private:

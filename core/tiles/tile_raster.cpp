@@ -36,7 +36,7 @@ GDALDriver& geoTiffDriver() {
 }  // namespace
 
 struct TileRasterWriter::Impl {
-  explicit Impl(const std::filesystem::path& name) : file(name), written(name) {}
+  explicit Impl(const OutputFile& place) : file(place.path), written(place) {}
 
   std::filesystem::path file;
   AtomicFile written;
@@ -126,7 +126,7 @@ void TileRasterWriter::Impl::writeMask(const BitRows& mask, const GdalErrors& er
   }
 }
 
-TileRasterWriter::TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame,
+TileRasterWriter::TileRasterWriter(const OutputFile& file, const GridFrame& frame,
                                    const Layout& layout)
     : impl_(std::make_unique<Impl>(file)) {
   impl_->frame = frame;
@@ -162,8 +162,8 @@ void TileRasterWriter::close(const RasterFacts& facts, const BitRows* mask) {
   if (errors.any()) cannotWrite(impl_->file, errors.first());
 }
 
-void TileRasterWriter::keep() {
-  impl_->written.keep();
+void TileRasterWriter::commit() {
+  impl_->written.commit();
 }
 
 namespace {

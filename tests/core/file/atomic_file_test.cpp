@@ -27,12 +27,12 @@ std::set<std::string> namesIn(const std::filesystem::path& folder) {
 }
 
 /// A child that begins to write a file and waits; killed by the caller.
-pid_t writerOf(const std::filesystem::path& file) {
+pid_t writerOf(const std::filesystem::path& file, TemporaryName name) {
   std::array<int, 2> ready{};
   EXPECT_EQ(::pipe(ready.data()), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const AtomicFile written(file);
+    const AtomicFile written(file, name);
     std::ofstream(written.path()) << "half";
     [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1);
     for (;;) ::pause();
@@ -49,7 +49,7 @@ TEST(AtomicFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
   const auto somebodys = folder.write(".map.99999999.tmp.tif", "not of our form");
   folder.write(".map.relievo-x.tmp.tif", "no number");
   folder.write("map.relievo-99999999.tmp.tif", "not hidden");
-  const pid_t child = writerOf(folder.path() / "map.tif");
+  const pid_t child = writerOf(folder.path() / "map.tif", TemporaryName::beside);
   const std::string left = ".map.relievo-" + std::to_string(child) + ".tmp.tif";
   EXPECT_TRUE(namesIn(folder.path()).contains(left));
   {
@@ -69,7 +69,7 @@ TEST(AtomicFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
 /// A writer in another container has a number that means nothing here, but holds its lock.
 TEST(AtomicFile, AFileThatSomebodyHoldsIsLeftAlone) {
   const test::TemporaryFolder folder;
-  const pid_t child = writerOf(folder.path() / "map.tif");
+  const pid_t child = writerOf(folder.path() / "map.tif", TemporaryName::beside);
   const auto as_if_elsewhere = folder.path() / ".map.relievo-99999999.tmp.tif";
   std::filesystem::rename(folder.path() / (".map.relievo-" + std::to_string(child) + ".tmp.tif"),
                           as_if_elsewhere);
@@ -89,11 +89,49 @@ TEST(AtomicFile, KeepsWhatWasWrittenAndElseNothing) {
   {
     AtomicFile written(file);
     std::ofstream(written.path()) << "new";
-    written.keep();
+    written.commit();
   }
   std::ifstream in(file);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "new");
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
+}
+
+TEST(AtomicFile, AKilledWriterLeavesNothingWhereFilesNeedNoName) {
+  const test::TemporaryFolder folder;
+  const AtomicFile other(folder.path() / "other.tif");
+  if (!other.path().string().starts_with("/proc/")) GTEST_SKIP() << "Files have names here.";
+  const pid_t child = writerOf(folder.path() / "map.tif", TemporaryName::none);
+  EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{});
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{});
+}
+
+TEST(AtomicFile, TwoMayBeWrittenForOnePlaceAndTheLastOneStays) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "a.txt";
+  for (const TemporaryName name : {TemporaryName::none, TemporaryName::beside}) {
+    AtomicFile first(file, name), second(file, name);
+    std::ofstream(first.path()) << "first";
+    std::ofstream(second.path()) << "second";
+    first.commit();
+    second.commit();
+    std::ifstream in(file);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "second");
+    EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
+  }
+}
+
+TEST(AtomicFile, AFileWithoutANameGetsTheModeThatNewFilesHave) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  AtomicFile written(folder.path() / "a.txt");
+  ::umask(before);
+  std::ofstream(written.path()) << "new";
+  written.commit();
+  EXPECT_EQ(fs::status(folder.path() / "a.txt").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
 }
 
 TEST(AtomicFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
@@ -104,7 +142,7 @@ TEST(AtomicFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
   fs::create_symlink("a.txt", folder.path() / "link.txt");
   AtomicFile written(folder.path() / "link.txt");
   std::ofstream(written.path()) << "new";
-  written.keep();
+  written.commit();
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
   EXPECT_EQ(fs::file_size(file), 3U);
   std::ifstream in(file);
@@ -120,7 +158,7 @@ TEST(AtomicFile, KeepsTheOwnerOfWhatItReplaces) {
   ASSERT_EQ(::chown(file.c_str(), 12, 34), 0);
   AtomicFile written(file);
   std::ofstream(written.path()) << "new";
-  written.keep();
+  written.commit();
   struct stat now {};
   ASSERT_EQ(::stat(file.c_str(), &now), 0);
   EXPECT_EQ(now.st_uid, 12U);
