@@ -24,9 +24,9 @@ std::filesystem::path intensityFileOf(std::filesystem::path map_file);  ///< MAP
 /// that they are never taken for another map's. What the scan does not say is not written, and a
 /// companion of an older map removed. @throw WriteError  also if a file that is not of this program
 /// has such a name
-/// @param set  MapFileOptions::set of the map; empty: it has none
+/// @param set  MapFileOptions::set of the map
 void writeColours(const OutputFile& map_file, const DepthMap& map, const GridColours& colours,
-                  const std::string& set = {});
+                  const std::string& set);
 
 /// A map with its origins and colours, all of one set: they take their places together.
 /// @throw as writeMap and writeColours

@@ -305,6 +305,27 @@ TEST_F(DamagedTiledMap, RefusesALevelOfAnotherMap) {
   expectRefused("another map");
 }
 
+/// What a program leaves that is killed between two files: each is whole, and they are of two sets.
+TEST_F(DamagedTiledMap, RefusesALevelOfTheSameHeightsAndOtherOrigins) {
+  const test::TileFolder other;
+  DepthMap map = someMap({.cols = 900, .rows = 700});
+  for (Origin& origin : map.origins) {
+    if (origin == Origin::base_plane) origin = Origin::measured;
+  }
+  writeLevels(other / "map.tif", map);
+  std::filesystem::copy_file(other / "map.L1.origin.tif", folder_ / "map.L1.origin.tif",
+                             std::filesystem::copy_options::overwrite_existing);
+  expectRefused("another map");
+}
+
+TEST(LevelFiles, AreTheSameBytesWhenWrittenAgain) {
+  const test::TileFolder folder;
+  writeLevels(folder / "map.tif", someMap({.cols = 300, .rows = 300}));
+  const std::string first = textIn(folder / "map.tif") + textIn(folder / "map.L1.origin.tif");
+  writeLevels(folder / "map.tif", someMap({.cols = 300, .rows = 300}));
+  EXPECT_TRUE(textIn(folder / "map.tif") + textIn(folder / "map.L1.origin.tif") == first);
+}
+
 TEST_F(DamagedTiledMap, RefusesACutLevel) {
   const auto bytes = std::filesystem::file_size(folder_ / "map.L1.tif");
   std::filesystem::resize_file(folder_ / "map.L1.tif", bytes / 2);
