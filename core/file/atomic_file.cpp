@@ -64,6 +64,13 @@ std::filesystem::path nameBeside(const std::filesystem::path& place, int number)
           place.extension().string());
 }
 
+/// Every byte of a file, and mode and owner of what it replaces.
+void toDisk(int descriptor, const std::filesystem::path& place) {
+  if (descriptor < 0 || !takeOver(place, descriptor) || ::fsync(descriptor) != 0) {
+    cannotWrite(place, std::strerror(errno));
+  }
+}
+
 constexpr int kMostBeside = 99;  ///< Of one place and one process.
 
 std::filesystem::path throughProc(int descriptor) {
@@ -85,9 +92,13 @@ OwnedFd unnamedIn(const std::filesystem::path& folder) {
 }  // namespace
 
 void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
-  throw WriteError("Cannot write " + file.string() + ": " + reason +
-                   ". Check the folder, its permissions and the free space.");
+  throw CannotWrite(file, reason);
 }
+
+CannotWrite::CannotWrite(const std::filesystem::path& file, const std::string& why)
+    : WriteError("Cannot write " + file.string() + ": " + why +
+                 ". Check the folder, its permissions and the free space."),
+      reason(why) {}
 
 void removeLeftFiles(const std::filesystem::path& folder) {
   std::error_code error;
@@ -106,6 +117,7 @@ struct AtomicFile::Impl {
   std::filesystem::path written;  ///< What the writer opens.
   std::filesystem::path beside;   ///< Its name in the folder; empty: none (yet, or any more).
   OwnedFd file;                   ///< Holds the lock while it is written.
+  int open_error = 0;             ///< Why there is no `file`.
   OutputSet* set = nullptr;
 };
 
@@ -128,7 +140,11 @@ AtomicFile::AtomicFile(const OutputFile& file, TemporaryName name)
     }
     own.written = own.beside;
   }
-  if (own.file.get() >= 0) ::flock(own.file.get(), LOCK_EX | LOCK_NB);
+  if (own.file.get() >= 0) {
+    ::flock(own.file.get(), LOCK_EX | LOCK_NB);
+  } else {
+    own.open_error = errno;
+  }
 }
 
 AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
@@ -145,6 +161,17 @@ const std::filesystem::path& AtomicFile::path() const noexcept {
 
 std::filesystem::path AtomicFile::folder() const {
   return impl_->place.parent_path();
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  const Impl& own = *impl_;
+  if (own.file.get() < 0) cannotWrite(own.place, std::strerror(own.open_error));
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(own.file.get(), bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) cannotWrite(own.place, std::strerror(errno));
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
 }
 
 void AtomicFile::commit() {
@@ -165,9 +192,7 @@ void AtomicFile::bringToDisk() {
   if (!own.beside.empty()) {
     own.file.reset(::open(own.beside.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
   }
-  if (own.file.get() < 0 || !takeOver(own.place, own.file.get()) || ::fsync(own.file.get()) != 0) {
-    cannotWrite(own.place, std::strerror(errno));
-  }
+  toDisk(own.file.get(), own.place);
 }
 
 /// The system gives an open file no name that is taken: it gets one beside its place first.
@@ -189,6 +214,15 @@ void AtomicFile::takePlace() {
     cannotWrite(own.place, std::strerror(errno));
   }
   own.beside.clear();
+}
+
+void putInPlace(const std::filesystem::path& written, const std::filesystem::path& place) {
+  const OwnedFd file(::open(written.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+  toDisk(file.get(), place);
+  if (written != place && ::rename(written.c_str(), place.c_str()) != 0) {
+    cannotWrite(place, std::strerror(errno));
+  }
+  bringNamesToDisk(place.parent_path());
 }
 
 }  // namespace relievo

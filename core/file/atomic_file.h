@@ -5,13 +5,21 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
+
+#include "core/base/error.h"
 
 namespace relievo {
 
 class OutputSet;  // core/file/output_set.h
 
-/// "Cannot write FILE: <reason>." with what to look at. @throw WriteError
+/// "Cannot write FILE: <reason>." with what to look at.
+struct CannotWrite : WriteError {
+  CannotWrite(const std::filesystem::path& file, const std::string& why);
+  std::string reason;  ///< For whoever says it in a sentence of his own.
+};
+/// @throw CannotWrite
 [[noreturn]] void cannotWrite(const std::filesystem::path& file, const std::string& reason);
 
 /// Removes temporary files of ours whose writer was killed: known by their name, by the number of a
@@ -55,6 +63,9 @@ class AtomicFile {
 
   /// What the writer opens. No other process finds the file by it.
   const std::filesystem::path& path() const noexcept;
+  /// For writers without a library of their own: what follows what was written so far.
+  /// @throw CannotWrite
+  void write(std::string_view bytes);
   /// What was written is on the disk, under its final name, when this returns; as a member of a set
   /// it is on the disk and waits for the others. The writer has closed it before.
   /// @throw WriteError
@@ -70,5 +81,9 @@ class AtomicFile {
 
   std::unique_ptr<Impl> impl_;
 };
+
+/// The same end for a file that was written under a name of its own, which it loses. Nothing but
+/// the disk is asked if it is in its place already. [any thread] @throw CannotWrite
+void putInPlace(const std::filesystem::path& written, const std::filesystem::path& place);
 
 }  // namespace relievo
