@@ -3,6 +3,8 @@
 
 #include <zip.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -16,6 +18,7 @@
 #include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
 #include "core/project/project_files.h"
+#include "core/project/zip_target.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/tiles/tiled_map.h"
@@ -58,16 +61,17 @@ std::string manifestLine(const std::string& sha256, const std::string& name) {
 class PackageWriter {
  public:
   explicit PackageWriter(std::filesystem::path target)
-      : target_(std::move(target)), part_(target_, TemporaryName::beside) {
-    int code = 0;
-    archive_.reset(zip_open(part_.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
-    if (!archive_) {
-      zip_error_t error;
-      zip_error_init_with_code(&error, code);
-      const std::string reason = zip_error_strerror(&error);
-      zip_error_fini(&error);
-      fail(reason);
-    }
+      : target_(std::move(target)), part_(target_), zip_(part_.path()) {
+    zip_source_t* const source = zip_.source();
+    if (source == nullptr) fail(std::strerror(errno));
+    zip_error_t error;
+    zip_error_init(&error);
+    archive_.reset(zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error));
+    const std::string reason = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    if (archive_) return;
+    zip_source_free(source);
+    fail(reason);
   }
 
   /// @return its name in the package; a second one of the same name gets a number
@@ -130,6 +134,7 @@ class PackageWriter {
 
   std::filesystem::path target_;
   AtomicFile part_;
+  ZipTarget zip_;
   std::vector<std::unique_ptr<std::string>> texts_;  ///< Until the archive is closed.
   std::map<std::string, std::string> manifest_;
   Zip archive_;
