@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
@@ -51,12 +53,30 @@ struct TileRasterWriter::Impl {
     return static_cast<std::size_t>(frame.size.cols) * layout.cell_bytes;
   }
 
+  void requireRoom() const;
   void create();
   void writeTiles(int file_tile_row, int lines, const GdalErrors& errors);
   void writeMask(const BitRows& mask, const GdalErrors& errors);
 };
 
+/// Before hours of work. GDAL asks the same, but of the folder of the name that it is given, which
+/// may be one of /proc.
+void TileRasterWriter::Impl::requireRoom() const {
+  constexpr std::uintmax_t kLittle = 1'000'000'000;
+  const std::uintmax_t bytes =
+      frame.size.count() * layout.cell_bytes * static_cast<std::uintmax_t>(layout.bands);
+  if (bytes < kLittle) return;
+  const std::filesystem::path folder = file.parent_path();
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder.empty() ? "." : folder, unknown);
+  if (unknown || space.available >= bytes) return;
+  cannotWrite(file, "no space left on the disk: it takes " + grouped(bytes / 1'000'000) +
+                        " MB, and " + grouped(space.available / 1'000'000) + " MB are free");
+}
+
 void TileRasterWriter::Impl::create() {
+  requireRoom();
+  const CPLConfigOptionSetter asked_already("CHECK_DISK_FREE_SPACE", "NO", false);
   const GdalErrors errors;
   CPLStringList options;
   for (const char* const option :

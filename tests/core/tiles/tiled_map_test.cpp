@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/io/raster.h"
 #include "core/tiles/level_files.h"
+#include "core/tiles/tile_raster.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
 namespace relievo {
@@ -316,6 +317,30 @@ TEST_F(DamagedTiledMap, RefusesALevelOfTheSameHeightsAndOtherOrigins) {
   std::filesystem::copy_file(other / "map.L1.origin.tif", folder_ / "map.L1.origin.tif",
                              std::filesystem::copy_options::overwrite_existing);
   expectRefused("another map");
+}
+
+TEST(TileRasterWriter, BeginsALargeFileOnADiskThatHasRoomForIt) {
+  const test::TileFolder folder;
+  const GridFrame frame{
+      .size = {.cols = 20'000, .rows = 20'000}, .spacing_mm = 1, .first_x_mm = 0, .first_y_mm = 0};
+  const auto bytes = frame.size.count() * sizeof(float);
+  if (std::filesystem::space(folder.path()).available < bytes) GTEST_SKIP() << "The disk is full.";
+  EXPECT_NO_THROW(TileRasterWriter(folder / "large.tif", frame, {}));
+}
+
+TEST(TileRasterWriter, RefusesAFileThatIsLargerThanTheDiskBeforeTheWork) {
+  const test::TileFolder folder;
+  const GridFrame frame{.size = {.cols = 2'000'000, .rows = 2'000'000},
+                        .spacing_mm = 1,
+                        .first_x_mm = 0,
+                        .first_y_mm = 0};
+  try {
+    const TileRasterWriter writer(folder / "large.tif", frame, {});
+    ADD_FAILURE() << "was begun";
+  } catch (const WriteError& error) {
+    EXPECT_NE(std::string(error.what()).find("it takes 16 000 000 MB"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(LevelFiles, AreTheSameBytesWhenWrittenAgain) {
