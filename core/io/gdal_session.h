@@ -51,6 +51,10 @@ class GdalErrors {
     if (severity < CE_Failure || self->failed_) return;
     self->failed_ = true;
     self->first_ = message;
+    // "_tiffWriteProc:No space left on device": the library's function tells nobody anything.
+    const std::size_t end = self->first_.find("Proc:");
+    if (self->first_.starts_with("_tiff") && end != std::string::npos)
+      self->first_.erase(0, end + 5);
   }
 
   bool failed_ = false;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/package.h"
 
-#include <zip.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -18,6 +16,7 @@
 #include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
 #include "core/project/project_files.h"
+#include "core/project/zip_session.h"
 #include "core/project/zip_target.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
@@ -35,11 +34,6 @@ constexpr std::uint64_t kMostRatio = 200;  // Of bytes unpacked to bytes packed;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1}
                                      << 50U;  // Of an entry; a sum cannot overflow.
 constexpr std::time_t kNoDate = 315532800;    // 1980-01-01, the oldest that a zip can hold.
-
-struct DiscardZip {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-using Zip = std::unique_ptr<zip_t, DiscardZip>;
 
 // ---- writing -------------------------------------------------------------------------------
 

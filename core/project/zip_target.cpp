@@ -4,11 +4,11 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zip.h>
 
 #include <cerrno>
 
 #include "core/file/owned_fd.h"
+#include "core/project/zip_session.h"
 
 namespace relievo {
 
@@ -47,13 +47,17 @@ struct ZipTarget::Impl {
     return got;
   }
   zip_int64_t write(const void* data, zip_uint64_t bytes) {
-    ssize_t put = -1;
-    do {
-      put = ::pwrite(file.get(), data, bytes, write_at);
-    } while (put < 0 && errno == EINTR);
-    if (put < 0) return failed(ZIP_ER_WRITE);
-    write_at += put;
-    return put;
+    // libzip takes a write that is shorter for one that was interrupted.
+    const auto* left = static_cast<const char*>(data);
+    for (zip_uint64_t to_go = bytes; to_go > 0;) {
+      const ssize_t put = ::pwrite(file.get(), left, to_go, write_at);
+      if (put < 0 && errno == EINTR) continue;
+      if (put < 0) return failed(ZIP_ER_WRITE);
+      write_at += put;
+      left += put;
+      to_go -= static_cast<zip_uint64_t>(put);
+    }
+    return static_cast<zip_int64_t>(bytes);
   }
   zip_int64_t facts(void* data) const {
     auto* told = static_cast<zip_stat_t*>(data);

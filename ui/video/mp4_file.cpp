@@ -120,10 +120,9 @@ fs::path inChild(const fs::path& file, int descriptor) {
 
 /// The same pictures as an ordinary MP4, whose head stands in front: every player takes it.
 std::vector<std::string> repacking(const fs::path& from, const fs::path& to) {
-  return {"ffmpeg",     "-hide_banner", "-nostdin",    "-loglevel", "error",
-          "-y",         "-i",           from.string(), "-map",      "0",
-          "-c",         "copy",         "-fflags",     "+bitexact", "-movflags",
-          "+faststart", "-f",           "mp4",         to.string()};
+  return {"ffmpeg",    "-hide_banner", "-nostdin",   "-loglevel", "error", "-xerror",  "-y",
+          "-i",        from.string(),  "-map",       "0",         "-c",    "copy",     "-fflags",
+          "+bitexact", "-movflags",    "+faststart", "-f",        "mp4",   to.string()};
 }
 
 /// Pictures go to ffmpeg, what it makes comes back and is written here: so a full disk is met by
@@ -260,12 +259,14 @@ class Mp4File : public VideoFile {
     AtomicFile ordinary(place_);
     const OwnedFd from(raised(::open(part_.path().c_str(), O_RDONLY | O_CLOEXEC)));
     const OwnedFd to(raised(::open(ordinary.path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)));
+    // Where it finds no room, the fragments are kept: nothing that anybody has to read.
+    const OwnedFd words(raised(::open("/dev/null", O_WRONLY | O_CLOEXEC)));
     ChildProcess packer;
     packer.start({.program = program_,
                   .arguments = repacking(inChild(part_.path(), kFromInChild),
                                          inChild(ordinary.path(), kToInChild)),
                   .more_environment = {},
-                  .fds = {{from.get(), kFromInChild}, {to.get(), kToInChild}}});
+                  .fds = {{from.get(), kFromInChild}, {to.get(), kToInChild}, {words.get(), 2}}});
     while (!packer.reap(false)) {
       task.check();
       ::usleep(5000);
