@@ -132,10 +132,10 @@ void tellRivalry(const Surface& surface, const RegionWindow& window, ReliefKind 
 }
 
 void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
-                        const RegionWindow& window) {
+                        const RegionWindow& window, OutputSet& set) {
   if (arguments.window_out.empty()) return;
   // Heights as they are under the hand: 0 outside, not NaN.
-  writeMap(arguments.window_out, windowMap(window),
+  writeMap(set.file(arguments.window_out), windowMap(window),
            {.view_from_file = surface.view_from_file, .outside_as_nan = false});
 }
 

@@ -125,7 +125,7 @@ std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& ti
   return svg + "</svg>\n";
 }
 
-void writeForcePlot(const std::filesystem::path& file, const std::vector<PlotRow>& rows,
+void writeForcePlot(const OutputFile& file, const std::vector<PlotRow>& rows,
                     const std::string& title, const ForceLimit& limit) {
   writeTextFile(file, forcePlotSvg(rows, title, limit));
 }

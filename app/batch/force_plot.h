@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
+
+#include "core/file/atomic_file.h"
 
 namespace relievo::batch {
 
@@ -27,7 +28,7 @@ std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& ti
                          const ForceLimit& limit = {});
 
 /// Writes it. @throw WriteError
-void writeForcePlot(const std::filesystem::path& file, const std::vector<PlotRow>& rows,
+void writeForcePlot(const OutputFile& file, const std::vector<PlotRow>& rows,
                     const std::string& title, const ForceLimit& limit = {});
 
 }  // namespace relievo::batch

@@ -10,6 +10,7 @@
 #include "app/batch/arguments.h"
 #include "app/batch/verb_files.h"
 #include "core/base/task.h"
+#include "core/file/output_set.h"
 #include "core/relief/stereo.h"
 
 namespace relievo::batch {
@@ -69,9 +70,9 @@ void warnIfAliased(const Surface& surface, const Region& region);
 void tellRivalry(const Surface& surface, const RegionWindow& window, ReliefKind kind,
                  StereoPrint print);
 
-/// Writes the window's samples if asked to.
+/// Writes the window's samples, as members of the set, if asked to.
 void writeWindowIfAsked(const RegionArguments& arguments, const Surface& surface,
-                        const RegionWindow& window);
+                        const RegionWindow& window, OutputSet& set);
 
 /// One line on stderr: "relievo: message".
 void tell(const std::string& message);

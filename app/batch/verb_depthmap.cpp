@@ -8,10 +8,12 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/file/output_set.h"
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/project/caption.h"
 #include "core/session/surface_colours.h"
+#include "core/tiles/tile_raster.h"
 
 namespace relievo::batch {
 namespace {
@@ -29,8 +31,12 @@ std::filesystem::path besideMap(const std::filesystem::path& map, const std::str
   return file.replace_extension("." + what + map.extension().string());
 }
 
+constexpr const char* kCounts = "counts";    ///< What MAP.count.tif says that it holds.
+constexpr const char* kSpreads = "spreads";  ///< Likewise MAP.spread.tif.
+
 /// MAP.count.tif and MAP.spread.tif: NaN where a cell has no point of its own.
-void writeQuality(const std::filesystem::path& out, const Surface& surface) {
+void writeQuality(const std::filesystem::path& out, const Surface& surface, const std::string& id,
+                  OutputSet& set) {
   const QualityMap& quality = surface.quality;
   DepthMap counts{.frame = surface.map.frame,
                   .heights_mm = std::vector<float>(quality.counts.begin(), quality.counts.end()),
@@ -38,11 +44,40 @@ void writeQuality(const std::filesystem::path& out, const Surface& surface) {
   for (std::size_t i = 0; i < quality.counts.size(); ++i) {
     if (quality.counts[i] == 0) counts.origins[i] = Origin::outside;
   }
-  writeMap(besideMap(out, "count"), counts,
-           {.view_from_file = surface.view_from_file, .write_origins = false, .unit = kPointsUnit});
+  MapFileOptions options{.view_from_file = surface.view_from_file,
+                         .write_origins = false,
+                         .unit = kPointsUnit,
+                         .set = id,
+                         .what = kCounts};
+  writeMap(set.file(besideMap(out, "count")), counts, options);
   counts.heights_mm = quality.spreads_mm;
-  writeMap(besideMap(out, "spread"), counts,
-           {.view_from_file = surface.view_from_file, .write_origins = false});
+  options.unit = MapFileOptions{}.unit;
+  options.what = kSpreads;
+  writeMap(set.file(besideMap(out, "spread")), counts, options);
+}
+
+/// Those of an older map of ours go: nobody would see that they are not of this one.
+void removeQuality(const std::filesystem::path& out, OutputSet& set) {
+  for (const auto& [file, what] : {std::pair{besideMap(out, "count"), kCounts},
+                                   std::pair{besideMap(out, "spread"), kSpreads}}) {
+    const RasterFacts facts = rasterFacts(file);
+    const auto said = facts.find(kContentFact);
+    if (said != facts.end() && said->second == what) set.removes(file);
+  }
+}
+
+void writeFiles(const DepthmapArguments& a, const Surface& surface, const GridColours& colours,
+                const std::string& state) {
+  MapFileOptions options{.view_from_file = surface.view_from_file, .state = state};
+  options.set = setOf(surface.map, colours, options);
+  OutputSet set;
+  if (a.quality && !surface.quality.empty()) {
+    writeQuality(a.out, surface, options.set, set);
+  } else {
+    removeQuality(a.out, set);
+  }
+  writeMapWithColours(set.file(a.out), surface.map, colours, options);
+  set.commit();
 }
 
 /// How the points carry the cells, over the cells that have any; null where not known.
@@ -88,9 +123,7 @@ Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
   const auto start = std::chrono::steady_clock::now();
   const GridColours own = finestColours(surface);
-  writeColours(a.out, surface.map, own);
-  writeMap(a.out, surface.map, {.view_from_file = surface.view_from_file, .state = state});
-  if (a.quality && !surface.quality.empty()) writeQuality(a.out, surface);
+  writeFiles(a, surface, own, state);
   const double write_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 

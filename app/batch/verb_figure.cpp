@@ -8,6 +8,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/file/output_set.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
 #include "core/session/tiled_surface.h"
@@ -81,14 +82,17 @@ Outcome runFigure(const Arguments& a, const Task& task) {
   const Project& project = state.project;
   warnIfAliased(surface, project.region);
   const Json measured = measurementsJson(surface, project);  // Refused before anything is drawn.
+  OutputSet set;
   if (!a.region.window_out.empty()) {
-    writeWindowIfAsked(a.region, surface, windowOf(surface, project.region, project.gain));
+    writeWindowIfAsked(a.region, surface, windowOf(surface, project.region, project.gain), set);
   }
   tellRivalry(surface, windowOf(surface, project.region, project.gain), project.figure.look.kind,
               project.figure.stereo);
   const DisplayGuard display;
   const FigureSession session;
-  const FigureWritten written = writeFigureFiles(surface, project, files, task);
+  const FigureWritten written = writeFigureFiles(surface, project, files, task, {}, &set);
+  task.check();
+  set.commit();
   const FigureFacts& facts = written.facts;
   Json json;
   json["pixels"] = {facts.width_px, facts.height_px};

@@ -54,8 +54,7 @@ Outcome runFill(const FillArguments& a, const Task& task) {
   const FilledMap filled = refilled(surface.map, choice, task);
   GridColours own = finestColours(surface);
   fillColours(own, filled.map, task);
-  writeColours(a.out, filled.map, own);
-  writeMap(a.out, filled.map, {.view_from_file = surface.view_from_file});
+  writeMapWithColours(a.out, filled.map, own, {.view_from_file = surface.view_from_file});
 
   Outcome outcome;
   const std::string missing = holesLeft(filled.holes, choice);

@@ -13,6 +13,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/file/output_set.h"
 #include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
 #include "core/project/caption.h"
@@ -177,22 +178,22 @@ void checkFiles(const MeasureArguments& a, const std::vector<Measurement>& list)
 using HeaderFor = std::function<std::string(const std::string& out)>;
 
 void writeProfileFiles(const MeasureArguments& a, const MapCells& cells, const Measurement& m,
-                       const std::string& title, const HeaderFor& header) {
+                       const std::string& title, const HeaderFor& header, OutputSet& set) {
   if (a.profile_csv.empty() && a.profile_svg.empty()) return;
   const std::vector<ProfileRow> rows = profile(cells, m.places);
   if (!a.profile_csv.empty()) {
-    writeTextFile(a.profile_csv, profileCsv(rows, header(a.profile_csv)));
+    writeTextFile(set.file(a.profile_csv), profileCsv(rows, header(a.profile_csv)));
   }
-  if (!a.profile_svg.empty()) writeTextFile(a.profile_svg, profileSvg(rows, title));
+  if (!a.profile_svg.empty()) writeTextFile(set.file(a.profile_svg), profileSvg(rows, title));
 }
 
 void writeSectionFiles(const MeasureArguments& a, const Reading& reading, const Measurement& m,
-                       const std::string& title, const HeaderFor& header) {
+                       const std::string& title, const HeaderFor& header, OutputSet& set) {
   if (!a.section_csv.empty()) {
-    writeTextFile(a.section_csv, sectionCsv(reading.curves, header(a.section_csv)));
+    writeTextFile(set.file(a.section_csv), sectionCsv(reading.curves, header(a.section_csv)));
   }
   if (!a.section_svg.empty()) {
-    writeTextFile(a.section_svg, sectionSvg(reading.curves, planeOf(m), title));
+    writeTextFile(set.file(a.section_svg), sectionSvg(reading.curves, planeOf(m), title));
   }
 }
 
@@ -214,12 +215,14 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
     json["measurements"].push_back(readingJson(m, readings.back()));
     outcome.lines.push_back(lineFor(m, readings.back()));
   }
+  OutputSet set;
   // Only after all could be read.
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string title = surface.info.file.filename().string() + ": " + list[i].name;
-    if (list[i].kind == MeasureKind::profile) writeProfileFiles(a, cells, list[i], title, header);
+    if (list[i].kind == MeasureKind::profile)
+      writeProfileFiles(a, cells, list[i], title, header, set);
     if (list[i].kind == MeasureKind::section) {
-      writeSectionFiles(a, readings[i], list[i], title, header);
+      writeSectionFiles(a, readings[i], list[i], title, header, set);
     }
   }
   outcome.json = reportText(json);
@@ -228,9 +231,10 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
     if (as_json) {
       json["provenance"] = Json::parse(toJson(provenanceOfVerb(a.map, surface, a.out, task)));
     }
-    writeTextFile(a.out,
+    writeTextFile(set.file(a.out),
                   as_json ? reportText(json) + "\n" : measurementsCsv(cells, list, header(a.out)));
   }
+  set.commit();
   return outcome;
 }
 

@@ -7,6 +7,7 @@
 #include "app/batch/prepare_arguments.h"
 #include "app/batch/verb.h"
 #include "core/base/replaceable.h"
+#include "core/file/output_set.h"
 #include "core/io/text_file.h"
 #include "core/io/write_cloud.h"
 #include "core/provenance/prepared_state.h"
@@ -116,7 +117,9 @@ Outcome runPrepare(const PrepareVerbArguments& a, const Task& task) {
     options.max_memory_bytes = static_cast<std::uint64_t>(*a.memory_mb) << 20U;
   }
   const PreparedFiles made = preparedFiles(a.prepare, options, a.out, task);
-  writeCloud(a.out, made.prepared.scan,
+  OutputSet set;
+  OutputSet cloud;
+  writeCloud(cloud.file(a.out), made.prepared.scan,
              {.state = preparedState(made.again, made.prepared, made.inputs),
               .normals = made.prepared.answer.normals},
              task);
@@ -128,8 +131,10 @@ Outcome runPrepare(const PrepareVerbArguments& a, const Task& task) {
     for (std::size_t i = 0; i < recipe.scans.size() && !a.prepare.files.empty(); ++i) {
       recipe.scans[i].file = relativePath(files[i], folder.empty() ? "." : folder);
     }
-    writeTextFile(a.write_recipe, toJson(recipe) + "\n");
+    writeTextFile(set.file(a.write_recipe), toJson(recipe) + "\n");
   }
+  set.takes(cloud);
+  set.commit();
   return {.json = reportOf(a, made),
           .lines = linesOf(a, made),
           .exit_code = made.prepared.notDone().empty() ? 0 : 4};

@@ -6,9 +6,11 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/file/output_set.h"
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/io/tiff_head.h"
+#include "core/tiles/level_files.h"
 
 namespace relievo::batch {
 namespace {
@@ -26,6 +28,34 @@ std::filesystem::path levelFile(const std::filesystem::path& out, std::size_t le
   return file;
 }
 
+DepthMap mapOf(const PyramidLevel& level) {
+  return {.frame = level.frame,
+          .heights_mm = {level.heights_mm.begin(), level.heights_mm.end()},
+          .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
+}
+
+GridColours coloursOf(const Surface& surface, std::size_t level) {
+  return surface.colours.empty() ? GridColours{} : surface.colours[level].all();
+}
+
+/// All levels take their places together, the finest last; levels of an older pyramid that went
+/// further go.
+void writeLevels(const std::filesystem::path& out, const Surface& surface,
+                 const std::string& state) {
+  MapFileOptions options{
+      .view_from_file = surface.view_from_file, .write_origins = false, .state = state};
+  options.set = setOf(surface.map, coloursOf(surface, 0), options);
+  const std::size_t count = surface.pyramid.levels.size();
+  OutputSet set;
+  for (std::size_t l = count; l-- > 0;) {
+    options.level = static_cast<int>(l);
+    writeMapWithColours(set.file(levelFile(out, l)), mapOf(surface.pyramid.levels[l]),
+                        coloursOf(surface, l), options);
+  }
+  removeLevelsFrom(levelFile(out, 0), static_cast<int>(count), set);
+  set.commit();
+}
+
 Outcome runPyramid(const PyramidArguments& a, const Task& task) {
   requireOwnOrAbsent(levelFile(a.out, 0));
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, levelFile(a.out, 0), task);
@@ -34,17 +64,12 @@ Outcome runPyramid(const PyramidArguments& a, const Task& task) {
     requireOwnOrAbsent(levelFile(a.out, l));
   }
   const std::string state = toJson(provenanceOfVerb(a.map, surface, a.out, task), -1);
+  writeLevels(a.out, surface, state);
   Json levels = Json::array();
   Outcome outcome;
   for (std::size_t l = 0; l < surface.pyramid.levels.size(); ++l) {
     const PyramidLevel& level = surface.pyramid.levels[l];
-    DepthMap map{.frame = level.frame,
-                 .heights_mm = {level.heights_mm.begin(), level.heights_mm.end()},
-                 .origins = std::vector<Origin>(level.heights_mm.size(), Origin::measured)};
     const std::filesystem::path file = levelFile(a.out, l);
-    writeColours(file, map, surface.colours.empty() ? GridColours{} : surface.colours[l].all());
-    writeMap(file, map,
-             {.view_from_file = surface.view_from_file, .write_origins = false, .state = state});
     levels.push_back({{"level", l},
                       {"cells", {level.frame.size.cols, level.frame.size.rows}},
                       {"spacing_mm", level.frame.spacing_mm},

@@ -11,6 +11,7 @@
 #include "app/batch/verb.h"
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
+#include "core/file/output_set.h"
 #include "core/io/text_file.h"
 #include "core/project/shown_lengths.h"
 #include "core/session/tiled_surface.h"
@@ -111,16 +112,23 @@ Stored fromArguments(const RenderArguments& a, const Task& task) {
   return state;
 }
 
-void writeCaptionIfAsked(const RenderArguments& a, const std::string& text, Outcome& outcome) {
-  if (a.caption == "-") outcome.lines.push_back(text);
-  if (!a.caption.empty() && a.caption != "-") writeTextFile(a.caption, text + "\n");
+/// What lies beside the picture, then the picture.
+void takePlaces(const RenderArguments& a, const std::string& caption, OutputSet& beside,
+                OutputSet& picture, const Task& task) {
+  if (!a.caption.empty() && a.caption != "-") writeTextFile({a.caption, &beside}, caption + "\n");
+  beside.takes(picture);
+  task.check();
+  beside.commit();
 }
 
 /// Two eyes' pictures, or what a figure of ours shows, drawn as `figure` draws it.
-Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, const Task& task) {
+Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, OutputSet& set,
+                     const Task& task) {
   const DisplayGuard display;
   const FigureSession session;
-  const FigureFacts facts = writeFigure(stored.surface, stored.project, a.out, task);
+  OutputSet picture;
+  const FigureFacts facts = writeFigure(stored.surface, stored.project, picture.file(a.out), task);
+  takePlaces(a, facts.caption, set, picture, task);
   Json json;
   json["pixels"] = {facts.width_px, facts.height_px};
   json["mm_per_pixel"] = facts.mm_per_pixel;
@@ -134,7 +142,7 @@ Outcome drawAsFigure(const RenderArguments& a, const Stored& stored, const Task&
                             std::to_string(facts.height_px) + " pixels, " +
                             (a.carrier.given() ? "as the figure" : "two eyes' pictures")},
                   .exit_code = exitCodeAfter(stored.surface)};
-  writeCaptionIfAsked(a, facts.caption, outcome);
+  if (a.caption == "-") outcome.lines.push_back(facts.caption);
   return outcome;
 }
 
@@ -143,12 +151,13 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   if (a.caption != "-") requireReplaceable(a.caption);
   Stored state =
       a.carrier.given() ? loadStored(a.carrier, a.map.file, task) : fromArguments(a, task);
+  OutputSet set;
   if (!state.project.picture) {
     if (!a.region.window_out.empty()) {
       writeWindowIfAsked(a.region, state.surface,
-                         windowOf(state.surface, state.project.region, state.project.gain));
+                         windowOf(state.surface, state.project.region, state.project.gain), set);
     }
-    return drawAsFigure(a, state, task);
+    return drawAsFigure(a, state, set, task);
   }
   checkEnding(a.out);
   const Surface& surface = state.surface;
@@ -157,10 +166,12 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
   if (p.stereo.zero_plane_mm) {
     checkZeroPlane(*p.stereo.zero_plane_mm, window.min_mm, window.max_mm, p.region.side_mm);
   }
-  writeWindowIfAsked(a.region, surface, window);
+  writeWindowIfAsked(a.region, surface, window, set);
   tellRivalry(surface, window, p.look.kind, printed(p.stereo.mode));
   const DisplayGuard display;
-  const ViewPictureFacts facts = writeViewPicture(surface, window, p, a.out, task);
+  OutputSet picture;
+  const ViewPictureFacts facts = writeViewPicture(surface, window, p, picture.file(a.out), task);
+  takePlaces(a, facts.caption, set, picture, task);
 
   Json json;
   json["pixels"] = {facts.width_px, facts.height_px};
@@ -178,7 +189,7 @@ Outcome runRender(const RenderArguments& a, const Task& task) {
                             ShownLengths(surface).text(facts.mm_per_pixel) + " each, level " +
                             std::to_string(p.region.level.value)},
                   .exit_code = exitCodeAfter(surface)};
-  writeCaptionIfAsked(a, facts.caption, outcome);
+  if (a.caption == "-") outcome.lines.push_back(facts.caption);
   return outcome;
 }
 

@@ -13,6 +13,7 @@
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "core/file/output_set.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
@@ -147,7 +148,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   TouchSetup setup = prepareTouch(a, task);
   const RegionWindow& window = setup.window;
   const Region& region = window.region;
-  writeWindowIfAsked(a.region, setup.surface, window);
+  OutputSet beside;  // What lies beside the recording, which takes its place first.
+  writeWindowIfAsked(a.region, setup.surface, window, beside);
   std::unique_ptr<Device> device;
   if (!a.device.empty()) {
     device = makeDevice(a.device);
@@ -180,11 +182,12 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
         before = sample;
       },
       task);
-  log->close();
   if (!a.plot.empty()) {
-    writeForcePlot(a.plot, plot,
+    writeForcePlot(beside.file(a.plot), plot,
                    setup.surface.info.file.filename().string() + ", proxy " + proxyName(a), limit);
   }
+  log->close();
+  beside.commit();
 
   const HandMapping hand = handMapping(window);
   Json json;

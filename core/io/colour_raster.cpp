@@ -10,18 +10,18 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
+#include "core/file/output_set.h"
 #include "core/io/colour_rows.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 namespace {
 
 constexpr double kMostSent = 0xFFFFFF;
 constexpr int kRowsAtOnce = 256;  // As high as a tile.
-constexpr const char* kContent = "RELIEVO_CONTENT";
 constexpr const char* kChecksum = "RELIEVO_HEIGHTS";
 
 std::filesystem::path beside(std::filesystem::path map_file, const char* ending) {
@@ -29,14 +29,14 @@ std::filesystem::path beside(std::filesystem::path map_file, const char* ending)
 }
 
 std::string_view contentOf(GDALDataset& dataset) {
-  const char* const content = dataset.GetMetadataItem(kContent);
+  const char* const content = dataset.GetMetadataItem(kContentFact);
   return content == nullptr ? std::string_view() : std::string_view(content);
 }
 
 /// Did this program write it? Looked at as text: GDAL does not read files of others here.
 bool isOurs(const std::filesystem::path& file, std::string_view content) {
   constexpr std::size_t kMetadataWithin = std::size_t{1} << 20U;
-  const std::string item = "\"" + std::string(kContent) + "\">" + std::string(content) + "<";
+  const std::string item = "\"" + std::string(kContentFact) + "\">" + std::string(content) + "<";
   try {
     return readHead(file, kMetadataWithin).find(item) != std::string::npos;
   } catch (const FileError&) {
@@ -44,14 +44,15 @@ bool isOurs(const std::filesystem::path& file, std::string_view content) {
   }
 }
 
-CPLStringList metadataOf(const DepthMap& map, std::string_view content) {
+CPLStringList metadataOf(const DepthMap& map, std::string_view content, const std::string& set) {
   std::vector<float> heights = map.heights_mm;
   for (std::size_t i = 0; i < heights.size(); ++i) {
     if (map.origins[i] == Origin::outside) heights[i] = std::numeric_limits<float>::quiet_NaN();
   }
   CPLStringList metadata;
-  metadata.SetNameValue(kContent, std::string(content).c_str());
+  metadata.SetNameValue(kContentFact, std::string(content).c_str());
   metadata.SetNameValue(kChecksum, std::to_string(heightsChecksum(heights)).c_str());
+  if (!set.empty()) metadata.SetNameValue(kSetFact, set.c_str());
   metadata.SetNameValue("RELIEVO_VERSION", RELIEVO_VERSION_STRING);
   metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
   return metadata;
@@ -81,14 +82,15 @@ bool writePixels(GDALDataset& dataset, const std::vector<std::array<std::uint8_t
 }
 
 template <std::size_t Size>
-void writeCompanion(const std::filesystem::path& file, const DepthMap& map,
+void writeCompanion(const OutputFile& place, const DepthMap& map,
                     const std::vector<std::array<std::uint8_t, Size>>& pixels,
-                    std::string_view content) {
+                    std::string_view content, const std::string& set) {
+  const std::filesystem::path& file = place.path;
   std::error_code unknown;
   const bool there = std::filesystem::exists(file, unknown);
   const bool ours = there && isOurs(file, content);
   if (pixels.empty()) {
-    if (ours) std::filesystem::remove(file, unknown);  // It would lie about this map.
+    if (ours) place.set->removes(file);  // It would lie about this map.
     return;
   }
   if (there && !ours) {
@@ -100,7 +102,7 @@ void writeCompanion(const std::filesystem::path& file, const DepthMap& map,
     throw ArgumentError("A map of " + std::to_string(size.count()) + " cells has " +
                         std::to_string(pixels.size()) + " " + std::string(content) + ".");
   }
-  ReplacedFile written(file);
+  AtomicFile written(place);
   const GdalErrors errors;
   registerRasterDrivers();
   const char* const options[] = {"COMPRESS=DEFLATE",
@@ -119,12 +121,12 @@ void writeCompanion(const std::filesystem::path& file, const DepthMap& map,
   std::array<double, 6> transform{
       f.first_x_mm - 0.5 * s, s, 0, f.first_y_mm + (size.rows - 1) * s + 0.5 * s, 0, -s};
   dataset->SetGeoTransform(transform.data());
-  CPLStringList metadata = metadataOf(map, content);
+  CPLStringList metadata = metadataOf(map, content, set);
   dataset->SetMetadata(metadata.List());
   const bool good = writePixels(*dataset, pixels, size);
   dataset.reset();  // Flushes; a full disk shows itself here at the latest.
   if (!good || errors.any()) cannotWrite(file, errors.first());
-  written.keep();
+  written.commit();
 }
 
 constexpr std::string_view kColours = "colours";
@@ -140,10 +142,30 @@ std::filesystem::path intensityFileOf(std::filesystem::path map_file) {
   return beside(std::move(map_file), ".intensity.tif");
 }
 
-void writeColours(const std::filesystem::path& map_file, const DepthMap& map,
-                  const GridColours& colours) {
-  writeCompanion(colourFileOf(map_file), map, colours.colours, kColours);
-  writeCompanion(intensityFileOf(map_file), map, colours.intensities, kIntensities);
+void writeColours(const OutputFile& map_file, const DepthMap& map, const GridColours& colours,
+                  const std::string& set) {
+  if (map_file.set == nullptr) {
+    OutputSet files;
+    writeColours(files.file(map_file.path), map, colours, set);
+    return files.commit();
+  }
+  OutputSet& files = *map_file.set;
+  writeCompanion(files.file(colourFileOf(map_file.path)), map, colours.colours, kColours, set);
+  writeCompanion(files.file(intensityFileOf(map_file.path)), map, colours.intensities, kIntensities,
+                 set);
+}
+
+void writeMapWithColours(const OutputFile& map_file, const DepthMap& map,
+                         const GridColours& colours, const MapFileOptions& options) {
+  if (map_file.set == nullptr) {
+    OutputSet files;
+    writeMapWithColours(files.file(map_file.path), map, colours, options);
+    return files.commit();
+  }
+  MapFileOptions of_set = options;
+  if (of_set.set.empty()) of_set.set = setOf(map, colours, options);
+  writeColours(map_file, map, colours, of_set.set);
+  writeMap(map_file, map, of_set);
 }
 
 std::uint64_t heightsChecksum(std::span<const float> heights_mm) {
@@ -176,6 +198,8 @@ std::optional<RasterEnd> readColourRows(GDALDataset& dataset, RasterHead head,
       std::string(content == kColours ? kColourRasterFormat : kIntensityRasterFormat);
   const char* const checksum = dataset.GetMetadataItem(kChecksum);
   head.projection = checksum == nullptr ? "" : checksum;
+  const char* const set = dataset.GetMetadataItem(kSetFact);
+  head.set = set == nullptr ? "" : set;
   head.size.cols = 2 * size.cols;
   head.info.points = head.info.finite_points = head.size.count();
   head.info.bounds = FileBounds{{0, 0, 0}, {1, 1, kMostSent}};

@@ -9,6 +9,7 @@
 
 #include "core/base/grid.h"
 #include "core/depth/colours.h"
+#include "core/file/atomic_file.h"
 #include "core/io/raster.h"
 
 namespace relievo {
@@ -23,15 +24,21 @@ std::filesystem::path intensityFileOf(std::filesystem::path map_file);  ///< MAP
 /// that they are never taken for another map's. What the scan does not say is not written, and a
 /// companion of an older map removed. @throw WriteError  also if a file that is not of this program
 /// has such a name
-void writeColours(const std::filesystem::path& map_file, const DepthMap& map,
-                  const GridColours& colours);
+/// @param set  MapFileOptions::set of the map
+void writeColours(const OutputFile& map_file, const DepthMap& map, const GridColours& colours,
+                  const std::string& set);
+
+/// A map with its origins and colours, all of one set: they take their places together.
+/// @throw as writeMap and writeColours
+void writeMapWithColours(const OutputFile& map_file, const DepthMap& map,
+                         const GridColours& colours, const MapFileOptions& options);
 
 /// Of the heights; NaN: none.
 std::uint64_t heightsChecksum(std::span<const float> heights_mm);
 
 /// The worker sends a companion as a raster of its own: each row the colours as whole numbers
 /// (red x 65536 + green x 256 + blue, or grey) and behind them the alphas. Its checksum stands in
-/// RasterHead::projection.
+/// RasterHead::projection, its set in RasterHead::set.
 inline constexpr std::string_view kColourRasterFormat = "colours of a map's cells";
 inline constexpr std::string_view kIntensityRasterFormat = "intensities of a map's cells";
 

@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/file/atomic_file.h"
 #include "core/io/export_grid.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 
@@ -24,13 +21,10 @@ static_assert(std::endian::native == std::endian::little, "binary exports are wr
 /// Buffered text and bytes into a file that replaces the old one when all went well.
 class ExportFile {
  public:
-  explicit ExportFile(const std::filesystem::path& file)
-      : shown_(file), file_(file), stream_(file_.path(), std::ios::binary | std::ios::trunc) {
-    if (!stream_) cannotWrite(shown_, std::strerror(errno));
-  }
+  explicit ExportFile(const OutputFile& file) : file_(file) {}
 
   ExportFile& operator<<(std::string_view text) {
-    stream_.write(text.data(), static_cast<std::streamsize>(text.size()));
+    add(text.data(), text.size());
     return *this;
   }
   /// Shortest digits that read back as the same number.
@@ -38,27 +32,35 @@ class ExportFile {
   void number(Number value) {
     std::array<char, 32> digits{};
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    stream_.write(digits.data(), end - digits.data());
+    add(digits.data(), static_cast<std::size_t>(end - digits.data()));
   }
   template <class T>
   void bytes(const T& value) {
-    stream_.write(reinterpret_cast<const char*>(&value), sizeof(T));
+    add(reinterpret_cast<const char*>(&value), sizeof(T));
   }
   template <class T>
   void array(const std::vector<T>& values) {
-    stream_.write(reinterpret_cast<const char*>(values.data()),
-                  static_cast<std::streamsize>(values.size() * sizeof(T)));
+    add(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
   }
-  void keep() {
-    stream_.close();
-    if (!stream_) cannotWrite(shown_, "the disk is full or failed");
-    file_.keep();
+  void commit() {
+    flush();
+    file_.commit();
   }
 
  private:
-  std::filesystem::path shown_;
-  ReplacedFile file_;
-  std::ofstream stream_;
+  static constexpr std::size_t kAtOnce = std::size_t{1} << 18U;
+
+  void add(const char* bytes, std::size_t count) {
+    waiting_.append(bytes, count);
+    if (waiting_.size() >= kAtOnce) flush();
+  }
+  void flush() {
+    file_.write(waiting_);
+    waiting_.clear();
+  }
+
+  AtomicFile file_;
+  std::string waiting_;
 };
 
 inline double xOf(const ExportGrid& grid, int col) {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/output_set.h"
 #include "core/io/export_file.h"
 
 namespace relievo {
@@ -126,7 +127,8 @@ std::optional<ExportFormat> exportFormatOf(const std::filesystem::path& file) {
 }
 
 void writeAsciiGrid(const std::filesystem::path& file, const ExportGrid& grid) {
-  ExportFile out(file);
+  OutputSet set;  // A grid must not lie where another one's reference system says.
+  ExportFile out(set.file(file));
   out << "ncols " << std::to_string(grid.size.cols) << "\nnrows " << std::to_string(grid.size.rows)
       << "\nxllcenter ";
   out.number(grid.first_x);
@@ -150,11 +152,13 @@ void writeAsciiGrid(const std::filesystem::path& file, const ExportGrid& grid) {
     }
     out << "\n";
   }
-  out.keep();
-  if (grid.projection.empty()) return;
-  ExportFile projection(std::filesystem::path(file).replace_extension(".prj"));
-  projection << grid.projection << "\n";
-  projection.keep();
+  if (!grid.projection.empty()) {
+    ExportFile projection(set.file(std::filesystem::path(file).replace_extension(".prj")));
+    projection << grid.projection << "\n";
+    projection.commit();
+  }
+  out.commit();
+  set.commit();
 }
 
 void writeVti(const std::filesystem::path& file, const ExportGrid& grid) {
@@ -187,7 +191,7 @@ void writeVti(const std::filesystem::path& file, const ExportGrid& grid) {
   out.bytes(static_cast<std::uint64_t>(grid.origins.size()));
   out.array(grid.origins);
   out << "\n</AppendedData>\n</VTKFile>\n";
-  out.keep();
+  out.commit();
 }
 
 namespace {
@@ -241,7 +245,7 @@ void writePlyMesh(const std::filesystem::path& file, const ExportGrid& grid) {
     out.bytes(std::uint8_t{3});
     out.bytes(triangle);
   }
-  out.keep();
+  out.commit();
 }
 
 void writeXyz(const std::filesystem::path& file, const ExportGrid& grid) {
@@ -258,7 +262,7 @@ void writeXyz(const std::filesystem::path& file, const ExportGrid& grid) {
       out << "\n";
     }
   }
-  out.keep();
+  out.commit();
 }
 
 namespace {
@@ -364,7 +368,7 @@ void writeStlPlate(const std::filesystem::path& file, const ExportGrid& grid, do
   out << title;
   out.bytes(solid.triangles());
   solid.write(out);
-  out.keep();
+  out.commit();
 }
 
 double estimatedBytes(GridSize size, ExportFormat format, bool has_colours) {

@@ -144,7 +144,7 @@ bool readCompanion(const std::filesystem::path& file, std::string_view format, R
     const RasterHead& head = rows.head();
     if (head.info.format != format) return drop("was not written with the map");
     if (head.size.cols != 2 * map.size.cols || head.size.rows != map.size.rows ||
-        head.projection != std::to_string(checksum)) {
+        head.projection != std::to_string(checksum) || head.set != map.set) {
       return drop("belongs to another map");
     }
     const auto cols = static_cast<std::size_t>(map.size.cols);

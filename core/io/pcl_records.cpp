@@ -19,7 +19,7 @@
 
 #include "core/base/bands.h"
 #include "core/base/error.h"
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 namespace {

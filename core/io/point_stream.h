@@ -12,9 +12,9 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/file/owned_fd.h"
 #include "core/io/import.h"
 #include "core/io/laz_points.h"
-#include "core/io/owned_fd.h"
 #include "core/io/point_columns.h"
 #include "core/io/scalar.h"
 

@@ -238,10 +238,16 @@ void restoreFrame(GDALDataset& dataset, RasterHead& raster) {
   raster.pixel = spacing;
 }
 
+std::string_view factOf(GDALDataset& dataset, const char* name) {
+  const char* const text = dataset.GetMetadataItem(name);
+  return text == nullptr ? std::string_view() : std::string_view(text);
+}
+
 /// The origins beside an own map, row by row; none, with a warning, if they do not belong to it.
 class OriginRows {
  public:
-  explicit OriginRows(RasterHead& raster) : raster_(raster), file_(originFileOf(raster.info.file)) {
+  OriginRows(GDALDataset& map, RasterHead& raster)
+      : raster_(raster), file_(originFileOf(raster.info.file)) {
     std::error_code missing;
     if (!raster.is_own_map || !std::filesystem::exists(file_, missing)) return;
     const char* const drivers[] = {"GTiff", nullptr};
@@ -251,6 +257,8 @@ class OriginRows {
     } else if (dataset_->GetRasterXSize() != raster.size.cols ||
                dataset_->GetRasterYSize() != raster.size.rows || dataset_->GetRasterCount() < 1) {
       drop("has another size than the map");
+    } else if (!belongsTo(map)) {
+      drop("belongs to another map");
     }
     codes_.resize(static_cast<std::size_t>(raster.size.cols));
     origins_.resize(codes_.size());
@@ -280,6 +288,19 @@ class OriginRows {
   }
 
  private:
+  /// Origins that fit by chance, or that a killed program left, would tell what is not so.
+  bool belongsTo(GDALDataset& map) const {
+    if (factOf(*dataset_, kContentFact) != kOriginContent) return false;
+    const bool none_says = raster_.set.empty() && factOf(*dataset_, kSetFact).empty();
+    if (!none_says) return factOf(*dataset_, kSetFact) == raster_.set;
+    // Of earlier builds.
+    const std::array<const char*, 3> same{"RELIEVO_VIEW_FROM_FILE", "RELIEVO_FRAME",
+                                          kDescriptionTag};
+    return std::all_of(same.begin(), same.end(), [&](const char* fact) {
+      return factOf(*dataset_, fact) == factOf(map, fact);
+    });
+  }
+
   void drop(const std::string& reason) {
     dataset_.reset();
     raster_.info.warnings.push_back(shownName(file_) + " " + reason + " and was left aside.");
@@ -362,10 +383,11 @@ class HeightSummary {
   float highest_ = -std::numeric_limits<float>::infinity();
 };
 
-RasterEnd passRows(HeightRows& rows, bool rows_from_top, const GdalErrors& errors,
-                   RasterHead& raster, const RasterSink& sink, const Task& task) {
+RasterEnd passRows(GDALDataset& dataset, HeightRows& rows, bool rows_from_top,
+                   const GdalErrors& errors, RasterHead& raster, const RasterSink& sink,
+                   const Task& task) {
   const int count = raster.size.rows;
-  OriginRows origins(raster);
+  OriginRows origins(dataset, raster);
   HeightSummary summary;
   sink.begin(raster, origins.any());
   for (int file_row = 0; file_row < count; ++file_row) {
@@ -401,6 +423,7 @@ void readOwnMap(GDALDataset& dataset, RasterHead& raster) {
            "its RELIEVO_ entries were changed and make no sense. Write the map again.");
   }
   raster.is_own_map = true;
+  raster.set = factOf(dataset, kSetFact);
   raster.info.unit = LengthUnit::mm;
   raster.view_from_file = ViewFromFile{*numbers};
   restoreFrame(dataset, raster);
@@ -450,7 +473,7 @@ RasterEnd readRasterRows(const std::filesystem::path& file, const RasterSink& si
     raster.info.height_step = std::abs(rule.scale);
   }
   HeightRows rows(band, rule, raster.size.cols);
-  return passRows(rows, placement.rows_from_top, errors, raster, sink, task);
+  return passRows(*dataset, rows, placement.rows_from_top, errors, raster, sink, task);
 }
 
 RasterMap readRaster(const std::filesystem::path& file) {

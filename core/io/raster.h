@@ -12,6 +12,7 @@
 #include "core/cloud/scan.h"
 #include "core/depth/colours.h"
 #include "core/depth/depth_map.h"
+#include "core/file/atomic_file.h"
 
 namespace relievo {
 
@@ -25,6 +26,7 @@ struct RasterHead {
   bool is_own_map = false;  ///< Written by writeMap.
   std::optional<ViewFromFile> view_from_file;  ///< Of an own map.
   std::string projection;  ///< Well-known text, true of these heights; empty if none is stated.
+  std::string set;         ///< MapFileOptions::set of an own map; empty: none is stated.
 };
 
 /// A height raster in memory.
@@ -65,14 +67,26 @@ struct MapFileOptions {
   bool outside_as_nan = true;  ///< False: outside cells keep their height, 0.
   std::string state = {};      ///< ASCII; becomes the image description. Empty: none.
   std::string unit = "mm";     ///< Of the values. Others than mm are not read back as a map.
+  std::string set = {};        ///< Which files belong together, as setOf; empty: of this map alone.
+  std::string what = {};       ///< Of values that belong to another map's cells; empty: a map.
+  std::optional<int> level = {};  ///< Of a pyramid.
 };
 
+/// What the files that are written together all say: a checksum of heights, origins, frame, colours
+/// and state, so that the same command writes the same bytes again.
+std::string setOf(const DepthMap& map, const GridColours& colours, const MapFileOptions& options);
+
+/// MapFileOptions::set of files written with it, and of all files of a tiled map.
+inline constexpr const char* kSetFact = "RELIEVO_MAP_CONTENT";
+/// MapFileOptions::what, and what files beside a map hold.
+inline constexpr const char* kContentFact = "RELIEVO_CONTENT";
+inline constexpr const char* kLevelFact = "RELIEVO_LEVEL";  ///< MapFileOptions::level.
+
 /// Writes MAP.tif (float32, mm, NaN outside, north-up geotransform in view mm whose cell centres
-/// are the samples, RELIEVO_* metadata) and MAP.origin.tif (uint8 codes). Written to a temporary
-/// name and renamed, so that a failure leaves nothing half done.
+/// are the samples, RELIEVO_* metadata) and MAP.origin.tif (uint8 codes). Both are written before
+/// one takes its place, so that a failure leaves nothing half done.
 /// @throw WriteError
-void writeMap(const std::filesystem::path& file, const DepthMap& map,
-              const MapFileOptions& options);
+void writeMap(const OutputFile& file, const DepthMap& map, const MapFileOptions& options);
 
 /// The `state` that a TIFF was written with: its image description. Nothing if it has none.
 /// [worker]

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/base/task.h"
+#include "core/file/owned_fd.h"
 #include "core/io/import.h"
-#include "core/io/owned_fd.h"
 #include "core/io/raster.h"
 
 namespace relievo {

@@ -247,6 +247,7 @@ std::string textOf(const RasterHead& raster) {
   packer.put(static_cast<std::uint64_t>(raster.view_from_file.has_value()));
   packer.put(raster.view_from_file.value_or(ViewFromFile{}));
   packer.put(raster.projection);
+  packer.put(raster.set);
   pack(raster.info, packer);
   return packer.bytes();
 }
@@ -414,6 +415,7 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
   const auto view = unpacker.get<ViewFromFile>();
   if (has_view) raster.view_from_file = view;
   raster.projection = unpacker.text();
+  raster.set = unpacker.text();
   if (!unpack(unpacker, raster.info) || !consistent(raster)) return {};
   const std::uint64_t cells = raster.size.count();
   const std::uint64_t heights = header.array_bytes[0], origins = header.array_bytes[1];

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 

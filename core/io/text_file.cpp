@@ -1,43 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/text_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
-
 #include "core/base/error.h"
 #include "core/io/file_check.h"
-#include "core/io/owned_fd.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
-namespace {
 
-bool writeAll(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(descriptor, text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    text.remove_prefix(static_cast<std::size_t>(count));
+void writeTextFile(const OutputFile& file, std::string_view text) {
+  try {
+    AtomicFile written(file);
+    written.write(text);
+    written.commit();
+  } catch (const CannotWrite& error) {
+    throw WriteError("Cannot write " + file.path.string() + " (" + error.reason +
+                     "). What was there is as before. Choose another folder or free some space.");
   }
-  return true;
-}
-
-}  // namespace
-
-void writeTextFile(const std::filesystem::path& file, std::string_view text) {
-  ReplacedFile replaced(file);
-  {
-    const OwnedFd out(
-        ::open(replaced.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-    if (out.get() < 0 || !writeAll(out.get(), text)) {
-      throw WriteError("Cannot write " + file.string() + " (" + std::strerror(errno) +
-                       "). What was there is as before. Choose another folder or free some space.");
-    }
-  }
-  replaced.keep();
 }
 
 std::string readTextFile(const std::filesystem::path& file, std::size_t most_bytes) {

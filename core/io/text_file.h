@@ -6,12 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/file/atomic_file.h"
+
 namespace relievo {
 
 /// Writes a file beside its place, brings it to the disk and renames it: whatever happens, either
-/// the old file or the whole new one is there. [any thread]
+/// the old file or the whole new one is there; a member of a set waits for the others. [any thread]
 /// @throw WriteError
-void writeTextFile(const std::filesystem::path& file, std::string_view text);
+void writeTextFile(const OutputFile& file, std::string_view text);
 
 /// A whole file. [any thread]
 /// @throw FileError  missing, not a regular file, empty, unreadable, or longer than `most_bytes`

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/owned_fd.h"
 #include "core/io/file_check.h"
-#include "core/io/owned_fd.h"
 
 namespace relievo {
 namespace {

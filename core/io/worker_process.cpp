@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/unnamed_file.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/number_text.h"
-#include "core/io/unnamed_file.h"
 #include "core/io/worker_sandbox.h"
 
 namespace relievo {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/file/owned_fd.h"
 #include "core/io/import.h"
-#include "core/io/owned_fd.h"
 #include "core/io/spawn.h"
 
 namespace relievo {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <vector>
 
+#include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
-#include "core/io/replaced_file.h"
 
 namespace relievo {
 namespace {
@@ -21,9 +21,8 @@ constexpr std::size_t kStatePiece = 200;
 
 class CloudWriter {
  public:
-  CloudWriter(const std::filesystem::path& file, const Scan& scan, const CloudNotes& notes,
-              const Task& task)
-      : shown_(file),
+  CloudWriter(const OutputFile& file, const Scan& scan, const CloudNotes& notes, const Task& task)
+      : shown_(file.path),
         scan_(scan),
         notes_(notes),
         task_(task),
@@ -54,7 +53,7 @@ class CloudWriter {
     flush(block);
     out_.close();
     if (!out_) cannotWrite(shown_, "the disk is full or failed");
-    file_.keep();
+    file_.commit();
   }
 
  private:
@@ -135,7 +134,7 @@ class CloudWriter {
   const Scan& scan_;
   const CloudNotes& notes_;
   const Task& task_;
-  ReplacedFile file_;
+  AtomicFile file_;
   std::ofstream out_;
   bool exact_, some_without_colour_, intensities_, parts_;
 };
@@ -143,7 +142,7 @@ static_assert(sizeof(FilePoint) == 3 * sizeof(double));
 
 }  // namespace
 
-void writeCloud(const std::filesystem::path& file, const Scan& scan, const CloudNotes& notes,
+void writeCloud(const OutputFile& file, const Scan& scan, const CloudNotes& notes,
                 const Task& task) {
   CloudWriter(file, scan, notes, task).write();
 }

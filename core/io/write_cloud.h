@@ -9,6 +9,7 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/file/atomic_file.h"
 
 namespace relievo {
 
@@ -21,11 +22,11 @@ struct CloudNotes {
 /// Writes points and triangles as binary PLY: x y z as double where the scan has an origin, else
 /// as float, bit for bit; then nx ny nz, red green blue (alpha where a point has no colour),
 /// intensity as it was stored, classification, and part where there are several. The unit, if it
-/// is known, and the names of the parts are comments. The file takes its place when all is
-/// written. [worker]
+/// is known, and the names of the parts are comments. The file takes its place when all is written.
+/// [worker]
 /// @pre  lists are empty or as long as the points
 /// @throw WriteError  nothing was replaced  @throw Cancelled
-void writeCloud(const std::filesystem::path& file, const Scan& scan, const CloudNotes& notes = {},
+void writeCloud(const OutputFile& file, const Scan& scan, const CloudNotes& notes = {},
                 const Task& task = {});
 
 /// Start of the comment lines that hold a state, piece by piece: other programs stop at lines of

@@ -218,7 +218,7 @@ void writeGltf(const std::filesystem::path& file, const ExportGrid& grid, const 
   out.array(mesh.normals);
   out.array(mesh.colours);
   out.array(mesh.triangles);
-  out.keep();
+  out.commit();
 }
 
 }  // namespace relievo

@@ -3,16 +3,18 @@
 #include <array>
 #include <limits>
 #include <mutex>
+#include <span>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
+#include "core/file/output_set.h"
+#include "core/hash/sha256.h"
 #include "core/io/export_grid.h"
 #include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
-#include "core/io/replaced_file.h"
 #include "core/io/tiff_head.h"
 
 namespace relievo {
@@ -113,9 +115,30 @@ void registerRasterDrivers() {
   });
 }
 
-void writeMap(const std::filesystem::path& file, const DepthMap& map,
-              const MapFileOptions& options) {
+std::string setOf(const DepthMap& map, const GridColours& colours, const MapFileOptions& options) {
+  Sha256 sum;
+  const auto add = [&sum](const auto& list) { sum.add(std::as_bytes(std::span(list))); };
+  add(map.heights_mm);
+  add(map.origins);
+  add(colours.colours);
+  add(colours.intensities);
+  add(options.view_from_file.m);
+  const GridFrame& frame = map.frame;
+  add(std::array{frame.first_x_mm, frame.first_y_mm, frame.spacing_mm,
+                 static_cast<double>(frame.size.cols), static_cast<double>(frame.size.rows)});
+  sum.add(options.state);
+  return sum.finish();
+}
+
+void writeMap(const OutputFile& place, const DepthMap& map, const MapFileOptions& options) {
   checkMap(map);
+  if (place.set == nullptr) {
+    OutputSet set;
+    writeMap(set.file(place.path), map, options);
+    return set.commit();
+  }
+  OutputSet& set = *place.set;
+  const std::filesystem::path& file = place.path;
   std::vector<float> heights = map.heights_mm;
   std::vector<std::uint8_t> codes(map.origins.size());
   std::vector<std::uint8_t> mask(map.origins.size(), 255);
@@ -135,23 +158,28 @@ void writeMap(const std::filesystem::path& file, const DepthMap& map,
           .c_str());
   metadata.SetNameValue("TIFFTAG_SOFTWARE", "relievo " RELIEVO_VERSION_STRING);
   if (!options.state.empty()) metadata.SetNameValue(kDescriptionTag, options.state.c_str());
+  metadata.SetNameValue(
+      kSetFact, options.set.empty() ? setOf(map, {}, options).c_str() : options.set.c_str());
+  if (!options.what.empty()) metadata.SetNameValue(kContentFact, options.what.c_str());
+  if (options.level) {
+    metadata.SetNameValue(kLevelFact, std::to_string(*options.level).c_str());
+  }
 
   const std::filesystem::path origin_name = originFileOf(file);
   if (options.write_origins) requireOwnOrAbsent(origin_name);
-  ReplacedFile map_file(file);
+  AtomicFile map_file(place);
   writeBand(map_file.path(), file, placeOf(map.frame), {GDT_Float32, heights.data(), sizeof(float)},
             metadata);
   if (options.write_origins) {
-    ReplacedFile origin_file(origin_name);
-    metadata.SetNameValue("RELIEVO_CONTENT", std::string(kOriginContent).c_str());
+    AtomicFile origin_file(set.file(origin_name));
+    metadata.SetNameValue(kContentFact, std::string(kOriginContent).c_str());
     writeBand(origin_file.path(), origin_name, placeOf(map.frame), {GDT_Byte, codes.data(), 1},
               metadata);
-    origin_file.keep();
+    origin_file.commit();
   } else if (isOwnTiff(origin_name)) {
-    std::error_code ignored;
-    std::filesystem::remove(origin_name, ignored);  // An older map's would lie about this one.
+    set.removes(origin_name);  // An older map's would lie about this one.
   }
-  map_file.keep();
+  map_file.commit();
 }
 
 namespace {
@@ -192,17 +220,18 @@ void writeGeoTiff(const std::filesystem::path& file, const ExportGrid& grid) {
     heights[i] = kNaN;
     mask[i] = 0;
   }
-  ReplacedFile written(file);
+  AtomicFile written(file);
   writeBand(written.path(), file, placeOf(grid),
             {GDT_Float32, heights.data(), sizeof(float), &mask}, factsOf(grid));
-  written.keep();
+  written.commit();
 }
 
 void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid,
                        const Task& task) {
   GdalErrors errors;
   registerRasterDrivers();
-  ReplacedFile written(file);
+  // The driver writes overviews beside the file before they are in it.
+  AtomicFile written(file, TemporaryName::beside);
   // The driver copies what is complete: its first bytes say where everything is.
   Dataset whole(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
       "", grid.size.cols, grid.size.rows, 1, GDT_Float32, nullptr));
@@ -229,7 +258,7 @@ void writeCloudGeoTiff(const std::filesystem::path& file, const ExportGrid& grid
   good = made != nullptr;
   made.reset();
   if (!good || errors.any()) cannotWrite(file, errors.first());
-  written.keep();
+  written.commit();
 }
 
 }  // namespace relievo

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/file/output_set.h"
 
 namespace relievo {
 namespace {
@@ -93,7 +94,9 @@ void setAutosaveAside(const std::filesystem::path& file) {
   aside += ".unreadable";
   std::error_code error;
   std::filesystem::rename(file, aside, error);
-  if (!error) removeAutosave(file);
+  if (error) return;
+  bringNamesToDisk(aside.parent_path());  // Before the lock goes, which leads to it.
+  removeAutosave(file);
 }
 
 }  // namespace relievo

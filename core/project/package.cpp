@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/package.h"
 
-#include <zip.h>
-
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -13,9 +13,11 @@
 
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
+#include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
-#include "core/io/replaced_file.h"
 #include "core/project/project_files.h"
+#include "core/project/zip_session.h"
+#include "core/project/zip_target.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/tiles/tiled_map.h"
@@ -32,11 +34,6 @@ constexpr std::uint64_t kMostRatio = 200;  // Of bytes unpacked to bytes packed;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1}
                                      << 50U;  // Of an entry; a sum cannot overflow.
 constexpr std::time_t kNoDate = 315532800;    // 1980-01-01, the oldest that a zip can hold.
-
-struct DiscardZip {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-using Zip = std::unique_ptr<zip_t, DiscardZip>;
 
 // ---- writing -------------------------------------------------------------------------------
 
@@ -58,16 +55,17 @@ std::string manifestLine(const std::string& sha256, const std::string& name) {
 class PackageWriter {
  public:
   explicit PackageWriter(std::filesystem::path target)
-      : target_(std::move(target)), part_(target_) {
-    int code = 0;
-    archive_.reset(zip_open(part_.path().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
-    if (!archive_) {
-      zip_error_t error;
-      zip_error_init_with_code(&error, code);
-      const std::string reason = zip_error_strerror(&error);
-      zip_error_fini(&error);
-      fail(reason);
-    }
+      : target_(std::move(target)), part_(target_), zip_(part_.path()) {
+    zip_source_t* const source = zip_.source();
+    if (source == nullptr) fail(std::strerror(errno));
+    zip_error_t error;
+    zip_error_init(&error);
+    archive_.reset(zip_open_from_source(source, ZIP_CREATE | ZIP_TRUNCATE, &error));
+    const std::string reason = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    if (archive_) return;
+    zip_source_free(source);
+    fail(reason);
   }
 
   /// @return its name in the package; a second one of the same name gets a number
@@ -105,7 +103,7 @@ class PackageWriter {
       fail(zip_strerror(archive_.get()));
     }
     archive_.release();  // NOLINT(bugprone-unused-return-value): closed, hence freed.
-    part_.keep();
+    part_.commit();
   }
 
  private:
@@ -129,7 +127,8 @@ class PackageWriter {
   }
 
   std::filesystem::path target_;
-  ReplacedFile part_;
+  AtomicFile part_;
+  ZipTarget zip_;
   std::vector<std::unique_ptr<std::string>> texts_;  ///< Until the archive is closed.
   std::map<std::string, std::string> manifest_;
   Zip archive_;

@@ -84,9 +84,9 @@ ExportedMap exportMap(const std::filesystem::path& file, const Surface& surface,
   const bool is_map = choice.format == ExportFormat::geotiff && !choice.in_file_frame &&
                       choice.part == ExportPart::map && !surface.tiles;
   if (is_map) {
-    writeColours(file, surface.map, finestColours(surface));
-    writeMap(file, surface.map,
-             {.view_from_file = surface.view_from_file, .mask_band = true, .state = choice.state});
+    writeMapWithColours(
+        file, surface.map, finestColours(surface),
+        {.view_from_file = surface.view_from_file, .mask_band = true, .state = choice.state});
   } else {
     exportGrid(file, grid, choice.format, {.plate_mm = choice.plate_mm}, task);
   }

@@ -2,9 +2,9 @@
 #include "core/tiles/colour_files.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "core/io/colour_raster.h"
@@ -18,7 +18,7 @@ namespace {
 /// A file of pixels, band by band.
 template <std::size_t Size>
 struct PixelFile {
-  PixelFile(const std::filesystem::path& file, const GridFrame& frame)
+  PixelFile(const OutputFile& file, const GridFrame& frame)
       : writer(file, frame, {.cell_bytes = 1, .bands = static_cast<int>(Size), .has_alpha = true}) {
     for (auto& plane : planes) plane.resize(static_cast<std::size_t>(frame.size.cols));
   }
@@ -45,9 +45,10 @@ bool isOurs(const std::filesystem::path& file, const char* content) {
   return found != facts.end() && found->second == content;
 }
 
-void removeIfOurs(const std::filesystem::path& file, const char* content) {
-  std::error_code ignored;
-  if (isOurs(file, content)) std::filesystem::remove(file, ignored);
+/// One multiplication per pixel, as of heights (LevelFiles).
+void mix(std::uint64_t& content, std::uint32_t pixel) {
+  content = (content ^ pixel) * 0x9e3779b97f4a7c15ULL;
+  content ^= content >> 29U;
 }
 
 }  // namespace
@@ -59,15 +60,16 @@ struct ColourFiles::Level {
 
 ColourFiles::ColourFiles(const std::filesystem::path& finest, std::vector<GridFrame> frames,
                          double factor, bool colours, bool intensities)
-    : colours_(colours),
+    : cols_(static_cast<std::size_t>(frames.front().size.cols)),
+      colours_(colours),
       intensities_(intensities),
       pyramid_(frames, factor, [this](const ColourRow& row) { take(row); }) {
   for (std::size_t l = 0; l < frames.size(); ++l) {
     const std::filesystem::path file = levelFile(finest, static_cast<int>(l));
     requireFree(file);
     auto level = std::make_unique<Level>();
-    if (colours) level->colours.emplace(colourFileOf(file), frames[l]);
-    if (intensities) level->intensities.emplace(intensityFileOf(file), frames[l]);
+    if (colours) level->colours.emplace(files_.file(colourFileOf(file)), frames[l]);
+    if (intensities) level->intensities.emplace(files_.file(intensityFileOf(file)), frames[l]);
     levels_.push_back(std::move(level));
   }
 }
@@ -75,6 +77,12 @@ ColourFiles::ColourFiles(const std::filesystem::path& finest, std::vector<GridFr
 ColourFiles::~ColourFiles() = default;
 
 void ColourFiles::add(const Rgba* colours, const GreyAlpha* intensities) {
+  for (std::size_t i = 0; colours != nullptr && i < cols_; ++i) {
+    mix(content_, std::bit_cast<std::uint32_t>(colours[i]));
+  }
+  for (std::size_t i = 0; intensities != nullptr && i < cols_; ++i) {
+    mix(content_, std::bit_cast<std::uint16_t>(intensities[i]));
+  }
   pyramid_.add(colours, intensities);
 }
 
@@ -84,11 +92,11 @@ void ColourFiles::take(const ColourRow& row) {
   if (level.intensities) level.intensities->add(row.intensities);
 }
 
-void ColourFiles::finish(const std::string& content) {
+void ColourFiles::finish(const std::string& set) {
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     RasterFacts facts{{"RELIEVO_VERSION", RELIEVO_VERSION_STRING},
                       {"RELIEVO_LEVEL", std::to_string(l)},
-                      {"RELIEVO_MAP_CONTENT", content}};
+                      {kSetFact, set}};
     Level& level = *levels_[l];
     facts["RELIEVO_CONTENT"] = kColours;
     if (level.colours) level.colours->writer.close(facts, nullptr);
@@ -96,8 +104,8 @@ void ColourFiles::finish(const std::string& content) {
     if (level.intensities) level.intensities->writer.close(facts, nullptr);
   }
   for (const auto& level : levels_) {
-    if (level->colours) level->colours->writer.keep();
-    if (level->intensities) level->intensities->writer.keep();
+    if (level->colours) level->colours->writer.commit();
+    if (level->intensities) level->intensities->writer.commit();
   }
 }
 
@@ -106,9 +114,12 @@ void ColourFiles::requireFree(const std::filesystem::path& level) {
   requireOwnOrAbsent(intensityFileOf(level));
 }
 
-void ColourFiles::removeStale(const std::filesystem::path& level, bool colours, bool intensities) {
-  if (!colours) removeIfOurs(colourFileOf(level), kColours);
-  if (!intensities) removeIfOurs(intensityFileOf(level), kIntensities);
+void ColourFiles::removeStale(const std::filesystem::path& level, bool colours, bool intensities,
+                              OutputSet& set) {
+  if (!colours && isOurs(colourFileOf(level), kColours)) set.removes(colourFileOf(level));
+  if (!intensities && isOurs(intensityFileOf(level), kIntensities)) {
+    set.removes(intensityFileOf(level));
+  }
 }
 
 }  // namespace relievo

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,6 +10,7 @@
 
 #include "core/base/grid.h"
 #include "core/depth/colours.h"
+#include "core/file/output_set.h"
 #include "core/pyramid/pyramid.h"
 #include "core/tiles/colour_rows.h"
 
@@ -32,21 +35,31 @@ class ColourFiles {
   bool hasColours() const noexcept { return colours_; }
   bool hasIntensities() const noexcept { return intensities_; }
 
-  /// After the last row: all files get their names.
-  /// @param content  of the heights (LevelFiles::content): whose colours these are
-  void finish(const std::string& content);
+  /// Of the rows so far.
+  std::string content() const { return std::to_string(content_); }
+
+  /// After the last row: all files are written, with what they belong to.
+  /// @param set  of the heights and these colours: which files belong together
+  void finish(const std::string& set);
+
+  /// After `finish`: all files, on the disk and not yet in their places.
+  OutputSet& files() noexcept { return files_; }
 
   /// To be asked before the work: are the names beside a level free, or of ours?
   /// @throw WriteError
   static void requireFree(const std::filesystem::path& level);
-  /// Removes what an older map of ours left beside a level's file.
-  static void removeStale(const std::filesystem::path& level, bool colours, bool intensities);
+  /// What an older map of ours left beside a level's file goes with the set.
+  static void removeStale(const std::filesystem::path& level, bool colours, bool intensities,
+                          OutputSet& set);
 
  private:
   struct Level;
   void take(const ColourRow& row);
 
+  OutputSet files_;
+  std::size_t cols_;  ///< Of level 0.
   bool colours_, intensities_;
+  std::uint64_t content_ = 0;  ///< Of level 0.
   std::vector<std::unique_ptr<Level>> levels_;
   ColourPyramidRows pyramid_;
 };

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <system_error>
 
+#include "core/hash/sha256.h"
 #include "core/io/number_text.h"
+#include "core/io/raster.h"
 #include "core/io/tiff_head.h"
 #include "core/tiles/colour_files.h"
 #include "core/tiles/tile_raster.h"
@@ -41,9 +42,9 @@ bool isLevel(const std::filesystem::path& file, int level) {
 }  // namespace
 
 struct LevelFiles::Level {
-  Level(const std::filesystem::path& file, const GridFrame& frame, int number)
-      : heights(file, frame, {.cell_bytes = 4, .bands = 1, .nan_is_nodata = number == 0}),
-        origins(originFile(file), frame, {.cell_bytes = 1, .bands = 2}),
+  Level(const std::filesystem::path& file, const GridFrame& frame, int number, OutputSet& set)
+      : heights(set.file(file), frame, {.cell_bytes = 4, .bands = 1, .nan_is_nodata = number == 0}),
+        origins(set.file(originFile(file)), frame, {.cell_bytes = 1, .bands = 2}),
         line(static_cast<std::size_t>(frame.size.cols)),
         codes(line.size()),
         shares(line.size()) {
@@ -69,8 +70,8 @@ LevelFiles::LevelFiles(const std::filesystem::path& finest, const GridFrame& map
     requireOwnOrAbsent(originFile(file));
   }
   for (int level = 0; level < static_cast<int>(frames_.size()); ++level) {
-    levels_.push_back(std::make_unique<Level>(levelFile(finest, level),
-                                              frames_[static_cast<std::size_t>(level)], level));
+    levels_.push_back(std::make_unique<Level>(
+        levelFile(finest, level), frames_[static_cast<std::size_t>(level)], level, files_));
   }
 }
 
@@ -103,15 +104,29 @@ void LevelFiles::take(const LevelRow& row) {
 void LevelFiles::takeFinest(float height_mm, Origin origin) {
   // One multiplication per cell: it need not withstand an attack.
   content_ = (content_ ^ std::bit_cast<std::uint32_t>(height_mm)) * 0x9e3779b97f4a7c15ULL;
-  content_ ^= content_ >> 29U;
+  content_ ^= (content_ >> 29U) + static_cast<std::uint64_t>(origin);
   ++counts_[static_cast<std::size_t>(origin)];
   if (origin == Origin::outside) return;
   low_mm_ = std::min(low_mm_, height_mm);
   high_mm_ = std::max(high_mm_, height_mm);
 }
 
+/// All that makes one map another: what its files say beyond this follows from it.
+std::string LevelFiles::setOf(const ViewFromFile& view_from_file, const std::string& state,
+                              const ColourFiles* colours) const {
+  const GridFrame& frame = frames_.front();
+  const auto cells = static_cast<double>(frame.size.cols);
+  return sha256OfText(std::to_string(content_) + "\n" +
+                      (colours == nullptr ? std::string() : colours->content()) + "\n" +
+                      roundTripText(view_from_file.m) + "\n" +
+                      roundTripText(std::array{frame.first_x_mm, frame.first_y_mm, frame.spacing_mm,
+                                               cells, options_.factor}) +
+                      "\n" + state);
+}
+
 void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& state,
                         ColourFiles* colours) {
+  const std::string set = setOf(view_from_file, state, colours);
   const bool any = low_mm_ <= high_mm_;
   const std::array<double, 2> heights{any ? static_cast<double>(low_mm_) : 0,
                                       any ? static_cast<double>(high_mm_) : 0};
@@ -128,29 +143,37 @@ void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& s
                       {"RELIEVO_FACTOR", roundTripText(std::array{options_.factor})},
                       {"RELIEVO_HEIGHTS", roundTripText(heights)},
                       {"RELIEVO_ORIGINS", roundTripText(origins)},
-                      {"RELIEVO_MAP_CONTENT", content()}};
+                      {kSetFact, set}};
     if (!state.empty()) facts[kStateFact] = state;
     Level& level = *levels_[l];
     level.heights.close(facts, level.mask ? &*level.mask : nullptr);
     facts["RELIEVO_CONTENT"] = "origins";
     level.origins.close(facts, nullptr);
   }
-  if (colours != nullptr) colours->finish(content());
+  if (colours != nullptr) {
+    colours->finish(set);
+    files_.takes(colours->files());
+  }
   // The finest last: it is the one that says how many levels there are.
   for (std::size_t l = levels_.size(); l-- > 0;) {
-    levels_[l]->origins.keep();
-    levels_[l]->heights.keep();
+    levels_[l]->origins.commit();
+    levels_[l]->heights.commit();
   }
-  for (int l = 0; l < static_cast<int>(levels_.size()); ++l) {
+  const int count = static_cast<int>(levels_.size());
+  for (int l = 0; l < count; ++l) {
     ColourFiles::removeStale(levelFile(finest_, l), colours != nullptr && colours->hasColours(),
-                             colours != nullptr && colours->hasIntensities());
+                             colours != nullptr && colours->hasIntensities(), files_);
   }
-  std::error_code ignored;
-  for (int l = static_cast<int>(levels_.size()); isLevel(levelFile(finest_, l), l); ++l) {
-    const std::filesystem::path stale = levelFile(finest_, l);
-    std::filesystem::remove(stale, ignored);
-    ColourFiles::removeStale(stale, false, false);
-    if (isLevel(originFile(stale), l)) std::filesystem::remove(originFile(stale), ignored);
+  removeLevelsFrom(finest_, count, files_);
+  files_.commit();
+}
+
+void removeLevelsFrom(const std::filesystem::path& finest, int count, OutputSet& set) {
+  for (int l = count; isLevel(levelFile(finest, l), l); ++l) {
+    const std::filesystem::path stale = levelFile(finest, l);
+    set.removes(stale);
+    ColourFiles::removeStale(stale, false, false, set);
+    if (isLevel(originFile(stale), l)) set.removes(originFile(stale));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/transform.h"
+#include "core/file/output_set.h"
 #include "core/pyramid/pyramid.h"
 #include "core/tiles/pyramid_rows.h"
 
@@ -18,6 +19,10 @@ namespace relievo {
 std::filesystem::path levelFile(const std::filesystem::path& finest, int level);
 /// MAP.tif -> MAP.origin.tif.
 std::filesystem::path originFile(const std::filesystem::path& level);
+
+/// Goes with the set: what an older pyramid of ours has beside the finest level from level `count`
+/// on, which nobody would tell from levels of the new one.
+void removeLevelsFrom(const std::filesystem::path& finest, int count, OutputSet& set);
 
 class ColourFiles;  // core/tiles/colour_files.h
 
@@ -42,8 +47,8 @@ class LevelFiles {
   /// The map's next row, lowest first, as in DepthMap. [worker] @throw WriteError
   void add(const float* heights_mm, const Origin* origins);
 
-  /// After the last row: all files get their names; before, nothing is changed on disk but files
-  /// with temporary names. Levels of an older map of ours that go further are removed.
+  /// After the last row: all files take their places, once all are on the disk; before, what was
+  /// there is as it was. Levels of an older map of ours that go further are removed.
   /// @param state  becomes every file's image description, as MapFileOptions::state; empty: none
   /// @throw WriteError
   /// @param colours  of the same map, all its rows added; null: it has none, and those of an older
@@ -52,20 +57,21 @@ class LevelFiles {
               ColourFiles* colours = nullptr);
 
   const std::vector<GridFrame>& frames() const noexcept { return frames_; }
-  /// Of the rows so far; says which files belong together.
-  std::string content() const { return std::to_string(content_); }
 
  private:
   struct Level;
   void take(const LevelRow& row);
   void takeFinest(float height_mm, Origin origin);
+  std::string setOf(const ViewFromFile& view_from_file, const std::string& state,
+                    const ColourFiles* colours) const;
 
   std::filesystem::path finest_;
   PyramidOptions options_;
   std::vector<GridFrame> frames_;
+  OutputSet files_;
   std::vector<std::unique_ptr<Level>> levels_;
   PyramidRows pyramid_;
-  std::uint64_t content_ = 0;  ///< Of level 0; tells which levels belong together.
+  std::uint64_t content_ = 0;  ///< Of level 0.
   // What the files say of level 0, as heightRange and originCounts.
   float low_mm_ = std::numeric_limits<float>::infinity(), high_mm_ = -low_mm_;
   OriginCounts counts_{};

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/io/unnamed_file.h"
+#include "core/file/unnamed_file.h"
 
 namespace relievo {
 

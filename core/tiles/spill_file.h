@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 

@@ -7,16 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
-#include "core/io/replaced_file.h"
 #include "core/io/tiff_head.h"
 #include "core/tiles/tile_layout.h"
 
@@ -36,10 +38,10 @@ GDALDriver& geoTiffDriver() {
 }  // namespace
 
 struct TileRasterWriter::Impl {
-  explicit Impl(const std::filesystem::path& name) : file(name), written(name) {}
+  explicit Impl(const OutputFile& place) : file(place.path), written(place) {}
 
   std::filesystem::path file;
-  ReplacedFile written;
+  AtomicFile written;
   GridFrame frame;
   Layout layout;
   Dataset dataset;
@@ -51,12 +53,30 @@ struct TileRasterWriter::Impl {
     return static_cast<std::size_t>(frame.size.cols) * layout.cell_bytes;
   }
 
+  void requireRoom() const;
   void create();
   void writeTiles(int file_tile_row, int lines, const GdalErrors& errors);
   void writeMask(const BitRows& mask, const GdalErrors& errors);
 };
 
+/// Before hours of work. GDAL asks the same, but of the folder of the name that it is given, which
+/// may be one of /proc.
+void TileRasterWriter::Impl::requireRoom() const {
+  constexpr std::uintmax_t kLittle = 1'000'000'000;
+  const std::uintmax_t bytes =
+      frame.size.count() * layout.cell_bytes * static_cast<std::uintmax_t>(layout.bands);
+  if (bytes < kLittle) return;
+  const std::filesystem::path folder = file.parent_path();
+  std::error_code unknown;
+  const auto space = std::filesystem::space(folder.empty() ? "." : folder, unknown);
+  if (unknown || space.available >= bytes) return;
+  cannotWrite(file, "no space left on the disk: it takes " + grouped(bytes / 1'000'000) +
+                        " MB, and " + grouped(space.available / 1'000'000) + " MB are free");
+}
+
 void TileRasterWriter::Impl::create() {
+  requireRoom();
+  const CPLConfigOptionSetter asked_already("CHECK_DISK_FREE_SPACE", "NO", false);
   const GdalErrors errors;
   CPLStringList options;
   for (const char* const option :
@@ -126,7 +146,7 @@ void TileRasterWriter::Impl::writeMask(const BitRows& mask, const GdalErrors& er
   }
 }
 
-TileRasterWriter::TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame,
+TileRasterWriter::TileRasterWriter(const OutputFile& file, const GridFrame& frame,
                                    const Layout& layout)
     : impl_(std::make_unique<Impl>(file)) {
   impl_->frame = frame;
@@ -162,8 +182,8 @@ void TileRasterWriter::close(const RasterFacts& facts, const BitRows* mask) {
   if (errors.any()) cannotWrite(impl_->file, errors.first());
 }
 
-void TileRasterWriter::keep() {
-  impl_->written.keep();
+void TileRasterWriter::commit() {
+  impl_->written.commit();
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/grid.h"
+#include "core/file/atomic_file.h"
 #include "core/tiles/row_store.h"
 
 namespace relievo {
@@ -21,7 +22,7 @@ using RasterFacts = std::map<std::string, std::string>;  ///< Names and texts ke
 inline constexpr const char* kStateFact = "TIFFTAG_IMAGEDESCRIPTION";
 
 /// Writes a GeoTIFF of 256 x 256 tiles, not compressed, from rows that come lowest first, with no
-/// more than one row of tiles in memory. The file has a temporary name until `keep`.
+/// more than one row of tiles in memory. The file is beside its place until `commit`.
 class TileRasterWriter {
  public:
   struct Layout {
@@ -31,7 +32,7 @@ class TileRasterWriter {
     bool has_alpha = false;  ///< A picture: the last band is alpha, not multiplied in.
   };
   /// @throw WriteError
-  TileRasterWriter(const std::filesystem::path& file, const GridFrame& frame, const Layout& layout);
+  TileRasterWriter(const OutputFile& file, const GridFrame& frame, const Layout& layout);
   ~TileRasterWriter();
   TileRasterWriter(const TileRasterWriter&) = delete;
   TileRasterWriter& operator=(const TileRasterWriter&) = delete;
@@ -40,8 +41,9 @@ class TileRasterWriter {
   void add(std::span<const void* const> bands);
   /// After the last row. @param mask  valid cells, or null @throw WriteError
   void close(const RasterFacts& facts, const BitRows* mask);
-  /// Gives the closed file its name. @throw WriteError
-  void keep();
+  /// The closed file becomes a member of the set of its place, or takes its place.
+  /// @throw WriteError
+  void commit();
 
  private:
   struct Impl;

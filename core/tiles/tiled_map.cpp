@@ -155,7 +155,7 @@ std::unique_ptr<TileRaster> pixelFile(const std::filesystem::path& file, int ban
   auto raster = std::make_unique<TileRaster>(file, 1, bands);
   const RasterFacts& facts = raster->facts();
   const RasterFacts& own = level.heights.facts();
-  for (const char* const name : {"RELIEVO_MAP_CONTENT", "RELIEVO_LEVEL"}) {
+  for (const char* const name : {kSetFact, "RELIEVO_LEVEL"}) {
     if (textOf(facts, name) != textOf(own, name)) refuse(file, "it belongs to another map");
   }
   if (!(raster->size() == level.heights.size())) refuse(file, "its size is not that of the level");
@@ -208,7 +208,7 @@ void TiledMap::Impl::takeWhole(const RasterFacts& facts) {
 void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& finest) const {
   const auto belongs = [&](const TileRaster& raster) {
     const RasterFacts& facts = raster.facts();
-    return textOf(facts, "RELIEVO_MAP_CONTENT") == textOf(finest, "RELIEVO_MAP_CONTENT") &&
+    return textOf(facts, kSetFact) == textOf(finest, kSetFact) &&
            textOf(facts, "RELIEVO_LEVEL") == std::to_string(tiles.level);
   };
   if (!belongs(tiles.heights)) refuse(tiles.heights_file, "it is a level of another map");

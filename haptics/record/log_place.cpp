@@ -6,13 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
 #include "haptics/record/recording_error.h"
 
 namespace relievo {
@@ -113,11 +112,12 @@ void LogPlace::makeBeside(int mode) {
 }
 
 void LogPlace::keep() {
-  if (written_ == target_) return release();
-  if (std::rename(written_.c_str(), target_.c_str()) != 0) {
+  if (!is_own_) return release();  // A device or a pipe.
+  try {
+    putInPlace(written_, target_);
+  } catch (const CannotWrite& error) {
     throw WriteError("The recording is whole, but it cannot be called \"" + target_.string() +
-                         "\": " + std::strerror(errno) + ". It is in \"" + written_.string() +
-                         "\".",
+                         "\": " + error.reason + ". It is in \"" + written_.string() + "\".",
                      "E401");
   }
   written_ = target_;

@@ -20,7 +20,7 @@ class LogPlace {
   const std::filesystem::path& target() const noexcept { return target_; }
   const std::filesystem::path& writtenTo() const noexcept { return written_; }
 
-  /// The log is whole: it gets its name, in place of what stood there.
+  /// The log is whole: it is brought to the disk and gets its name, in place of what stood there.
   /// @throw WriteError (E401)  it could not; it stays where it was written
   void keep();
   /// The log stays as it is, where it is.

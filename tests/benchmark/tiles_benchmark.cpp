@@ -111,7 +111,7 @@ void writeRaster(const std::filesystem::path& file, int side) {
     writer.add(bands);
   }
   writer.close({}, nullptr);
-  writer.keep();
+  writer.commit();
 }
 
 /// A plain copy of as many bytes, read and written through memory.

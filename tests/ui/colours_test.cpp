@@ -35,8 +35,7 @@ class ColoursTest : public GuiTest {
     }
     map.origins.assign(size.count(), Origin::measured);
     const std::filesystem::path file = path("coloured.tif").toStdString();
-    writeColours(file, map, colours);
-    writeMap(file, map, {.view_from_file = {}});
+    writeMapWithColours(file, map, colours, {.view_from_file = {}});
     return QString::fromStdString(file.string());
   }
   void openFile(const QString& file) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/file/output_set.h"
 #include "core/project/project.h"
 #include "core/session/surface.h"
 #include "ui/vtk/offscreen.h"
@@ -69,22 +70,21 @@ Figure previewFigure(const Surface& surface, const Project& project, int longest
 /// as vectors around the pictures). All carry the caption and the project, from which the state
 /// comes back (core/provenance/embedded.h).
 /// @throw as drawFigure; WriteError
-FigureFacts writeFigure(const Surface& surface, const Project& project,
-                        const std::filesystem::path& file, const Task& task = {});
+FigureFacts writeFigure(const Surface& surface, const Project& project, const OutputFile& file,
+                        const Task& task = {});
 
 /// The two eyes' pictures of the region as files NAME.left.png and NAME.right.png.
 struct EyeFiles {
   std::vector<std::filesystem::path> files;
   double eye_angle_deg = 0, parallax_deg = 0;  ///< As drawn.
 };
-EyeFiles writeEyes(const Surface& surface, const Project& project,
-                   const std::filesystem::path& file, const Task& task = {});
+EyeFiles writeEyes(const Surface& surface, const Project& project, const OutputFile& file,
+                   const Task& task = {});
 
 /// The region's heights as a 16-bit TIFF of the region's panel, outside as 0; the step in mm and
 /// the height of value 1 stand in the file's description.
 /// @throw WriteError, ArgumentError
-void writeHeightsTiff(const Surface& surface, const Project& project,
-                      const std::filesystem::path& file);
+void writeHeightsTiff(const Surface& surface, const Project& project, const OutputFile& file);
 
 /// The files that one figure is written as; an empty name: not that one.
 struct FigureFiles {
@@ -103,11 +103,13 @@ struct FigureWritten {
   FigureFacts facts;
   std::optional<EyeFiles> eyes;
 };
-/// One after the other what `relievo figure` and the dialog "Figure..." write.
-/// @param told  how many of namesOf(files) are there, after each step, on the calling thread
+/// What `relievo figure` and the dialog "Figure..." write: all of it or nothing, the figure last.
+/// @param set  of which the files become members; null: they take their places here
+/// @param told  how many of namesOf(files) are there, once they are, on the calling thread
 /// @throw as writeFigure, check(files)
 FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
                                const FigureFiles& files, const Task& task = {},
-                               const std::function<void(std::size_t)>& told = {});
+                               const std::function<void(std::size_t)>& told = {},
+                               OutputSet* set = nullptr);
 
 }  // namespace relievo

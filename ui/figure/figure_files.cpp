@@ -44,7 +44,7 @@ std::string lowerEnding(const fs::path& file) {
   return ending;
 }
 
-void save(const QByteArray& bytes, const fs::path& file) {
+void save(const QByteArray& bytes, const OutputFile& file) {
   writeTextFile(file, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
@@ -158,16 +158,6 @@ std::string named(const fs::path& file) {
   return file.has_filename() ? file.filename().string() : file.string();
 }
 
-/// "'a.png' and 'a.txt' are written."
-std::string writtenText(const std::vector<fs::path>& names, std::size_t there) {
-  if (there == 0) return {};
-  std::string text;
-  for (std::size_t i = 0; i < there; ++i) {
-    text += (text.empty() ? " '" : i + 1 < there ? ", '" : " and '") + names[i].string() + '\'';
-  }
-  return text + (there == 1 ? " is written." : " are written.");
-}
-
 /// The endings that writeFigure takes.
 void checkFigureName(const fs::path& file) {
   const std::string ending = lowerEnding(file);
@@ -191,16 +181,17 @@ Project ofEye(const Surface& surface, const Project& project, int eye) {
 
 }  // namespace
 
-FigureFacts writeFigure(const Surface& surface, const Project& project, const fs::path& file,
+FigureFacts writeFigure(const Surface& surface, const Project& project, const OutputFile& place,
                         const Task& task) {
+  const fs::path& file = place.path;
   checkFigureName(file);
   if (const auto pixels = pictureFormatOf(file)) {
     const Figure figure = drawFigure(surface, project, task);
     const PictureText text = textOf(surface, project, figure.facts, file);
     if (pixels == PictureFormat::png) {
-      writePng(file, figure.image, project.figure.dpi, text);
+      writePng(place, figure.image, project.figure.dpi, text);
     } else {
-      writeTiff(file, figure.image, project.figure.dpi, text);
+      writeTiff(place, figure.image, project.figure.dpi, text);
     }
     return figure.facts;
   }
@@ -209,22 +200,28 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const fs
   whole.figure.dpi = std::round(project.figure.dpi);  // Both writers count whole dots.
   const DrawnSheet sheet = drawPictures(surface, whole, whole.figure.dpi, task);
   const PictureText text = textOf(surface, whole, sheet.facts, file);
-  save(pdf ? pdfOf(surface, whole, sheet, text) : svgOf(surface, whole, sheet, text), file);
+  save(pdf ? pdfOf(surface, whole, sheet, text) : svgOf(surface, whole, sheet, text), place);
   return sheet.facts;
 }
 
-EyeFiles writeEyes(const Surface& surface, const Project& project, const fs::path& file,
+EyeFiles writeEyes(const Surface& surface, const Project& project, const OutputFile& file,
                    const Task& task) {
+  if (file.set == nullptr) {
+    OutputSet set;
+    EyeFiles both = writeEyes(surface, project, set.file(file.path), task);
+    set.commit();
+    return both;
+  }
   EyeFiles eyes;
   struct Drawn {
     Figure figure;
     PictureText text;
   };
-  std::vector<Drawn> drawn;  // Before any is written: stopped, there are both or none.
+  std::vector<Drawn> drawn;
   for (const int eye : {-1, 1}) {
     const Project one = ofEye(surface, project, eye);
     Figure figure = drawFigure(surface, one, task);
-    eyes.files.push_back(eyeFile(file, eye));
+    eyes.files.push_back(eyeFile(file.path, eye));
     eyes.eye_angle_deg = figure.facts.eye_angle_deg;
     eyes.parallax_deg = figure.facts.parallax_deg;
     const PictureText text = textOf(surface, one, figure.facts, eyes.files.back());
@@ -232,12 +229,13 @@ EyeFiles writeEyes(const Surface& surface, const Project& project, const fs::pat
   }
   task.check();
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    writePng(eyes.files[i], drawn[i].figure.image, project.figure.dpi, drawn[i].text);
+    writePng(file.set->file(eyes.files[i]), drawn[i].figure.image, project.figure.dpi,
+             drawn[i].text);
   }
   return eyes;
 }
 
-void writeHeightsTiff(const Surface& surface, const Project& project, const fs::path& file) {
+void writeHeightsTiff(const Surface& surface, const Project& project, const OutputFile& file) {
   const FigureRequest& f = project.figure;
   check(f);
   const Region& r = project.region;
@@ -275,7 +273,7 @@ void writeHeightsTiff(const Surface& surface, const Project& project, const fs::
   facts.caption = "Heights: value 0 is outside; value v is " + shortNumber(low, 9) +
                   " mm + (v - 1) x " + shortNumber(step_mm, 9) + " mm. " +
                   figureCaption(surface, project, facts);
-  writeTiff(file, picture, f.dpi, textOf(surface, project, facts, file));
+  writeTiff(file, picture, f.dpi, textOf(surface, project, facts, file.path));
 }
 
 std::vector<fs::path> namesOf(const FigureFiles& files) {
@@ -306,37 +304,33 @@ void check(const FigureFiles& files) {
 
 FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
                                const FigureFiles& files, const Task& task,
-                               const std::function<void(std::size_t)>& told) {
+                               const std::function<void(std::size_t)>& told, OutputSet* set) {
+  if (set == nullptr) {
+    OutputSet own;
+    FigureWritten written = writeFigureFiles(surface, project, files, task, {}, &own);
+    task.check();
+    own.commit();
+    if (told) told(namesOf(files).size());
+    return written;
+  }
   check(files);
   for (const fs::path& name : namesOf(files)) {
     requireNotAnInput(name, {FileRead{.file = project.file}});
   }
   if (files.both_eyes) layOut(surface, ofEye(surface, project, -1));  // Refused before the work.
-  std::size_t there = 0;
-  const auto tell = [&](std::size_t more) {
-    there += more;
-    if (told) told(there);
-    task.check();
-  };
-  try {
-    FigureWritten written{.facts = writeFigure(surface, project, files.figure, task), .eyes = {}};
-    tell(1);
-    if (files.both_eyes) {
-      written.eyes = writeEyes(surface, project, files.figure, task);
-      tell(written.eyes->files.size());
-    }
-    if (!files.heights.empty()) {
-      writeHeightsTiff(surface, project, files.heights);
-      tell(1);
-    }
-    if (!files.caption.empty()) {
-      writeTextFile(files.caption, written.facts.caption + "\n");
-      tell(1);
-    }
-    return written;
-  } catch (const WriteError& error) {
-    throw WriteError(error.what() + writtenText(namesOf(files), there), error.code);
+  FigureWritten written;
+  // What lies beside the figure comes first: it is missed less where a program is killed.
+  if (files.both_eyes) {
+    written.eyes = writeEyes(surface, project, {files.figure, set}, task);
   }
+  if (!files.heights.empty()) writeHeightsTiff(surface, project, {files.heights, set});
+  OutputSet figure;
+  written.facts = writeFigure(surface, project, figure.file(files.figure), task);
+  if (!files.caption.empty()) {
+    writeTextFile({files.caption, set}, written.facts.caption + "\n");
+  }
+  set->takes(figure);
+  return written;
 }
 
 }  // namespace relievo

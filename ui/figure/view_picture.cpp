@@ -75,9 +75,8 @@ RgbImage draw(const Surface& surface, const RegionWindow& window, const Project&
   return renderOffscreen(scene, p.picture->width_px, p.picture->height_px, task);
 }
 
-void writePicture(const std::filesystem::path& file, const RgbImage& image,
-                  const PictureText& text) {
-  if (pictureFormatOf(file) == PictureFormat::png) {
+void writePicture(const OutputFile& file, const RgbImage& image, const PictureText& text) {
+  if (pictureFormatOf(file.path) == PictureFormat::png) {
     writePng(file, image, text);
     return;
   }
@@ -92,7 +91,7 @@ void writePicture(const std::filesystem::path& file, const RgbImage& image,
 }  // namespace
 
 ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& window,
-                                  const Project& project, const std::filesystem::path& file,
+                                  const Project& project, const OutputFile& file,
                                   const Task& task) {
   Project p = project;
   if (p.picture->source != PictureChoice{}.source) {
@@ -111,7 +110,7 @@ ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& wi
                {{"Title", std::filesystem::path(p.file).filename().string()},
                 {"Description", facts.caption},
                 {"Software", "relievo " + std::string(programVersion())},
-                {std::string(kStateKey), projectJson(relativeTo(p, file))}});
+                {std::string(kStateKey), projectJson(relativeTo(p, file.path))}});
   return facts;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/task.h"
+#include "core/file/atomic_file.h"
 #include "core/project/project.h"
 #include "core/region/window.h"
 
@@ -23,7 +24,7 @@ struct ViewPictureFacts {
 /// @throw ArgumentError  only the window can draw that picture  @throw GraphicsError, WriteError,
 /// Cancelled
 ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& window,
-                                  const Project& project, const std::filesystem::path& file,
+                                  const Project& project, const OutputFile& file,
                                   const Task& task = {});
 
 }  // namespace relievo

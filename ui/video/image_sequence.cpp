@@ -62,6 +62,7 @@ class ImageSequence : public VideoFile {
   }
   void finish(const Task&) override { finished_ = true; }
   std::uint64_t frames() const noexcept override { return frames_; }
+  bool isPartKept() const noexcept override { return finished_ && frames_ > 0; }
 
  private:
   fs::path folder_;

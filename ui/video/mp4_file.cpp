@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "core/io/spawn.h"
 #include "ui/video/mp4_boxes.h"
 #include "ui/video/video_file.h"
@@ -110,20 +110,27 @@ std::vector<std::string> encoding(const VideoFormat& f) {
   return words;
 }
 
+constexpr int kFromInChild = 3, kToInChild = 4;
+
+/// What a child opens: of a file without a name its own copy of the descriptor.
+fs::path inChild(const fs::path& file, int descriptor) {
+  const std::string_view proc = "/proc/self/fd/";
+  return file.native().starts_with(proc) ? fs::path(proc) += std::to_string(descriptor) : file;
+}
+
 /// The same pictures as an ordinary MP4, whose head stands in front: every player takes it.
 std::vector<std::string> repacking(const fs::path& from, const fs::path& to) {
-  return {"ffmpeg",     "-hide_banner", "-nostdin",    "-loglevel", "error",
-          "-y",         "-i",           from.string(), "-map",      "0",
-          "-c",         "copy",         "-fflags",     "+bitexact", "-movflags",
-          "+faststart", "-f",           "mp4",         to.string()};
+  return {"ffmpeg",    "-hide_banner", "-nostdin",   "-loglevel", "error", "-xerror",  "-y",
+          "-i",        from.string(),  "-map",       "0",         "-c",    "copy",     "-fflags",
+          "+bitexact", "-movflags",    "+faststart", "-f",        "mp4",   to.string()};
 }
 
 /// Pictures go to ffmpeg, what it makes comes back and is written here: so a full disk is met by
 /// somebody who knows where the file can be cut.
 class Mp4File : public VideoFile {
  public:
-  Mp4File(fs::path file, const VideoFormat& format)
-      : program_(findFfmpeg()), file_(std::move(file)), part_(file_), fps_(format.fps) {
+  Mp4File(const OutputFile& place, const VideoFormat& format)
+      : program_(findFfmpeg()), place_(place), file_(place.path), part_(place), fps_(format.fps) {
     if (program_.empty()) {
       throw WriteError(
           "The program ffmpeg is not installed, which packs videos. Nothing was written. Install "
@@ -169,6 +176,7 @@ class Mp4File : public VideoFile {
   }
 
   std::uint64_t frames() const noexcept override { return frames_; }
+  bool isPartKept() const noexcept override { return is_part_kept_; }
 
  private:
   void start(const VideoFormat& format) {
@@ -226,7 +234,8 @@ class Mp4File : public VideoFile {
     const auto whole = static_cast<off_t>(boxes_.wholeBytes());
     if (frames_ > 0 && ::ftruncate(out_.get(), whole) == 0) {
       out_.reset();
-      part_.keep();
+      part_.commit();
+      is_part_kept_ = true;
       saved = numberText(std::round(10 * static_cast<double>(frames_) / fps_) / 10) + " s (" +
               std::to_string(frames_) + " frames) are saved and complete in \"" + file_.string() +
               "\".";
@@ -247,35 +256,32 @@ class Mp4File : public VideoFile {
   /// Takes as much room again for a moment; where there is none, the fragments are kept as they
   /// are: most players take them, too.
   void repack(const Task& task) {
-    fs::path ordinary = part_.path();
-    ordinary += ".mp4";  // Such a name is removed like the other, should this process be killed.
+    AtomicFile ordinary(place_);
+    const OwnedFd from(raised(::open(part_.path().c_str(), O_RDONLY | O_CLOEXEC)));
+    const OwnedFd to(raised(::open(ordinary.path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)));
+    // Where it finds no room, the fragments are kept: nothing that anybody has to read.
+    const OwnedFd words(raised(::open("/dev/null", O_WRONLY | O_CLOEXEC)));
     ChildProcess packer;
     packer.start({.program = program_,
-                  .arguments = repacking(part_.path(), ordinary),
+                  .arguments = repacking(inChild(part_.path(), kFromInChild),
+                                         inChild(ordinary.path(), kToInChild)),
                   .more_environment = {},
-                  .fds = {}});
-    std::error_code error;
-    try {
-      while (!packer.reap(false)) {
-        task.check();
-        ::usleep(5000);
-      }
-    } catch (const Cancelled&) {
-      packer.kill();
-      fs::remove(ordinary, error);
-      throw;
+                  .fds = {{from.get(), kFromInChild}, {to.get(), kToInChild}, {words.get(), 2}}});
+    while (!packer.reap(false)) {
+      task.check();
+      ::usleep(5000);
     }
     const bool done = packer.exited() && packer.number() == 0;
-    if (done) fs::rename(ordinary, part_.path(), error);
-    fs::remove(ordinary, error);
-    part_.keep();
+    (done ? ordinary : part_).commit();
   }
 
-  fs::path program_, file_;
-  ReplacedFile part_;
+  fs::path program_;
+  OutputFile place_;
+  fs::path file_;
+  AtomicFile part_;
   double fps_;
   OwnedFd out_, in_, encoded_, words_;  // Ours.
-  bool words_open_ = true;
+  bool words_open_ = true, is_part_kept_ = false;
   std::string said_;
   Mp4Boxes boxes_;
   std::vector<std::uint8_t> raw_;
@@ -289,15 +295,15 @@ bool haveFfmpeg() {
   return !findFfmpeg().empty();
 }
 
-std::unique_ptr<VideoFile> openMp4(const fs::path& file, const VideoFormat& format) {
-  if (file.extension() != ".mp4") {
+std::unique_ptr<VideoFile> openMp4(const OutputFile& file, const VideoFormat& format) {
+  if (file.path.extension() != ".mp4") {
     throw ArgumentError("A video's name must end in .mp4. Nothing was made.");
   }
   return std::make_unique<Mp4File>(file, format);
 }
 
-std::unique_ptr<VideoFile> openVideo(const fs::path& file, const VideoFormat& format) {
-  return format.profile == VideoProfile::images ? openImageSequence(file, format)
+std::unique_ptr<VideoFile> openVideo(const OutputFile& file, const VideoFormat& format) {
+  return format.profile == VideoProfile::images ? openImageSequence(file.path, format)
                                                 : openMp4(file, format);
 }
 

@@ -6,6 +6,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "core/file/output_set.h"
 #include "core/io/text_file.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_frames.h"
@@ -75,30 +76,37 @@ VideoFacts writeVideo(const Surface& surface, const TouchRecording* recording,
                       const VideoRequest& request, const std::string& state, const fs::path& file,
                       const Task& task) {
   VideoFrames frames(surface, recording, request, task);
-  const std::unique_ptr<VideoFile> out = openVideo(file, {.profile = request.profile,
-                                                          .width_px = request.width_px,
-                                                          .height_px = request.height_px,
-                                                          .fps = request.fps,
-                                                          .state = state,
-                                                          .title = file.stem().string()});
-  VideoFacts facts;
-  const std::uint64_t count = frames.times().frames;
-  for (std::uint64_t i = 0; i < count; ++i) {
-    task.check();
-    task.report("Video", static_cast<double>(i) / static_cast<double>(count));
-    const auto start = std::chrono::steady_clock::now();
-    const RgbaImage& frame = frames.draw(i);
-    facts.drawing_s += secondsSince(start);
-    const auto drawn = std::chrono::steady_clock::now();
-    out->add(frame, task);
-    facts.packing_s += secondsSince(drawn);
-  }
-  const auto last = std::chrono::steady_clock::now();
-  out->finish(task);
-  facts.packing_s += secondsSince(last);
+  OutputSet set;
   fs::path beside = file;
   beside += ".json";
-  writeTextFile(beside, state + "\n");
+  writeTextFile(set.file(beside), state + "\n");  // While there is room for it.
+  const std::unique_ptr<VideoFile> out = openVideo(set.file(file), {.profile = request.profile,
+                                                                    .width_px = request.width_px,
+                                                                    .height_px = request.height_px,
+                                                                    .fps = request.fps,
+                                                                    .state = state,
+                                                                    .title = file.stem().string()});
+  VideoFacts facts;
+  const std::uint64_t count = frames.times().frames;
+  try {
+    for (std::uint64_t i = 0; i < count; ++i) {
+      task.check();
+      task.report("Video", static_cast<double>(i) / static_cast<double>(count));
+      const auto start = std::chrono::steady_clock::now();
+      const RgbaImage& frame = frames.draw(i);
+      facts.drawing_s += secondsSince(start);
+      const auto drawn = std::chrono::steady_clock::now();
+      out->add(frame, task);
+      facts.packing_s += secondsSince(drawn);
+    }
+    const auto last = std::chrono::steady_clock::now();
+    out->finish(task);
+    facts.packing_s += secondsSince(last);
+  } catch (const WriteError&) {
+    if (out->isPartKept()) set.commit();
+    throw;
+  }
+  set.commit();
   facts.frames = out->frames();
   facts.seconds = static_cast<double>(facts.frames) / request.fps;
   facts.bytes = sizeOf(file);

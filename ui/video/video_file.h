@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/task.h"
+#include "core/file/atomic_file.h"
 #include "core/replay/video_request.h"
 #include "ui/vtk/offscreen.h"
 
@@ -24,7 +25,8 @@ struct VideoFormat {
 };
 
 /// A video that is being written, frame by frame. Nothing stands under the final name before
-/// finish(); without it, nothing is left. [one thread]
+/// finish(), and of a member of a set before the set is committed; without it, nothing is left.
+/// [one thread]
 class VideoFile {
  public:
   VideoFile() = default;
@@ -40,11 +42,13 @@ class VideoFile {
   /// @throw WriteError, Cancelled
   virtual void finish(const Task& task) = 0;
   virtual std::uint64_t frames() const noexcept = 0;  ///< Added; after an error: saved.
+  /// After an error: what was whole is kept, or waits as a member of its set.
+  virtual bool isPartKept() const noexcept = 0;
 };
 
 /// By ffmpeg as MP4, or for `images` as frame_000001.png ... in a folder of that name.
 /// @throw WriteError     cannot be written; no ffmpeg; the folder has pictures already
 /// @throw ArgumentError  a file name that does not end in .mp4
-std::unique_ptr<VideoFile> openVideo(const std::filesystem::path& file, const VideoFormat& format);
+std::unique_ptr<VideoFile> openVideo(const OutputFile& file, const VideoFormat& format);
 
 }  // namespace relievo

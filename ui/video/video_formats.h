@@ -9,7 +9,7 @@
 namespace relievo {
 
 // What openVideo chooses between. @throw as openVideo
-std::unique_ptr<VideoFile> openMp4(const std::filesystem::path& file, const VideoFormat& format);
+std::unique_ptr<VideoFile> openMp4(const OutputFile& file, const VideoFormat& format);
 std::unique_ptr<VideoFile> openImageSequence(const std::filesystem::path& folder,
                                              const VideoFormat& format);
 

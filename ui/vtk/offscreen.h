@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/file/atomic_file.h"
 #include "ui/vtk/relief_scene.h"
 
 namespace relievo {
@@ -68,7 +69,7 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
 bool anythingDrawn(std::span<const std::uint8_t> rgba);
 
 /// PNG with text entries (Title, Software, relievo:state, ...). @throw WriteError
-void writePng(const std::filesystem::path& file, const RgbImage& image,
+void writePng(const OutputFile& file, const RgbImage& image,
               const std::vector<std::pair<std::string, std::string>>& text = {});
 
 }  // namespace relievo

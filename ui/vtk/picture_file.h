@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/file/atomic_file.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -25,20 +26,18 @@ std::optional<PictureFormat> pictureFormatOf(const std::filesystem::path& file);
 
 /// PNG, RGB where every pixel is opaque and RGBA else, with its density and text entries (Title,
 /// Software, relievo:state, ...). Written beside the target and renamed. @throw WriteError
-void writePng(const std::filesystem::path& file, const RgbaImage& image, double dpi,
-              const PictureText& text);
+void writePng(const OutputFile& file, const RgbaImage& image, double dpi, const PictureText& text);
 
 /// TIFF, packed without loss, with density; the entries Description and relievo:state stand in the
 /// tag ImageDescription, Software in its own. @throw WriteError
-void writeTiff(const std::filesystem::path& file, const RgbaImage& image, double dpi,
-               const PictureText& text);
+void writeTiff(const OutputFile& file, const RgbaImage& image, double dpi, const PictureText& text);
 
 struct GreyPicture {
   int width = 0, height = 0;
   std::vector<std::uint16_t> values;  ///< Row 0 at the top.
 };
 /// 16-bit grey. @throw WriteError
-void writeTiff(const std::filesystem::path& file, const GreyPicture& image, double dpi,
+void writeTiff(const OutputFile& file, const GreyPicture& image, double dpi,
                const PictureText& text);
 
 }  // namespace relievo

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
 
@@ -83,8 +83,9 @@ bool encode(std::FILE* file, const PngShape& shape, const png_byte* const* rows,
 }
 
 // Written beside the target and renamed, so that a failure leaves nothing half done.
-void writeRows(const std::filesystem::path& file, const PngShape& shape,
+void writeRows(const OutputFile& place, const PngShape& shape,
                const std::vector<std::uint8_t>& bytes, const PictureText& text) {
+  const std::filesystem::path& file = place.path;
   const std::size_t channels = shape.colour_type == PNG_COLOR_TYPE_RGB ? 3 : 4;
   const std::size_t row_bytes = channels * static_cast<std::size_t>(std::max(shape.width, 0));
   if (shape.width <= 0 || shape.height <= 0 ||
@@ -97,7 +98,7 @@ void writeRows(const std::filesystem::path& file, const PngShape& shape,
   for (int row = 0; row < shape.height; ++row) {
     rows.push_back(bytes.data() + row_bytes * static_cast<std::size_t>(row));
   }
-  ReplacedFile replaced(file);
+  AtomicFile replaced(place);
   std::FILE* const out = std::fopen(replaced.path().c_str(), "wb");
   const bool opened = out != nullptr;
   const bool encoded = opened && encode(out, shape, rows.data(), entries);
@@ -106,12 +107,12 @@ void writeRows(const std::filesystem::path& file, const PngShape& shape,
     throw WriteError("Cannot write the picture '" + file.string() + "' (" + std::strerror(errno) +
                      "). Choose another folder or free some space.");
   }
-  replaced.keep();
+  replaced.commit();
 }
 
 }  // namespace
 
-void writePng(const std::filesystem::path& file, const RgbImage& image, const PictureText& text) {
+void writePng(const OutputFile& file, const RgbImage& image, const PictureText& text) {
   writeRows(file, {.width = image.width, .height = image.height}, image.rgb, text);
 }
 
@@ -123,8 +124,7 @@ std::optional<PictureFormat> pictureFormatOf(const std::filesystem::path& file) 
   return std::nullopt;
 }
 
-void writePng(const std::filesystem::path& file, const RgbaImage& image, double dpi,
-              const PictureText& text) {
+void writePng(const OutputFile& file, const RgbaImage& image, double dpi, const PictureText& text) {
   const std::vector<std::uint8_t> bytes = storedBytes(image);
   const bool opaque = 4 * bytes.size() == 3 * image.rgba.size();
   writeRows(file,

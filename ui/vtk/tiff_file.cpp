@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "ui/vtk/picture_file.h"
 
 namespace relievo {
@@ -65,9 +65,10 @@ void describe(TIFF* tiff, const TiffShape& shape, const PictureText& text) {
   if (!software.empty()) TIFFSetField(tiff, TIFFTAG_SOFTWARE, software.c_str());
 }
 
-void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t* bytes,
+void writeRows(const OutputFile& place, const TiffShape& shape, const std::uint8_t* bytes,
                const PictureText& text) {
-  ReplacedFile replaced(file);
+  const fs::path& file = place.path;
+  AtomicFile replaced(place);
   TIFFSetErrorHandler(beQuiet);
   TIFFSetWarningHandler(beQuiet);
   bool good = shape.width > 0 && shape.height > 0;
@@ -91,12 +92,13 @@ void writeRows(const fs::path& file, const TiffShape& shape, const std::uint8_t*
     throw WriteError("Cannot write the picture '" + file.string() + "'" + reason +
                      ". Choose another folder or free some space.");
   }
-  replaced.keep();
+  replaced.commit();
 }
 
 }  // namespace
 
-void writeTiff(const fs::path& file, const RgbaImage& image, double dpi, const PictureText& text) {
+void writeTiff(const OutputFile& file, const RgbaImage& image, double dpi,
+               const PictureText& text) {
   const std::vector<std::uint8_t> bytes = storedBytes(image);
   const bool opaque = 4 * bytes.size() == 3 * image.rgba.size();
   writeRows(file,
@@ -108,7 +110,7 @@ void writeTiff(const fs::path& file, const RgbaImage& image, double dpi, const P
             bytes.data(), text);
 }
 
-void writeTiff(const fs::path& file, const GreyPicture& image, double dpi,
+void writeTiff(const OutputFile& file, const GreyPicture& image, double dpi,
                const PictureText& text) {
   writeRows(file,
             {.width = image.width, .height = image.height, .channels = 1, .bits = 16, .dpi = dpi},

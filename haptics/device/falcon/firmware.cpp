@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/falcon/firmware.h"
 
-#include <fcntl.h>
 #include <openssl/evp.h>
-#include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <span>
+#include <string_view>
 
 #include "core/base/error.h"
+#include "core/file/output_set.h"
 #include "haptics/device/falcon/boot_image.h"
 
 namespace relievo::falcon {
@@ -121,39 +119,10 @@ std::string textOf(const fs::path& file) {
   return {bytes.begin(), bytes.end()};
 }
 
-std::string reasonFor(int code) {
-  return std::generic_category().message(code);
-}
-
-bool writeAll(int descriptor, std::span<const std::uint8_t> bytes) {
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes = bytes.subspan(static_cast<std::size_t>(written));
-  }
-  // A name that leads to bytes that a loss of power took is worse than the old file.
-  return ::fsync(descriptor) == 0;
-}
-
-/// Whole or not at all, and on the disk. @return 0, or errno
-int replaceFile(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
-  const fs::path part = file.string() + ".part";
-  const int descriptor = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor < 0) return errno;
-  int why = writeAll(descriptor, bytes) ? 0 : errno;
-  if (::close(descriptor) != 0 && why == 0) why = errno;
-  if (why == 0 && std::rename(part.c_str(), file.c_str()) != 0) why = errno;
-  if (why != 0) {
-    ::unlink(part.c_str());
-    return why;
-  }
-  const int folder = ::open(file.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder >= 0) {
-    ::fsync(folder);
-    ::close(folder);
-  }
-  return 0;
+void write(const OutputFile& place, std::string_view bytes) {
+  AtomicFile file(place);
+  file.write(bytes);
+  file.commit();
 }
 
 Firmware accepted(Firmware firmware, const FirmwarePlaces& places) {
@@ -266,19 +235,19 @@ fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places)
   std::error_code error;
   fs::create_directories(places.data_home, error);
   if (error) refuse(error.message());
-  const fs::path list = places.data_home / kAcceptedList;
-  const bool listed = isAccepted(firmware, places);
-  const std::string before = textOf(list);
-  if (!listed) {
-    const std::string after = before + firmware.sha256 + "\n";
-    if (const int why = replaceFile(list, {after.begin(), after.end()})) refuse(reasonFor(why));
-  }
   // The first name that is looked for, so that this choice wins over older ones.
-  fs::path target = places.data_home / kNames[0];
-  if (const int why = replaceFile(target, firmware.bytes)) {
-    if (!listed && before.empty()) fs::remove(list, error);
-    if (!listed && !before.empty()) replaceFile(list, {before.begin(), before.end()});
-    refuse(reasonFor(why));
+  const fs::path target = places.data_home / kNames[0];
+  const fs::path list = places.data_home / kAcceptedList;
+  try {
+    OutputSet files;
+    if (!isAccepted(firmware, places)) {
+      write(files.file(list), textOf(list) + firmware.sha256 + "\n");
+    }
+    const auto* bytes = reinterpret_cast<const char*>(firmware.bytes.data());
+    write(files.file(target), {bytes, firmware.bytes.size()});
+    files.commit();
+  } catch (const CannotWrite& cannot) {
+    refuse(cannot.reason);
   }
   return target;
 }

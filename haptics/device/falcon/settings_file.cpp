@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/file/atomic_file.h"
 #include "haptics/device/falcon/firmware.h"
 
 namespace relievo::falcon {
@@ -93,13 +94,13 @@ void writeSettings(const FalconSettings& settings, const fs::path& file,
   if (!settings.firmware.empty()) lines.push_back({"firmware", settings.firmware});
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  const fs::path part = file.string() + ".part";
-  std::ofstream stream(part, std::ios::trunc);
-  for (const Line& line : lines) stream << line.name << ' ' << line.text << '\n';
-  stream.close();
-  if (!stream) refuse();
-  fs::rename(part, file, error);
-  if (error) refuse();
+  try {
+    AtomicFile written(file);
+    for (const Line& line : lines) written.write(line.name + ' ' + line.text + '\n');
+    written.commit();
+  } catch (const WriteError&) {
+    refuse();
+  }
 }
 
 FirmwareSource storedFirmwareSource() {

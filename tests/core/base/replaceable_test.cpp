@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 #include "core/io/text_file.h"
 #include "tests/core/io/temporary_folder.h"
 
@@ -36,7 +36,7 @@ TEST(Replaceable, PipesFoldersAndLinksToThemStay) {
   for (const fs::path& place : {pipe, folder.path() / "link", folder.path()}) {
     EXPECT_THROW(requireReplaceable(place), WriteError) << place;
     EXPECT_THROW(writeTextFile(place, "new"), WriteError) << place;
-    EXPECT_THROW(const ReplacedFile file(place), WriteError) << place;
+    EXPECT_THROW(const AtomicFile file(place), WriteError) << place;
   }
   EXPECT_TRUE(fs::is_fifo(pipe));
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));

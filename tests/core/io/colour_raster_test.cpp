@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -40,8 +42,7 @@ class ColourFiles : public ::testing::Test {
     }
   }
   void write(const GridColours& colours) const {
-    writeColours(file(), map_, colours);
-    writeMap(file(), map_, {.view_from_file = {}});
+    writeMapWithColours(file(), map_, colours, {.view_from_file = {}});
   }
   std::filesystem::path file() const { return folder_.path() / "site.tif"; }
 
@@ -104,6 +105,36 @@ TEST_F(ColourFiles, OfAnotherMapAreLeftAsideWithAWord) {
   EXPECT_THAT(read.info.warnings[1], HasSubstr("site.intensity.tif belongs to another map"));
 }
 
+/// What a program leaves that is killed between two files: each is whole, and they are of two sets.
+TEST_F(ColourFiles, OfTheSameHeightsInOtherColoursAreLeftAsideWithAWord) {
+  write(colours_);
+  const auto before = folder_.path() / "before.tif";
+  std::filesystem::copy_file(colourFileOf(file()), before);
+  for (Rgba& colour : colours_.colours) colour[0] = static_cast<std::uint8_t>(colour[0] / 2);
+  write(colours_);
+  std::filesystem::rename(before, colourFileOf(file()));
+  const RasterMap read = importRaster(file());
+  EXPECT_TRUE(read.colours.colours.empty());
+  EXPECT_EQ(read.colours.intensities, colours_.intensities);
+  ASSERT_EQ(read.info.warnings.size(), 1U);
+  EXPECT_THAT(read.info.warnings[0], HasSubstr("site.colour.tif belongs to another map"));
+}
+
+TEST_F(ColourFiles, AreTheSameBytesWhenWrittenAgain) {
+  const auto bytes = [this] {
+    std::string all;
+    for (const auto& one : {file(), colourFileOf(file()), intensityFileOf(file())}) {
+      std::ifstream in(one, std::ios::binary);
+      all.append(std::istreambuf_iterator<char>(in), {});
+    }
+    return all;
+  };
+  write(colours_);
+  const std::string first = bytes();
+  write(colours_);
+  EXPECT_TRUE(bytes() == first);
+}
+
 TEST_F(ColourFiles, ThatCannotBeReadAreLeftAsideWithAWord) {
   write(colours_);
   folder_.write("site.colour.tif", "II*");
@@ -122,7 +153,7 @@ TEST_F(ColourFiles, OfAnOlderMapGoAndFilesOfOthersStay) {
   folder_.write("site.colour.tif", "somebody's notes");
   write({});
   EXPECT_TRUE(std::filesystem::exists(colourFileOf(file())));
-  EXPECT_THROW(writeColours(file(), map_, colours_), WriteError);
+  EXPECT_THROW(writeColours(file(), map_, colours_, ""), WriteError);
   EXPECT_TRUE(std::filesystem::exists(colourFileOf(file())));
 }
 

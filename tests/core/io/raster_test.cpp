@@ -193,6 +193,85 @@ TEST(Raster, OriginsThatDoNotFitTheMapAreLeftAsideWithAWarning) {
   EXPECT_THAT(raster.info.warnings[0], HasSubstr("another size"));
 }
 
+/// Beside a map of 5 x 5 cells lies another file of origins, whose codes fit its heights.
+class OriginsOfAnotherMap : public testing::Test {
+ protected:
+  OriginsOfAnotherMap() { writeMap(map(), map_, {oddView(), true}); }
+
+  std::filesystem::path map() const { return folder_.path() / "a.tif"; }
+  std::filesystem::path origins() const { return folder_.path() / "a.origin.tif"; }
+  /// The same heights; what was measured there is interpolated here.
+  DepthMap other() const {
+    DepthMap other = map_;
+    for (Origin& origin : other.origins) {
+      if (origin == Origin::measured) origin = Origin::interpolated;
+    }
+    return other;
+  }
+  void areLeftAside() {
+    const RasterMap raster = readRaster(map());
+    EXPECT_TRUE(raster.origins.empty());
+    ASSERT_EQ(raster.info.warnings.size(), 1U);
+    EXPECT_THAT(raster.info.warnings[0], HasSubstr("a.origin.tif belongs to another map"));
+  }
+  /// Takes an entry out of a file, as a build wrote it that did not know it.
+  static void forget(const std::filesystem::path& file, const char* fact) {
+    GDALAllRegister();
+    auto* dataset = static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_Update));
+    ASSERT_NE(dataset, nullptr);
+    dataset->SetMetadataItem(fact, nullptr);
+    GDALClose(dataset);
+  }
+
+  TemporaryFolder folder_;
+  DepthMap map_ = roughMap({5, 5});
+};
+
+TEST_F(OriginsOfAnotherMap, OfAnotherSetAreLeftAsideWithAWarning) {
+  writeMap(folder_.path() / "b.tif", other(), {oddView(), true});
+  std::filesystem::rename(folder_.path() / "b.origin.tif", origins());
+  areLeftAside();
+}
+
+TEST_F(OriginsOfAnotherMap, OfAnotherProgramAreLeftAsideWithAWarning) {
+  GDALAllRegister();
+  std::filesystem::remove(origins());
+  auto* foreign = GetGDALDriverManager()->GetDriverByName("GTiff")->Create(origins().c_str(), 5, 5,
+                                                                           1, GDT_Byte, nullptr);
+  std::vector<std::uint8_t> codes;
+  for (int row = 4; row >= 0; --row) {
+    for (int col = 0; col < 5; ++col) {
+      codes.push_back(static_cast<std::uint8_t>(map_.origin({.col = col, .row = row})));
+    }
+  }
+  ASSERT_EQ(foreign->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 5, 5, codes.data(), 5, 5, GDT_Byte,
+                                                0, 0, nullptr),
+            CE_None);
+  GDALClose(foreign);
+  areLeftAside();
+}
+
+TEST_F(OriginsOfAnotherMap, OfAnEarlierBuildAreReadWithAMapOfIt) {
+  for (const auto& file : {map(), origins()}) forget(file, kSetFact);
+  const RasterMap raster = readRaster(map());
+  EXPECT_EQ(raster.origins, map_.origins);
+  EXPECT_TRUE(raster.info.warnings.empty());
+}
+
+TEST_F(OriginsOfAnotherMap, OfAnEarlierBuildAreNotReadWithANewMap) {
+  forget(origins(), kSetFact);
+  areLeftAside();
+}
+
+TEST_F(OriginsOfAnotherMap, OfAMapThatWasSeenOtherwiseAreLeftAside) {
+  DepthMap moved = map_;
+  moved.frame.first_x_mm += 1;
+  writeMap(folder_.path() / "b.tif", moved, {oddView(), true});
+  std::filesystem::rename(folder_.path() / "b.origin.tif", origins());
+  for (const auto& file : {map(), origins()}) forget(file, kSetFact);
+  areLeftAside();
+}
+
 TEST(Raster, ForeignRasterHasItsBoxAtCellCentresAndRowZeroLowest) {
   const TemporaryFolder folder;
   const RasterMap raster = readRaster(ForeignRaster{}.write(folder));

@@ -14,7 +14,7 @@
 
 #include <unistd.h>
 
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 namespace {

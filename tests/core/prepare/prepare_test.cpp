@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 #include "core/prepare/execute.h"
 #include "core/prepare/transport.h"
 #include "tests/core/prepare/made_clouds.h"

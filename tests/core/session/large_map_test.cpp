@@ -267,7 +267,7 @@ TEST(LargeMap, TakesARasterThatIsLargerThanItsBudgetToTheSameBytes) {
       writer.add(bands);
     }
     writer.close({}, nullptr);
-    writer.keep();
+    writer.commit();
   }
   SurfaceOptions options;
   options.unit = LengthUnit::mm;

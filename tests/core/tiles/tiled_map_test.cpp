@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/io/raster.h"
 #include "core/tiles/level_files.h"
+#include "core/tiles/tile_raster.h"
 #include "tests/core/tiles/tile_fixtures.h"
 
 namespace relievo {
@@ -303,6 +304,51 @@ TEST_F(DamagedTiledMap, RefusesALevelOfAnotherMap) {
   std::filesystem::copy_file(other / "map.L1.tif", folder_ / "map.L1.tif",
                              std::filesystem::copy_options::overwrite_existing);
   expectRefused("another map");
+}
+
+/// What a program leaves that is killed between two files: each is whole, and they are of two sets.
+TEST_F(DamagedTiledMap, RefusesALevelOfTheSameHeightsAndOtherOrigins) {
+  const test::TileFolder other;
+  DepthMap map = someMap({.cols = 900, .rows = 700});
+  for (Origin& origin : map.origins) {
+    if (origin == Origin::base_plane) origin = Origin::measured;
+  }
+  writeLevels(other / "map.tif", map);
+  std::filesystem::copy_file(other / "map.L1.origin.tif", folder_ / "map.L1.origin.tif",
+                             std::filesystem::copy_options::overwrite_existing);
+  expectRefused("another map");
+}
+
+TEST(TileRasterWriter, BeginsALargeFileOnADiskThatHasRoomForIt) {
+  const test::TileFolder folder;
+  const GridFrame frame{
+      .size = {.cols = 20'000, .rows = 20'000}, .spacing_mm = 1, .first_x_mm = 0, .first_y_mm = 0};
+  const auto bytes = frame.size.count() * sizeof(float);
+  if (std::filesystem::space(folder.path()).available < bytes) GTEST_SKIP() << "The disk is full.";
+  EXPECT_NO_THROW(TileRasterWriter(folder / "large.tif", frame, {}));
+}
+
+TEST(TileRasterWriter, RefusesAFileThatIsLargerThanTheDiskBeforeTheWork) {
+  const test::TileFolder folder;
+  const GridFrame frame{.size = {.cols = 2'000'000, .rows = 2'000'000},
+                        .spacing_mm = 1,
+                        .first_x_mm = 0,
+                        .first_y_mm = 0};
+  try {
+    const TileRasterWriter writer(folder / "large.tif", frame, {});
+    ADD_FAILURE() << "was begun";
+  } catch (const WriteError& error) {
+    EXPECT_NE(std::string(error.what()).find("it takes 16 000 000 MB"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(LevelFiles, AreTheSameBytesWhenWrittenAgain) {
+  const test::TileFolder folder;
+  writeLevels(folder / "map.tif", someMap({.cols = 300, .rows = 300}));
+  const std::string first = textIn(folder / "map.tif") + textIn(folder / "map.L1.origin.tif");
+  writeLevels(folder / "map.tif", someMap({.cols = 300, .rows = 300}));
+  EXPECT_TRUE(textIn(folder / "map.tif") + textIn(folder / "map.L1.origin.tif") == first);
 }
 
 TEST_F(DamagedTiledMap, RefusesACutLevel) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/io/owned_fd.h"
+#include "core/file/owned_fd.h"
 
 namespace relievo {
 

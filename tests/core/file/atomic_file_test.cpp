@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/io/replaced_file.h"
+#include "core/file/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -27,12 +27,12 @@ std::set<std::string> namesIn(const std::filesystem::path& folder) {
 }
 
 /// A child that begins to write a file and waits; killed by the caller.
-pid_t writerOf(const std::filesystem::path& file) {
+pid_t writerOf(const std::filesystem::path& file, TemporaryName name) {
   std::array<int, 2> ready{};
   EXPECT_EQ(::pipe(ready.data()), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    const ReplacedFile written(file);
+    const AtomicFile written(file, name);
     std::ofstream(written.path()) << "half";
     [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1);
     for (;;) ::pause();
@@ -44,32 +44,32 @@ pid_t writerOf(const std::filesystem::path& file) {
   return child;
 }
 
-TEST(ReplacedFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
+TEST(AtomicFile, WhatAKilledWriterLeftGoesWhenTheNextOneBegins) {
   const test::TemporaryFolder folder;
   const auto somebodys = folder.write(".map.99999999.tmp.tif", "not of our form");
   folder.write(".map.relievo-x.tmp.tif", "no number");
   folder.write("map.relievo-99999999.tmp.tif", "not hidden");
-  const pid_t child = writerOf(folder.path() / "map.tif");
+  const pid_t child = writerOf(folder.path() / "map.tif", TemporaryName::beside);
   const std::string left = ".map.relievo-" + std::to_string(child) + ".tmp.tif";
   EXPECT_TRUE(namesIn(folder.path()).contains(left));
   {
     // While it lives nobody touches it.
-    const ReplacedFile other(folder.path() / "other.tif");
+    const AtomicFile other(folder.path() / "other.tif");
     EXPECT_TRUE(namesIn(folder.path()).contains(left));
   }
   ::kill(child, SIGKILL);
   ::waitpid(child, nullptr, 0);
   EXPECT_TRUE(namesIn(folder.path()).contains(left)) << "nobody could remove it so far";
-  { const ReplacedFile other(folder.path() / "other.tif"); }
+  { const AtomicFile other(folder.path() / "other.tif"); }
   EXPECT_EQ(namesIn(folder.path()),
             (std::set<std::string>{".map.99999999.tmp.tif", ".map.relievo-x.tmp.tif",
                                    "map.relievo-99999999.tmp.tif"}));
 }
 
 /// A writer in another container has a number that means nothing here, but holds its lock.
-TEST(ReplacedFile, AFileThatSomebodyHoldsIsLeftAlone) {
+TEST(AtomicFile, AFileThatSomebodyHoldsIsLeftAlone) {
   const test::TemporaryFolder folder;
-  const pid_t child = writerOf(folder.path() / "map.tif");
+  const pid_t child = writerOf(folder.path() / "map.tif", TemporaryName::beside);
   const auto as_if_elsewhere = folder.path() / ".map.relievo-99999999.tmp.tif";
   std::filesystem::rename(folder.path() / (".map.relievo-" + std::to_string(child) + ".tmp.tif"),
                           as_if_elsewhere);
@@ -81,30 +81,68 @@ TEST(ReplacedFile, AFileThatSomebodyHoldsIsLeftAlone) {
   EXPECT_FALSE(std::filesystem::exists(as_if_elsewhere));
 }
 
-TEST(ReplacedFile, KeepsWhatWasWrittenAndElseNothing) {
+TEST(AtomicFile, KeepsWhatWasWrittenAndElseNothing) {
   const test::TemporaryFolder folder;
   const auto file = folder.write("a.txt", "old");
-  { std::ofstream(ReplacedFile(file).path()) << "half"; }
+  { std::ofstream(AtomicFile(file).path()) << "half"; }
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
   {
-    ReplacedFile written(file);
+    AtomicFile written(file);
     std::ofstream(written.path()) << "new";
-    written.keep();
+    written.commit();
   }
   std::ifstream in(file);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "new");
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
 }
 
-TEST(ReplacedFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
+TEST(AtomicFile, AKilledWriterLeavesNothingWhereFilesNeedNoName) {
+  const test::TemporaryFolder folder;
+  const AtomicFile other(folder.path() / "other.tif");
+  if (!other.path().string().starts_with("/proc/")) GTEST_SKIP() << "Files have names here.";
+  const pid_t child = writerOf(folder.path() / "map.tif", TemporaryName::none);
+  EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{});
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{});
+}
+
+TEST(AtomicFile, TwoMayBeWrittenForOnePlaceAndTheLastOneStays) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "a.txt";
+  for (const TemporaryName name : {TemporaryName::none, TemporaryName::beside}) {
+    AtomicFile first(file, name), second(file, name);
+    std::ofstream(first.path()) << "first";
+    std::ofstream(second.path()) << "second";
+    first.commit();
+    second.commit();
+    std::ifstream in(file);
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "second");
+    EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
+  }
+}
+
+TEST(AtomicFile, AFileWithoutANameGetsTheModeThatNewFilesHave) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  AtomicFile written(folder.path() / "a.txt");
+  ::umask(before);
+  std::ofstream(written.path()) << "new";
+  written.commit();
+  EXPECT_EQ(fs::status(folder.path() / "a.txt").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
+}
+
+TEST(AtomicFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
   namespace fs = std::filesystem;
   const test::TemporaryFolder folder;
   const fs::path file = folder.write("a.txt", "old");
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
   fs::create_symlink("a.txt", folder.path() / "link.txt");
-  ReplacedFile written(folder.path() / "link.txt");
+  AtomicFile written(folder.path() / "link.txt");
   std::ofstream(written.path()) << "new";
-  written.keep();
+  written.commit();
   EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
   EXPECT_EQ(fs::file_size(file), 3U);
   std::ifstream in(file);
@@ -113,14 +151,14 @@ TEST(ReplacedFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
             fs::perms::owner_read | fs::perms::owner_write | fs::perms::others_read);
 }
 
-TEST(ReplacedFile, KeepsTheOwnerOfWhatItReplaces) {
+TEST(AtomicFile, KeepsTheOwnerOfWhatItReplaces) {
   if (::getuid() != 0) GTEST_SKIP() << "Only the superuser can give a file to somebody else.";
   const test::TemporaryFolder folder;
   const auto file = folder.write("a.txt", "old");
   ASSERT_EQ(::chown(file.c_str(), 12, 34), 0);
-  ReplacedFile written(file);
+  AtomicFile written(file);
   std::ofstream(written.path()) << "new";
-  written.keep();
+  written.commit();
   struct stat now {};
   ASSERT_EQ(::stat(file.c_str(), &now), 0);
   EXPECT_EQ(now.st_uid, 12U);
