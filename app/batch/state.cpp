@@ -40,9 +40,9 @@ void addOutsideOption(CLI::App& verb, OutsideFiles& outside) {
           [&outside](const std::string& word) {
             outside = word == "allow" ? OutsideFiles::allow : OutsideFiles::refuse;
           },
-          "Files that a project, picture or log names outside of its own folder, other than those "
-          "it "
-          "was made from: refuse (as by itself; exit 2) or allow")
+          "Files that a project, picture, log or recipe names outside of its own folder, other "
+          "than "
+          "those it was made from: refuse (as by itself; exit 2) or allow")
       ->check(CLI::IsMember({"allow", "refuse"}));
 }
 

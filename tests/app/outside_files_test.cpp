@@ -12,6 +12,7 @@ namespace relievo {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 using test::CommandResult;
 using test::joined;
 using test::runRelievo;
@@ -119,6 +120,25 @@ TEST_F(OutsideFiles, ThatAForeignLogsCommandNamesAreRefused) {
   const CommandResult given =
       runRelievo({"replay", path("work/hostile.csv"), "--input", path("scans/plane.xyz")});
   EXPECT_EQ(given.exit_code, 0) << given.err;
+}
+
+TEST_F(OutsideFiles, ThatAForeignRecipeNamesAreRefused) {
+  const CommandResult own =
+      runRelievo({"prepare", path("scans/plane.xyz"), "--unit", "mm", "--thin", "2", "-o",
+                  path("work/thin.ply"), "--write-recipe", path("work/own.recipe.json")});
+  ASSERT_EQ(own.exit_code, 0) << own.err;
+  const std::vector<std::string> again{"prepare", "--recipe", path("work/own.recipe.json"), "-o",
+                                       path("work/again.ply")};
+  const CommandResult read = runRelievo(again);
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+  json recipe = json::parse(test::bytesOf(path("work/own.recipe.json")));
+  for (json& scan : recipe["scans"]) {
+    scan["file"] = "../private/notes.xyz";
+    scan.erase("sha256");
+  }
+  write("work/hostile.recipe.json", recipe.dump());
+  expectRefused(
+      {"prepare", "--recipe", path("work/hostile.recipe.json"), "-o", path("work/hostile.ply")});
 }
 
 TEST_F(OutsideFiles, ThatAForeignProjectWouldPlotAreRefused) {
