@@ -10,6 +10,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,6 +42,24 @@ bool isLeft(const std::filesystem::path& file, pid_t writer) {
   if (writer == ::getpid() || ::kill(writer, 0) == 0 || errno != ESRCH) return false;
   const OwnedFd fd(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
   return fd.get() >= 0 && ::flock(fd.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
+/// What belongs to the program's own file, and no more bytes than a name may have: of a long name
+/// the first, and a number in place of the others.
+std::string temporaryName(const std::filesystem::path& file) {
+  constexpr std::size_t kMostBytes = 255, kNumberDigits = 17;
+  std::string extension = file.extension().string();
+  if (extension.size() > kMostBytes / 4) extension.clear();
+  const std::string end =
+      std::string(kMark) + std::to_string(::getpid()) + std::string(kEnd) + extension;
+  std::string stem = "." + file.stem().string();
+  if (stem.size() + end.size() > kMostBytes) {
+    const std::string number =
+        "-" + std::to_string(std::hash<std::string>{}(file.filename().string()) >> 8U);
+    stem.resize(kMostBytes - end.size() - kNumberDigits - 1);
+    stem += number;
+  }
+  return stem + end;
 }
 
 /// Mode and owner of what is replaced. @return false: errno says why not
@@ -75,9 +94,7 @@ void removeLeftFiles(const std::filesystem::path& folder) {
 
 ReplacedFile::ReplacedFile(const std::filesystem::path& final_name)
     : final_(requireReplaceable(final_name)),
-      temporary_(final_.parent_path() /
-                 ("." + final_.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
-                  std::string(kEnd) + final_.extension().string())) {
+      temporary_(final_.parent_path() / temporaryName(final_)) {
   removeLeftFiles(final_.parent_path());
   // Whoever opens it for writing says what is wrong, if this fails.
   lock_.reset(::open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));

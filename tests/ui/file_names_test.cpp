@@ -88,6 +88,8 @@ TEST_P(FileNames, AreDroppedAsFileManagersSendThem) {
   QMimeData data;
   const QByteArray raw = QByteArray::fromStdString(named(".ply").native());
   data.setData("text/uri-list", "file://" + raw.toPercentEncoding("/") + "\r\n");
+  QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window(), &enter);
   QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window(), &event);
   ASSERT_TRUE(opens()) << window().message().toStdString();

@@ -96,6 +96,26 @@ TEST(ReplacedFile, KeepsWhatWasWrittenAndElseNothing) {
   EXPECT_EQ(namesIn(folder.path()), std::set<std::string>{"a.txt"});
 }
 
+TEST(ReplacedFile, TakesNamesAsLongAsTheFileSystemDoes) {
+  const test::TemporaryFolder folder;
+  for (const std::string& ending :
+       {std::string(".csv"), std::string(), "." + std::string(200, 'e')}) {
+    const std::string start(250 - ending.size(), 'x');
+    ReplacedFile one(folder.path() / (start + "\xFC" + "one" + ending));
+    ReplacedFile other(folder.path() / (start + "\xFC" + "two" + ending));
+    std::ofstream(one.path()) << "1";
+    std::ofstream(other.path()) << "2";
+    EXPECT_EQ(namesIn(folder.path()).size(), 2U) << "each has its own";
+    one.keep();
+    other.keep();
+    EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{start + "\xFC" + "one" + ending,
+                                                             start + "\xFC" + "two" + ending}));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      std::filesystem::remove(entry.path());
+    }
+  }
+}
+
 TEST(ReplacedFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
   namespace fs = std::filesystem;
   const test::TemporaryFolder folder;
