@@ -64,8 +64,16 @@ class NameCodec : public QTextCodec {
   }
 };
 
-QString shown(const QString& name) {
+QString escaped(const QString& name) {
   return QString::fromStdString(escapedName(bytesOfPath(name)));
+}
+
+/// A name without a blank widens what shows it, so that a long one misses its middle.
+QString shown(const QString& name) {
+  constexpr int kMostCharacters = 80, kAtEnd = 25;
+  const QString text = escaped(name);
+  if (text.size() <= kMostCharacters) return text;
+  return text.left(kMostCharacters - kAtEnd - 1) + QChar(0x2026) + text.right(kAtEnd);
 }
 
 }  // namespace
@@ -94,11 +102,17 @@ QString shownName(const QString& path) {
 }
 
 QString shownPath(const QString& path) {
-  return shown(QDir::toNativeSeparators(path));
+  QStringList names = QDir::toNativeSeparators(path).split(QDir::separator());
+  for (QString& name : names) name = shown(name);
+  return names.join(QDir::separator());
+}
+
+QString wholeName(const QString& path) {
+  return escaped(QFileInfo(path).fileName());
 }
 
 QString shownAsTip(const QString& path) {
-  const QString text = shownPath(path);
+  const QString text = escaped(QDir::toNativeSeparators(path));
   return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text) : text;
 }
 

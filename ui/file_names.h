@@ -23,9 +23,12 @@ QString pathFromBytes(std::string_view bytes);
 /// The path of a file that was dropped; a URL may have bytes that are no UTF-8.
 QString droppedPath(const QUrl& url);
 
-/// Last name of a path, and all of it, for people: see core's escapedName().
+/// Last name of a path, and all of it, for people: see core's escapedName(). Long names are
+/// shortened.
 QString shownName(const QString& path);
 QString shownPath(const QString& path);
+/// Last name as a line of a file keeps it: as above, never shortened.
+QString wholeName(const QString& path);
 /// All of it for a tool tip, which Qt would take for HTML if it looked like some.
 QString shownAsTip(const QString& path);
 /// Last name for a menu or a button, where "&" marks a key.

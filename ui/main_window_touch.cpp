@@ -245,7 +245,7 @@ QString MainWindow::recordingHeader(const QString& file) const {
   const Region& r = state.region;
   return QStringList{
       QLatin1String("# application: relievo ") + QStringLiteral(RELIEVO_VERSION_STRING),
-      QLatin1String("# input: ") + shownName(document_.file()),
+      QLatin1String("# input: ") + wholeName(document_.file()),
       QLatin1String("# input_sha256: ") + document_.fileSha256(),
       QLatin1String("# unit: ") + word(name(s.unit)) + QLatin1String(" (") +
           word(name(s.unit_source)) + ')',

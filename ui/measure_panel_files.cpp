@@ -37,7 +37,7 @@ QString MeasurePanel::sourceText(const QString& file) const {
                              QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
                 document_.fileSha256().toStdString(), static_cast<std::uint64_t>(input.size())};
   return QStringLiteral("relievo %1, input %2, sha256 %3\n%4")
-      .arg(QStringLiteral(RELIEVO_VERSION_STRING), shownName(document_.file()),
+      .arg(QStringLiteral(RELIEVO_VERSION_STRING), wholeName(document_.file()),
            document_.fileSha256(), QString::fromStdString(stateLine(toJson(made, -1))));
 }
 
@@ -64,7 +64,7 @@ void MeasurePanel::writeSelected(const QString& file) const {
   std::string text;
   const std::string source = sourceText(file).toStdString();  // Refuses the scan as target.
   if (m->kind == section) {
-    const std::string title = shownName(document_.file()).toStdString() + ": " + m->name;
+    const std::string title = wholeName(document_.file()).toStdString() + ": " + m->name;
     text = svg ? sectionSvg(entry->reading->curves, planeOf(*m), title)
                : sectionCsv(entry->reading->curves, source);
   } else {

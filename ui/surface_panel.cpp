@@ -143,7 +143,10 @@ void SurfacePanel::showSurface() {
   const Surface& s = *document_.surface();
   const HeightRange z = mapFacts(s).heights;
   const GridFrame& grid = mapFrame(s);
-  file_->setText(shownName(document_.file()));
+  constexpr int kMostCharacters = 26;  // Of the panel's width; the tip has all.
+  const QFontMetrics letters = file_->fontMetrics();
+  file_->setText(letters.elidedText(shownName(document_.file()), Qt::ElideMiddle,
+                                    kMostCharacters * letters.averageCharWidth()));
   file_->setToolTip(shownAsTip(document_.file()));
   size_->setText(sizeText({s.ladder.width_mm, s.ladder.height_mm, z.max_mm - z.min_mm}));
   cells_->setText(tr("%1 \u00d7 %2, %3 apart")

@@ -125,7 +125,7 @@ bool VideoControl::startLive(const QString& file, VideoProfile profile, const st
                                   .height_px = source.pixels.height(),
                                   .fps = kLiveFps,
                                   .state = state,
-                                  .title = shownName(stemOf(file, {})).toStdString()});
+                                  .title = wholeName(stemOf(file, {})).toStdString()});
   } catch (const Error& error) {
     Q_EMIT failed(shownError(error));
     return false;

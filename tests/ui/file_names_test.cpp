@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <QAction>
@@ -152,7 +153,13 @@ TEST_F(GuiTest, ANameOf255BytesOpensAndItsProjectGetsAShorterOne) {
   request.file = pathFromBytes(scan.native());
   request.unit = LengthUnit::mm;
   window().open(request);
+  const int width = window().minimumSizeHint().width();
   ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  EXPECT_LT(child<QLabel>("surface_file")->minimumSizeHint().width(), 300) << "of the side panel";
+  window().showMessage(shownName(document().file()) + ' ' + shownPath(document().file()));
+  EXPECT_LE(window().minimumSizeHint().width(), std::max(width, 860))
+      << "the window keeps its size";
+  window().findChild<MessageStrip*>()->close();
   ASSERT_TRUE(window().runCommand("save_project_as"));
   auto* dialog = window().findChild<QFileDialog*>("project_dialog");
   ASSERT_NE(dialog, nullptr);

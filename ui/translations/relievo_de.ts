@@ -5010,7 +5010,7 @@
     <message numerus="yes">
         <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
         <translation>
-            <numerusform>%1 nennt eine Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
+            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
             <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
         </translation>
     </message>
@@ -5037,7 +5037,7 @@
     <message numerus="yes">
         <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
         <translation>
-            <numerusform>Eine Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
+            <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
             <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
         </translation>
     </message>
