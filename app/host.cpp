@@ -14,6 +14,7 @@
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/spoken_error.h"
 
 namespace relievo {
@@ -99,7 +100,7 @@ FirmnessReply firmnessIn(const QString& file, const Task& task) {
   } catch (const std::bad_alloc&) {
     return {nullptr, WindowHost::tr("%1 is too large for the memory and was not used. Make it "
                                     "coarser; it is laid over the whole map.")
-                         .arg(QFileInfo(file).fileName())};
+                         .arg(shownName(file))};
   }
 }
 }  // namespace

@@ -15,6 +15,7 @@
 #include "app/options.h"
 #include "app/plugin_loader.h"
 #include "core/base/error.h"
+#include "ui/file_names.h"
 #include "ui/guarded_application.h"
 #include "ui/language.h"
 #include "ui/main_window.h"
@@ -28,6 +29,7 @@ constexpr int kUsage = 1;
 constexpr int kNoGraphics = 7;
 
 void prepareQt() {
+  relievo::keepBytesOfNames();
   // VTK draws through GLX.
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();

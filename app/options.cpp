@@ -50,6 +50,11 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
   WindowOptions options;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     std::string option = arguments[i];
+    if (option == "--") {  // From here on all are files, whatever they begin with.
+      options.files.insert(options.files.end(),
+                           arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
+      break;
+    }
     if (option.empty() || option.front() != '-') {
       options.files.push_back(option);
       continue;
@@ -107,7 +112,8 @@ std::string windowHelp() {
          "  --region X,Y,W,H             first window, millimetres from the lower left corner\n"
          "  --lang xx                    language of the window: en, de, hi\n"
          "  --safe-mode                  ignore and keep no settings\n"
-         "  --version, --help\n";
+         "  --version, --help\n"
+         "  --                           what follows are files, whatever they begin with\n";
 }
 
 }  // namespace relievo

@@ -12,6 +12,7 @@
 #include "ui/core_words.h"
 #include "ui/figure_dialog.h"
 #include "ui/figure_error.h"
+#include "ui/file_names.h"
 
 namespace relievo {
 namespace {
@@ -37,7 +38,7 @@ void FigureDialog::save() {
     if (folder == own_folder_) QDir().mkpath(folder);
     if (!QFileInfo(folder).isDir()) {
       showProblem(tr("There is no folder %1. Nothing was written. Choose another, or make it.")
-                      .arg(QDir::toNativeSeparators(folder)));
+                      .arg(shownPath(folder)));
       return;
     }
     if (target.exists()) there += name;
@@ -52,15 +53,16 @@ void FigureDialog::save() {
 void FigureDialog::askToReplace(const QStringList& there) {
   const QFileInfo first(there.front());
   QStringList shown;
-  for (const QString& name : there) shown += QDir::toNativeSeparators(name);
-  const QString question =
-      there.size() == 1 ? tr("%1 exists already in %2. Replace it?")
-                              .arg(first.fileName(), QDir::toNativeSeparators(first.absolutePath()))
-                        : tr("These files exist already. Replace them?") + QLatin1String("\n\n") +
-                              shown.join('\n');
+  for (const QString& name : there) shown += shownPath(name);
+  const QString question = there.size() == 1
+                               ? tr("%1 exists already in %2. Replace it?")
+                                     .arg(shownName(there.front()), shownPath(first.absolutePath()))
+                               : tr("These files exist already. Replace them?") +
+                                     QLatin1String("\n\n") + shown.join('\n');
   auto* box = new QMessageBox(QMessageBox::Warning, tr("Replace figure"), question,
                               QMessageBox::Cancel, this);
   box->setObjectName(QStringLiteral("figure_replace"));
+  box->setTextFormat(Qt::PlainText);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setAccessibleName(box->windowTitle());
   nameButtons(*box->findChild<QDialogButtonBox*>());
@@ -102,7 +104,7 @@ void FigureDialog::stop() {
   if (writing_) {
     const std::size_t count = *there_;
     QStringList names;
-    for (const QString& name : targets_) names += QFileInfo(name).fileName();
+    for (const QString& name : targets_) names += shownName(name);
     showProblem(count == 0 ? tr("Stopped. Nothing was written.")
                            : tr("Stopped. Only this was written: %1.")
                                  .arg(names.mid(0, static_cast<int>(count)).join(", ")));

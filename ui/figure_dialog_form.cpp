@@ -16,6 +16,7 @@
 #include "ui/core_words.h"
 #include "ui/figure_dialog.h"
 #include "ui/figure_number.h"
+#include "ui/file_names.h"
 #include "ui/mnemonic.h"
 
 namespace relievo {
@@ -149,8 +150,7 @@ QLineEdit* FigureDialog::place(QFormLayout* layout, const QString& title, const 
 }
 
 void FigureDialog::browse(QLineEdit* field, const Place& chosen_in) {
-  const QString near =
-      field->text().isEmpty() ? QString::fromStdString(project_.file) : field->text();
+  const QString near = field->text().isEmpty() ? pathFromBytes(project_.file) : field->text();
   auto* dialog = new QFileDialog(this, chosen_in.title, QFileInfo(near).path(), chosen_in.filter);
   dialog->setObjectName(field->objectName() + QLatin1String("_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);

@@ -13,6 +13,7 @@
 #include "core/relief/relief_image.h"
 #include "ui/figure_dialog.h"
 #include "ui/figure_number.h"
+#include "ui/file_names.h"
 
 namespace relievo {
 namespace {
@@ -41,7 +42,7 @@ std::filesystem::path pathOf(const QString& file) {
 void FigureDialog::showRequest(const FigureRequest& f) {
   const QSignalBlocker quiet(this);
   layout_->setCurrentIndex(static_cast<int>(f.layout));
-  recording_->setText(QString::fromStdString(f.recording));
+  recording_->setText(pathFromBytes(f.recording));
   width_->show(f.width_mm);
   to_scale_->setChecked(f.scale_1_to.has_value());
   if (f.scale_1_to) scale_->show(*f.scale_1_to);
@@ -76,7 +77,7 @@ void FigureDialog::showRequest(const FigureRequest& f) {
 FigureRequest FigureDialog::request() const {
   FigureRequest f = project_.figure;
   f.layout = static_cast<FigureLayout>(layout_->currentIndex());
-  f.recording = recording_->text().toStdString();
+  f.recording = bytesOfPath(recording_->text());
   f.width_mm = width_->valueOr(f.width_mm);
   if (to_scale_->isChecked()) {
     f.scale_1_to = scale_->valueOr(f.scale_1_to.value_or(scale_->value()));

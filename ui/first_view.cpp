@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QPainter>
 
+#include "ui/file_names.h"
 #include "ui/palette.h"
 
 namespace relievo {
@@ -36,7 +37,7 @@ FirstViewCard::FirstViewCard(Document& document, QWidget* place)
 void FirstViewCard::show(const QString& file, const QImage& picture, quint64 used, quint64 all) {
   picture_ = picture;
   text_ = tr("%1: first view from %2 of %3 points. The whole is being read.")
-              .arg(QFileInfo(file).fileName(), grouped(used), grouped(all));
+              .arg(shownName(file), grouped(used), grouped(all));
   text_ += QLatin1Char(' ');
   text_ += document_.isOpen() ? tr("Until then the views and the hand stay with the object before.")
                               : tr("It can be touched then.");

@@ -23,6 +23,7 @@
 #include "core/session/map_facts.h"
 #include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/first_view.h"
 #include "ui/header_row.h"
 #include "ui/measure_panel.h"
@@ -201,13 +202,12 @@ void MainWindow::connectParts() {
   connect(&document_, &Document::scanRead, this,
           [this](const QString& file, double w, double h, double d, quint64 points) {
             announce(tr("%1: %2, points: %3")
-                         .arg(QFileInfo(file).fileName(), sizeText({w, h, d}))
-                         .arg(points));
+                         .arg(shownName(file), sizeText({w, h, d}), QString::number(points)));
           });
   connect(&document_, &Document::opened, this, [this](const QString& file) {
     settings_.addRecentFile(file);
     showRecent();
-    const QString open_now = tr("%1 is open.").arg(QFileInfo(file).fileName());
+    const QString open_now = tr("%1 is open.").arg(shownName(file));
     announce(command("forces") == nullptr ? open_now
                                           : tr("%1 Press F5 to switch forces on.").arg(open_now));
     askQuestions();
@@ -268,6 +268,7 @@ void MainWindow::connectParts() {
   connectVideo();
   connectImages();
   connectPackages();
+  connectForeignFiles();
   connectExports();
   connectQuestions();
   strip_->setOfferKey(command("answer")->shortcut());
@@ -279,6 +280,7 @@ void MainWindow::connectParts() {
 void MainWindow::open(const QString& file) {
   whenNothingIsUnsaved([this, file] {
     restoring_.reset();
+    recovered_copy_.clear();  // What is opened now does not hold that work.
     replay_->forgetWaiting();
     if (restoreFromFile(QFileInfo(file).absoluteFilePath())) return;
     OpenRequest request;
@@ -402,7 +404,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   QStringList files;
   for (const QUrl& url : urls) {
-    if (url.isLocalFile()) files << url.toLocalFile();
+    if (url.isLocalFile()) files << droppedPath(url);
   }
   if (files.size() < urls.size()) {
     strip_->show(tr("Only files on this computer can be opened. Nothing was opened."));
@@ -420,6 +422,10 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   // Escape, wherever the focus is: first the forces, then long work, then the mode.
   if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
     if (stopForces()) return true;
+    if (foreign_work_.cancel()) {
+      announce(tr("Cancelled. Nothing was changed."));
+      return true;
+    }
     if (document_.busy()) {
       restoring_.reset();
       document_.cancel();

@@ -95,7 +95,8 @@ class MainWindow : public QMainWindow {
   void openPaths(const QStringList& paths);
   /// The present state, as projects and figures keep it.
   Project project();
-  /// Brings a state back; `from` is the project or picture it came from.
+  /// Brings a state back; `from` is the project or picture it came from. Files elsewhere are asked
+  /// about before they are read.
   void restore(const Project& project, const QString& from);
   void saveProject(const QString& file);
   /// Places, measurements, camera paths or, in a project, settings that no file holds.
@@ -250,6 +251,19 @@ class MainWindow : public QMainWindow {
   /// @param then  with the file that was prepared
   void showPrepare(const PrepareStart& start, const std::function<void(const QString&)>& then);
 
+  // main_window_foreign.cpp
+  /// Gets the files that are not to be read.
+  using Withhold = std::function<void(const std::vector<std::filesystem::path>& files)>;
+  void connectForeignFiles();
+  /// Calls `then`, at once if all that the project names is in the folder of `carrier`; else after
+  /// its checksums were compared, and after somebody was asked where they differ.
+  void whenFilesMayBeRead(const Project& project, const QString& carrier, const Withhold& then);
+  void askForForeignFiles(const std::vector<std::filesystem::path>& files, const QString& carrier,
+                          const Withhold& then);
+  bool isWithheld(const std::string& file) const;
+  void tellInputWithheld(const Project& project, const QString& carrier);
+  void askAboutWithheld();  ///< Not a question, but one at a time with them.
+
   // main_window_package.cpp
   void makePackageCommand();
   void connectPackages();
@@ -268,6 +282,9 @@ class MainWindow : public QMainWindow {
   /// @param then  once it is saved
   void saveProjectAs(const std::function<void()>& then = {});
   void relink(const Project& project, const QString& from);
+  /// As restore(), of a state in which the user chose the scan: all else is asked about as ever.
+  void restoreOnChosen(const Project& project, const QString& from);
+  void restoreNow(const Project& project, const QString& from);
   void showRestored();
   bool restoreFromFile(const QString& file);
   void showDamaged(const QString& text);
@@ -316,6 +333,7 @@ class MainWindow : public QMainWindow {
   void showReplaying(bool on);
   void offerRecordedMap(const QString& sentence);
   void openRecordedMap(const QString& file);
+  void openOld(const Project& project);
 
   // main_window_video.cpp
   void makeVideoCommands();
@@ -374,9 +392,11 @@ class MainWindow : public QMainWindow {
   QMenu* recent_menu_ = nullptr;
 
   Project project_;  ///< What of the state no other part holds.
+  /// Files that the project names and that nobody wanted read.
+  std::vector<std::filesystem::path> withheld_;
   /// How the view looked when the figure's look was chosen; nothing: not chosen yet.
   std::optional<ReliefLook> figure_view_;
-  LatestWorker face_worker_;
+  LatestWorker face_worker_, foreign_work_;
   std::vector<std::function<void()>> questions_;  ///< Not yet asked, the next one first.
   std::optional<Project> restoring_;              ///< Until its file is open.
   QString project_file_;

@@ -10,6 +10,7 @@
 #include "core/project/project_files.h"
 #include "core/provenance/provenance.h"
 #include "ui/export_dialog.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/spoken_error.h"
@@ -43,8 +44,9 @@ void MainWindow::connectExports() {
 
 void MainWindow::chooseExport() {
   if (!document_.isOpen()) return;
-  auto* dialog = new ExportDialog(document_.surface(), document_.state().region,
-                                  QFileInfo(document_.file()).completeBaseName(), this);
+  auto* dialog =
+      new ExportDialog(document_.surface(), document_.state().region,
+                       stemOf(document_.file(), QStringLiteral("-heights.origin.tif")), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::chosen, this,
           [this](const ExportOrder& order) { exportMap(order.choice, order.file); });
@@ -89,7 +91,7 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
           closeIfAwaited(false);
           return;
         }
-        announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+        announce(tr("%1 is saved").arg(shownName(file)));
         QStringList left_out;
         for (const std::string& words : work->written.left_out) {
           left_out << spokenError(QString::fromStdString(words));

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/image_dialog.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
@@ -32,8 +33,8 @@ std::optional<DrawnHand> handOf(const SceneState& scene) {
 }  // namespace
 
 void MainWindow::chooseImage() {
-  auto* dialog =
-      new ImageDialog(QFileInfo(document_.file()).completeBaseName(), detail_->size(), this);
+  auto* dialog = new ImageDialog(stemOf(document_.file(), QStringLiteral("-reference-9999.png")),
+                                 detail_->size(), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ImageDialog::chosen, this, [this](const ImageChoice& choice) {
     saveImage(choice.source, choice.pixels, choice.file);
@@ -63,7 +64,7 @@ void MainWindow::saveImage(ImageSource source, const QSize& pixels, const QStrin
       [this, file, error] {
         if (error->isEmpty()) {
           noteFigure(file);
-          announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+          announce(tr("%1 is saved").arg(shownName(file)));
         } else {
           strip_->show(*error);
         }

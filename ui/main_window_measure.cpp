@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/io/text_file.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
@@ -153,7 +154,8 @@ void MainWindow::saveMeasurements() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   const QString list = tr("List of measurements (*.csv)");
   dialog->setNameFilters({list, tr("Selected profile or section (*.csv *.svg)")});
-  dialog->selectFile(input.completeBaseName() + QLatin1String("-measurements.csv"));
+  const QString ending = QStringLiteral("-measurements.csv");
+  dialog->selectFile(stemOf(document_.file(), ending) + ending);
   connect(dialog, &QFileDialog::fileSelected, this, [this, dialog, list](const QString& file) {
     try {
       if (dialog->selectedNameFilter() != list) {
@@ -162,7 +164,7 @@ void MainWindow::saveMeasurements() {
         writeTextFile(QFile::encodeName(file).toStdString(),
                       measure_panel_->csv(file).toStdString());
       }
-      announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+      announce(tr("%1 is saved").arg(shownName(file)));
     } catch (const Error& error) {
       strip_->show(spokenError(error));
     }

@@ -16,6 +16,7 @@
 #include "core/session/surface_colours.h"
 #include "ui/depth_map_dialog.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/keys_sheet.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
@@ -190,11 +191,11 @@ void MainWindow::showRecent() {
   recent_menu_->menuAction()->setVisible(!files.isEmpty());
   int number = 1;
   for (const QString& file : files) {
-    const QString name = QFileInfo(file).fileName().replace('&', QLatin1String("&&"));
+    const QString name = shownInMenu(file);
     QAction* entry =
         recent_menu_->addAction(QStringLiteral("&%1 %2").arg(number++ % kRecentFiles).arg(name),
                                 this, [this, file] { open(file); });
-    entry->setToolTip(file);
+    entry->setToolTip(shownAsTip(file));
   }
   recent_menu_->addSeparator();
   QAction* clear = recent_menu_->addAction(tr("&Clear this list"), this, [this] {

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/package_dialog.h"
@@ -24,12 +25,6 @@ std::filesystem::path pathOf(const QString& file) {
   return QFile::encodeName(file).toStdString();
 }
 
-QStringList shown(const std::vector<InputFile>& files) {
-  QStringList names;
-  for (const InputFile& file : files) names << QString::fromStdString(file.file);
-  return names;
-}
-
 /// A file with its path as it is here, and its checksum.
 InputFile asItIs(const QString& file, const Task& task) {
   InputFile known = inputFile(pathOf(file), {}, task);
@@ -42,8 +37,8 @@ void requireSameScan(const QString& recording, const Project& project,
                      const StateReader& state_in) {
   const auto touched = state_in ? state_in(pathOf(recording)) : carriedProject(pathOf(recording));
   if (!touched || touched->sha256 == project.sha256) return;
-  throw ArgumentError(QFileInfo(recording).fileName().toStdString() + " is a recording of " +
-                      std::filesystem::path(touched->file).filename().string() +
+  throw ArgumentError(shownName(recording).toStdString() + " is a recording of " +
+                      shownName(pathFromBytes(touched->file)).toStdString() +
                       ", another file. Nothing was packed. Leave it out.");
 }
 
@@ -98,7 +93,7 @@ void MainWindow::noteRecording(const QString& file) {
 }
 
 void MainWindow::noteFigure(const QString& file) {
-  const std::string path = QFileInfo(file).absoluteFilePath().toStdString();
+  const std::string path = bytesOfPath(QFileInfo(file).absoluteFilePath());
   std::vector<std::string>& all = project_.figures;
   all.erase(std::remove(all.begin(), all.end(), path), all.end());
   all.push_back(path);
@@ -108,16 +103,20 @@ void MainWindow::noteFigure(const QString& file) {
 void MainWindow::choosePackage() {
   if (!document_.isOpen() || document_.busy() || package_work_.busy()) return;
   const QFileInfo near(project_file_.isEmpty() ? document_.file() : project_file_);
-  const QString stem = near.fileName().section('.', 0, 0);
+  const QString more = QStringLiteral("-package.zip");
+  const QString stem = stemOf(near.fileName().section('.', 0, 0) + '.', more);
   QStringList figures;
   for (const std::string& figure : project_.figures) {
-    const QString file = QString::fromStdString(figure);
+    if (isWithheld(figure)) continue;
+    const QString file = pathFromBytes(figure);
     if (QFileInfo::exists(file)) figures << file;
   }
-  auto* dialog =
-      new PackageDialog({document_.file(), shown(project_.recordings), figures,
-                         near.absoluteDir().filePath(stem + QLatin1String("-package.zip"))},
-                        this);
+  QStringList recordings;
+  for (const InputFile& recording : project_.recordings) {
+    if (!isWithheld(recording.file)) recordings << pathFromBytes(recording.file);
+  }
+  auto* dialog = new PackageDialog(
+      {document_.file(), recordings, figures, near.absoluteDir().filePath(stem + more)}, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog] { writePackage(dialog->choice()); });
   dialog->open();
@@ -157,7 +156,7 @@ void MainWindow::writePackage(const PackageChoice& choice) {
         } else {
           announce(tr("%1 is packed: %n file(s), each with its checksum", nullptr,
                       static_cast<int>(*files))
-                       .arg(QFileInfo(choice.file).fileName()));
+                       .arg(shownName(choice.file)));
         }
         closeIfAwaited(error->isEmpty());
       });

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/region/window.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
@@ -223,9 +224,7 @@ void MainWindow::offerLeftWork() {
   const auto left = keeper_->left();
   if (!left) return;
   const Project& work = left->project;
-  const QString name =
-      QFileInfo(QString::fromStdString(work.saved_as.empty() ? work.file : work.saved_as))
-          .fileName();
+  const QString name = shownName(pathFromBytes(work.saved_as.empty() ? work.file : work.saved_as));
   const int steps = static_cast<int>(left->project.history.size());
   strip_->show(
       tr("relievo ended unexpectedly. Work on %1 of %2 was kept (%n step(s)).", nullptr, steps)

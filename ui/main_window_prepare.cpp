@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include "core/base/error.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/prepare/prepare_dialog.h"
@@ -72,8 +73,7 @@ void MainWindow::openFolder(const QString& folder) {
     if (isScan(file.absoluteFilePath())) files << file.absoluteFilePath();
   }
   if (files.isEmpty()) {
-    strip_->show(
-        tr("There is no scan in %1. Nothing was opened.").arg(QDir::toNativeSeparators(folder)));
+    strip_->show(tr("There is no scan in %1. Nothing was opened.").arg(shownPath(folder)));
     return;
   }
   openTogether(files);

@@ -16,6 +16,7 @@
 #include "core/session/surface_colours.h"
 #include "ui/detail_view.h"
 #include "ui/figure_dialog.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
@@ -62,7 +63,7 @@ QString freeFigureName(const QString& model) {
 
 Project MainWindow::project() {
   Project p = project_;
-  p.file = document_.file().toStdString();
+  p.file = bytesOfPath(document_.file());
   p.sha256 = document_.fileSha256().toStdString();
   p.bytes = static_cast<std::uint64_t>(QFileInfo(document_.file()).size());
   p.accept_incomplete = document_.openedFile().accept_incomplete;
@@ -92,7 +93,7 @@ Project MainWindow::project() {
 
 Project MainWindow::keptWork() {
   Project p = project();
-  p.saved_as = QFileInfo(project_file_).absoluteFilePath().toStdString();
+  p.saved_as = bytesOfPath(QFileInfo(project_file_).absoluteFilePath());
   if (project_file_.isEmpty()) p.saved_as.clear();
   return p;
 }
@@ -101,15 +102,45 @@ void MainWindow::showTitle() {
   if (!document_.isOpen()) return;
   const QString shown = project_file_.isEmpty() ? document_.file() : project_file_;
   // Qt puts a star at the first [*] where something is unsaved.
-  const QString name =
-      QFileInfo(shown).fileName().replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
+  const QString name = shownName(shown).replace(QLatin1String("[*]"), QLatin1String("[*][*]"));
   setWindowTitle(tr("%1[*] \u2013 relievo").arg(name));
   setWindowModified(hasUnsavedWork());
 }
 
 void MainWindow::restore(const Project& project, const QString& from) {
+  Project found = project;
+  if (!from.isEmpty() && !QFileInfo::exists(pathFromBytes(project.file))) {
+    try {  // Moved together with what carries the state, or in a package.
+      found.file = foundInput(pathOf(from), project.file).string();
+    } catch (const FileError&) {  // Said below.
+    }
+  }
+  // What was kept of a crash lies among the program's own files, and names what it named before.
+  const QString carrier = from.isEmpty() ? recovered_copy_ : from;
+  whenFilesMayBeRead(found, carrier, [this, found, from](const auto& withheld) {
+    const std::filesystem::path input = found.file;
+    if (std::find(withheld.begin(), withheld.end(), input) != withheld.end()) {
+      tellInputWithheld(found, from);
+      return;
+    }
+    withheld_ = withheld;
+    restoreNow(found, from);
+  });
+}
+
+void MainWindow::restoreOnChosen(const Project& project, const QString& from) {
+  Project others = project;
+  others.file.clear();
+  const QString carrier = from.isEmpty() ? recovered_copy_ : from;
+  whenFilesMayBeRead(others, carrier, [this, project, from](const auto& withheld) {
+    withheld_ = withheld;
+    restoreNow(project, from);
+  });
+}
+
+void MainWindow::restoreNow(const Project& project, const QString& from) {
   OpenRequest request;
-  request.file = QString::fromStdString(project.file);
+  request.file = pathFromBytes(project.file);
   request.options = project.options;
   request.exact_region = project.region;
   request.gain = project.gain;
@@ -117,37 +148,30 @@ void MainWindow::restore(const Project& project, const QString& from) {
   request.undo = project.undo;
   request.accept_incomplete = project.accept_incomplete;
   request.scan = project.scan;
-  if (!QFileInfo::exists(request.file) && !from.isEmpty()) {
-    try {  // Moved together with what carries the state, or in a package.
-      request.file = QFile::decodeName(foundInput(pathOf(from), project.file).c_str());
-    } catch (const FileError&) {  // Said below.
-    }
-  }
   if (!QFileInfo::exists(request.file)) {
     strip_->show(tr("%1 needs %2, which has moved. Nothing was changed. Find it, or choose another "
                     "file. (E501)")
-                     .arg(QFileInfo(from).fileName(), request.file),
+                     .arg(shownName(from), shownPath(request.file)),
                  {{tr("&Find it\u2026"), [this, project, from] { relink(project, from); }},
                   {tr("&Choose another\u2026"), [this] { chooseFile(); }}});
     return;
   }
   restoring_ = project;
-  project_file_ = endsIn(from, {".json"}) ? from : QString::fromStdString(project.saved_as);
+  project_file_ = endsIn(from, {".json"}) ? from : pathFromBytes(project.saved_as);
   strip_->close();
   open(request);
 }
 
 void MainWindow::relink(const Project& project, const QString& from) {
-  auto* dialog = new QFileDialog(
-      this, tr("Find %1").arg(QFileInfo(QString::fromStdString(project.file)).fileName()),
-      QFileInfo(from).absolutePath());
+  auto* dialog = new QFileDialog(this, tr("Find %1").arg(shownName(pathFromBytes(project.file))),
+                                 QFileInfo(from).absolutePath());
   dialog->setObjectName(QStringLiteral("relink_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this, project, from](const QString& file) {
     Project found = project;
-    found.file = file.toStdString();
-    restore(found, from);
+    found.file = bytesOfPath(file);
+    restoreOnChosen(found, from);
   });
   dialog->open();
 }
@@ -158,6 +182,7 @@ void MainWindow::showRestored() {
   figure_view_.reset();
   if (!restoring_) {
     project_ = Project{};
+    withheld_.clear();
     project_file_.clear();
     measure_panel_->setMeasurements({});
     places_panel_->setPlaces({});
@@ -185,7 +210,7 @@ void MainWindow::showRestored() {
     strip_->show(
         tr("%1 has changed since this was saved (its checksum differs). It is shown as it "
            "is now; results may differ. (E501)")
-            .arg(QFileInfo(document_.file()).fileName()),
+            .arg(shownName(document_.file())),
         {{tr("&Find it\u2026"),
           [this, stored, from = project_file_.isEmpty() ? document_.file() : project_file_] {
             relink(stored, from);
@@ -240,7 +265,8 @@ void MainWindow::saveProjectAs(const std::function<void()>& then) {
   dialog->setObjectName(QStringLiteral("project_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->selectFile(input.completeBaseName() + QLatin1String(".relievo.json"));
+  const QString ending = QStringLiteral(".relievo.json");
+  dialog->selectFile(stemOf(document_.file(), ending) + ending);
   connect(dialog, &QFileDialog::fileSelected, this, [this, then](const QString& file) {
     saveProject(endsIn(file, {".json"}) ? file : file + QLatin1String(".relievo.json"));
     if (then && !hasUnsavedWork()) then();
@@ -256,7 +282,7 @@ void MainWindow::saveProject(const QString& file) {
     keeper_->forget();
     settings_.addRecentFile(file);
     showRecent();
-    announce(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+    announce(tr("%1 is saved").arg(shownName(file)));
   } catch (const Error& error) {
     strip_->show(shownError(error));
   }
@@ -265,25 +291,28 @@ void MainWindow::saveProject(const QString& file) {
 void MainWindow::chooseFigure() {
   if (!document_.isOpen() || document_.busy()) return;
   Project now = project();
+  const std::string plotted = isWithheld(now.figure.recording) ? now.figure.recording : "";
+  if (!plotted.empty()) now.figure.recording.clear();
   // A figure starts as the view is painted and lit; a look that was chosen for it stays until the
   // view's changes.
   if (figure_view_ != now.look) now.figure.look = now.look;
   now.figures.clear();  // They belong to the work, not to what one of them shows.
-  auto* dialog =
-      new FigureDialog(document_.surface(), now,
-                       freeFigureName(QFileInfo(document_.file()).completeBaseName()), this);
+  auto* dialog = new FigureDialog(
+      document_.surface(), now,
+      freeFigureName(stemOf(document_.file(), QStringLiteral("-figure-9999-heights.tif"))), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setModal(true);  // The state must not change below a preview of it.
-  connect(dialog, &FigureDialog::requestChanged, this, [this](const FigureRequest& request) {
-    project_.figure = request;
-    figure_view_ = project().look;
-    keepWork();
-  });
+  connect(dialog, &FigureDialog::requestChanged, this,
+          [this, plotted](const FigureRequest& request) {
+            project_.figure = request;
+            if (request.recording.empty()) project_.figure.recording = plotted;  // Not lost.
+            figure_view_ = project().look;
+            keepWork();
+          });
   connect(dialog, &FigureDialog::written, this, [this](const QString& file) {
     noteFigure(file);
     const QFileInfo saved(file);
-    announce(tr("%1 is saved in %2")
-                 .arg(saved.fileName(), QDir::toNativeSeparators(saved.absolutePath())));
+    announce(tr("%1 is saved in %2").arg(shownName(file), shownPath(saved.absolutePath())));
   });
   dialog->show();
 }

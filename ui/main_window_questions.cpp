@@ -39,6 +39,7 @@ void MainWindow::connectQuestions() {
 
 void MainWindow::askQuestions() {
   questions_.clear();
+  if (restoring_) askAboutWithheld();
   const Surface& surface = *document_.surface();
   if (surface.strays.points > 0 && !restoring_) questions_.emplace_back([this] { askStrays(); });
   if (surface.strays.grouped > 0 && !restoring_) questions_.emplace_back([this] { askGroups(); });

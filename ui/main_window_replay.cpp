@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/replay_control.h"
@@ -126,7 +127,7 @@ void MainWindow::chooseRecordingFolder() {
   if (QFileInfo(recordingFolder()).isDir()) dialog->setDirectory(recordingFolder());
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
     settings_.setChoice(kRecordingFolder, folder);
-    announce(tr("Recordings go to %1").arg(QDir::toNativeSeparators(folder)));
+    announce(tr("Recordings go to %1").arg(shownPath(folder)));
   });
   dialog->open();
 }
@@ -136,7 +137,7 @@ void MainWindow::askForRecordingFolder() {
   if (!settings_.choice(kRecordingFolder, QString()).toString().isEmpty()) return;
   if (strip_->isVisible()) return;  // Something else is asked or told: at the next one, then.
   settings_.setChoice(kRecordingFolder, recordingFolder());
-  strip_->show(tr("Recordings are kept in %1.").arg(QDir::toNativeSeparators(recordingFolder())),
+  strip_->show(tr("Recordings are kept in %1.").arg(shownPath(recordingFolder())),
                {{tr("Another &folder\u2026"), [this] { chooseRecordingFolder(); }}});
 }
 
@@ -214,6 +215,17 @@ void MainWindow::offerRecordedMap(const QString& sentence) {
                  }}});
 }
 
+/// Of a log of earlier versions, which names its scan and does not say how the map was made.
+void MainWindow::openOld(const Project& project) {
+  const QString log = replay_->waitingFile();
+  whenFilesMayBeRead(project, log, [this, project, log](const auto& withheld) {
+    if (!withheld.empty()) return tellInputWithheld(project, log);
+    OpenRequest request;
+    request.file = pathFromBytes(project.file);
+    open(request);
+  });
+}
+
 void MainWindow::openRecordedMap(const QString& file) {
   const auto recording = replay_->waiting();
   if (!recording) return;
@@ -228,13 +240,12 @@ void MainWindow::openRecordedMap(const QString& file) {
     return;
   }
   // Empty: not there; restoring says so and lets it be found by hand.
-  project.file = file.isEmpty() ? recording->input : file.toStdString();
+  project.file = file.isEmpty() ? recording->input : bytesOfPath(file);
   if (recording->state.empty() && !file.isEmpty()) {
-    OpenRequest request;
-    request.file = file;
-    open(request);
+    project.sha256 = recording->input_sha256;
+    openOld(project);
   } else {
-    restore(project, QString::fromStdString(recording->name));
+    restore(project, replay_->waitingFile());
   }
 }
 

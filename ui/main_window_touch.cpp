@@ -15,6 +15,7 @@
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/measure_panel.h"
 #include "ui/mnemonic.h"
@@ -201,10 +202,8 @@ QString MainWindow::introduction() const {
   const DetailLadder& ladder = document_.surface()->ladder;
   return tr("%1, %2 by %3 mm, in %4 details. Push the hand in to touch; F5 switches forces on. "
             "Plus: finer; Minus: coarser; both for two seconds: help.")
-      .arg(QFileInfo(document_.file()).fileName())
-      .arg(ladder.width_mm, 0, 'f', 0)
-      .arg(ladder.height_mm, 0, 'f', 0)
-      .arg(document_.details());
+      .arg(shownName(document_.file()), QString::number(ladder.width_mm, 'f', 0),
+           QString::number(ladder.height_mm, 'f', 0), QString::number(document_.details()));
 }
 
 bool MainWindow::stopForces() {
@@ -246,7 +245,7 @@ QString MainWindow::recordingHeader(const QString& file) const {
   const Region& r = state.region;
   return QStringList{
       QLatin1String("# application: relievo ") + QStringLiteral(RELIEVO_VERSION_STRING),
-      QLatin1String("# input: ") + QFileInfo(document_.file()).fileName(),
+      QLatin1String("# input: ") + wholeName(document_.file()),
       QLatin1String("# input_sha256: ") + document_.fileSha256(),
       QLatin1String("# unit: ") + word(name(s.unit)) + QLatin1String(" (") +
           word(name(s.unit_source)) + ')',

@@ -8,6 +8,7 @@
 #include <QProcess>
 
 #include "ui/core_words.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 
 namespace relievo {
@@ -51,13 +52,13 @@ void MainWindow::whenNothingIsUnsaved(const std::function<void()>& then) {
     asked->raise();
     return;
   }
-  const QString name =
-      QFileInfo(project_file_.isEmpty() ? document_.file() : project_file_).fileName();
+  const QString name = shownName(project_file_.isEmpty() ? document_.file() : project_file_);
   auto* box = new QMessageBox(
       QMessageBox::Warning, tr("Unsaved work"),
       tr("Work on %1 is in no file yet: places, measurements, camera paths or settings.").arg(name),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box->setObjectName(QStringLiteral("unsaved_dialog"));
+  box->setTextFormat(Qt::PlainText);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setAccessibleName(tr("Unsaved work"));
   box->setInformativeText(tr("Save it as a project?"));

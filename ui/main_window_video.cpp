@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/replaceable.h"
 #include "ui/detail_view.h"
+#include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/path_preview.h"
@@ -143,7 +144,7 @@ void MainWindow::chooseVideoFile(const VideoRequest& chosen) {
   const bool folder = chosen.profile == VideoProfile::images;
   dialog->setNameFilter(folder ? tr("A folder of pictures (*)") : tr("Videos (*.mp4)"));
   dialog->selectFile(
-      QFileInfo(replay_->showing() ? replay_->file() : document_.file()).completeBaseName());
+      stemOf(replay_->showing() ? replay_->file() : document_.file(), QStringLiteral(".mp4.json")));
   connect(dialog, &QFileDialog::fileSelected, this, [this, chosen, folder](const QString& file) {
     const bool whole = folder || file.endsWith(QLatin1String(".mp4"));
     writeVideo(chosen, whole ? file : file + QLatin1String(".mp4"));
@@ -212,7 +213,7 @@ void MainWindow::setLiveVideo(bool on) {
                        QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss"));
   const auto start = [this](const QString& file, VideoProfile profile) {
     if (video_->startLive(file, profile, carriedState(file), liveSource())) {
-      announce(tr("Video to %1").arg(QDir::toNativeSeparators(file)));
+      announce(tr("Video to %1").arg(shownPath(file)));
     } else {
       command("video_live")->setChecked(false);
     }

@@ -11,6 +11,7 @@
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
 #include "ui/figure/profile_plot.h"
+#include "ui/file_names.h"
 #include "ui/measure_panel.h"
 
 namespace relievo {
@@ -36,8 +37,8 @@ QString MeasurePanel::sourceText(const QString& file) const {
                              QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
                 document_.fileSha256().toStdString(), static_cast<std::uint64_t>(input.size())};
   return QStringLiteral("relievo %1, input %2, sha256 %3\n%4")
-      .arg(QStringLiteral(RELIEVO_VERSION_STRING), input.fileName(), document_.fileSha256(),
-           QString::fromStdString(stateLine(toJson(made, -1))));
+      .arg(QStringLiteral(RELIEVO_VERSION_STRING), wholeName(document_.file()),
+           document_.fileSha256(), QString::fromStdString(stateLine(toJson(made, -1))));
 }
 
 QString MeasurePanel::csv(const QString& file) const {
@@ -63,7 +64,7 @@ void MeasurePanel::writeSelected(const QString& file) const {
   std::string text;
   const std::string source = sourceText(file).toStdString();  // Refuses the scan as target.
   if (m->kind == section) {
-    const std::string title = QFileInfo(document_.file()).fileName().toStdString() + ": " + m->name;
+    const std::string title = wholeName(document_.file()).toStdString() + ": " + m->name;
     text = svg ? sectionSvg(entry->reading->curves, planeOf(*m), title)
                : sectionCsv(entry->reading->curves, source);
   } else {

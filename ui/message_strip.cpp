@@ -56,6 +56,7 @@ MessageStrip::MessageStrip(QWidget* parent)
   setAccessibleName(tr("Message"));
   setAutoFillBackground(true);
   label_->setWordWrap(true);
+  label_->setTextFormat(Qt::PlainText);  // It tells names of files, which may look like HTML.
   label_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   label_->setAccessibleName(tr("Message"));
   key_->setObjectName(QStringLiteral("message_key"));

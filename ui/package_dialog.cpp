@@ -16,6 +16,7 @@
 
 #include "ui/core_words.h"
 #include "ui/dialog_size.h"
+#include "ui/file_names.h"
 #include "ui/mnemonic.h"
 
 namespace relievo {
@@ -51,10 +52,10 @@ PackageDialog::PackageDialog(const Offer& offer, QWidget* parent) : QDialog(pare
   const QFileInfo input(offer.input);
   with_input_ = new QCheckBox(
       tr("The &scan %1, %2")
-          .arg(input.fileName().replace('&', QLatin1String("&&")),
+          .arg(shownInMenu(offer.input),
                QLocale().formattedDataSize(input.size(), 1, QLocale::DataSizeSIFormat)));
   with_input_->setObjectName(QStringLiteral("package_input"));
-  with_input_->setAccessibleName(tr("The scan %1").arg(input.fileName()));
+  with_input_->setAccessibleName(tr("The scan %1").arg(shownName(offer.input)));
   with_input_->setToolTip(tr("Off: only its name and checksum, if it may not be given away"));
   with_input_->setChecked(true);
   column->addWidget(with_input_);
@@ -106,11 +107,11 @@ void PackageDialog::add(const QString& file) {
     files_->item(i)->setCheckState(Qt::Checked);
     return;
   }
-  const QString name = QFileInfo(file).fileName();
+  const QString name = shownName(file);
   auto* item = new QListWidgetItem(
       isRecording(file) ? tr("Recording %1").arg(name) : tr("Figure %1").arg(name), files_);
   item->setData(kPathRole, path);
-  item->setToolTip(QDir::toNativeSeparators(path));
+  item->setToolTip(shownAsTip(path));
   item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
   item->setCheckState(Qt::Checked);
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/replaceable.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "ui/figure/view_picture.h"
 #include "ui/grid_painter.h"
@@ -48,7 +49,7 @@ void writePicture(const PictureOrder& order, const Task& task) {
   const RgbImage image = order.grabbed.isNull() ? drawn(order.reference, *project.picture, task)
                                                 : scaled(order.grabbed, *project.picture);
   writePng(file, image,
-           {{"Title", std::filesystem::path(project.file).filename().string()},
+           {{"Title", escapedName(std::filesystem::path(project.file).filename().string())},
             {"Description", order.description},
             {"Software", "relievo " + std::string(programVersion())},
             {std::string(kStateKey), projectJson(relativeTo(project, file))}});

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/provenance/sha256.h"
 #include "ui/document.h"
+#include "ui/file_names.h"
 #include "ui/replay_events.h"
 #include "ui/replay_panel.h"
 #include "ui/spoken_error.h"
@@ -82,8 +83,8 @@ void ReplayControl::cancel() {
 }
 
 QString ReplayControl::whatIsMissing(const TouchRecording& recording) const {
-  const QString name = QString::fromStdString(recording.name);
-  const QString input = QString::fromStdString(recording.input);
+  const QString name = shownName(pathFromBytes(recording.name));
+  const QString input = shownPath(pathFromBytes(recording.input));
   if (!document_.isOpen()) {
     return input.isEmpty() ? tr("%1 does not say what was touched. Open that file first.").arg(name)
                            : tr("%1 was recorded on %2, which is not open.").arg(name, input);
@@ -91,11 +92,10 @@ QString ReplayControl::whatIsMissing(const TouchRecording& recording) const {
   switch (fitOf(recording, document_.fileSha256().toStdString(),
                 document_.surface()->view_from_file.m)) {
     case RecordingFit::other_input:
-      return tr("%1 was recorded on %2, not on %3.")
-          .arg(name, input, QFileInfo(document_.file()).fileName());
+      return tr("%1 was recorded on %2, not on %3.").arg(name, input, shownName(document_.file()));
     case RecordingFit::other_view:
       return tr("%1 was recorded on another view of %2 or with another unit.")
-          .arg(name, QFileInfo(document_.file()).fileName());
+          .arg(name, shownName(document_.file()));
     case RecordingFit::fits:
     case RecordingFit::not_said:
       break;
@@ -120,9 +120,9 @@ void ReplayControl::show(std::shared_ptr<const TouchRecording> recording, const 
   showRow();
   Q_EMIT said(said_nothing
                   ? tr("%1 does not say what it was recorded on; it is shown on the open map.")
-                        .arg(QFileInfo(file).fileName())
+                        .arg(shownName(file))
                   : tr("Replay of %1, %2 s. Forces are off. Space plays.")
-                        .arg(QFileInfo(file).fileName(), numberText(player_.durationS(), 1)));
+                        .arg(shownName(file), numberText(player_.durationS(), 1)));
 }
 
 void ReplayControl::close() {

@@ -47,6 +47,7 @@ class ReplayControl : public QObject {
   /// A file with the recording's checksum: where the recording says, beside it, or one of
   /// `others`. Looked for in the worker; then inputFound.
   void findInput(const QStringList& others);
+  const QString& waitingFile() const { return waiting_file_; }
   /// Of what findInput looks for, and what waits for its map.
   std::shared_ptr<const TouchRecording> waiting() const { return waiting_; }
   /// The map of the waiting recording is open: show it. It stops waiting.

@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/file_names.h"
 #include "ui/icons.h"
 #include "ui/palette.h"
 
@@ -57,15 +58,15 @@ QString captionOf(const QFileInfo& file) {
   for (const Sample& sample : kSamples) {
     if (file.fileName() == QLatin1String(sample.file)) return StartPage::tr(sample.caption);
   }
-  return file.fileName();
+  return shownName(file.filePath());
 }
 
 /// Its name, and below it its folder, short for home: two files may have one name.
 QString nameAndFolder(const QFileInfo& file) {
-  QString folder = QDir::toNativeSeparators(file.absolutePath());
-  const QString home = QDir::homePath();
+  QString folder = shownPath(file.absolutePath());
+  const QString home = shownPath(QDir::homePath());
   if (folder == home || folder.startsWith(home + '/')) folder.replace(0, home.size(), '~');
-  return file.fileName() + '\n' + folder;
+  return shownName(file.filePath()) + '\n' + folder;
 }
 
 /// A folder, drawn small, where there is no picture: a project, or a scan not seen before.
@@ -93,7 +94,7 @@ void fill(QListWidget* list, const QStringList& files, bool captions) {
     auto* item = new QListWidgetItem(
         captions ? captionOf(QFileInfo(file)) : nameAndFolder(QFileInfo(file)), list);
     item->setData(Qt::UserRole, file);
-    item->setToolTip(file);
+    item->setToolTip(shownAsTip(file));
     setPicture(item, ReliefPictures::kept(file));
   }
 }

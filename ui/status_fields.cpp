@@ -44,6 +44,7 @@ class Field : public QLabel {
  public:
   Field(QWidget* parent, QString widest) : QLabel(parent), widest_(std::move(widest)) {
     setContentsMargins(6, 1, 6, 1);
+    setTextFormat(Qt::PlainText);
     setStyleSheet(QStringLiteral("QLabel:focus { border: 1px solid palette(highlight); }"));
   }
   QSize sizeHint() const override {

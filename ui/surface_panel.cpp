@@ -12,6 +12,7 @@
 #include <QSlider>
 
 #include "core/session/map_facts.h"
+#include "ui/file_names.h"
 #include "ui/mnemonic.h"
 #include "ui/text.h"
 
@@ -40,6 +41,7 @@ QFormLayout* form(QWidget* panel) {
 
 QLabel* fact(QFormLayout* layout, const QString& title, const QString& name) {
   auto* label = new QLabel;
+  label->setTextFormat(Qt::PlainText);
   label->setAccessibleName(title);
   label->setObjectName(name);
   label->setWordWrap(true);
@@ -141,8 +143,11 @@ void SurfacePanel::showSurface() {
   const Surface& s = *document_.surface();
   const HeightRange z = mapFacts(s).heights;
   const GridFrame& grid = mapFrame(s);
-  file_->setText(QFileInfo(document_.file()).fileName());
-  file_->setToolTip(document_.file());
+  constexpr int kMostCharacters = 26;  // Of the panel's width; the tip has all.
+  const QFontMetrics letters = file_->fontMetrics();
+  file_->setText(letters.elidedText(shownName(document_.file()), Qt::ElideMiddle,
+                                    kMostCharacters * letters.averageCharWidth()));
+  file_->setToolTip(shownAsTip(document_.file()));
   size_->setText(sizeText({s.ladder.width_mm, s.ladder.height_mm, z.max_mm - z.min_mm}));
   cells_->setText(tr("%1 \u00d7 %2, %3 apart")
                       .arg(grid.size.cols)

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "ui/figure/figure.h"
+#include "ui/file_names.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 #include "ui/video/live_video.h"
@@ -96,7 +97,7 @@ void VideoControl::write(const Order& order) {
           outcome->error = shownError(error);
         }
       },
-      [this, outcome, name = QFileInfo(order.file).fileName()] {
+      [this, outcome, name = shownName(order.file)] {
         if (!outcome->error.isEmpty()) {
           Q_EMIT said(tr("The video has ended early"));
           Q_EMIT failed(outcome->error);
@@ -124,7 +125,7 @@ bool VideoControl::startLive(const QString& file, VideoProfile profile, const st
                                   .height_px = source.pixels.height(),
                                   .fps = kLiveFps,
                                   .state = state,
-                                  .title = QFileInfo(file).completeBaseName().toStdString()});
+                                  .title = wholeName(stemOf(file, {})).toStdString()});
   } catch (const Error& error) {
     Q_EMIT failed(shownError(error));
     return false;

@@ -196,8 +196,15 @@ std::string stepOption(const PrepareArguments& a) {
   return {};
 }
 
-void checkInput(const InputFile& input, const ScanSource& named, const fs::path& recipe) {
-  if (named.sha256.empty() || named.sha256 == input.sha256) return;
+/// @param read  the scan, where it is
+void checkInput(const InputFile& input, const fs::path& read, const ScanSource& named,
+                const PrepareArguments& a, const Task& task) {
+  const fs::path recipe = a.recipe;
+  if (named.sha256.empty()) {
+    return requireOwn(recipe, {.file = read.string(), .sha256 = {}}, a.outside_files,
+                      "Give it as FILE if it is the right one.", task);
+  }
+  if (named.sha256 == input.sha256) return;
   throw ChangedInputError("'" + fs::path(named.file).filename().string() +
                               "' is not the file that " + recipe.filename().string() +
                               " was made for (checksum differs, E501). Nothing was done. Give the "
@@ -242,6 +249,7 @@ void addStepOptions(CLI::App& verb, PrepareArguments& a) {
   takes(verb.add_option("--normals", a.normals, "Add normals, each from so many nearest points"),
         {.low = 3, .high = 1000});
   addScanOptions(verb, a.scan);
+  addOutsideOption(verb, a.outside_files);
 }
 
 Recipe recipeOf(const PrepareArguments& a) {
@@ -262,7 +270,7 @@ Recipe recipeOf(const PrepareArguments& a) {
     if (!option.empty()) {
       throw ArgumentError(option + ": the recipe says what is done. Leave one of them out.");
     }
-    recipe = recipeFromJson(readTextFile(a.recipe, kMostRecipeBytes), a.recipe);
+    recipe = recipeFromText(readTextFile(a.recipe, kMostRecipeBytes), a.recipe);
   }
   check(recipe);
   for (const Step& step : recipe.steps) {
@@ -311,7 +319,7 @@ PreparedFiles preparedFiles(const PrepareArguments& a, const PrepareOptions& opt
                       .parts = given.scan.parts,
                       .keep_withheld = given.scan.keep_withheld};
     if (i < recipe.scans.size() && a.files.empty()) {
-      checkInput(result.inputs.back(), recipe.scans[i], a.recipe);
+      checkInput(result.inputs.back(), files[i], recipe.scans[i], a, task);
       source.unit = recipe.scans[i].unit;
       // What was given beside the recipe goes before it, as the unit does.
       if (source.parts.empty()) source.parts = recipe.scans[i].parts;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/batch/arguments.h"
+#include "app/batch/state.h"
 #include "core/prepare/prepare.h"
 #include "core/provenance/sha256.h"
 
@@ -26,7 +27,8 @@ struct PrepareArguments {
   std::optional<unsigned> reference, seed;
   std::optional<double> thin_mm;
   std::optional<int> normals;
-  ScanArguments scan;  ///< Of all files.
+  OutsideFiles outside_files = OutsideFiles::refuse;  ///< Of the recipe.
+  ScanArguments scan;                                 ///< Of all files.
 };
 void addStepOptions(CLI::App& verb, PrepareArguments& arguments);
 

@@ -26,12 +26,12 @@ namespace {
 class Scenes {
  public:
   /// @param header  what the recording's header says, its input found
-  Scenes(Project header, const RecordedLoop& loop, std::filesystem::path recording,
-         std::filesystem::path package_folder, Task task)
+  Scenes(Project header, const RecordedLoop& loop, const RecordingPlace& place, Task task)
       : header_(std::move(header)),
         loop_(loop),
-        recording_(std::move(recording)),
-        package_folder_(std::move(package_folder)),
+        recording_(place.file),
+        package_folder_(place.package_folder),
+        outside_files_(place.outside_files),
         task_(std::move(task)) {}
 
   const HapticSpace& at(const RecordedScene& scene) {
@@ -90,11 +90,11 @@ class Scenes {
     if (project->sha256 == header_.sha256) {  // Found already, wherever it is now.
       project->file = header_.file;
     } else if (package_folder_.empty()) {
-      findInput(*project, recording_, {}, false, task_);
+      findInput(*project, recording_, {.given = {}, .outside = outside_files_}, task_);
     } else {
       const auto packed =
           packedFile(package_folder_, recording_, project->file, project->sha256, task_);
-      findInput(*project, recording_, packed.string(), false, task_);
+      findInput(*project, recording_, {.given = packed.string()}, task_);
     }
     return std::move(*project);
   }
@@ -128,6 +128,7 @@ class Scenes {
   const RecordedLoop& loop_;
   std::filesystem::path recording_;
   std::filesystem::path package_folder_;  ///< Empty: of none.
+  OutsideFiles outside_files_;
   Task task_;
   std::unique_ptr<Surface> surface_;
   std::uint64_t map_ = 0;                        ///< Of surface_.
@@ -138,13 +139,13 @@ class Scenes {
 }  // namespace
 
 std::optional<ReplayResult> replayOfWindow(
-    const LogTable& log, const std::string& file, const std::string& input,
-    const std::function<void(const HapticSample&, double t_s)>& each,
-    const std::filesystem::path& package_folder, const Task& task) {
+    const LogTable& log, const RecordingPlace& place,
+    const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
   const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
   if (!loop) return std::nullopt;
-  Scenes scenes(storedProject({.from_image = file, .project = {}}, input, task), *loop, file,
-                package_folder, task);
+  const CarrierArguments carrier{
+      .from_image = place.file, .project = {}, .outside_files = place.outside_files};
+  Scenes scenes(storedProject(carrier, place.input, task), *loop, place, task);
   return replayLoop(
       *loop, log,
       [&scenes](const RecordedScene& scene) -> const HapticSpace& { return scenes.at(scene); },

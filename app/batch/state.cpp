@@ -34,17 +34,45 @@ std::optional<Project> stateIn(const fs::path& carrier) {
   return state ? carriedProject(carrier, *state) : std::nullopt;
 }
 
-void findInput(Project& project, const fs::path& carrier, const std::string& given,
-               bool accept_changed, const Task& task) {
-  const fs::path file = given.empty() ? foundInput(carrier, project.file) : fs::path(given);
+void addOutsideOption(CLI::App& verb, OutsideFiles& outside) {
+  verb.add_option_function<std::string>(
+          "--outside-files",
+          [&outside](const std::string& word) {
+            outside = word == "allow" ? OutsideFiles::allow : OutsideFiles::refuse;
+          },
+          "Files that a project, picture, log or recipe names outside of its own folder, other "
+          "than "
+          "those it was made from: refuse (as by itself; exit 2) or allow")
+      ->check(CLI::IsMember({"allow", "refuse"}));
+}
+
+void requireOwn(const fs::path& carrier, const InputFile& named, OutsideFiles outside,
+                const std::string& instead, const Task& task) {
+  if (outside == OutsideFiles::allow || mayBeRead(carrier, named, task)) return;
+  throw FileError(shownName(carrier) + " names '" + printable(named.file) +
+                  "', which lies outside of its folder and is not, by a checksum, what it was made "
+                  "from. It was not read, and nothing was made. " +
+                  instead + " --outside-files allow reads it all the same.");
+}
+
+void findInput(Project& project, const fs::path& carrier, const InputChoice& choice,
+               const Task& task) {
+  const bool is_given = !choice.given.empty();
+  const fs::path file = is_given ? fs::path(choice.given) : foundInput(carrier, project.file);
   project.file = file.string();
+  const bool asks = !is_given && choice.outside == OutsideFiles::refuse;
+  // Of what differs, with leave to differ, or has no checksum, only its place can tell.
+  if (asks && (choice.accept_changed || project.sha256.empty())) {
+    requireOwn(carrier, {project.file, project.sha256, project.bytes}, choice.outside,
+               "Give it as FILE if it is the right one.", task);
+  }
   if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
   const std::string sha256 = sha256OfFile(file, task);
   if (sha256 == project.sha256) return;
   const std::string changed = "'" + file.filename().string() + "' is not the file that " +
                               carrier.filename().string() +
                               " was made from (checksum differs, E501).";
-  if (!accept_changed) {
+  if (!choice.accept_changed) {
     throw ChangedInputError(
         changed +
             " Nothing was made. Give the right one as FILE, or --changed-input to use this one.",
@@ -95,6 +123,7 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& a) {
   verb.add_option("--project", a.project, "Draw what this project shows");
   verb.add_flag("--changed-input", a.changed_input,
                 "With these: take an input whose checksum differs (else exit 5)");
+  addOutsideOption(verb, a.outside_files);
 }
 
 void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
@@ -106,8 +135,9 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
     if (option->count() == 0) continue;
     const std::string name = option->get_lnames().empty() ? "FILE" : option->get_lnames()[0];
     const auto is = [&](const char* other) { return name == other; };
-    constexpr std::array<const char*, 7> kAlways{"FILE",       "output",  "caption",      "report",
-                                                 "from-image", "project", "changed-input"};
+    constexpr std::array<const char*, 8> kAlways{"FILE",          "output",       "caption",
+                                                 "report",        "from-image",   "project",
+                                                 "changed-input", "outside-files"};
     if (std::any_of(kAlways.begin(), kAlways.end(), is)) continue;
     if (std::any_of(allowed.begin(), allowed.end(), is)) continue;
     throw ArgumentError("--" + name + ": the " + (a.project.empty() ? "image" : "project") +
@@ -124,7 +154,8 @@ Project storedProject(const CarrierArguments& a, const std::string& given, const
                     " shows no region that relievo could draw again. Nothing was made. Choose a "
                     "picture or log as relievo wrote it; other programs may drop what is inside.");
   }
-  findInput(*project, carrier, given, a.changed_input, task);
+  findInput(*project, carrier,
+            {.given = given, .accept_changed = a.changed_input, .outside = a.outside_files}, task);
   return std::move(*project);
 }
 

@@ -33,10 +33,19 @@ Provenance provenanceOfVerb(const MapArguments& arguments, const LargeMap& map,
 Project projectOfVerb(const MapArguments& arguments, const Surface& surface, const Region& region,
                       double gain, const Task& task);
 
+/// Files that a project, picture or log names, who made it chose: may those be read that lie
+/// outside of its folder and are not, by their checksums, what it was made from (docs/adr/0136)?
+enum class OutsideFiles { refuse, allow };
+void addOutsideOption(CLI::App& verb, OutsideFiles& outside);
+/// @throw FileError  `named` must not be read; `instead`: how to give the file by oneself
+void requireOwn(const std::filesystem::path& carrier, const InputFile& named, OutsideFiles outside,
+                const std::string& instead, const Task& task);
+
 /// Which state comes back, and whether what it was made from may have changed.
 struct CarrierArguments {
   std::string from_image, project;  ///< At most one.
   bool changed_input = false;
+  OutsideFiles outside_files = OutsideFiles::refuse;
   bool given() const { return !from_image.empty() || !project.empty(); }
 };
 void addCarrierOptions(CLI::App& verb, CarrierArguments& arguments);
@@ -46,10 +55,18 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& arguments);
 void refuseBeside(const CLI::App& verb, const CarrierArguments& arguments,
                   std::initializer_list<const char*> allowed);
 
-/// Sets file and checksum of a state to what is there now, as loadStored does; `given` empty:
-/// looked for. @throw FileError  E501, nowhere there  @throw ChangedInputError  not accepted
-void findInput(Project& project, const std::filesystem::path& carrier, const std::string& given,
-               bool accept_changed, const Task& task);
+/// Which file is taken for the one that a state names.
+struct InputChoice {
+  std::string given;  ///< Empty: looked for.
+  bool accept_changed = false;
+  OutsideFiles outside = OutsideFiles::refuse;
+};
+
+/// Sets file and checksum of a state to what is there now, as loadStored does.
+/// @throw FileError  E501, nowhere there, or outside of the carrier's folder and not
+/// accepted  @throw ChangedInputError  not accepted
+void findInput(Project& project, const std::filesystem::path& carrier, const InputChoice& choice,
+               const Task& task);
 Surface surfaceOf(const Project& project, const Task& task);
 
 /// The state that a file carries, its input found and checked; no surface is made.

@@ -6,6 +6,7 @@
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
 #include "app/batch/number_option.h"
+#include "app/batch/report_text.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_devices_falcon.h"
 #include "haptics/device/falcon/falcon_device.h"
@@ -141,7 +142,7 @@ Outcome list() {
   const falcon::FalconSettings settings = falcon::readSettings(falcon::settingsFile());
   json["falcon_settings"] = {{"counts_per_n_mm", settings.counts_per_n_mm},
                              {"left_handed", settings.left_handed}};
-  outcome.json = json.dump(2);
+  outcome.json = reportText(json);
   return outcome;
 }
 
@@ -182,7 +183,7 @@ Outcome installFirmware(const DevicesArguments& a) {
   json["installed"] = installed.string();
   const std::string overriding = firmwareInstead(installed);
   json["overridden_by"] = overriding.empty() ? Json() : Json(overriding);
-  return {.json = json.dump(2),
+  return {.json = reportText(json),
           .lines = {(firmware.known_as.empty() ? "Unknown image" : firmware.known_as) + ", " +
                         std::to_string(firmware.bytes.size()) + " bytes",
                     "sha256 " + firmware.sha256,

@@ -11,6 +11,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
+#include "app/batch/report_text.h"
 #include "core/base/error.h"
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
@@ -128,7 +129,7 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
     outcome.lines.push_back(std::string(result) + ": " + line.text);
   }
   outcome.lines.push_back(test.prompt());
-  outcome.json = json.dump(2);
+  outcome.json = reportText(json);
   outcome.exit_code = test.passed() ? 0 : kDeviceExit;
   return outcome;
 }
@@ -173,7 +174,7 @@ Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const T
                   {"before", before},
                   {"grip_weight_n", settings.grip_weight_n},
                   {"settings", falcon::settingsFile().string()}};
-  return {.json = json.dump(2),
+  return {.json = reportText(json),
           .lines = {line.data(), "kept in " + falcon::settingsFile().string()}};
 }
 

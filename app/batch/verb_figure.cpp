@@ -35,12 +35,32 @@ Stored fromArguments(const Arguments& a, const Task& task) {
   return state;
 }
 
+/// The recording that the state would have plotted: one of the project's, or of its very input.
+void requireOwnRecording(const Project& p, const CarrierArguments& carrier, const Task& task) {
+  if (carrier.outside_files == OutsideFiles::allow) return;
+  const std::filesystem::path from = carrier.project.empty() ? carrier.from_image : carrier.project;
+  Project only;
+  only.sha256 = p.sha256;
+  only.recordings = p.recordings;
+  std::erase_if(only.recordings,
+                [&](const InputFile& one) { return one.file != p.figure.recording; });
+  only.figure.recording = p.figure.recording;
+  for (const auto& foreign : foreignFiles(from, only, task)) {
+    requireOwn(from, {.file = foreign.string(), .sha256 = {}}, carrier.outside_files,
+               "Give it with --recording if it is the right one.", task);
+  }
+}
+
 /// What is asked for beside a state takes the place of what the state says.
 Stored fromState(const Arguments& a, const Task& task) {
   Stored state = loadStored(a.carrier, a.map.file, task);
   Project& p = state.project;
   p.picture.reset();
+  const std::string plotted = p.figure.recording;
   p.figure = figureRequest(a.figure, p.figure);
+  if (!plotted.empty() && p.figure.recording == plotted && a.figure.recording.empty()) {
+    requireOwnRecording(p, a.carrier, task);
+  }
   for (const Measurement& m : measurements(a.figure)) p.measurements.push_back(m);
   return state;
 }

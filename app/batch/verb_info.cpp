@@ -7,6 +7,7 @@
 
 #include "app/batch/json.h"
 #include "app/batch/map_report.h"
+#include "app/batch/report_text.h"
 #include "app/batch/verb.h"
 #include "core/io/import.h"
 #include "core/io/number_text.h"
@@ -202,7 +203,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   addValues(found, json);
 
   // Names of a file's scans need not be UTF-8; JSON must be.
-  Outcome outcome{.json = json.dump(2, ' ', false, Json::error_handler_t::replace), .lines = {}};
+  Outcome outcome{.json = reportText(json), .lines = {}};
   outcome.lines = {a.file + ": " + info.format,
                    std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
                        " finite, " + std::to_string(info.faces) + " faces",

@@ -18,6 +18,7 @@
 #include "core/measure/measure_text.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
 #include "core/session/map_facts.h"
 
 namespace relievo::batch {
@@ -218,7 +219,8 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   OutputSet set;
   // Only after all could be read.
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string title = surface.info.file.filename().string() + ": " + list[i].name;
+    const std::string title =
+        escapedName(surface.info.file.filename().string()) + ": " + list[i].name;
     if (list[i].kind == MeasureKind::profile)
       writeProfileFiles(a, cells, list[i], title, header, set);
     if (list[i].kind == MeasureKind::section) {

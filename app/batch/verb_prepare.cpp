@@ -5,6 +5,7 @@
 #include "app/batch/json.h"
 #include "app/batch/number_option.h"
 #include "app/batch/prepare_arguments.h"
+#include "app/batch/report_text.h"
 #include "app/batch/verb.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
@@ -86,7 +87,7 @@ std::string reportOf(const PrepareVerbArguments& a, const PreparedFiles& made) {
   json["flann"] = made.prepared.answer.flann;
   json["warnings"] = made.prepared.answer.warnings;
   json["not_done"] = made.prepared.notDone();
-  return json.dump(2, ' ', true, Json::error_handler_t::replace);
+  return reportText(json);
 }
 
 std::vector<std::string> linesOf(const PrepareVerbArguments& a, const PreparedFiles& made) {
@@ -131,7 +132,7 @@ Outcome runPrepare(const PrepareVerbArguments& a, const Task& task) {
     for (std::size_t i = 0; i < recipe.scans.size() && !a.prepare.files.empty(); ++i) {
       recipe.scans[i].file = relativePath(files[i], folder.empty() ? "." : folder);
     }
-    writeTextFile(set.file(a.write_recipe), toJson(recipe) + "\n");
+    writeTextFile(set.file(a.write_recipe), recipeText(recipe) + "\n");
   }
   set.takes(cloud);
   set.commit();

@@ -27,6 +27,7 @@ namespace {
 struct ReplayArguments {
   std::string log, input, out;
   bool verify = false;
+  OutsideFiles outside_files = OutsideFiles::refuse;
 };
 
 constexpr int kVerifyMismatch = 5;
@@ -115,8 +116,8 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
                           const std::string& input, const std::filesystem::path& folder,
                           const Task& task) {
   const auto each = [](const HapticSample&, double) {};
-  if (const auto of_window = replayOfWindow(log, recording, input, each, folder, task))
-    return *of_window;
+  const RecordingPlace place{.file = recording, .input = input, .package_folder = folder};
+  if (const auto of_window = replayOfWindow(log, place, each, task)) return *of_window;
   TouchArguments touch = argumentsOf(commandOf(log, recording));
   touch.map.file = input;
   touch.lift_n = liftIn(log);
@@ -222,6 +223,20 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
   check(files);
 }
 
+/// What the command in a log reads, which whoever made the log chose. @throw FileError
+void requireOwnFiles(const ReplayArguments& a, const LogTable& log, const Task& task) {
+  const auto state = stateIn(a.log);
+  const std::string sha256 = state ? state->sha256 : std::string();
+  const TouchArguments touch = argumentsOf(commandOf(log, a.log));
+  if (a.input.empty()) {
+    requireOwn(a.log, {.file = touch.map.file, .sha256 = sha256}, a.outside_files,
+               "Give it with --input if it is the right one.", task);
+  }
+  if (const auto raster = firmnessOfCommand(log)) {
+    requireOwn(a.log, *raster, a.outside_files, "Put the raster beside the log.", task);
+  }
+}
+
 /// The hand of one recording, given to its surface again. @throw FileError, ArgumentError
 ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
   const LogTable log = readLog(a.log, task);
@@ -235,8 +250,10 @@ ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
   };
   if (!a.out.empty() && isOfWindow(log)) out = openLog(a.out, log.header);
   json["input"] = a.input;
-  std::optional<ReplayResult> result = replayOfWindow(log, a.log, a.input, each, {}, task);
+  std::optional<ReplayResult> result = replayOfWindow(
+      log, {.file = a.log, .input = a.input, .outside_files = a.outside_files}, each, task);
   if (!result) {
+    requireOwnFiles(a, log, task);
     TouchArguments touch = argumentsOf(commandOf(log, a.log));
     if (!a.input.empty()) touch.map.file = a.input;
     json["input"] = touch.map.file;
@@ -321,6 +338,7 @@ Verb replayVerb() {
                 verb.add_option("-o,--output", arguments->out, "Write what came out, too");
                 verb.add_flag("--verify", arguments->verify,
                               "Exit 5 if a single bit differs, or the log was changed");
+                addOutsideOption(verb, arguments->outside_files);
               },
           .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runReplay(*arguments, task); }};

@@ -183,8 +183,10 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
       },
       task);
   if (!a.plot.empty()) {
-    writeForcePlot(beside.file(a.plot), plot,
-                   setup.surface.info.file.filename().string() + ", proxy " + proxyName(a), limit);
+    writeForcePlot(
+        beside.file(a.plot), plot,
+        escapedName(setup.surface.info.file.filename().string()) + ", proxy " + proxyName(a),
+        limit);
   }
   log->close();
   beside.commit();
@@ -262,15 +264,16 @@ TouchSetup prepareTouch(const TouchArguments& a, const Task& task) {
 
 std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const Task& task) {
   const Surface& surface = setup.surface;
-  const std::string stroke = a.stroke.empty()
-                                 ? "by hand"
-                                 : "stroke " + std::filesystem::path(a.stroke).filename().string();
+  const std::string stroke =
+      a.stroke.empty()
+          ? "by hand"
+          : "stroke " + escapedName(std::filesystem::path(a.stroke).filename().string());
   Json parameters = Json::parse(feelJson(a));
   parameters["command"] = Json::array();
   for (const std::string& word : a.words) parameters["command"].push_back(textOfName(word));
   parameters["safety"] = safetyOf(a);
   return "relievo log, schema 2\nversion " + std::string(RELIEVO_VERSION_STRING) + "\n" +
-         lawLine() + "\ninput " + surface.info.file.filename().string() + "\nunit " +
+         lawLine() + "\ninput " + escapedName(surface.info.file.filename().string()) + "\nunit " +
          std::string(name(surface.unit)) + " (" + std::string(name(surface.unit_source)) +
          ")\ndevice " + setup.device + " (" + stroke + ")\nregion_mm " +
          jsonOf(setup.window.region).dump() + " level " +

@@ -31,6 +31,7 @@ struct VideoArguments {
   VideoRequest request;
   std::optional<std::uint64_t> frame;
   bool changed_input = false;
+  OutsideFiles outside_files = OutsideFiles::refuse;
 };
 
 template <class T>
@@ -84,10 +85,12 @@ Recorded loadRecorded(const TouchRecording& recording, const VideoArguments& a, 
                     "\" does not say how its map was made; an older version wrote it. Nothing was "
                     "made. Replay it in the window on the open map.");
   }
-  return recordedOf(
-      loadStored({.from_image = a.recording, .project = {}, .changed_input = a.changed_input},
-                 a.input, task),
-      a, task);
+  return recordedOf(loadStored({.from_image = a.recording,
+                                .project = {},
+                                .changed_input = a.changed_input,
+                                .outside_files = a.outside_files},
+                               a.input, task),
+                    a, task);
 }
 
 Outcome drawOne(const Surface& surface, const TouchRecording* recording,
@@ -106,10 +109,12 @@ Outcome drawOne(const Surface& surface, const TouchRecording* recording,
 
 /// The map of a project, for its camera path alone.
 Recorded loadOfProject(const VideoArguments& a, const Task& task) {
-  return recordedOf(
-      loadStored({.from_image = {}, .project = a.path, .changed_input = a.changed_input}, a.input,
-                 task),
-      a, task);
+  return recordedOf(loadStored({.from_image = {},
+                                .project = a.path,
+                                .changed_input = a.changed_input,
+                                .outside_files = a.outside_files},
+                               a.input, task),
+                    a, task);
 }
 
 Outcome runVideo(const VideoArguments& a, const Task& task) {
@@ -181,6 +186,7 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
   verb.add_option("-o,--output", a.out, "VIDEO.mp4; for images a folder")->required();
   verb.add_option("--input", a.input, "The scan or map, if it is not where the log says");
   verb.add_flag("--changed-input", a.changed_input, "Use it although its checksum differs");
+  addOutsideOption(verb, a.outside_files);
   verb.add_option("--profile", a.profile,
                   "talk: plays everywhere; archive: without loss; anaglyph: full colour "
                   "resolution; images: PNG files, without ffmpeg");

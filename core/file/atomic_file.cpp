@@ -10,6 +10,7 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,12 +57,22 @@ bool takeOver(const std::filesystem::path& replaced, int descriptor) {
   return ::fchmod(descriptor, before.st_mode & 07777U) == 0;
 }
 
-/// ".NAME.relievo-123.tmp.tif" and, where that is taken, ".NAME.relievo-123.tmp2.tif".
+/// ".NAME.relievo-123.tmp.tif" and, where that is taken, ".NAME.relievo-123.tmp2.tif". What belongs
+/// to the program's own file, and no more bytes than a name may have: of a long name the first, and
+/// a number in place of the others.
 std::filesystem::path nameBeside(const std::filesystem::path& place, int number) {
-  return place.parent_path() /
-         ("." + place.stem().string() + std::string(kMark) + std::to_string(::getpid()) +
-          std::string(kEnd) + (number < 2 ? std::string() : std::to_string(number)) +
-          place.extension().string());
+  constexpr std::size_t kMostBytes = 255, kNumberDigits = 17;
+  std::string extension = place.extension().string();
+  if (extension.size() > kMostBytes / 4) extension.clear();
+  const std::string end = std::string(kMark) + std::to_string(::getpid()) + std::string(kEnd) +
+                          (number < 2 ? std::string() : std::to_string(number)) + extension;
+  std::string stem = "." + place.stem().string();
+  if (stem.size() + end.size() > kMostBytes) {
+    const std::size_t hash = std::hash<std::string>{}(place.filename().string());
+    stem.resize(kMostBytes - end.size() - kNumberDigits - 1);
+    stem += "-" + std::to_string(hash >> 8U);
+  }
+  return place.parent_path() / (stem + end);
 }
 
 /// Every byte of a file, and mode and owner of what it replaces.

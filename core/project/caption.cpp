@@ -9,6 +9,7 @@
 
 #include "core/measure/measure_text.h"
 #include "core/project/shown_lengths.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/relief/relief_image.h"
 #include "core/session/map_facts.h"
@@ -32,7 +33,7 @@ std::string objectText(const Project& p, const Surface& surface) {
   const ShownUnit unit = lengths.unitOf(std::max(width_mm, height_mm));
   std::string size = lengths.rectangle(width_mm, height_mm);
   if (lengths.unitOf(rise_mm).name == unit.name) size.resize(size.rfind(' '));  // Said once.
-  return std::filesystem::path(p.file).filename().string() + ", " + size + " \u00d7 " +
+  return escapedName(std::filesystem::path(p.file).filename().string()) + ", " + size + " \u00d7 " +
          lengths.text(rise_mm) + " (unit " + std::string(name(surface.unit)) + ", " +
          std::string(name(surface.unit_source)) + "), view " + surface.view_name + ".";
 }

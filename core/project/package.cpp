@@ -166,8 +166,8 @@ std::vector<InputFile> companionsOf(const Project& project, const PackageContent
 std::string readmeText(const Project& project, bool with_input) {
   return "Package for citation, made by relievo " + std::string(programVersion()) + " (" +
          std::string(programCommit()) +
-         ")\n\nObject: " + std::filesystem::path(project.file).filename().string() + ", SHA-256 " +
-         project.sha256 +
+         ")\n\nObject: " + escapedName(std::filesystem::path(project.file).filename().string()) +
+         ", SHA-256 " + project.sha256 +
          (with_input ? ", in input/" : ", not included; needed to make the figures again") +
          "\n\nproject.json         the work: views, regions, measurements; open it with relievo\n"
          "recordings/          what was felt, one row per millisecond, and files it needs\n"

@@ -66,7 +66,6 @@ void forEachField(Figure& f, const Visit& visit) {
   visit("eye_angle_deg", f.eye_angle_deg);
   visit("swap_eyes", f.swap_eyes);
   visit("limit_parallax", f.limit_parallax);
-  visit("recording", f.recording);
 }
 
 Json figureJson(const FigureRequest& f) {
@@ -77,6 +76,7 @@ Json figureJson(const FigureRequest& f) {
   json["scale_1_to"] = optionalJson(f.scale_1_to);
   json["zero_plane_mm"] = optionalJson(f.zero_plane_mm);
   forEachField(f, [&](const char* key, const auto& field) { json[key] = field; });
+  json["recording"] = textOfName(f.recording);
   json["look"] = jsonOf(f.look);
   return json;
 }
@@ -89,6 +89,7 @@ FigureRequest figureFrom(const Json& json) {
   f.scale_1_to = optionalFrom<double>(json, "scale_1_to");
   f.zero_plane_mm = optionalFrom<double>(json, "zero_plane_mm");
   forEachField(f, [&](const char* key, auto& field) { field = json.value(key, field); });
+  f.recording = nameFromText(json.value("recording", std::string()));
   if (json.contains("look")) f.look = lookFrom(json.at("look"));
   return f;
 }
@@ -217,7 +218,7 @@ Project projectFrom(Json json) {
   }
   p.history = json.value("history", std::vector<std::string>());
   for (const Json& step : json.value("undo", Json::array())) p.undo.push_back(placeFrom(step));
-  p.saved_as = json.value("saved_as", std::string());
+  p.saved_as = nameFromText(json.value("saved_as", std::string()));
   p.others = unknownKeys(json);
   return p;
 }
@@ -290,7 +291,7 @@ std::string projectJson(const Project& p) {
   json["history"] = p.history;
   json["undo"] = Json::array();
   for (const NamedRegion& step : p.undo) json["undo"].push_back(placeJson(step));
-  if (!p.saved_as.empty()) json["saved_as"] = p.saved_as;
+  if (!p.saved_as.empty()) json["saved_as"] = textOfName(p.saved_as);
   if (!p.made.empty()) json["made"] = Json::parse(p.made);
   if (!p.others.empty()) json.update(Json::parse(p.others));
   // A file name need not be UTF-8; JSON must be.

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/project_files.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "core/base/error.h"
+#include "core/project/carried_state.h"
 
 namespace relievo {
 namespace {
@@ -14,6 +18,18 @@ FileState stateOf(const InputFile& file, const Task& task) {
     return FileState::changed;
   }
   return sha256OfFile(file.file, task) == file.sha256 ? FileState::as_before : FileState::changed;
+}
+
+/// Does the file carry a state of the project's very input, as what relievo made of it does?
+bool showsInputOf(const Project& project, const std::filesystem::path& file) {
+  std::error_code unknown;
+  if (project.sha256.empty() || !std::filesystem::is_regular_file(file, unknown)) return false;
+  try {
+    const std::optional<Project> shown = carriedProject(file);
+    return shown && shown->sha256 == project.sha256;
+  } catch (const FileError&) {
+    return false;
+  }
 }
 
 }  // namespace
@@ -62,6 +78,60 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier,
     if (!std::filesystem::is_regular_file(numbered, error)) return first;
     if (is_it(numbered)) return numbered;
   }
+}
+
+bool isInFolderOf(const std::filesystem::path& carrier, const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto real = std::filesystem::weakly_canonical(file, unknown);
+  if (unknown) return false;
+  const auto home = std::filesystem::canonical(
+      std::filesystem::absolute(carrier, unknown).parent_path(), unknown);
+  if (unknown) return false;
+  const auto [rest, at] = std::mismatch(home.begin(), home.end(), real.begin(), real.end());
+  return rest == home.end() && at != real.end();
+}
+
+bool mayBeRead(const std::filesystem::path& carrier, const InputFile& named, const Task& task) {
+  if (isInFolderOf(carrier, named.file)) return true;
+  std::error_code unknown;
+  if (!std::filesystem::exists(named.file, unknown)) return true;  // Nothing is read.
+  // Of a device, or a file without a size as in /proc, not even a checksum is made.
+  if (!std::filesystem::is_regular_file(named.file, unknown) || named.sha256.empty()) return false;
+  if (const auto bytes = std::filesystem::file_size(named.file, unknown);
+      unknown || bytes == 0 || (named.bytes != 0 && named.bytes != bytes)) {
+    return false;
+  }
+  try {
+    return sha256OfFile(named.file, task) == named.sha256;
+  } catch (const FileError&) {
+    return false;
+  }
+}
+
+std::vector<std::filesystem::path> foreignFiles(const std::filesystem::path& carrier,
+                                                const Project& project, const Task& task) {
+  std::vector<std::filesystem::path> foreign;
+  const auto add = [&](const std::string& file) {
+    if (std::find(foreign.begin(), foreign.end(), file) == foreign.end())
+      foreign.emplace_back(file);
+  };
+  if (!mayBeRead(carrier, {.file = project.file, .sha256 = project.sha256, .bytes = project.bytes},
+                 task)) {
+    add(project.file);
+  }
+  std::vector<std::string> without_checksum = project.figures;
+  const std::string& plotted = project.figure.recording;
+  if (!plotted.empty()) without_checksum.push_back(plotted);
+  for (const InputFile& recording : project.recordings) {
+    if (!mayBeRead(carrier, recording, task)) add(recording.file);
+    std::erase(without_checksum, recording.file);
+  }
+  for (const std::string& file : without_checksum) {
+    task.check();
+    if (!mayBeRead(carrier, {.file = file, .sha256 = {}}, task) && !showsInputOf(project, file))
+      add(file);
+  }
+  return foreign;
 }
 
 std::optional<std::filesystem::path> foundByChecksum(const InputFile& wanted,

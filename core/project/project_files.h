@@ -31,6 +31,20 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier,
                                  const std::filesystem::path& stored, const std::string& sha256,
                                  const Task& task);
 
+/// Does the file lie in the folder of what names it, or below, when links are followed?
+bool isInFolderOf(const std::filesystem::path& carrier, const std::filesystem::path& file);
+
+/// May a file be read that whoever wrote `carrier` chose, not who opens it? One in the carrier's
+/// folder or below; and one with the very bytes that the carrier states: whoever wrote that had
+/// them (docs/adr/0136). [worker] @throw Cancelled
+bool mayBeRead(const std::filesystem::path& carrier, const InputFile& named, const Task& task = {});
+
+/// Files that a project names and that are there, but must not be read before somebody was asked:
+/// the input first, then recordings and figures. Of a recording or figure without a checksum it is
+/// enough that it carries a state of this very input. Each once. [worker] @throw Cancelled
+std::vector<std::filesystem::path> foreignFiles(const std::filesystem::path& carrier,
+                                                const Project& project, const Task& task = {});
+
 /// A file with these very bytes in a folder or below it; the name does not count. Links to folders
 /// are not followed. [worker] @throw Cancelled
 std::optional<std::filesystem::path> foundByChecksum(const InputFile& wanted,

@@ -26,6 +26,14 @@ std::size_t characterBytes(std::string_view text) {
   return bytes;
 }
 
+/// C0 and C1 control characters, delete, and Unicode's ends of lines and paragraphs.
+bool isControl(std::string_view character) {
+  const unsigned first = byteAt(character, 0);
+  if (character.size() == 1) return first < 0x20 || first == 0x7F;
+  if (character.size() == 2) return first == 0xC2 && byteAt(character, 1) < 0xA0;
+  return character == "\u2028" || character == "\u2029";
+}
+
 /// U+EF80 to U+EFFF, EE BE 80 to EE BF BF.
 bool standsForAByte(std::string_view text) {
   return text.size() >= 3 && byteAt(text, 0) == 0xEE &&
@@ -64,6 +72,26 @@ std::string nameFromText(std::string_view text) {
     text.remove_prefix(is_byte ? 3 : 1);
   }
   return name;
+}
+
+std::string escapedName(std::string_view name) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string text;
+  while (!name.empty()) {
+    const std::size_t bytes = characterBytes(name);
+    const std::string_view character = name.substr(0, std::max<std::size_t>(bytes, 1));
+    name.remove_prefix(character.size());
+    if (bytes > 0 && !isControl(character)) {
+      text += character;
+      continue;
+    }
+    for (std::size_t i = 0; i < character.size(); ++i) {
+      text += '%';
+      text += kDigits[byteAt(character, i) >> 4U];
+      text += kDigits[byteAt(character, i) & 0xFU];
+    }
+  }
+  return text;
 }
 
 }  // namespace relievo

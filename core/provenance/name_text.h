@@ -15,4 +15,8 @@ std::string textOfName(std::string_view name);
 /// The name that textOfName() gave this text.
 std::string nameFromText(std::string_view text);
 
+/// The name for people and for lines of text: one line of UTF-8, in which a byte that is no UTF-8
+/// or steers a terminal, and a line's end, is %XX. Two names may look alike.
+std::string escapedName(std::string_view name);
+
 }  // namespace relievo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/provenance/prepared_state.h"
 
+#include "core/provenance/name_text.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
 
@@ -51,7 +52,7 @@ std::string preparedState(const Recipe& recipe_again, const Prepared& prepared,
   json["program"] = {
       {"name", "relievo"}, {"version", programVersion()}, {"commit", programCommit()}};
   for (const InputFile& input : inputs) json["inputs"].push_back(jsonOf(input));
-  json["recipe"] = Json::parse(toJson(recipe_again, -1));
+  json["recipe"] = Json::parse(recipeText(recipe_again, -1));
   json["steps"] = Json::array();
   for (std::size_t i = 0; i < prepared.answer.steps.size(); ++i) {
     const StepResult& step = prepared.answer.steps[i];
@@ -65,6 +66,18 @@ std::string preparedState(const Recipe& recipe_again, const Prepared& prepared,
   json["flann"] = prepared.answer.flann;
   // A file name need not be UTF-8; JSON must be.
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string recipeText(const Recipe& recipe, int indent) {
+  Recipe named = recipe;
+  for (ScanSource& scan : named.scans) scan.file = textOfName(scan.file);
+  return toJson(named, indent);
+}
+
+Recipe recipeFromText(std::string_view text, const std::string& source) {
+  Recipe recipe = recipeFromJson(text, source);
+  for (ScanSource& scan : recipe.scans) scan.file = nameFromText(scan.file);
+  return recipe;
 }
 
 bool isPreparedState(std::string_view json) noexcept {

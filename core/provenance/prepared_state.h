@@ -25,4 +25,9 @@ std::string preparedState(const Recipe& recipe_again, const Prepared& prepared,
 /// Is this the state of a prepared cloud? Such a state is no view and no project.
 bool isPreparedState(std::string_view json) noexcept;
 
+/// A recipe as a file keeps it, in which names of scans are textOfName(), and back.
+/// @throw FileError  no recipe; names `source`
+std::string recipeText(const Recipe& recipe, int indent = 2);
+Recipe recipeFromText(std::string_view text, const std::string& source);
+
 }  // namespace relievo

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
@@ -98,9 +99,14 @@ bool LogPlace::make(const std::filesystem::path& file, int mode) {
 /// What an earlier log left there, killed, stays: it can be read.
 void LogPlace::makeBeside(int mode) {
   for (int number = 1; number <= kMostLeftOver; ++number) {
-    std::filesystem::path beside = target_;
-    const std::string end = number == 1 ? std::string() : "-" + std::to_string(number);
-    beside.replace_extension(".unfinished" + end + target_.extension().string());
+    constexpr std::size_t kMostBytes = 255;  // Of a name.
+    const std::string end = ".unfinished" + (number == 1 ? "" : "-" + std::to_string(number)) +
+                            target_.extension().string();
+    std::string stem = target_.stem().string();
+    if (stem.size() + end.size() > kMostBytes)
+      stem.resize(kMostBytes - std::min(end.size(), kMostBytes));
+    const std::filesystem::path beside =
+        std::filesystem::path(target_).replace_filename(stem + end);
     if (make(beside, mode)) return;
     if (errno != EEXIST) throw recordingRefused(beside, errno);
     int other = ::open(beside.c_str(), O_RDWR | O_CLOEXEC);

@@ -29,6 +29,7 @@
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
+#include "plugins/haptics/shown_file.h"
 #include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
@@ -355,14 +356,15 @@ void DeviceSetupDialog::showFirmware() {
   QString text;
   try {
     const falcon::Firmware found = falcon::findFirmware(falcon::firmwarePlaces(settings_.firmware));
-    const QString name = QString::fromStdString(found.file.string());
+    const QString name = shownFilePath(QFile::decodeName(found.file.c_str()));
     text = found.known_as.empty() ? tr("Firmware: %1, accepted by you").arg(name)
                                   : tr("Firmware: %1, %2").arg(name, spokenText(found.known_as));
   } catch (const Error&) {
     // Why, the state says once it is needed: one that runs already needs no file.
     text = settings_.firmware.empty()
                ? tr("Firmware: no file found yet")
-               : tr("Firmware: %1 cannot be used").arg(QString::fromStdString(settings_.firmware));
+               : tr("Firmware: %1 cannot be used")
+                     .arg(shownFilePath(QFile::decodeName(settings_.firmware.c_str())));
   }
   setTextIfNew(firmware_, text);
 }

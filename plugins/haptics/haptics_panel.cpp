@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -18,6 +19,7 @@
 
 #include "core/base/error.h"
 #include "haptics/device_catalog.h"
+#include "plugins/haptics/shown_file.h"
 #include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
@@ -421,7 +423,7 @@ TouchSettings HapticsPanel::settings() const {
 
 void HapticsPanel::askFirmness() {
   auto* dialog = new QFileDialog(this, tr("Raster of firm ground"),
-                                 QFileInfo(QString::fromStdString(firmness_)).absolutePath(),
+                                 QFileInfo(QFile::decodeName(firmness_.c_str())).absolutePath(),
                                  tr("Rasters (*.tif *.tiff *.asc *.png);;All files (*)"));
   dialog->setObjectName(QStringLiteral("firmness_dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -436,12 +438,13 @@ void HapticsPanel::setFirmnessUsed(bool used) {
 }
 
 void HapticsPanel::showFirmness() {
-  const QString name = QFileInfo(QString::fromStdString(firmness_)).fileName();
+  const QString file = QFile::decodeName(firmness_.c_str());
+  const QString name = shownFileName(file);
   const QString text = firmness_.empty() ? tr("where it was measured")
                        : firmness_used_  ? name
                                          : tr("%1 (not of this map)").arg(name);
   setTextIfNew(firmness_name_, text);
-  firmness_name_->setToolTip(QString::fromStdString(firmness_));
+  firmness_name_->setToolTip(shownFilePath(file).toHtmlEscaped());
   firmness_choose_->setAccessibleDescription(text);
   firmness_none_->setEnabled(!firmness_.empty());
 }

@@ -14,6 +14,7 @@
 #include "haptics/record/events.h"
 #include "plugins/haptics/haptics_plugin.h"
 #include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/shown_file.h"
 
 namespace relievo {
 
@@ -41,7 +42,7 @@ void HapticsPlugin::setRecording(bool on) {
     recorded_in_ = QFileInfo(file).path();
     recorded_windows_ = window ? windowLine(*window) : QString();
     actions_.note->setEnabled(true);
-    host_->announce(tr("Recording to %1").arg(QDir::toNativeSeparators(file)));
+    host_->announce(tr("Recording to %1").arg(shownFilePath(file)));
   } catch (const Error& error) {
     const QSignalBlocker blocker(actions_.record);
     actions_.record->setChecked(false);
@@ -68,10 +69,11 @@ void HapticsPlugin::endRecording() {
 
 void HapticsPlugin::watchRecording() {
   if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
-    host_->announce(flight->error.empty() ? tr("The last %1 before the fault are kept: %2")
-                                                .arg(durationText(flight->samples))
-                                                .arg(QString::fromStdString(flight->file.string()))
-                                          : QString::fromStdString(flight->error));
+    host_->announce(flight->error.empty()
+                        ? tr("The last %1 before the fault are kept: %2")
+                              .arg(durationText(flight->samples))
+                              .arg(shownFilePath(QFile::decodeName(flight->file.c_str())))
+                        : QString::fromStdString(flight->error));
   }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
@@ -89,7 +91,7 @@ void HapticsPlugin::watchRecording() {
   host_->announce(tr("Recording saved: %1, %2 samples in %3")
                       .arg(durationText(end->samples))
                       .arg(end->samples)
-                      .arg(QString::fromStdString(end->file.string())));
+                      .arg(shownFilePath(QFile::decodeName(end->file.c_str()))));
 }
 
 void HapticsPlugin::askNote() {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What lies under the hand: window, shape, texture, and where the ground is firm.
+#include <QFile>
 #include <QFileInfo>
 #include <utility>
 
 #include "core/base/error.h"
 #include "plugins/haptics/haptics_plugin.h"
 #include "plugins/haptics/recording_file.h"
+#include "plugins/haptics/shown_file.h"
 
 namespace relievo {
 
@@ -65,7 +67,7 @@ void HapticsPlugin::restoreFirmness() {
   const std::string before = firmness_ ? firmness_->file : std::string();
   if (settings_.firmness == before) return;
   if (settings_.firmness.empty()) return setFirmness(nullptr);
-  askFirmness(QString::fromStdString(settings_.firmness), false);
+  askFirmness(QFile::decodeName(settings_.firmness.c_str()), false);
 }
 
 void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const FirmnessMap> firmness,
@@ -84,7 +86,7 @@ void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const Firm
   if (refusal.isEmpty()) {
     setFirmness(std::move(firmness));
     if (!firmness_chosen_now_) return;
-    const QString name = QFileInfo(file).fileName();
+    const QString name = shownFileName(file);
     host_->announce(
         settings_.feel.fields.softest_part < 1
             ? tr("Firm ground: %1.").arg(name)

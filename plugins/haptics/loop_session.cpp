@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <QFile>
 #include <set>
 #include <utility>
 
@@ -31,7 +32,8 @@ std::string foundFrom(const std::filesystem::path& folder, const std::filesystem
 }  // namespace
 
 LoopSession::LoopSession(const std::string& device_id)
-    : flight_(flightFolder().toStdString(), "relievo flight record, schema 1\ndevice " + device_id),
+    : flight_(QFile::encodeName(flightFolder()).toStdString(),
+              "relievo flight record, schema 1\ndevice " + device_id),
       plot_start_ns_(monotonicNs()) {
   std::unique_ptr<Device> device = makeDevice(device_id);
   steered_ = dynamic_cast<SteeredDevice*>(device.get());

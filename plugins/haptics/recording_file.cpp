@@ -3,11 +3,13 @@
 
 #include <array>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include "core/base/error.h"
 #include "haptics/loop/surface_preset.h"
 #include "haptics/record/force_law.h"
+#include "plugins/haptics/shown_file.h"
 
 namespace relievo {
 
@@ -15,7 +17,7 @@ QString proposedRecording(const QString& folder_path, const QString& scan, const
                           const QDate& today) {
   const QDir folder(folder_path);
   if (folder_path.isEmpty() || !folder.mkpath(QStringLiteral("."))) {
-    throw WriteError("The folder \"" + folder_path.toStdString() +
+    throw WriteError("The folder \"" + shownFilePath(folder_path).toStdString() +
                      "\" for recordings cannot be made. Nothing is recorded. Choose another one.");
   }
   QString stem = scan.isEmpty() ? QStringLiteral("touch") : scan;
@@ -66,7 +68,7 @@ QString recordingHeaderLines(const QString& from_host, const QString& device,
   }
   if (firmness != nullptr) {
     lines << QStringLiteral("firmness %1, sha256 %2")
-                 .arg(QFileInfo(QString::fromStdString(firmness->file)).fileName(),
+                 .arg(shownFileName(QFile::decodeName(firmness->file.c_str())),
                       QString::fromStdString(firmness->sha256));
   }
   for (const QString& line : from_host.split('\n', Qt::SkipEmptyParts)) {

@@ -2,6 +2,7 @@
 #include "plugins/haptics/touch_settings.h"
 
 #include <algorithm>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -46,7 +47,7 @@ QByteArray toJson(const TouchSettings& settings) {
                            {"magnet_reach_mm", feel.fields.magnet_reach_mm},
                            {"contact_n", feel.transient.contact_n},
                            {"crossing_n", feel.transient.crossing_n},
-                           {"firmness", QString::fromStdString(settings.firmness)},
+                           {"firmness", QFile::decodeName(settings.firmness.c_str())},
                            {"window_silence_s", settings.window_silence_s},
                            {"bound_by_rate", settings.bound_by_rate},
                            {"holds_grip", settings.holds_grip},
@@ -79,7 +80,7 @@ TouchSettings touchSettingsFromJson(const QByteArray& json) {
   TransientOptions& transient = feel.transient;
   transient.contact_n = within(object["contact_n"], 0, kMostContactN, transient.contact_n);
   transient.crossing_n = within(object["crossing_n"], 0, kMostCrossingN, transient.crossing_n);
-  settings.firmness = object["firmness"].toString().toStdString();
+  settings.firmness = QFile::encodeName(object["firmness"].toString()).toStdString();
   const QString device = object["device"].toString();
   if (!device.isEmpty()) settings.device = device.toStdString();
   settings.window_silence_s =

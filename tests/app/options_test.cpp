@@ -36,6 +36,12 @@ TEST(WindowOptions, SeveralFilesAreOpenedTogether) {
   EXPECT_EQ(options.language, "de");
 }
 
+TEST(WindowOptions, BehindTwoDashesAllAreFiles) {
+  const WindowOptions options = parseWindowOptions({"--lang", "de", "--", "-b.ply", "--help"});
+  EXPECT_EQ(options.files, (std::vector<std::string>{"-b.ply", "--help"}));
+  EXPECT_FALSE(options.help);
+}
+
 TEST(WindowOptions, WhatIsNotUnderstoodIsRefusedByName) {
   const std::vector<std::vector<std::string>> wrong{
       {"--colour"},

@@ -21,6 +21,7 @@
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
 #include "tests/ui/gui_fixture.h"
+#include "ui/file_names.h"
 #include "ui/reference_view.h"
 #include "ui/replay_panel.h"
 
@@ -238,6 +239,40 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
+}
+
+/// The recording is called after the scan, whose name is no UTF-8 and has two lines.
+TEST_F(TouchWindowTest, ARecordingOfAScanOfAnyNameIsKeptAndReplayedToTheLastBit) {
+  useOwnHome();
+  LoadedPlugins plugins(window());
+  ASSERT_TRUE(plugins->has("haptics"));
+  const std::string stem = "b\xFCste\n\"2\"";
+  const QString scan = path(pathFromBytes(stem + ".ply"));
+  ASSERT_TRUE(QFile::rename(writeRelief(), scan));
+  OpenRequest request;
+  request.file = scan;
+  request.unit = LengthUnit::mm;
+  request.view = ViewChoice{"top", {}};
+  window().open(request);
+  ASSERT_TRUE(waitFor([this] { return document().isOpen() && !document().busy(); }));
+  for (const char* kind : {"record_csv", "record_h5"}) {
+    ASSERT_TRUE(window().runCommand(kind)) << kind;
+    touchMiddle();
+    action("record")->trigger();
+    QTest::qWait(300);
+    const QString recording = endRecording();
+    release(window().detailView(), QRectF(window().detailView().rect()).center());
+    QTest::keyClick(&window().detailView(), Qt::Key_F5);
+    ASSERT_FALSE(recording.isEmpty());
+    EXPECT_TRUE(QFile::encodeName(QFileInfo(recording).fileName()).startsWith(stem.c_str()))
+        << recording.toStdString();
+    EXPECT_TRUE(said({"replay", recording, "--verify"}).contains("to the last bit"));
+    EXPECT_TRUE(waitFor([&] {
+      const auto known = window().project().recordings;
+      return !known.empty() && known.back().file == bytesOfPath(recording);
+    }));
+  }
+  plugins->detachAll();
 }
 
 TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit) {

@@ -6,12 +6,14 @@
 #include <QSurfaceFormat>
 #include <QTemporaryDir>
 
+#include "ui/file_names.h"
 #include "ui/guarded_application.h"
 #include "ui/surface_view.h"
 #include "ui/vtk/offscreen.h"
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
+  relievo::keepBytesOfNames();
   const relievo::DisplayGuard display;
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);

@@ -16,6 +16,7 @@
 #include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
 #include "ui/figure/figure.h"
 #include "ui/figure/figure_layout.h"
 #include "ui/figure/figure_sheet.h"
@@ -31,7 +32,7 @@ PictureText textOf(const Surface& surface, const Project& project, const FigureF
   Project state = relativeTo(project, file);
   state.made = madeText(surface);
   state.figures.clear();  // What else was drawn changes no figure.
-  return {{"Title", fs::path(project.file).filename().string()},
+  return {{"Title", escapedName(fs::path(project.file).filename().string())},
           {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
           {"Description", facts.caption},
           {kStateEntry, projectJson(state)}};

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
+#include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
 #include "core/relief/relief_image.h"
 #include "core/session/surface_colours.h"
@@ -107,7 +108,7 @@ ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& wi
                          .caption = {}};
   facts.caption = captionOf(p, surface, window, pictureFacts(p, facts.mm_per_pixel));
   writePicture(file, image,
-               {{"Title", std::filesystem::path(p.file).filename().string()},
+               {{"Title", escapedName(std::filesystem::path(p.file).filename().string())},
                 {"Description", facts.caption},
                 {"Software", "relievo " + std::string(programVersion())},
                 {std::string(kStateKey), projectJson(relativeTo(p, file.path))}});

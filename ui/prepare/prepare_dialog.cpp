@@ -17,6 +17,7 @@
 #include <QTimer>
 
 #include "ui/core_words.h"
+#include "ui/file_names.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
 #include "ui/spoken_error.h"
@@ -34,7 +35,8 @@ bool sameRead(const PrepareInput& a, const PrepareInput& b) {
 
 /// NAME-prepared.ply, NAME-prepared-2.ply, ... beside the scan: the first that is free.
 QString freeName(const QFileInfo& scan) {
-  const QString base = scan.absolutePath() + '/' + scan.completeBaseName();
+  const QString base = scan.absolutePath() + '/' +
+                       stemOf(scan.filePath(), QStringLiteral("-prepared-9999.recipe.json"));
   QString file = base + QLatin1String("-prepared.ply");
   for (int n = 2; QFileInfo::exists(file); ++n) {
     file = QStringLiteral("%1-prepared-%2.ply").arg(base).arg(n);
@@ -331,7 +333,7 @@ void PrepareDialog::saveRecipe() {
           [this, file] {
             recipe_file_ = file;
             showNumbers();
-            Q_EMIT said(tr("%1 is saved").arg(QFileInfo(file).fileName()));
+            Q_EMIT said(tr("%1 is saved").arg(shownName(file)));
           });
   });
   dialog->open();

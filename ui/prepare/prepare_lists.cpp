@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 
 #include "core/prepare/crop.h"
+#include "ui/file_names.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
@@ -35,7 +36,7 @@ QString loopWords(const AlignLoop& loop) {
 }  // namespace
 
 QString PrepareDialog::nameOf(const PrepareInput& input) const {
-  const QString file = QFileInfo(QFile::decodeName(input.file.c_str())).fileName();
+  const QString file = shownName(QFile::decodeName(input.file.c_str()));
   if (input.read.parts.size() != 1) return file;
   const ReadScan* const read = readOf(input);
   const bool named = read != nullptr && read->scan->info.parts.size() == 1 &&

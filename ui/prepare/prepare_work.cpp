@@ -247,7 +247,7 @@ void writeRecipe(const PrepareResult& result, const std::filesystem::path& file,
   requireReplaceable(file);
   requireNotAnInput(file, readBy(result));
   const std::vector<InputFile> inputs = inputsOf(result, file, task);
-  writeTextFile(file, toJson(recipeAgain(result.recipe, result.prepared, inputs)) + "\n");
+  writeTextFile(file, recipeText(recipeAgain(result.recipe, result.prepared, inputs)) + "\n");
 }
 
 }  // namespace relievo

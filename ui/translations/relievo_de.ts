@@ -5000,6 +5000,51 @@
         <source>Kept, as they may belong to the object.</source>
         <translation>Sie bleiben, da sie zum Objekt gehören können.</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weitere</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>Dateien anderswo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 nennt %n Datei außerhalb seines Ordners, die nach ihrer Prüfsumme nicht die ist, aus der es gemacht wurde:</numerusform>
+            <numerusform>%1 nennt %n Dateien außerhalb seines Ordners, die nach ihren Prüfsummen nicht die sind, aus denen es gemacht wurde:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>Die aufbewahrte Arbeit</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>Wer es gemacht hat, hat diese Namen gewählt. Sollen sie gelesen werden? Was nicht gelesen wird, bleibt darin genannt, und alles andere wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;Lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;Nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
+        <translation>%1 wurde nicht geöffnet: Es braucht %2, das außerhalb seines Ordners liegt und nicht gelesen wurde. Nichts wurde geändert. Suchen Sie es, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n Datei, die dieses Projekt nennt, wurde nicht gelesen. Sie bleibt darin genannt und wird für kein Paket und keine Abbildung angeboten.</numerusform>
+            <numerusform>%n Dateien, die dieses Projekt nennt, wurden nicht gelesen. Sie bleiben darin genannt und werden für kein Paket und keine Abbildung angeboten.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>

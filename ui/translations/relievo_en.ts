@@ -27,6 +27,27 @@
             <numerusform>%1 is packed: %n files, each with its checksum</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 names %n file outside of its folder that is not, by its checksum, what it was made from:</numerusform>
+            <numerusform>%1 names %n files outside of its folder that are not, by their checksums, what it was made from:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n file that this project names was not read. It stays named in it, and is offered for no package and no figure.</numerusform>
+            <numerusform>%n files that this project names were not read. They stay named in it, and are offered for no package and no figure.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>

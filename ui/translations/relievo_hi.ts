@@ -5000,6 +5000,51 @@
         <source>Kept, as they may belong to the object.</source>
         <translation>रखे गए हैं, क्योंकि वे वस्तु के हो सकते हैं।</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>और %n अन्य</numerusform>
+            <numerusform>और %n अन्य</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Files elsewhere</source>
+        <translation>अन्यत्र की फ़ाइलें</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n file(s) outside of its folder that are not, by their checksums, what it was made from:</source>
+        <translation>
+            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइल का नाम लेता है, जो अपने चेकसम के अनुसार वह नहीं है जिससे यह बना था:</numerusform>
+            <numerusform>%1 अपने फ़ोल्डर से बाहर की %n फ़ाइलों के नाम लेता है, जो अपने चेकसम के अनुसार वे नहीं हैं जिनसे यह बना था:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The work that was kept</source>
+        <translation>रखा गया काम</translation>
+    </message>
+    <message>
+        <source>Whoever made it chose these names. Shall they be read? What is not read stays named in it, and all else opens.</source>
+        <translation>जिसने इसे बनाया, उसी ने ये नाम चुने। क्या इन्हें पढ़ा जाए? जो नहीं पढ़ा जाता, उसका नाम इसमें बना रहता है, और बाकी सब खुलता है।</translation>
+    </message>
+    <message>
+        <source>&amp;Read them</source>
+        <translation>&amp;पढ़ें</translation>
+    </message>
+    <message>
+        <source>&amp;Do not read them</source>
+        <translation>&amp;न पढ़ें</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: it needs %2, which is outside of its folder and was not read. Nothing was changed. Find it, or choose another file.</source>
+        <translation>%1 नहीं खोला गया: इसे %2 चाहिए, जो इसके फ़ोल्डर से बाहर है और नहीं पढ़ा गया। कुछ नहीं बदला गया। उसे खोजें, या कोई दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) that this project names were not read. They stay named in it, and are offered for no package and no figure.</source>
+        <translation>
+            <numerusform>%n फ़ाइल, जिसका नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गई। उसका नाम इसमें बना रहता है, और वह किसी पैकेज या चित्र के लिए नहीं दी जाती।</numerusform>
+            <numerusform>%n फ़ाइलें, जिनके नाम यह प्रोजेक्ट लेता है, नहीं पढ़ी गईं। उनके नाम इसमें बने रहते हैं, और वे किसी पैकेज या चित्र के लिए नहीं दी जातीं।</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>relievo::MeasurePanel</name>

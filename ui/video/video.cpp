@@ -8,6 +8,7 @@
 
 #include "core/file/output_set.h"
 #include "core/io/text_file.h"
+#include "core/provenance/name_text.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_frames.h"
 
@@ -65,7 +66,7 @@ std::string videoState(const Provenance& provenance, const VideoRequest& request
   Provenance made = provenance;
   QJsonObject figure{{"video", jsonOf(request)}};
   if (!recording.file.empty()) {
-    figure["recording"] = QJsonObject{{"file", QString::fromStdString(recording.file)},
+    figure["recording"] = QJsonObject{{"file", QString::fromStdString(textOfName(recording.file))},
                                       {"sha256", QString::fromStdString(recording.sha256)}};
   }
   made.figure = QJsonDocument(figure).toJson(QJsonDocument::Compact).toStdString();

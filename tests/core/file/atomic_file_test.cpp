@@ -134,6 +134,26 @@ TEST(AtomicFile, AFileWithoutANameGetsTheModeThatNewFilesHave) {
             fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read);
 }
 
+TEST(AtomicFile, TakesNamesAsLongAsTheFileSystemDoes) {
+  const test::TemporaryFolder folder;
+  for (const std::string& ending :
+       {std::string(".csv"), std::string(), "." + std::string(200, 'e')}) {
+    const std::string start(250 - ending.size(), 'x');
+    AtomicFile one(folder.path() / (start + "\xFC" + "one" + ending), TemporaryName::beside);
+    AtomicFile other(folder.path() / (start + "\xFC" + "two" + ending), TemporaryName::beside);
+    std::ofstream(one.path()) << "1";
+    std::ofstream(other.path()) << "2";
+    EXPECT_EQ(namesIn(folder.path()).size(), 2U) << "each has its own";
+    one.commit();
+    other.commit();
+    EXPECT_EQ(namesIn(folder.path()), (std::set<std::string>{start + "\xFC" + "one" + ending,
+                                                             start + "\xFC" + "two" + ending}));
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+      std::filesystem::remove(entry.path());
+    }
+  }
+}
+
 TEST(AtomicFile, KeepsTheModeAndTheLinkOfWhatItReplaces) {
   namespace fs = std::filesystem;
   const test::TemporaryFolder folder;

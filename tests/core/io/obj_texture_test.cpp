@@ -127,8 +127,16 @@ TEST_F(ObjTexture, WhatLiesOutsideOrIsNoPictureBecomesAWarning) {
     EXPECT_THAT(scan.info.warnings,
                 ElementsAre(::testing::AllOf(HasSubstr(reason), HasSubstr("loaded without it"))));
   }
-  const Scan scan = load("", "mtllib ../a.mtl\n" + kQuad + kFace);
-  EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("outside its folder")));
+  outside.write("secret.mtl", "newmtl stone\nmap_Kd secret.png\n");
+  std::filesystem::create_symlink(outside.path() / "secret.mtl", folder_.path() / "link.mtl");
+  std::filesystem::create_directory_symlink(outside.path(), folder_.path() / "there");
+  const std::string absolute = (outside.path() / "secret.mtl").string();
+  for (const std::string& library : {std::string("../a.mtl"), std::string("link.mtl"),
+                                     std::string("there/secret.mtl"), absolute}) {
+    const Scan scan = load("", "mtllib " + library + "\n" + kQuad + "usemtl stone\n" + kFace);
+    EXPECT_THAT(scan.textures, IsEmpty()) << library;
+    EXPECT_THAT(scan.info.warnings, ElementsAre(HasSubstr("outside its folder"))) << library;
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/io/text_file.h"
 #include "core/project/autosave.h"
 #include "core/project/package.h"
+#include "core/provenance/embedded.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -19,7 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 class OnDisk : public testing::Test {
@@ -181,6 +184,75 @@ TEST_F(OnDisk, ACopyThatCannotBeReadIsKeptButNotFoundAgain) {
   setAutosaveAside(copy);
   EXPECT_TRUE(leftAutosaves(copy.parent_path()).empty());
   EXPECT_TRUE(fs::exists(copy.string() + ".unreadable"));
+}
+
+TEST_F(OnDisk, FilesElsewhereAreForeignUnlessTheyAreWhatTheProjectWasMadeFrom) {
+  const auto foreign = [&](const Project& project) {
+    writeProject(folder("work/p.json"), project);
+    return foreignFiles(folder("work/p.json"), readProject(folder("work/p.json")));
+  };
+  const fs::path secret = folder_.write("secret.txt", "a password");
+  project_.bytes = fs::file_size(scan_);
+  EXPECT_THAT(foreign(project_), IsEmpty()) << "all of it lies in the project's folder";
+
+  fs::rename(scan_, folder("coin.ply"));
+  project_.file = folder("coin.ply").generic_string();
+  EXPECT_THAT(foreign(project_), IsEmpty()) << "elsewhere, with the bytes that the project states";
+  Project hostile = project_;
+  hostile.file = secret.generic_string();
+  EXPECT_THAT(foreign(hostile), ElementsAre(secret));
+  hostile.bytes = 0;
+  EXPECT_THAT(foreign(hostile), ElementsAre(secret)) << "of a size that is not stated";
+  hostile.sha256.clear();
+  EXPECT_THAT(foreign(hostile), ElementsAre(secret)) << "nor a checksum";
+  hostile.file = "/proc/version";
+  EXPECT_THAT(foreign(hostile), ElementsAre(fs::path("/proc/version")));
+  hostile.file = "/dev/zero";
+  EXPECT_THAT(foreign(hostile), ElementsAre(fs::path("/dev/zero")));
+  hostile.file = folder("not_there.ply").generic_string();
+  EXPECT_THAT(foreign(hostile), IsEmpty()) << "nothing is read";
+
+  hostile = project_;
+  hostile.recordings.push_back({.file = secret.generic_string(), .sha256 = std::string(64, '0')});
+  hostile.figures = {secret.generic_string()};
+  hostile.figure.recording = secret.generic_string();
+  EXPECT_THAT(foreign(hostile), ElementsAre(secret)) << "once, though it is named three times";
+}
+
+TEST_F(OnDisk, LinksOutOfTheProjectsFolderAreForeign) {
+  const fs::path secret = folder_.write("secret.txt", "a password");
+  fs::remove(scan_);
+  fs::create_symlink(secret, scan_);
+  writeProject(folder("work/p.json"), project_);
+  // As somebody else's program might write it: by the name of the link.
+  std::string text = readTextFile(folder("work/p.json"), 1 << 20);
+  text.replace(text.find("../secret.txt"), 13, "scans/coin.ply");
+  folder_.write("work/p.json", text);
+  const Project project = readProject(folder("work/p.json"));
+  EXPECT_EQ(project.file, scan_.generic_string());
+  EXPECT_THAT(foreignFiles(folder("work/p.json"), project), ElementsAre(scan_));
+  fs::remove(scan_);
+  fs::create_directory_symlink(folder_.path(), folder("work/up"));
+  Project through = project;
+  through.file = folder("work/up/secret.txt").generic_string();
+  EXPECT_THAT(foreignFiles(folder("work/p.json"), through),
+              ElementsAre(folder("work/up/secret.txt")));
+}
+
+TEST_F(OnDisk, AFigureElsewhereBelongsToTheWorkIfItSaysSo) {
+  fs::create_directories(folder("pictures"));
+  const auto figureOf = [&](const Project& shown, const std::string& name) {
+    std::string state = projectJson(shown);
+    std::erase(state, '\n');
+    return folder_.write("pictures/" + name, "# " + stateLine(state) + "\nt_s\n0\n");
+  };
+  Project other = project_;
+  other.sha256 = std::string(64, 'a');
+  const fs::path own = figureOf(project_, "own.csv"), foreign = figureOf(other, "other.csv");
+  project_.figures = {own.generic_string(), foreign.generic_string()};
+  writeProject(folder("work/p.json"), project_);
+  EXPECT_THAT(foreignFiles(folder("work/p.json"), readProject(folder("work/p.json"))),
+              ElementsAre(foreign));
 }
 
 TEST_F(OnDisk, APackageIsWholeAndTheSameEachTime) {

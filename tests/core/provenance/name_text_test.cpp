@@ -37,6 +37,18 @@ TEST(NameText, AnyBytesComeBack) {
   }
 }
 
+TEST(NameText, EscapedItIsOneLineOfUtf8) {
+  EXPECT_EQ(escapedName("M\xC3\xBCnze 100%.ply"), "M\xC3\xBCnze 100%.ply");
+  EXPECT_EQ(escapedName("b\xFCste.ply"), "b%FCste.ply");
+  EXPECT_EQ(escapedName("two\nlines\r\x1B[31m\x7F"), "two%0Alines%0D%1B[31m%7F");
+  EXPECT_EQ(escapedName("a\xC2\x85"
+                        "b\xE2\x80\xA8"
+                        "c"),
+            "a%C2%85b%E2%80%A8c");
+  EXPECT_EQ(escapedName("\xC3"), "%C3") << "a character that is cut off";
+  EXPECT_EQ(escapedName("-\"'\\&.ply"), "-\"'\\&.ply");
+}
+
 TEST(NameText, AnInputKeepsItsName) {
   const InputFile input{.file = "caf\xE9\n.ply", .sha256 = std::string(64, '0'), .bytes = 1};
   EXPECT_EQ(inputFrom(Json::parse(jsonOf(input).dump())), input);
