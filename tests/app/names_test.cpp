@@ -101,6 +101,12 @@ TEST_P(Names, AddNoLinesToHeadersAndCaptions) {
   const auto columns = std::find_if(
       log.begin(), log.end(), [](const std::string& line) { return line.starts_with("t_s,"); });
   ASSERT_NE(columns, log.end());
+  const std::string plain = write("plain.xyz", test::bytesOf(scan));
+  const std::string stroke_2 = write("plain.stroke", test::bytesOf(stroke));
+  expectDone({"touch", plain, "--unit", "mm", "--view", "top", "--stroke", stroke_2, "-o",
+              path("plain.csv")});
+  const auto other = linesOf(path("plain.csv"));
+  EXPECT_EQ(log.size(), other.size()) << "as many lines as with plain names";
   for (auto line = log.begin(); line != columns; ++line) {
     EXPECT_EQ(line->front(), '#') << *line;
     EXPECT_TRUE(isUtf8(*line)) << *line;
