@@ -2,7 +2,6 @@
 #include "core/tiles/colour_files.h"
 
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -45,12 +44,6 @@ bool isOurs(const std::filesystem::path& file, const char* content) {
   return found != facts.end() && found->second == content;
 }
 
-/// One multiplication per pixel, as of heights (LevelFiles).
-void mix(std::uint64_t& content, std::uint32_t pixel) {
-  content = (content ^ pixel) * 0x9e3779b97f4a7c15ULL;
-  content ^= content >> 29U;
-}
-
 }  // namespace
 
 struct ColourFiles::Level {
@@ -60,8 +53,7 @@ struct ColourFiles::Level {
 
 ColourFiles::ColourFiles(const std::filesystem::path& finest, std::vector<GridFrame> frames,
                          double factor, bool colours, bool intensities)
-    : cols_(static_cast<std::size_t>(frames.front().size.cols)),
-      colours_(colours),
+    : colours_(colours),
       intensities_(intensities),
       pyramid_(frames, factor, [this](const ColourRow& row) { take(row); }) {
   for (std::size_t l = 0; l < frames.size(); ++l) {
@@ -77,12 +69,6 @@ ColourFiles::ColourFiles(const std::filesystem::path& finest, std::vector<GridFr
 ColourFiles::~ColourFiles() = default;
 
 void ColourFiles::add(const Rgba* colours, const GreyAlpha* intensities) {
-  for (std::size_t i = 0; colours != nullptr && i < cols_; ++i) {
-    mix(content_, std::bit_cast<std::uint32_t>(colours[i]));
-  }
-  for (std::size_t i = 0; intensities != nullptr && i < cols_; ++i) {
-    mix(content_, std::bit_cast<std::uint16_t>(intensities[i]));
-  }
   pyramid_.add(colours, intensities);
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,11 +33,8 @@ class ColourFiles {
   bool hasColours() const noexcept { return colours_; }
   bool hasIntensities() const noexcept { return intensities_; }
 
-  /// Of the rows so far.
-  std::string content() const { return std::to_string(content_); }
-
   /// After the last row: all files are written, with what they belong to.
-  /// @param set  of the heights and these colours: which files belong together
+  /// @param set  of the heights (LevelFiles): whose colours these are
   void finish(const std::string& set);
 
   /// After `finish`: all files, on the disk and not yet in their places.
@@ -57,9 +52,7 @@ class ColourFiles {
   void take(const ColourRow& row);
 
   OutputSet files_;
-  std::size_t cols_;  ///< Of level 0.
   bool colours_, intensities_;
-  std::uint64_t content_ = 0;  ///< Of level 0.
   std::vector<std::unique_ptr<Level>> levels_;
   ColourPyramidRows pyramid_;
 };

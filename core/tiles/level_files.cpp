@@ -111,14 +111,12 @@ void LevelFiles::takeFinest(float height_mm, Origin origin) {
   high_mm_ = std::max(high_mm_, height_mm);
 }
 
-/// All that makes one map another: what its files say beyond this follows from it.
-std::string LevelFiles::setOf(const ViewFromFile& view_from_file, const std::string& state,
-                              const ColourFiles* colours) const {
+/// All that makes one map another: what its files say beyond this follows from it. Colours do from
+/// the state, and whether there are any depends on the memory, as nothing else in the files does.
+std::string LevelFiles::setOf(const ViewFromFile& view_from_file, const std::string& state) const {
   const GridFrame& frame = frames_.front();
   const auto cells = static_cast<double>(frame.size.cols);
-  return sha256OfText(std::to_string(content_) + "\n" +
-                      (colours == nullptr ? std::string() : colours->content()) + "\n" +
-                      roundTripText(view_from_file.m) + "\n" +
+  return sha256OfText(std::to_string(content_) + "\n" + roundTripText(view_from_file.m) + "\n" +
                       roundTripText(std::array{frame.first_x_mm, frame.first_y_mm, frame.spacing_mm,
                                                cells, options_.factor}) +
                       "\n" + state);
@@ -126,7 +124,7 @@ std::string LevelFiles::setOf(const ViewFromFile& view_from_file, const std::str
 
 void LevelFiles::finish(const ViewFromFile& view_from_file, const std::string& state,
                         ColourFiles* colours) {
-  const std::string set = setOf(view_from_file, state, colours);
+  const std::string set = setOf(view_from_file, state);
   const bool any = low_mm_ <= high_mm_;
   const std::array<double, 2> heights{any ? static_cast<double>(low_mm_) : 0,
                                       any ? static_cast<double>(high_mm_) : 0};

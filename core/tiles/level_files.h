@@ -62,8 +62,7 @@ class LevelFiles {
   struct Level;
   void take(const LevelRow& row);
   void takeFinest(float height_mm, Origin origin);
-  std::string setOf(const ViewFromFile& view_from_file, const std::string& state,
-                    const ColourFiles* colours) const;
+  std::string setOf(const ViewFromFile& view_from_file, const std::string& state) const;
 
   std::filesystem::path finest_;
   PyramidOptions options_;

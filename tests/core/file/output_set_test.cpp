@@ -43,7 +43,9 @@ TEST(OutputSet, NothingIsReplacedBeforeAllIsWritten) {
   OutputSet set;
   write(set.file(folder.path() / "origins"), "new");
   write(set.file(folder.path() / "map"), "new");
-  EXPECT_EQ(textsIn(folder.path()), (Texts{{"map", "old"}}));
+  const Texts before = textsIn(folder.path());  // Hidden ones, too, where files need names.
+  EXPECT_EQ(before.at("map"), "old");
+  EXPECT_FALSE(before.contains("origins"));
   set.commit();
   EXPECT_EQ(textsIn(folder.path()), (Texts{{"map", "new"}, {"origins", "new"}}));
 }

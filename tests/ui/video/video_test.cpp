@@ -276,7 +276,7 @@ TEST_F(VideoTest, AFullDiskEndsInACompleteFile) {
     }
   }
   ASSERT_NE(said.find("saved and complete"), std::string::npos) << said;
-  EXPECT_EQ(left(), std::vector<std::string>{"full.mp4"});
+  EXPECT_EQ(left(), (std::vector<std::string>{"full.mp4", "full.mp4.json"}));
   const std::string pixels = decoded("full.mp4");
   const std::size_t frame = 240 * 160 * 3;
   ASSERT_EQ(pixels.size() % frame, 0U);
