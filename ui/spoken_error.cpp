@@ -156,9 +156,10 @@ constexpr std::array kSentences{
                       "was changed. Choose another file."),
     QT_TRANSLATE_NOOP("Core",
                       "The project %1 is damaged (%2). Nothing was changed. Choose another file."),
-    QT_TRANSLATE_NOOP("Core",
-                      "The project %1 was written by another relievo (schema %2; this one reads up "
-                      "to %3). Nothing was changed. Use that version, or choose another file."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "The project %1 was written by another relievo (schema %2; this one reads %3). "
+        "Nothing was changed. Use that version, or choose another file."),
     QT_TRANSLATE_NOOP("Core",
                       "%1 is not a project of relievo. Nothing was changed. Choose another file."),
     QT_TRANSLATE_NOOP(

@@ -352,8 +352,8 @@
         <translation>Das Projekt %1 ist beschädigt (%2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
     </message>
     <message>
-        <source>The project %1 was written by another relievo (schema %2; this one reads up to %3). Nothing was changed. Use that version, or choose another file.</source>
-        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest bis %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
+        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>

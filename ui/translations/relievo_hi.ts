@@ -352,8 +352,8 @@
         <translation>परियोजना %1 क्षतिग्रस्त है (%2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
-        <source>The project %1 was written by another relievo (schema %2; this one reads up to %3). Nothing was changed. Use that version, or choose another file.</source>
-        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 तक पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
+        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
