@@ -236,7 +236,9 @@ constexpr std::array kSentences{
         "another one."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read as a log of this version."),
-    QT_TRANSLATE_NOOP("Core", "The log \"%1\" has other columns than this version's."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The log \"%1\" has other columns than this version's: it has no \"%2\"."),
+    QT_TRANSLATE_NOOP("Core", "The log \"%1\" has a row that cannot be read: number %2."),
     QT_TRANSLATE_NOOP("Core",
                       "\"%1\" is no recording of relievo. Choose a .csv or .h5 file that it "
                       "recorded."),

@@ -17,8 +17,11 @@
 #include "core/io/file_check.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
+#include "core/provenance/embedded.h"
+#include "core/provenance/program.h"
+#include "core/recording/log_check.h"
 #include "haptics/record/force_law.h"
-#include "haptics/record/log_check.h"
+#include "haptics/record/recorded_loop.h"
 #include "haptics/record/replay.h"
 
 namespace relievo::batch {
@@ -64,8 +67,8 @@ class WorkFolder {
 /// What of a log is computed again, and what its checksums alone can tell.
 Json jsonOfColumns(bool recomputed) {
   Json columns = Json::array();
-  for (const LogColumn& column : kLogColumns) {
-    if (isRecomputed(column.name) == recomputed) columns.push_back(column.name);
+  for (const LogColumn& column : kNumberColumns) {
+    if (column.is_recomputed == recomputed) columns.push_back(column.name);
   }
   if (!recomputed) columns.insert(columns.end(), {"event", "header", "footer"});
   return columns;
@@ -131,7 +134,7 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
 bool verifyRecording(const std::string& recording, const std::string& input,
                      const std::filesystem::path& folder, Json& report, std::string& line,
                      const Task& task) {
-  const LogTable log = readLog(recording, task);
+  const LogTable log = readLog(recording, LogUse::replay, task);
   line = std::filesystem::path(recording).filename().string() + ": ";
   const LogCheck check = checkLog(recording, task);
   const bool is_changed = check.state == LogCheck::State::changed;
@@ -224,7 +227,7 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
 
 /// The hand of one recording, given to its surface again. @throw FileError, ArgumentError
 ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
-  const LogTable log = readLog(a.log, task);
+  const LogTable log = readLog(a.log, LogUse::replay, task);
   json["law"] = jsonOfLaw(log);
   const std::string why = lawDifference(log.header);
   json["why"] = why.empty() ? Json() : Json(why);

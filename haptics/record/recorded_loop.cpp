@@ -335,10 +335,10 @@ ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
   ChangeCursor changes(loop.changes);
   HapticOptions options;
   std::uint64_t tick = loop.start.tick;
-  for (const LogRow& row : log.rows) {
+  for (const TouchRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
-    if (tickOf(row) != tick) refuse("samples were dropped before tick " + std::to_string(tick));
+    if (row.tick != tick) refuse("samples were dropped before tick " + std::to_string(tick));
     if (changes.at(tick)) {
       options = optionsNamed(loop, changes.now().options_id);
       if (changes.now().scene_id != scene) {

@@ -19,7 +19,7 @@
 #include <QtTest/QTest>
 #include <thread>
 
-#include "app/batch/recording.h"
+#include "core/project/recording.h"
 #include "core/provenance/embedded.h"
 #include "data/generate/relief_f.h"
 #include "haptics/device/falcon/firmware.h"
@@ -303,6 +303,7 @@ void JourneyU1::feelGrating() {
   EXPECT_NEAR(map.objectMmPerHandMm(), 0.625, 1e-3) << "1 mm of hand is 0.625 mm on the object";
   const double from = grating.x_mm - 0.5 * grating.side_mm - 1;
   ASSERT_TRUE(touch(from, grating.y_mm, kLightZ)) << where();
+  ASSERT_TRUE(proxyNear(from, grating.y_mm, 0.5)) << where();  // Before the first ridge.
   picture("5_grating");
   for (double x = from; x < from + grating.side_mm + 2; x += 0.25) {
     handTo(x, grating.y_mm, kLightZ);
@@ -341,7 +342,7 @@ void JourneyU1::readRecording() {
   ASSERT_TRUE(eventually([this] { return said().contains("Recording saved"); }))
       << said().toStdString();
   fs::copy_file(log_, kept("touch.csv").toStdString(), fs::copy_options::overwrite_existing);
-  recorded_ = batch::readRecording(log_);
+  recorded_ = relievo::readRecording(log_);
   EXPECT_EQ(recorded_.input_sha256, document().fileSha256().toStdString());
   EXPECT_GE(recorded_.windows.size(), 4U);
   const auto known = [&](const TouchRow& row) { return windowOf(recorded_, row) != nullptr; };

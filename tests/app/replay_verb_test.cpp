@@ -5,7 +5,7 @@
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
-#include "haptics/record/sample_log.h"
+#include "core/recording/log_table.h"
 #include "tests/app/command_test.h"
 
 namespace relievo {

@@ -16,7 +16,6 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 
-#include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
@@ -244,7 +243,6 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   useOwnHome();
   LoadedPlugins plugins(window());
   ASSERT_TRUE(plugins->has("haptics"));
-  window().setRecordingReader(batch::readRecording);
   openRelief();
   auto& view = window().detailView();
   touchMiddle();

@@ -508,8 +508,12 @@
         <translation>Die Aufzeichnung „%1“ ist nicht als eine dieser Version lesbar.</translation>
     </message>
     <message>
-        <source>The log &quot;%1&quot; has other columns than this version&apos;s.</source>
-        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version.</translation>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
+        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version: „%2“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
+        <translation>Die Aufzeichnung „%1“ hat eine Zeile, die nicht gelesen werden kann: Nummer %2.</translation>
     </message>
     <message>
         <source>The log &quot;%1&quot; has no rows.</source>

@@ -508,8 +508,12 @@
         <translation>रिकॉर्डिंग &quot;%1&quot; इस संस्करण की रिकॉर्डिंग के रूप में पढ़ी नहीं जा सकती।</translation>
     </message>
     <message>
-        <source>The log &quot;%1&quot; has other columns than this version&apos;s.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं।</translation>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं: इसमें &quot;%2&quot; नहीं है।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; की एक पंक्ति पढ़ी नहीं जा सकती: क्रमांक %2।</translation>
     </message>
     <message>
         <source>The log &quot;%1&quot; has no rows.</source>

@@ -144,8 +144,7 @@ TEST(RecordedLoop, AsksForTheSurfaceBeforeOnlyWhereItIsFelt) {
 TEST(RecordedLoop, SeesASingleOtherBit) {
   Recorded recorded;
   LogTable log = recorded.record(temporary("bit.csv"));
-  constexpr std::size_t kForceZ = 10;
-  log.rows[2000][kForceZ] = std::nextafter(log.rows[2000][kForceZ], 9);
+  log.rows[2000].force.z = std::nextafter(log.rows[2000].force.z, 9);
   const ReplayResult result = recorded.replay(log);
   EXPECT_EQ(result.different, 1U);
   EXPECT_EQ(result.first->tick, 3500U);
