@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/project/project.h"
+#include "core/recording/force_curve.h"
 #include "core/region/probe.h"
 #include "core/replay/video_request.h"
 #include "ui/document.h"
@@ -121,7 +122,7 @@ class MainWindow : public QMainWindow {
   void addPanel(const QString& title, QWidget* panel);
   void addToMenu(const QString& menu, QAction* action);
   void showProbe(const Probe& probe);
-  void plot(std::span<const TouchPlotPoint> points);
+  void plot(std::span<const ForcePoint> points);
   void showTouch(const TouchReadout& readout);
   /// Why there is no touch; the status bar says so.
   void showTouchMissing(const QString& reason);

@@ -164,8 +164,6 @@ constexpr std::array kSentences{
                       "%1 is not a project of relievo. Nothing was changed. Choose another file."),
     QT_TRANSLATE_NOOP(
         "Core", "No cell of the grid was hit by the scan. Nothing was made. Choose another view."),
-    QT_TRANSLATE_NOOP("Core", "The recording '%1' cannot be read. Choose another file."),
-    QT_TRANSLATE_NOOP("Core", "'%1' is no recording: it has no column '%2'. Choose another file."),
     QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1 (%2). What was there is as before. Choose another folder or "
                       "free some space."),

@@ -364,14 +364,6 @@
         <translation>Der Scan traf keine Zelle des Rasters. Nichts wurde gemacht. Wählen Sie eine andere Ansicht.</translation>
     </message>
     <message>
-        <source>The recording &apos;%1&apos; cannot be read. Choose another file.</source>
-        <translation>Die Aufzeichnung „%1“ ist nicht lesbar. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no recording: it has no column &apos;%2&apos;. Choose another file.</source>
-        <translation>„%1“ ist keine Aufzeichnung: Die Spalte „%2“ fehlt. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
         <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
         <translation>%1 kann nicht geschrieben werden (%2). Was dort war, ist wie vorher. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
     </message>
@@ -2373,8 +2365,8 @@
         <translation>Au&amp;fzeichnung</translation>
     </message>
     <message>
-        <source>CSV file of a recording, for the plots</source>
-        <translation>CSV-Datei einer Aufzeichnung, für die Kurven</translation>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>Datei einer Aufzeichnung, CSV oder HDF5, für die Kurven</translation>
     </message>
     <message>
         <source>Wi&amp;dth on paper</source>
@@ -2545,8 +2537,8 @@
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>Recordings (*.csv)</source>
-        <translation>Aufzeichnungen (*.csv)</translation>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
     </message>
     <message>
         <source>O&amp;wn ends of the colours</source>

@@ -364,14 +364,6 @@
         <translation>स्कैन ग्रिड के किसी खाने पर नहीं पड़ा। कुछ नहीं बना। दूसरा दृश्य चुनें।</translation>
     </message>
     <message>
-        <source>The recording &apos;%1&apos; cannot be read. Choose another file.</source>
-        <translation>रिकॉर्डिंग &apos;%1&apos; पढ़ी नहीं जा सकती। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no recording: it has no column &apos;%2&apos;. Choose another file.</source>
-        <translation>&apos;%1&apos; रिकॉर्डिंग नहीं है: इसमें स्तंभ &apos;%2&apos; नहीं है। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
         <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
         <translation>%1 लिखा नहीं जा सकता (%2)। जो वहाँ था वह वैसा ही है। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
     </message>
@@ -2373,8 +2365,8 @@
         <translation>रिकॉर्डिंग (&amp;R)</translation>
     </message>
     <message>
-        <source>CSV file of a recording, for the plots</source>
-        <translation>आलेखों के लिए रिकॉर्डिंग की CSV फ़ाइल</translation>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>आलेखों के लिए रिकॉर्डिंग की फ़ाइल, CSV या HDF5</translation>
     </message>
     <message>
         <source>Wi&amp;dth on paper</source>
@@ -2545,8 +2537,8 @@
         <translation>रिकॉर्डिंग</translation>
     </message>
     <message>
-        <source>Recordings (*.csv)</source>
-        <translation>रिकॉर्डिंग (*.csv)</translation>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
     </message>
     <message>
         <source>O&amp;wn ends of the colours</source>
