@@ -17,7 +17,6 @@
 #include "core/session/tiled_surface.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/record/recorded_loop.h"
-#include "haptics/rt/build_id.h"
 
 namespace relievo::batch {
 namespace {
@@ -141,7 +140,7 @@ std::optional<ReplayResult> replayOfWindow(
     const LogTable& log, const std::string& file, const std::string& input,
     const std::function<void(const HapticSample&, double t_s)>& each,
     const std::filesystem::path& package_folder, const Task& task) {
-  const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
+  const std::optional<RecordedLoop> loop = recordedLoop(log.footer);
   if (!loop) return std::nullopt;
   Scenes scenes(storedProject({.from_image = file, .project = {}}, input, task), *loop, file,
                 package_folder, task);

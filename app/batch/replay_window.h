@@ -16,7 +16,8 @@ namespace relievo::batch {
 /// @param package_folder  of the unpacked package that it comes from, in which all that it names
 ///                        has to be; empty: it comes from none
 /// @return nothing: it is no such recording
-/// @throw FileError  another build made it, the scan has changed, or samples were dropped
+/// @throw FileError  its state is in no form that this build reads, the scan has changed, or
+/// samples were dropped
 std::optional<ReplayResult> replayOfWindow(
     const LogTable& log, const std::string& file, const std::string& input,
     const std::function<void(const HapticSample&, double t_s)>& each,

@@ -23,6 +23,7 @@
 #include "haptics/record/force_law.h"
 #include "haptics/record/recorded_loop.h"
 #include "haptics/record/replay.h"
+#include "haptics/rt/build_id.h"
 
 namespace relievo::batch {
 namespace {
@@ -112,6 +113,42 @@ Json jsonOfLaw(const LogTable& log) {
   return {{"recorded", law ? Json(*law) : Json()}, {"this_build", kForceLaw}};
 }
 
+/// Which program recorded a log; of its library the build, where the log depends on it.
+Json jsonOfRecorder(const LogTable& log) {
+  const Json state =
+      Json::parse(headerLine(log.header, std::string(kStateKey) + " "), nullptr, false);
+  const Json::json_pointer commit("/program/commit");
+  const std::string_view version = headerLine(log.header, "version ");
+  const std::string build = recordedBuild(log.footer);
+  return {{"version", version.empty() ? Json() : Json(version)},
+          {"commit", !state.is_discarded() && state.contains(commit) ? state[commit] : Json()},
+          {"build", build.empty() ? Json() : Json(build)}};
+}
+Json jsonOfThisProgram() {
+  return {{"version", programVersion()}, {"commit", programCommit()}, {"build", buildId()}};
+}
+
+std::string sentenceOfRecorder(const Json& recorder) {
+  const auto named = [](const Json& program) {
+    std::string text;
+    for (const char* key : {"version", "commit", "build"}) {
+      if (!program[key].is_string()) continue;
+      text += (text.empty() ? "" : ", ") + std::string(key) + " " + program[key].get<std::string>();
+    }
+    return text.empty() ? std::string("a program that it does not name") : text;
+  };
+  return "Recorded by " + named(recorder) + "; this is " + named(jsonOfThisProgram());
+}
+
+/// Why a replay need not be the same here; empty: nothing but the file can differ.
+std::string whyDifferent(const LogTable& log) {
+  std::string law = lawDifference(log.header);
+  const std::string build = recordedBuild(log.footer);
+  if (!law.empty() || build.empty() || build == buildId()) return law;
+  return "Another build recorded it, under the same force law: build " + build +
+         "; this is build " + buildId() + ".";
+}
+
 /// One recording of a package, made by a verb or in the window, on the package's input.
 /// @throw FileError  it says how it was made, but cannot be replayed here
 ReplayResult replayPacked(const LogTable& log, const std::string& recording,
@@ -146,7 +183,8 @@ bool verifyRecording(const std::string& recording, const std::string& input,
     report["ticks"] = result.ticks;
     report["different_ticks"] = result.different;
     report["law"] = jsonOfLaw(log);
-    const std::string why = result.different == 0 ? std::string() : lawDifference(log.header);
+    report["recorded_by"] = jsonOfRecorder(log);
+    const std::string why = result.different == 0 ? std::string() : whyDifferent(log);
     if (!why.empty()) report["why"] = why;
     line += std::to_string(result.ticks) +
             (result.different == 0 ? " ticks replayed, all the same to the last bit"
@@ -229,7 +267,9 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
 ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
   const LogTable log = readLog(a.log, LogUse::replay, task);
   json["law"] = jsonOfLaw(log);
-  const std::string why = lawDifference(log.header);
+  json["recorded_by"] = jsonOfRecorder(log);
+  json["this_program"] = jsonOfThisProgram();
+  const std::string why = whyDifferent(log);
   json["why"] = why.empty() ? Json() : Json(why);
   checkOutput(a, log, task);
   std::unique_ptr<SampleLog> out;
@@ -301,10 +341,13 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     json["problem"] = error.what();
     line = std::string("not replayed. ") + error.what();
   }
+  std::vector<std::string> lines{
+      a.log + ": " + line, sentenceOf(check) + ".",
+      "Computed again and compared: " + listed(json["recomputed"]) +
+          ". Told by checksums alone: " + listed(json["only_by_checksum"]) + "."};
+  if (json.contains("recorded_by")) lines.push_back(sentenceOfRecorder(json["recorded_by"]) + ".");
   return {.json = reportText(json),
-          .lines = {a.log + ": " + line, sentenceOf(check) + ".",
-                    "Computed again and compared: " + listed(json["recomputed"]) +
-                        ". Told by checksums alone: " + listed(json["only_by_checksum"]) + "."},
+          .lines = lines,
           .exit_code = a.verify && (!is_same || is_changed) ? kVerifyMismatch : 0};
 }
 

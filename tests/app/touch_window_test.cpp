@@ -237,6 +237,23 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
+  // As if another build had recorded it.
+  QFile file(recording);
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  QByteArray text = file.readAll();
+  const int core = text.indexOf("# replay core ");
+  ASSERT_GT(core, 0);
+  const int build = core + static_cast<int>(qstrlen("# replay core "));
+  text.replace(build, text.indexOf(' ', build) - build, "0123abcd");
+  file.seek(0);
+  file.write(text);
+  file.resize(text.size());
+  file.close();
+  const QString other = said({"replay", recording, "--verify"}, 5);
+  EXPECT_TRUE(other.contains("ticks replayed, all the same to the last bit"))
+      << other.toStdString();
+  EXPECT_TRUE(other.contains("It was changed: ")) << "by its checksums";
+  EXPECT_TRUE(other.contains(", build 0123abcd; this is version ")) << other.toStdString();
 }
 
 TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit) {
