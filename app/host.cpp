@@ -39,13 +39,8 @@ void WindowHost::showProbe(const Probe& probe) {
   window_.showProbe(probe);
 }
 
-void WindowHost::plot(std::span<const PlotSample> samples) {
-  std::vector<TouchPlotPoint> points;
-  points.reserve(samples.size());
-  for (const PlotSample& s : samples) {
-    points.push_back({s.t_s, s.hip_z_mm, s.proxy_z_mm, s.force_n});
-  }
-  window_.plot(points);
+void WindowHost::plot(std::span<const ForcePoint> samples) {
+  window_.plot(samples);
 }
 
 void WindowHost::showStatus(const TouchStatus& status) {

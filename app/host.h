@@ -16,7 +16,7 @@ class WindowHost : public Host {
   void addPanel(const QString& title, QWidget* panel) override;
   void addAction(const QString& menu, QAction* action) override;
   void showProbe(const Probe& probe) override;
-  void plot(std::span<const PlotSample> samples) override;
+  void plot(std::span<const ForcePoint> samples) override;
   void showStatus(const TouchStatus& status) override;
   void announce(const QString& text) override;
   void showError(const QString& sentence, const QString& code) override;

@@ -9,7 +9,6 @@
 #include "app/batch/batch.h"
 #include "app/batch/companions.h"
 #include "app/batch/falcon_setting.h"
-#include "app/batch/recording.h"
 #include "app/batch/state.h"
 #include "app/host.h"
 #include "app/options.h"
@@ -71,9 +70,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   }
   MainWindow window(captureDepths, mode);
   shareFalconFirmware(window);
-  window.setRecordingReader(batch::readRecording);
   window.setCompanions(batch::companionsOf);
-  window.setStateReader(batch::stateIn);
   WindowHost host(window);
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });

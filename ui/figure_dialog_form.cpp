@@ -190,8 +190,8 @@ void FigureDialog::addPage(QFormLayout* layout) {
   layout_ = field<QComboBox>(layout, tr("&Layout"), "figure_layout", tr("What stands beside what"));
   fill(layout_, kLayouts);
   recording_ = place(layout, tr("&Recording"), "figure_recording",
-                     tr("CSV file of a recording, for the plots"),
-                     {tr("Recording"), tr("Recordings (*.csv)"), false});
+                     tr("File of a recording, CSV or HDF5, for the plots"),
+                     {tr("Recording"), tr("Recordings (*.csv *.h5 *.hdf5)"), false});
   width_ = field<FigureNumber>(layout, tr("Wi&dth on paper"), "figure_width",
                                tr("Journals have columns of 85 and pages of 180 mm"));
   width_->setLimits(20, 2000, 1, QStringLiteral(" mm"));

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/project/project.h"
+#include "core/recording/force_curve.h"
 #include "core/region/probe.h"
 #include "core/replay/video_request.h"
 #include "ui/document.h"
@@ -67,10 +68,6 @@ struct ShownWork {
 using CompanionsOf = std::function<std::vector<InputFile>(const std::filesystem::path& recording,
                                                           bool scans, const Task& task)>;
 
-/// The work that a file shows, as core's carriedProject tells it, or of more formats. [worker]
-/// @throw FileError
-using StateReader = std::function<std::optional<Project>(const std::filesystem::path& carrier)>;
-
 /// The window: one object, two views, one hand. It shows and asks; what it shows is `document()`.
 /// [GUI thread]
 class MainWindow : public QMainWindow {
@@ -111,8 +108,6 @@ class MainWindow : public QMainWindow {
   bool exporting() const { return export_work_.busy(); }
   /// Who knows what recordings need; without one packages hold the recordings alone.
   void setCompanions(CompanionsOf companions);
-  /// Who reads the state that recordings carry; without one only CSV tells what it was made on.
-  void setStateReader(StateReader reader);
   /// A recording of the open map is on the disk: from now on it belongs to the work.
   void noteRecording(const QString& file);
   /// Writes and checks a package for citation in the background.
@@ -128,14 +123,14 @@ class MainWindow : public QMainWindow {
   void addPanel(const QString& title, QWidget* panel);
   void addToMenu(const QString& menu, QAction* action);
   void showProbe(const Probe& probe);
-  void plot(std::span<const TouchPlotPoint> points);
+  void plot(std::span<const ForcePoint> points);
   void showTouch(const TouchReadout& readout);
   /// Why there is no touch; the status bar says so.
   void showTouchMissing(const QString& reason);
   void announce(const QString& text);
   /// Runs a command by its object name. @return false: unknown or disabled
   bool runCommand(const QString& name);
-  /// Who reads recordings; without one there is no replay.
+  /// Who reads recordings in place of core's readRecording.
   void setRecordingReader(RecordingReader reader);
   /// Shows a recording on the open map, or offers to open the one it was made on.
   void replay(const QString& file);
@@ -413,7 +408,6 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<const Surface> warned_of_rivalry_;
   bool stepping_ = false;  ///< Through the history: no new steps.
   CompanionsOf companions_;
-  StateReader state_in_;
   WorkQueue image_work_, package_work_, record_work_, export_work_;
 };
 

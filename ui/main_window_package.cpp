@@ -33,9 +33,8 @@ InputFile asItIs(const QString& file, const Task& task) {
 }
 
 /// @throw ArgumentError  the recording says that another scan was touched
-void requireSameScan(const QString& recording, const Project& project,
-                     const StateReader& state_in) {
-  const auto touched = state_in ? state_in(pathOf(recording)) : carriedProject(pathOf(recording));
+void requireSameScan(const QString& recording, const Project& project) {
+  const auto touched = carriedProject(pathOf(recording));
   if (!touched || touched->sha256 == project.sha256) return;
   throw ArgumentError(shownName(recording).toStdString() + " is a recording of " +
                       shownName(pathFromBytes(touched->file)).toStdString() +
@@ -46,10 +45,6 @@ void requireSameScan(const QString& recording, const Project& project,
 
 void MainWindow::setCompanions(CompanionsOf companions) {
   companions_ = std::move(companions);
-}
-
-void MainWindow::setStateReader(StateReader reader) {
-  state_in_ = std::move(reader);
 }
 
 void MainWindow::makePackageCommand() {
@@ -126,13 +121,12 @@ void MainWindow::writePackage(const PackageChoice& choice) {
   const auto error = std::make_shared<QString>();
   const auto files = std::make_shared<std::uint64_t>(0);
   package_work_.add(
-      [choice, error, files, project = project(), companions = companions_,
-       state_in = state_in_](const Task& task) {
+      [choice, error, files, project = project(), companions = companions_](const Task& task) {
         try {
           Project packed = project;
           packed.recordings.clear();
           for (const QString& recording : choice.recordings) {
-            requireSameScan(recording, project, state_in);
+            requireSameScan(recording, project);
             packed.recordings.push_back(asItIs(recording, task));
           }
           PackageContents contents{.with_input = choice.with_input};

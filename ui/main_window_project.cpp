@@ -42,11 +42,12 @@ bool endsIn(const QString& file, std::initializer_list<const char*> endings) {
 
 /// A recording among the tables that carry a state: told by its first column.
 bool isLog(const QString& file) {
+  if (endsIn(file, {".h5", ".hdf5"})) return true;
   QFile table(file);
   if (!endsIn(file, {".csv"}) || !table.open(QIODevice::ReadOnly)) return false;
   QByteArray line = table.readLine();
   while (line.startsWith('#')) line = table.readLine();
-  return line.startsWith("t_s,");
+  return line.startsWith("t_s,tick,");  // A stroke has other columns.
 }
 
 /// NAME-1.png, NAME-2.png, ... in the pictures folder: the first that is free.
@@ -219,19 +220,15 @@ void MainWindow::showRestored() {
 }
 
 bool MainWindow::restoreFromFile(const QString& file) {
-  if (endsIn(file, {".h5", ".hdf5"}) && replay_->canRead()) {
-    replay(file);
+  if (isLog(file)) {
+    replay(file);  // It brings its state along.
     return true;
   }
   if (!endsIn(file, {".json", ".png", ".tif", ".tiff", ".pdf", ".svg", ".csv"})) return false;
   try {
     const auto project = carriedProject(pathOf(file));
     if (!project) return false;  // A height map or points, then.
-    if (isLog(file) && replay_->canRead()) {
-      replay(file);  // A log: it brings its state along.
-    } else {
-      restore(*project, file);
-    }
+    restore(*project, file);
     return true;
   } catch (const Error& error) {
     if (!endsIn(file, {".json"})) return false;  // The readers say what is wrong.

@@ -67,7 +67,7 @@ void MainWindow::makeReplayCommands() {
         [this] { replay_->close(); },
         {}});
   for (const char* name :
-       {"replay", "replay_play", "replay_next_event", "replay_previous_event", "replay_close"}) {
+       {"replay_play", "replay_next_event", "replay_previous_event", "replay_close"}) {
     command(name)->setEnabled(false);
   }
 }
@@ -157,7 +157,6 @@ void MainWindow::connectReplay() {
 
 void MainWindow::setRecordingReader(RecordingReader reader) {
   replay_->setReader(std::move(reader));
-  command("replay")->setEnabled(replay_->canRead());
 }
 
 void MainWindow::chooseRecording() {

@@ -144,7 +144,7 @@ void MainWindow::drawProbe(const Probe& probe) {
       probe.forces_on ? tr("Force on the hand and its limit") : tr("Press F5 to switch forces on"));
 }
 
-void MainWindow::plot(std::span<const TouchPlotPoint> points) {
+void MainWindow::plot(std::span<const ForcePoint> points) {
   plot_->add(points);
 }
 

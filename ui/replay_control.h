@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include "core/project/recording.h"
 #include "ui/latest_worker.h"
 #include "ui/replay_player.h"
 
@@ -30,7 +31,6 @@ class ReplayControl : public QObject {
   ReplayPlayer& player() { return player_; }
   ReplayPanel* panel() { return panel_; }  ///< The window's layout owns it.
   void setReader(RecordingReader reader) { reader_ = std::move(reader); }
-  bool canRead() const { return reader_ != nullptr; }
 
   /// Reads a file, then shows it, or says what it would need.
   void open(const QString& file);
@@ -72,7 +72,7 @@ class ReplayControl : public QObject {
   Document& document_;
   ReplayPlayer player_;
   ReplayPanel* panel_;
-  RecordingReader reader_;
+  RecordingReader reader_ = readRecording;
   QString file_, waiting_file_;
   std::shared_ptr<const TouchRecording> waiting_;
   std::uint64_t shown_window_ = 0;  ///< The recording's number of the window that is shown.

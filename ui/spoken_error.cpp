@@ -156,15 +156,14 @@ constexpr std::array kSentences{
                       "was changed. Choose another file."),
     QT_TRANSLATE_NOOP("Core",
                       "The project %1 is damaged (%2). Nothing was changed. Choose another file."),
-    QT_TRANSLATE_NOOP("Core",
-                      "The project %1 was written by another relievo (schema %2; this one reads up "
-                      "to %3). Nothing was changed. Use that version, or choose another file."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "The project %1 was written by another relievo (schema %2; this one reads %3). "
+        "Nothing was changed. Use that version, or choose another file."),
     QT_TRANSLATE_NOOP("Core",
                       "%1 is not a project of relievo. Nothing was changed. Choose another file."),
     QT_TRANSLATE_NOOP(
         "Core", "No cell of the grid was hit by the scan. Nothing was made. Choose another view."),
-    QT_TRANSLATE_NOOP("Core", "The recording '%1' cannot be read. Choose another file."),
-    QT_TRANSLATE_NOOP("Core", "'%1' is no recording: it has no column '%2'. Choose another file."),
     QT_TRANSLATE_NOOP("Core",
                       "Cannot write %1 (%2). What was there is as before. Choose another folder or "
                       "free some space."),
@@ -235,7 +234,9 @@ constexpr std::array kSentences{
         "another one."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read."),
     QT_TRANSLATE_NOOP("Core", "The log \"%1\" cannot be read as a log of this version."),
-    QT_TRANSLATE_NOOP("Core", "The log \"%1\" has other columns than this version's."),
+    QT_TRANSLATE_NOOP("Core",
+                      "The log \"%1\" has other columns than this version's: it has no \"%2\"."),
+    QT_TRANSLATE_NOOP("Core", "The log \"%1\" has a row that cannot be read: number %2."),
     QT_TRANSLATE_NOOP("Core",
                       "\"%1\" is no recording of relievo. Choose a .csv or .h5 file that it "
                       "recorded."),

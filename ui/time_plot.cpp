@@ -23,7 +23,7 @@ constexpr double kSameForceN = 1e-3, kSameHeightMm = 5e-5;
 constexpr double kNearlyShownS = kShownS - 0.1;
 constexpr int kMostDrawn = 1500;  // Points per curve; the strip is a thousand pixels wide.
 
-bool looksAlike(const TouchPlotPoint& a, const TouchPlotPoint& b) {
+bool looksAlike(const ForcePoint& a, const ForcePoint& b) {
   return std::abs(a.hip_z_mm - b.hip_z_mm) < kSameHeightMm &&
          std::abs(a.proxy_z_mm - b.proxy_z_mm) < kSameHeightMm &&
          std::abs(a.force_n - b.force_n) < kSameForceN;
@@ -66,7 +66,7 @@ void TimePlot::changeEvent(QEvent* event) {
   for (StripPlot* plot : {&heights_, &forces_}) plot->takeFont(font());
 }
 
-void TimePlot::add(std::span<const TouchPlotPoint> points) {
+void TimePlot::add(std::span<const ForcePoint> points) {
   // A loop that starts again starts its clock again.
   if (!points.empty() && !points_.empty() && points.front().t_s < points_.back().t_s) {
     points_.clear();
@@ -77,15 +77,15 @@ void TimePlot::add(std::span<const TouchPlotPoint> points) {
   }
   stale_ = stale_ || !drawn_rest_ || points_.empty() ||
            !std::all_of(points.begin(), points.end(),
-                        [&](const TouchPlotPoint& p) { return looksAlike(p, *drawn_rest_); });
+                        [&](const ForcePoint& p) { return looksAlike(p, *drawn_rest_); });
 }
 
 /// Curves that are level over all of the time shown stay as they are while time goes on.
-std::optional<TouchPlotPoint> TimePlot::restingAt() const {
+std::optional<ForcePoint> TimePlot::restingAt() const {
   if (points_.empty() || points_.back().t_s - points_.front().t_s < kNearlyShownS) return {};
-  const TouchPlotPoint& last = points_.back();
+  const ForcePoint& last = points_.back();
   const bool rests = std::all_of(points_.begin(), points_.end(),
-                                 [&](const TouchPlotPoint& p) { return looksAlike(p, last); });
+                                 [&](const ForcePoint& p) { return looksAlike(p, last); });
   return rests ? std::optional(last) : std::nullopt;
 }
 
@@ -103,7 +103,7 @@ void TimePlot::redraw() {
   QVector<QPointF> force;
   double strongest = kLeastForceN;
   for (std::size_t i = 0; i < points_.size(); i += step) {
-    const TouchPlotPoint& p = points_[i];
+    const ForcePoint& p = points_[i];
     const double t = p.t_s - points_.back().t_s;
     hand.append({t, p.hip_z_mm});
     proxy.append({t, p.proxy_z_mm});

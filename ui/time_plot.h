@@ -6,8 +6,8 @@
 #include <QWidget>
 #include <span>
 
+#include "core/recording/force_curve.h"
 #include "ui/strip_plot.h"
-#include "ui/touch_readout.h"
 
 class QTimer;
 
@@ -20,7 +20,7 @@ class TimePlot : public QWidget {
  public:
   explicit TimePlot(QWidget* parent = nullptr);
 
-  void add(std::span<const TouchPlotPoint> points);
+  void add(std::span<const ForcePoint> points);
   void clear();
   /// Curves' and axes' colours from the current theme.
   void takeColours();
@@ -36,10 +36,10 @@ class TimePlot : public QWidget {
 
  private:
   void redraw();
-  std::optional<TouchPlotPoint> restingAt() const;
+  std::optional<ForcePoint> restingAt() const;
 
-  std::deque<TouchPlotPoint> points_;
-  std::optional<TouchPlotPoint> drawn_rest_;  ///< Of all points drawn, if they all look alike.
+  std::deque<ForcePoint> points_;
+  std::optional<ForcePoint> drawn_rest_;  ///< Of all points drawn, if they all look alike.
   StripPlot heights_, forces_;
   QTimer* timer_;
   bool stale_ = false;

@@ -18,11 +18,4 @@ struct TouchReadout {
   quint64 recorded_samples = 0;
 };
 
-/// One point of the two plots; heights in view mm.
-struct TouchPlotPoint {
-  double t_s = 0;
-  double hip_z_mm = 0, proxy_z_mm = 0;
-  double force_n = 0;
-};
-
 }  // namespace relievo

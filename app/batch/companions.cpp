@@ -8,9 +8,9 @@
 #include "app/batch/replay_command.h"
 #include "app/batch/state.h"
 #include "core/project/carried_state.h"
+#include "core/recording/log_table.h"
 #include "core/tiles/tiled_map.h"
 #include "haptics/record/recorded_loop.h"
-#include "haptics/record/replay.h"
 
 namespace relievo::batch {
 namespace {
@@ -34,7 +34,7 @@ void addScan(std::vector<InputFile>& all, const fs::path& recording, const Proje
 }  // namespace
 
 std::vector<InputFile> companionsOf(const fs::path& recording, bool scans, const Task& task) {
-  const LogTable log = readLog(recording, task);
+  const LogTable log = readLog(recording, LogUse::plot, task);
   std::vector<InputFile> all;
   const RecordedFiles files = recordedFiles(log.footer);
   const fs::path folder = fs::absolute(recording).parent_path();

@@ -72,7 +72,7 @@ void addFigureOptions(CLI::App& verb, FigureArguments& a) {
   verb.add_flag("--both-eyes", a.both_eyes, "Also write NAME.left.png and NAME.right.png");
   verb.add_option("--without", a.without, "Marks to leave out: " + listOf(kMarks))->delimiter(',');
   verb.add_flag("--transparent", a.transparent, "No paper behind the relief");
-  verb.add_option("--recording", a.recording, "CSV of a recording, for --layout plot");
+  verb.add_option("--recording", a.recording, "LOG.csv or LOG.h5, for --layout plot");
   verb.add_option("--measure", a.measure,
                   "NAME:KIND:X,Y;X,Y... in view mm, drawn and reported; KIND: " +
                       listOf(kMeasureKindNames) + "; area: ...@PLANE_MM; section: NX,NY,NZ,OFFSET");

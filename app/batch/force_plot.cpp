@@ -55,8 +55,8 @@ class Panel {
            textAt(kLeft + 4, at - 4, "start", name, " fill='#d02020'");
   }
 
-  std::string curve(const std::vector<PlotRow>& rows,
-                    const std::function<double(const PlotRow&)>& value,
+  std::string curve(const std::vector<ForcePoint>& rows,
+                    const std::function<double(const ForcePoint&)>& value,
                     const std::string& style) const {
     std::string svg = "<polyline fill='none' " + style + " points='";
     const std::size_t bin = std::max<std::size_t>(1, 2 * rows.size() / kMostPoints);
@@ -64,7 +64,8 @@ class Panel {
       const auto first = rows.begin() + static_cast<std::ptrdiff_t>(i);
       const auto last = rows.begin() + static_cast<std::ptrdiff_t>(std::min(i + bin, rows.size()));
       auto [low, high] = std::minmax_element(
-          first, last, [&](const PlotRow& a, const PlotRow& b) { return value(a) < value(b); });
+          first, last,
+          [&](const ForcePoint& a, const ForcePoint& b) { return value(a) < value(b); });
       if (low->t_s > high->t_s) std::swap(low, high);
       svg += fixedDigits(x(low->t_s), 2) + "," + fixedDigits(y(value(*low)), 2) + " ";
       if (low != high)
@@ -78,11 +79,11 @@ class Panel {
   Axis time_, value_;
 };
 
-Axis rangeOf(const std::vector<PlotRow>& rows,
-             const std::vector<std::function<double(const PlotRow&)>>& values) {
+Axis rangeOf(const std::vector<ForcePoint>& rows,
+             const std::vector<std::function<double(const ForcePoint&)>>& values) {
   double low = 1e300;
   double high = -1e300;
-  for (const PlotRow& row : rows) {
+  for (const ForcePoint& row : rows) {
     for (const auto& value : values) {
       low = std::min(low, value(row));
       high = std::max(high, value(row));
@@ -93,11 +94,11 @@ Axis rangeOf(const std::vector<PlotRow>& rows,
 
 }  // namespace
 
-std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title,
+std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string& title,
                          const ForceLimit& limit) {
-  const auto hip = [](const PlotRow& row) { return row.hip_z_mm; };
-  const auto proxy = [](const PlotRow& row) { return row.proxy_z_mm; };
-  const auto force = [](const PlotRow& row) { return row.force_n; };
+  const auto hip = [](const ForcePoint& row) { return row.hip_z_mm; };
+  const auto proxy = [](const ForcePoint& row) { return row.proxy_z_mm; };
+  const auto force = [](const ForcePoint& row) { return row.force_n; };
   if (rows.empty()) throw ArgumentError("There is nothing to plot: the stroke has no ticks.");
   Axis time = axisFor(rows.front().t_s, rows.back().t_s);
   time.high = std::max(rows.back().t_s, time.low + 1e-3);
@@ -125,7 +126,7 @@ std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& ti
   return svg + "</svg>\n";
 }
 
-void writeForcePlot(const OutputFile& file, const std::vector<PlotRow>& rows,
+void writeForcePlot(const OutputFile& file, const std::vector<ForcePoint>& rows,
                     const std::string& title, const ForceLimit& limit) {
   writeTextFile(file, forcePlotSvg(rows, title, limit));
 }

@@ -5,15 +5,9 @@
 #include <vector>
 
 #include "core/file/atomic_file.h"
+#include "core/recording/force_curve.h"
 
 namespace relievo::batch {
-
-/// One row of the paper's force figure.
-struct PlotRow {
-  double t_s = 0;
-  double hip_z_mm = 0, proxy_z_mm = 0;  ///< View mm.
-  double force_n = 0;
-};
 
 /// The largest force of a device: what is beyond it no hand has felt.
 struct ForceLimit {
@@ -24,11 +18,11 @@ struct ForceLimit {
 /// The paper's force figure as SVG: z of HIP (red) and proxy (blue) above, force below, against
 /// time. Text stays text, lines stay lines.
 /// @param limit  a dashed line, where the forces reach it
-std::string forcePlotSvg(const std::vector<PlotRow>& rows, const std::string& title,
+std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string& title,
                          const ForceLimit& limit = {});
 
 /// Writes it. @throw WriteError
-void writeForcePlot(const OutputFile& file, const std::vector<PlotRow>& rows,
+void writeForcePlot(const OutputFile& file, const std::vector<ForcePoint>& rows,
                     const std::string& title, const ForceLimit& limit = {});
 
 }  // namespace relievo::batch

@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
-#include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/batch/touch_setup.h"
 #include "core/provenance/sha256.h"
-#include "haptics/record/replay.h"
+#include "core/recording/log_table.h"
 
 namespace relievo::batch {
 

@@ -17,7 +17,6 @@
 #include "core/session/tiled_surface.h"
 #include "haptics/proxy/texture.h"
 #include "haptics/record/recorded_loop.h"
-#include "haptics/rt/build_id.h"
 
 namespace relievo::batch {
 namespace {
@@ -141,7 +140,7 @@ class Scenes {
 std::optional<ReplayResult> replayOfWindow(
     const LogTable& log, const RecordingPlace& place,
     const std::function<void(const HapticSample&, double t_s)>& each, const Task& task) {
-  const std::optional<RecordedLoop> loop = recordedLoop(log.footer, buildId());
+  const std::optional<RecordedLoop> loop = recordedLoop(log.footer);
   if (!loop) return std::nullopt;
   const CarrierArguments carrier{
       .from_image = place.file, .project = {}, .outside_files = place.outside_files};

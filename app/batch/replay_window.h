@@ -25,7 +25,8 @@ struct RecordingPlace {
 /// Replays a recording that began in the running loop of a window: every surface is prepared again
 /// and checked.
 /// @return nothing: it is no such recording
-/// @throw FileError  another build made it, the scan has changed, or samples were dropped
+/// @throw FileError  its state is in no form that this build reads, the scan has changed, or
+/// samples were dropped
 std::optional<ReplayResult> replayOfWindow(
     const LogTable& log, const RecordingPlace& place,
     const std::function<void(const HapticSample&, double t_s)>& each, const Task& task);

@@ -9,7 +9,6 @@
 #include "core/project/carried_state.h"
 #include "core/session/tiled_surface.h"
 #include "core/tiles/tiled_map.h"
-#include "haptics/record/sample_log.h"
 
 namespace relievo::batch {
 namespace {
@@ -26,13 +25,6 @@ Provenance withInput(Provenance provenance, const MapArguments& arguments, const
 }
 
 }  // namespace
-
-std::optional<Project> stateIn(const fs::path& carrier) {
-  constexpr std::size_t kHeadBytes = 32;
-  if (!isHdf5Log(readHead(carrier, kHeadBytes))) return carriedProject(carrier);
-  const auto state = hdf5State(carrier);
-  return state ? carriedProject(carrier, *state) : std::nullopt;
-}
 
 void addOutsideOption(CLI::App& verb, OutsideFiles& outside) {
   verb.add_option_function<std::string>(
@@ -148,7 +140,7 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
 
 Project storedProject(const CarrierArguments& a, const std::string& given, const Task& task) {
   const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
-  auto project = stateIn(carrier);
+  auto project = carriedProject(carrier);
   if (!project) {
     throw FileError(carrier.filename().string() +
                     " shows no region that relievo could draw again. Nothing was made. Choose a "

@@ -20,9 +20,6 @@ struct ChangedInputError : FileError {
   using FileError::FileError;
 };
 
-/// As carriedProject, and of HDF5 logs. [any thread] @throw FileError
-std::optional<Project> stateIn(const std::filesystem::path& carrier);
-
 /// Where what a verb writes to `out` comes from.
 Provenance provenanceOfVerb(const MapArguments& arguments, const Surface& surface,
                             const std::filesystem::path& out, const Task& task);

@@ -23,7 +23,7 @@ bool isThere(const fs::path& file) {
 
 void addState(VerbFiles& files, const fs::path& carrier, const std::string& given) {
   if (!isThere(carrier)) return;  // Whoever reads it says so.
-  const auto project = stateIn(carrier);
+  const auto project = carriedProject(carrier);
   if (!project) return;
   files.reads(given.empty() ? foundInput(carrier, project->file) : fs::path(given));
   for (const InputFile& recording : project->recordings) {

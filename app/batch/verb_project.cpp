@@ -9,6 +9,7 @@
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/base/error.h"
+#include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
 #include "core/project/project_files.h"
@@ -51,7 +52,7 @@ std::vector<std::string> namesOf(const auto& list) {
 /// A project from a picture, figure or log of ours: what it shows, and logs as recordings.
 Outcome makeNew(const ProjectArguments& a, const Task& task) {
   if (a.out.empty()) throw ArgumentError("project new needs -o PROJECT.json.");
-  auto carried = stateIn(a.file);
+  auto carried = carriedProject(a.file);
   const std::string shown = fs::path(a.file).filename().string();
   if (!carried) {
     throw FileError(shown +
@@ -64,7 +65,7 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
     project.places.push_back({fs::path(shown).stem().string(), project.region, project.gain});
   }
   for (const std::string& recording : a.recordings) {
-    const auto touched = stateIn(recording);
+    const auto touched = carriedProject(recording);
     if (touched && touched->sha256 != project.sha256) {
       throw ArgumentError(fs::path(recording).filename().string() + " is a recording of " +
                           fs::path(touched->file).filename().string() + ", and " + shown +
@@ -213,7 +214,7 @@ VerbFiles filesOf(const ProjectArguments& a) {
   for (const std::string& figure : a.figures) files.reads(figure, "a figure that is packed");
   if (a.action != "relink") files.reads(a.file, "the file that is read");
   if (!is_there(a.file) || a.action == "verify") return files;
-  const auto project = stateIn(a.file);
+  const auto project = carriedProject(a.file);
   if (!project) return files;
   files.reads(project->file);
   for (const InputFile& log : project->recordings) {

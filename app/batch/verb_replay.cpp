@@ -15,11 +15,16 @@
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "core/io/file_check.h"
+#include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
+#include "core/provenance/embedded.h"
+#include "core/provenance/program.h"
+#include "core/recording/log_check.h"
 #include "haptics/record/force_law.h"
-#include "haptics/record/log_check.h"
+#include "haptics/record/recorded_loop.h"
 #include "haptics/record/replay.h"
+#include "haptics/rt/build_id.h"
 
 namespace relievo::batch {
 namespace {
@@ -65,8 +70,8 @@ class WorkFolder {
 /// What of a log is computed again, and what its checksums alone can tell.
 Json jsonOfColumns(bool recomputed) {
   Json columns = Json::array();
-  for (const LogColumn& column : kLogColumns) {
-    if (isRecomputed(column.name) == recomputed) columns.push_back(column.name);
+  for (const LogColumn& column : kNumberColumns) {
+    if (column.is_recomputed == recomputed) columns.push_back(column.name);
   }
   if (!recomputed) columns.insert(columns.end(), {"event", "header", "footer"});
   return columns;
@@ -110,6 +115,42 @@ Json jsonOfLaw(const LogTable& log) {
   return {{"recorded", law ? Json(*law) : Json()}, {"this_build", kForceLaw}};
 }
 
+/// Which program recorded a log; of its library the build, where the log depends on it.
+Json jsonOfRecorder(const LogTable& log) {
+  const Json state =
+      Json::parse(headerLine(log.header, std::string(kStateKey) + " "), nullptr, false);
+  const Json::json_pointer commit("/program/commit");
+  const std::string_view version = headerLine(log.header, "version ");
+  const std::string build = recordedBuild(log.footer);
+  return {{"version", version.empty() ? Json() : Json(version)},
+          {"commit", !state.is_discarded() && state.contains(commit) ? state[commit] : Json()},
+          {"build", build.empty() ? Json() : Json(build)}};
+}
+Json jsonOfThisProgram() {
+  return {{"version", programVersion()}, {"commit", programCommit()}, {"build", buildId()}};
+}
+
+std::string sentenceOfRecorder(const Json& recorder) {
+  const auto named = [](const Json& program) {
+    std::string text;
+    for (const char* key : {"version", "commit", "build"}) {
+      if (!program[key].is_string()) continue;
+      text += (text.empty() ? "" : ", ") + std::string(key) + " " + program[key].get<std::string>();
+    }
+    return text.empty() ? std::string("a program that it does not name") : text;
+  };
+  return "Recorded by " + named(recorder) + "; this is " + named(jsonOfThisProgram());
+}
+
+/// Why a replay need not be the same here; empty: nothing but the file can differ.
+std::string whyDifferent(const LogTable& log) {
+  std::string law = lawDifference(log.header);
+  const std::string build = recordedBuild(log.footer);
+  if (!law.empty() || build.empty() || build == buildId()) return law;
+  return "Another build recorded it, under the same force law: build " + build +
+         "; this is build " + buildId() + ".";
+}
+
 /// One recording of a package, made by a verb or in the window, on the package's input.
 /// @throw FileError  it says how it was made, but cannot be replayed here
 ReplayResult replayPacked(const LogTable& log, const std::string& recording,
@@ -132,7 +173,7 @@ ReplayResult replayPacked(const LogTable& log, const std::string& recording,
 bool verifyRecording(const std::string& recording, const std::string& input,
                      const std::filesystem::path& folder, Json& report, std::string& line,
                      const Task& task) {
-  const LogTable log = readLog(recording, task);
+  const LogTable log = readLog(recording, LogUse::replay, task);
   line = std::filesystem::path(recording).filename().string() + ": ";
   const LogCheck check = checkLog(recording, task);
   const bool is_changed = check.state == LogCheck::State::changed;
@@ -144,7 +185,8 @@ bool verifyRecording(const std::string& recording, const std::string& input,
     report["ticks"] = result.ticks;
     report["different_ticks"] = result.different;
     report["law"] = jsonOfLaw(log);
-    const std::string why = result.different == 0 ? std::string() : lawDifference(log.header);
+    report["recorded_by"] = jsonOfRecorder(log);
+    const std::string why = result.different == 0 ? std::string() : whyDifferent(log);
     if (!why.empty()) report["why"] = why;
     line += std::to_string(result.ticks) +
             (result.different == 0 ? " ticks replayed, all the same to the last bit"
@@ -225,7 +267,7 @@ void checkOutput(const ReplayArguments& a, const LogTable& log, const Task& task
 
 /// What the command in a log reads, which whoever made the log chose. @throw FileError
 void requireOwnFiles(const ReplayArguments& a, const LogTable& log, const Task& task) {
-  const auto state = stateIn(a.log);
+  const auto state = carriedProject(a.log);
   const std::string sha256 = state ? state->sha256 : std::string();
   const TouchArguments touch = argumentsOf(commandOf(log, a.log));
   if (a.input.empty()) {
@@ -239,9 +281,11 @@ void requireOwnFiles(const ReplayArguments& a, const LogTable& log, const Task& 
 
 /// The hand of one recording, given to its surface again. @throw FileError, ArgumentError
 ReplayResult replayed(const ReplayArguments& a, Json& json, const Task& task) {
-  const LogTable log = readLog(a.log, task);
+  const LogTable log = readLog(a.log, LogUse::replay, task);
   json["law"] = jsonOfLaw(log);
-  const std::string why = lawDifference(log.header);
+  json["recorded_by"] = jsonOfRecorder(log);
+  json["this_program"] = jsonOfThisProgram();
+  const std::string why = whyDifferent(log);
   json["why"] = why.empty() ? Json() : Json(why);
   checkOutput(a, log, task);
   std::unique_ptr<SampleLog> out;
@@ -315,10 +359,13 @@ Outcome runReplay(const ReplayArguments& a, const Task& task) {
     json["problem"] = error.what();
     line = std::string("not replayed. ") + error.what();
   }
+  std::vector<std::string> lines{
+      a.log + ": " + line, sentenceOf(check) + ".",
+      "Computed again and compared: " + listed(json["recomputed"]) +
+          ". Told by checksums alone: " + listed(json["only_by_checksum"]) + "."};
+  if (json.contains("recorded_by")) lines.push_back(sentenceOfRecorder(json["recorded_by"]) + ".");
   return {.json = reportText(json),
-          .lines = {a.log + ": " + line, sentenceOf(check) + ".",
-                    "Computed again and compared: " + listed(json["recomputed"]) +
-                        ". Told by checksums alone: " + listed(json["only_by_checksum"]) + "."},
+          .lines = lines,
           .exit_code = a.verify && (!is_same || is_changed) ? kVerifyMismatch : 0};
 }
 

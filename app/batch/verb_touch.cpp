@@ -167,17 +167,12 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   const ForceLimit limit = limitOf(device.get());
   StrokeFindings findings{window, *setup.space, limit.force_n};
   std::optional<HapticSample> before;
-  std::vector<PlotRow> plot;
+  std::vector<ForcePoint> plot;
   const std::uint64_t ticks = runStroke(
       *setup.space, setup.options, stroke,
       [&](const HapticSample& sample, double t_s) {
         findings.add(sample);
-        if (!a.plot.empty()) {
-          plot.push_back({.t_s = t_s,
-                          .hip_z_mm = sample.hip_view.z,
-                          .proxy_z_mm = sample.proxy_view.z,
-                          .force_n = norm(sample.force)});
-        }
+        if (!a.plot.empty()) plot.push_back(forcePoint(touchRow(sample, t_s)));
         log->write(sample, t_s, before ? eventBetween(*before, sample) : eventAtStart(sample));
         before = sample;
       },

@@ -5,6 +5,7 @@
 #include "core/provenance/embedded.h"
 #include "core/provenance/prepared_state.h"
 #include "core/provenance/provenance.h"
+#include "core/recording/log_table.h"
 
 namespace relievo {
 namespace {
@@ -37,8 +38,10 @@ std::optional<Project> projectFromState(std::string_view state, const std::strin
 }
 
 std::optional<Project> carriedProject(const std::filesystem::path& carrier) {
-  if (readHead(carrier, 1) == "{") return readProject(carrier);
-  const auto state = embeddedState(carrier);
+  constexpr std::size_t kHeadBytes = 32;
+  const std::string head = readHead(carrier, kHeadBytes);
+  if (head.starts_with('{')) return readProject(carrier);
+  const auto state = isHdf5Log(head) ? hdf5State(carrier) : embeddedState(carrier);
   return state ? carriedProject(carrier, *state) : std::nullopt;
 }
 

@@ -45,7 +45,7 @@ void check(const FigureRequest& f) {
         "'overunder'. Choose both eyes, or these.");
   }
   if (f.layout == FigureLayout::plot && f.recording.empty()) {
-    throw ArgumentError("A figure with plots needs a recording. Choose the CSV file of one.");
+    throw ArgumentError("A figure with plots needs a recording. Choose one, CSV or HDF5.");
   }
 }
 

@@ -118,27 +118,6 @@ Measurement measurementFrom(const Json& json) {
   return m;
 }
 
-/// Schema 1 wrote region, look and stereo side by side, and the input without its size.
-Json fromSchema1(Json json) {
-  const Json region = json.at("region");
-  const double side = region.at("side_mm").get<double>();
-  const Json stereo = json.value("stereo", Json::object());
-  json["program"] = {{"version", json.value("version", std::string())}};
-  json["input"]["bytes"] = 0;
-  json["input"]["sha256"] = json.at("input").value("sha256", std::string());
-  json["view"] = {{"region_mm", {region.at("x_mm"), region.at("y_mm"), side, side}},
-                  {"level", region.at("level")},
-                  {"gain", region.value("gain", 1.0)},
-                  {"turn_deg", {0, 0}},
-                  {"look", json.value("look", jsonOf(ReliefLook{}))},
-                  {"stereo",
-                   {{"mode", stereo.value("on", false) ? "anaglyph" : "off"},
-                    {"eye_angle_deg", stereo.value("eye_angle_deg", StereoOptions{}.eye_angle_deg)},
-                    {"zero_plane_mm", stereo.value("zero_plane_mm", Json(nullptr))}}}};
-  for (const char* key : {"version", "region", "look", "stereo"}) json.erase(key);
-  return json;
-}
-
 Json placeJson(const NamedRegion& place) {
   Json json = regionJson(place.region, place.gain);
   json["name"] = place.name;
@@ -188,8 +167,7 @@ CameraPath pathFrom(const Json& json) {
   return path;
 }
 
-Project projectFrom(Json json) {
-  if (json.at("relievo_project").get<int>() == 1) json = fromSchema1(std::move(json));
+Project projectFrom(const Json& json) {
   Project p;
   p.version = json.at("program").at("version").get<std::string>();
   const InputFile input = inputFrom(json.at("input"));
@@ -234,10 +212,10 @@ void refuseOthers(const Json& json, const std::string& source) {
                     " is not a project of relievo. Nothing was changed. Choose another file.");
   }
   const int schema = json.at("relievo_project").get<int>();
-  if (schema < 1 || schema > kProjectSchema) {
+  if (schema != kProjectSchema) {
     throw OtherFile("The project " + shownName(source) +
                     " was written by another relievo (schema " + std::to_string(schema) +
-                    "; this one reads up to " + std::to_string(kProjectSchema) +
+                    "; this one reads " + std::to_string(kProjectSchema) +
                     "). Nothing was changed. Use that version, or choose another file.");
   }
 }
@@ -300,9 +278,9 @@ std::string projectJson(const Project& p) {
 
 Project projectFromJson(std::string_view json, const std::string& source) {
   try {
-    Json read = parsedJson(json);
+    const Json read = parsedJson(json);
     refuseOthers(read, source);
-    return projectFrom(std::move(read));
+    return projectFrom(read);
   } catch (const nlohmann::json::parse_error& error) {
     const std::string_view before = json.substr(0, std::max<std::size_t>(error.byte, 1) - 1);
     throw damaged(source,

@@ -17,7 +17,7 @@
 
 namespace relievo {
 
-/// 2: the records are those of a provenance. What schema 1 wrote is still read.
+/// The records are those of a provenance. No other schema was in a release.
 inline constexpr int kProjectSchema = 2;
 
 /// A place on the object that somebody gave a name to.

@@ -7,23 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "core/base/origin.h"
-#include "core/base/vec3.h"
+#include "core/recording/touch_row.h"
 #include "core/region/probe.h"
 #include "core/region/region.h"
 
 namespace relievo {
-
-/// One sample of a touch, as far as pictures and plots need it.
-struct TouchRow {
-  double t_s = 0;     ///< Since the start of the recording.
-  ViewMm hip, proxy;  ///< On the object.
-  DeviceN force;      ///< On the hand.
-  Origin origin = Origin::outside;
-  bool contact = false;
-  std::uint64_t window_id = 0;
-  int detail = 1;
-};
 
 /// A window that was under the hand.
 struct TouchedWindow {

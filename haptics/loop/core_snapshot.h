@@ -10,7 +10,7 @@
 namespace relievo {
 
 /// All that the next tick starts from: with it, and with every hand, option and surface from then
-/// on, the same build repeats a running loop to the last bit.
+/// on, a build of the same arithmetic repeats a running loop to the last bit.
 struct CoreSnapshot {
   std::uint64_t tick = 0;  ///< The one that comes next.
   HapticCore core;

@@ -38,6 +38,7 @@ class ForceStop {
   StopReason reason() const RELIEVO_REALTIME { return reason_; }
 
  private:
+  friend struct NamedFields;  // Recordings hold every member by its name.
   bool heldLong(bool down, bool asked, std::int64_t now_ns) RELIEVO_REALTIME;
 
   StopReason reason_ = StopReason::none;

@@ -136,6 +136,7 @@ class HapticCore {
   void reset() RELIEVO_REALTIME;
 
  private:
+  friend struct NamedFields;  // Recordings hold every member by its name.
   /// Is it the surface of the last tick? The same window is filled anew with another firmness.
   bool isFelt(const HapticSpace& space) const RELIEVO_REALTIME {
     return space.window_id == window_id_ && space.surface == surface_ &&

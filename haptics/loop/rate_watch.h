@@ -26,6 +26,7 @@ class RateWatch {
   void reset() RELIEVO_REALTIME { *this = {}; }
 
  private:
+  friend struct NamedFields;  // Recordings hold every member by its name.
   void measured(double hz, std::int64_t now_ns) RELIEVO_REALTIME;
 
   bool started_ = false;

@@ -51,6 +51,7 @@ class SceneChange {
                    const ProxyState& proxy) const RELIEVO_REALTIME;
 
  private:
+  friend struct NamedFields;  // Recordings hold every member by its name.
   double stiffnessAt(double weight) const RELIEVO_REALTIME {
     return spring_.was_n_per_mm + weight * (spring_.now_n_per_mm - spring_.was_n_per_mm);
   }

@@ -49,6 +49,7 @@ class SceneFrame {
   std::uint8_t push(const HapticSpace& space, GridPoint hip, bool contact) RELIEVO_REALTIME;
 
  private:
+  friend struct NamedFields;  // Recordings hold every member by its name.
   std::uint32_t pushing_ticks_ = 0;
 };
 

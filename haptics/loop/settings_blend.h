@@ -43,6 +43,7 @@ class SettingsBlend {
   void reset() RELIEVO_REALTIME { started_ = false; }
 
  private:
+  friend struct NamedFields;  // Recordings hold every member by its name.
   bool started_ = false;
   FeltSettings felt_;
 };

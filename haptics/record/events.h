@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "haptics/loop/haptic_core.h"
 #include "haptics/loop/loop_meter.h"
@@ -19,17 +16,6 @@ std::string eventBetween(const HapticSample& before, const HapticSample& now);
 
 /// What the first sample of a log starts from.
 std::string eventAtStart(const HapticSample& first);
-
-/// What a person notes while the loop is at a tick: "note at tick N: TEXT", with any characters but
-/// line ends.
-std::string noteEvent(std::uint64_t tick, std::string_view text);
-
-/// A note that stands at the beginning of an event or of a log's line, and its tick.
-struct Note {
-  std::uint64_t tick = 0;
-  std::string text;
-};
-std::optional<Note> noteIn(std::string_view event);
 
 /// How the loop ran, as lines for a log: rate, late ticks, wake-up and work times, what was
 /// audited.

@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "haptics/record/sample_log.h"
+#include "core/recording/log_table.h"
 
 namespace relievo {
 

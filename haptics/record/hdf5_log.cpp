@@ -13,9 +13,10 @@
 
 #include "core/base/error.h"
 #include "core/hash/sha256.h"
-#include "haptics/record/event_row.h"
-#include "haptics/record/hdf5_session.h"
-#include "haptics/record/log_checksum.h"
+#include "core/recording/event_row.h"
+#include "core/recording/hdf5_session.h"
+#include "core/recording/log_checksum.h"
+#include "core/recording/log_table.h"
 #include "haptics/record/pending_file.h"
 #include "haptics/record/recording_error.h"
 
@@ -195,7 +196,7 @@ struct Hdf5Log::Impl {
   std::optional<PendingFile> disk;
   hid_t file = -1;
   std::vector<Id> sets;  // One per column.
-  std::vector<std::vector<double>> columns{kLogColumns.size()};
+  std::vector<std::vector<double>> columns{kNumberColumns.size()};
   std::vector<EventRow> events;
   std::vector<std::uint64_t> rows_of_events;
   std::vector<KeptLine> lines;
@@ -234,7 +235,7 @@ void Hdf5Log::Impl::create(std::string_view header, const HapticSpace* surface) 
   appendText(covered, state.empty() ? std::string() : writeText(file, kStateSet, state));
   if (surface != nullptr) covered += writeSurface(file, *surface);
   const Id group(H5Gcreate2(file, "log", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-  for (const LogColumn& column : kLogColumns) {
+  for (const LogColumn& column : kNumberColumns) {
     sets.push_back(growingSet(group, std::string(column.name), H5T_IEEE_F64LE, kChunkRows));
     writeAttribute(sets.back(), "unit", column.unit);
     writeAttribute(sets.back(), "description", column.description);
@@ -255,7 +256,7 @@ void Hdf5Log::Impl::openSets() {
   disk->drop();
   file = H5Fopen(path.c_str(), H5F_ACC_RDWR, accessTo(*disk));
   require(file < 0 ? -1 : 0);
-  for (const LogColumn& column : kLogColumns) {
+  for (const LogColumn& column : kNumberColumns) {
     sets.emplace_back(H5Dopen2(file, ("log/" + std::string(column.name)).c_str(), H5P_DEFAULT),
                       H5Dclose);
   }
@@ -421,8 +422,10 @@ Hdf5Log::~Hdf5Log() {
 
 void Hdf5Log::write(const HapticSample& sample, double t_s, std::string_view event) {
   if (impl_->file < 0) return;
-  const auto values = logValues(sample, t_s);
-  for (std::size_t i = 0; i < values.size(); ++i) impl_->columns[i].push_back(values[i]);
+  const TouchRow touched = touchRow(sample, t_s);
+  for (std::size_t i = 0; i < kNumberColumns.size(); ++i) {
+    impl_->columns[i].push_back(kNumberColumns[i].value(touched));
+  }
   if (!event.empty()) {
     EventRow row{t_s, static_cast<double>(sample.tick), {}};
     row.take(event);

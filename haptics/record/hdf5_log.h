@@ -3,23 +3,14 @@
 
 #include <memory>
 
-#include "core/base/task.h"
-#include "haptics/record/log_check.h"
 #include "haptics/record/sample_log.h"
 
 namespace relievo {
 
-struct LogTable;
-/// See readLog. @throw FileError, Cancelled
-LogTable readHdf5Log(const std::filesystem::path& file, const Task& task = {});
-
-/// See checkLog. @throw FileError, Cancelled
-LogCheck checkHdf5Log(const std::filesystem::path& file, const Task& task = {});
-
 /// A log as HDF5: /log/COLUMN one compressed dataset each with the attributes `unit` and
 /// `description`; /events (time_s, tick, text); /surface/depth and /surface/origin; /parameters,
 /// /provenance (the header), /relievo:state (what core/provenance tells) and, of a recording, /loop
-/// as text; /checksums and the user block as in haptics/record/log_checksum.h. Readable by h5py or
+/// as text; /checksums and the user block as in core/recording/log_checksum.h. Readable by h5py or
 /// MATLAB without this program. The library is not used from two threads at once: one log at a
 /// time.
 class Hdf5Log : public SampleLog {

@@ -11,7 +11,8 @@
 #include <cstring>
 #include <utility>
 
-#include "haptics/record/log_checksum.h"
+#include "core/recording/log_checksum.h"
+#include "core/recording/log_columns.h"
 #include "haptics/record/recording_error.h"
 
 namespace relievo {
@@ -25,13 +26,6 @@ void appendNumber(std::string& to, Number value) {
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc()) to.append(text.data(), end);
   to += ',';
-}
-
-template <class Tag>
-void appendVec(std::string& to, Vec3<Tag> v) {
-  appendNumber(to, v.x);
-  appendNumber(to, v.y);
-  appendNumber(to, v.z);
 }
 
 void appendQuoted(std::string& to, std::string_view text) {
@@ -61,11 +55,12 @@ Footer splitFooter(std::string_view text) {
 
 /// How many rows are among these lines: what is neither a comment nor the columns.
 std::uint64_t rowsIn(std::string_view lines) {
+  const std::string columns = logColumns();
   std::uint64_t rows = 0;
   while (!lines.empty()) {
     const std::size_t end = std::min(lines.find('\n'), lines.size());
     const std::string_view line = lines.substr(0, end);
-    rows += line.starts_with('#') || line == logColumns() ? 0 : 1;
+    rows += line.starts_with('#') || line == columns ? 0 : 1;
     lines.remove_prefix(std::min(end + 1, lines.size()));
   }
   return rows;
@@ -82,34 +77,17 @@ std::string commented(std::string_view header) {
 }
 }  // namespace
 
-std::string_view logColumns() noexcept {
-  return "t_s,tick,hip_x_mm,hip_y_mm,hip_z_mm,proxy_x_mm,proxy_y_mm,proxy_z_mm,"
-         "f_x_N,f_y_N,f_z_N,f_cmd_N,clamp,contact,nx,ny,nz,k_Npm,detail,region_id,origin,buttons,"
-         "rate_Hz,event,dev_hip_x_mm,dev_hip_y_mm,dev_hip_z_mm,"
-         "dev_proxy_x_mm,dev_proxy_y_mm,dev_proxy_z_mm,age_s";
-}
-
-void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event) {
-  appendNumber(to, t_s);
-  appendNumber(to, sample.tick);
-  appendVec(to, sample.hip_view);
-  appendVec(to, sample.proxy_view);
-  appendVec(to, sample.force);
-  appendNumber(to, sample.f_cmd_n);
-  appendNumber(to, sample.clamped ? 1 : 0);
-  appendNumber(to, sample.contact ? 1 : 0);
-  appendVec(to, sample.normal);
-  appendNumber(to, 1000 * sample.stiffness_n_per_mm);
-  appendNumber(to, sample.detail);
-  appendNumber(to, sample.window_id);
-  appendNumber(to, static_cast<int>(sample.origin));
-  appendNumber(to, sample.buttons);
-  appendNumber(to, sample.rate_hz);
-  appendQuoted(to, event);
-  to += ',';
-  appendVec(to, sample.hip);
-  appendVec(to, sample.proxy);
-  appendNumber(to, sample.age_s);
+void appendLogRow(std::string& to, const TouchRow& row, std::string_view event) {
+  for (const LogColumn& column : kLogColumns) {
+    if (column.type == ColumnType::text) {
+      appendQuoted(to, event);
+      to += ',';
+    } else if (column.type == ColumnType::integer) {
+      appendNumber(to, static_cast<std::int64_t>(column.value(row)));
+    } else {
+      appendNumber(to, column.value(row));
+    }
+  }
   to.back() = '\n';
 }
 
@@ -121,7 +99,7 @@ LogWriter::LogWriter(std::filesystem::path file, std::string_view header, LogKin
   const bool has_room = kind == LogKind::recording && ::lseek(descriptor_, 0, SEEK_CUR) == 0;
   const std::string before =
       commented(header) + commented(has_room ? kChecksumsButRoom : kChecksums);
-  const std::string columns = std::string(logColumns()) + '\n';
+  const std::string columns = logColumns() + '\n';
   buffer_ = before + columns;
   if (kind != LogKind::recording) return;
   if (has_room) room_at_ = static_cast<std::int64_t>(before.size());
@@ -147,7 +125,7 @@ LogWriter::~LogWriter() {
 void LogWriter::write(const HapticSample& sample, double t_s, std::string_view event) {
   if (descriptor_ < 0) return;
   if (rows_ == rows_on_disk_) unsaved_since_s_ = t_s;
-  appendLogRow(buffer_, sample, t_s, event);
+  appendLogRow(buffer_, touchRow(sample, t_s), event);
   ++rows_;
   const bool is_late = unsaved_since_s_ + kMostUnsavedS <= t_s;
   if (buffer_.size() >= kFlushBytes || is_late) flush();

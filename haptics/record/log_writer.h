@@ -10,16 +10,13 @@
 
 namespace relievo {
 
-/// Column names of a log, in order, without a line end.
-std::string_view logColumns() noexcept;
-
-/// Appends one CSV row with a line end: object (view) mm, newtons along device axes, doubles in
-/// round-trip form, `event` quoted. The same for recordings and for `relievo touch`.
-void appendLogRow(std::string& to, const HapticSample& sample, double t_s, std::string_view event);
+/// Appends one CSV row with a line end: reals in round-trip form, `event` quoted. The same for
+/// recordings and for `relievo touch`.
+void appendLogRow(std::string& to, const TouchRow& row, std::string_view event);
 
 /// Writes a log file: lines that start with #, the columns, then rows, between them what keep() was
 /// given, each line behind "# ", and after each piece that is written its checksum
-/// (haptics/record/log_checksum.h). What is on disk is always whole rows: if the disk fills up, the
+/// (core/recording/log_checksum.h). What is on disk is always whole rows: if the disk fills up, the
 /// file is cut after the last row that fits and stays readable. [one thread]
 class LogWriter : public SampleLog {
  public:

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "haptics/record/named_json.h"
 
 namespace relievo {
 
@@ -84,23 +85,20 @@ class Checksum {
   std::uint64_t sum_ = 14695981039346656037ULL;
 };
 
-/// The bytes with their checksum behind them: what was altered since is refused, not run.
-template <class T>
-std::string sealedHex(const T& value) {
-  std::string text = hexOf(value);
+/// A word with its checksum behind it: what was altered since is refused, not run.
+std::string sealed(const std::string& word) {
   Checksum sum;
-  sum.add(text.data(), text.size());
-  return text + hexOf(sum.sum());
+  sum.add(word.data(), word.size());
+  return word + " " + hexOf(sum.sum());
 }
 
+/// Reads JSON that was sealed, of any build.
 template <class T>
-bool fromSealedHex(std::string_view text, T& value) {
-  constexpr std::size_t kBytes = 2 * sizeof(T);
+bool fromSealed(std::string_view word, std::string_view seal, T& value) {
   std::uint64_t told = 0;
-  if (text.size() < kBytes || !fromHex(text.substr(kBytes), told)) return false;
   Checksum sum;
-  sum.add(text.data(), kBytes);
-  return sum.sum() == told && fromHex(text.substr(0, kBytes), value);
+  sum.add(word.data(), word.size());
+  return fromHex(seal, told) && sum.sum() == told && fromJson(word, value);
 }
 
 std::vector<std::string_view> wordsOf(std::string_view line) {
@@ -192,13 +190,13 @@ std::string mapLine(std::uint64_t map, std::string_view state) {
 }
 
 std::string optionsLine(const HapticOptions& options) {
-  return "replay options " + std::to_string(options.id) + " " + sealedHex(options) + "\n";
+  return "replay options " + std::to_string(options.id) + " " + sealed(toJson(options)) + "\n";
 }
 
 std::string snapshotLine(const CoreSnapshot& snapshot, std::int64_t first_ns,
                          std::string_view build) {
   return "replay core " + std::string(build) + " " + std::to_string(first_ns) + " " +
-         sealedHex(snapshot) + "\n";
+         sealed(toJson(snapshot)) + "\n";
 }
 
 std::string changeLine(const HapticSample* before, const HapticSample& now) {
@@ -240,6 +238,14 @@ RecordedFiles recordedFiles(std::string_view footer) {
   return files;
 }
 
+std::string recordedBuild(std::string_view footer) {
+  std::string build;
+  forEachReplayLine(footer, [&build](const std::vector<std::string_view>& words) {
+    if (words[1] == "core") build = words[2];
+  });
+  return build;
+}
+
 std::map<std::uint64_t, LoopChange> loopChanges(std::string_view footer) {
   std::map<std::uint64_t, LoopChange> changes;
   forEachReplayLine(footer, [&changes](const std::vector<std::string_view>& words) {
@@ -270,21 +276,23 @@ void ChangeCursor::tell(HapticCore& core, const HapticOptions& options,
   if (new_fault_ || !options.force.forces_on) reading.fault = now_.fault;
 }
 
-std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build) {
+std::optional<RecordedLoop> recordedLoop(std::string_view footer) {
   RecordedLoop loop;
-  bool started = false;
+  loop.build = recordedBuild(footer);
+  if (loop.build.empty()) return std::nullopt;
   forEachReplayLine(footer, [&](const std::vector<std::string_view>& words) {
     if (words[1] == "core") {
-      if (words[2] != build) {
-        refuse("it was made by build " + std::string(words[2]) + ", and this is " +
-               std::string(build));
+      if (words.size() == 5) {
+        refuse("it was made by build " + loop.build +
+               ", which kept its state in a form that only that build reads");
       }
-      if (words.size() != 5 || !fromSealedHex(words[4], loop.start)) refuse("its start is damaged");
+      if (words.size() != 6 || !fromSealed(words[4], words[5], loop.start)) {
+        refuse("its start is damaged");
+      }
       loop.first_ns = numberOf<std::int64_t>(words[3]);
-      started = true;
-    } else if (words[1] == "options") {
+    } else if (words[1] == "options" && words.size() == 5) {
       HapticOptions options;
-      if (!fromSealedHex(words[3], options)) refuse("its options are damaged");
+      if (!fromSealed(words[3], words[4], options)) refuse("its options are damaged");
       loop.options[numberOf<std::uint64_t>(words[2])] = options;
     } else if (words[1] == "scene") {
       const RecordedScene scene = sceneOf(words);
@@ -293,7 +301,6 @@ std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_vi
   });
   loop.changes = loopChanges(footer);
   loop.files = recordedFiles(footer);
-  if (!started) return std::nullopt;
   return loop;
 }
 
@@ -335,10 +342,10 @@ ReplayResult replayLoop(const RecordedLoop& loop, const LogTable& log,
   ChangeCursor changes(loop.changes);
   HapticOptions options;
   std::uint64_t tick = loop.start.tick;
-  for (const LogRow& row : log.rows) {
+  for (const TouchRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
-    if (tickOf(row) != tick) refuse("samples were dropped before tick " + std::to_string(tick));
+    if (row.tick != tick) refuse("samples were dropped before tick " + std::to_string(tick));
     if (changes.at(tick)) {
       options = optionsNamed(loop, changes.now().options_id);
       if (changes.now().scene_id != scene) {

@@ -14,7 +14,7 @@ namespace relievo {
 
 // What a recording that began in a running loop says beyond its rows, as lines "replay ..." at its
 // end: the core's state before the first row and every change of options, surface and fault. States
-// are the bytes of one build: no other can replay them, and none has to.
+// and options are JSON with a name for every member, so that another build replays them.
 
 /// How a surface was prepared.
 struct RecordedScene {
@@ -60,6 +60,7 @@ struct LoopChange {
 };
 
 struct RecordedLoop {
+  std::string build;  ///< That recorded it.
   CoreSnapshot start;
   std::int64_t first_ns = 0;  ///< Of the first row, on the loop's clock.
   std::map<std::uint64_t, HapticOptions> options;
@@ -87,8 +88,11 @@ class ChangeCursor {
   bool new_fault_ = false;
 };
 
-/// Nothing: the log has no such lines. @throw FileError  another build wrote them; or damaged
-std::optional<RecordedLoop> recordedLoop(std::string_view footer, std::string_view build);
+/// Nothing: the log has no such lines. @throw FileError  damaged, or of a build that wrote states
+/// as they were in its memory
+std::optional<RecordedLoop> recordedLoop(std::string_view footer);
+/// Which build wrote them; empty: there are none.
+std::string recordedBuild(std::string_view footer);
 
 /// Options as the loop used them under that id: its upper bits say what it overruled.
 HapticOptions asTheLoopHad(HapticOptions options, std::uint64_t id);

@@ -1,57 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/record/sample_log.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/recording/log_table.h"
 #include "haptics/record/hdf5_log.h"
 #include "haptics/record/log_place.h"
 #include "haptics/record/log_writer.h"
 
 namespace relievo {
 
-std::array<double, kLogColumns.size()> logValues(const HapticSample& s, double t_s) {
-  return {t_s,
-          static_cast<double>(s.tick),
-          s.hip_view.x,
-          s.hip_view.y,
-          s.hip_view.z,
-          s.proxy_view.x,
-          s.proxy_view.y,
-          s.proxy_view.z,
-          s.force.x,
-          s.force.y,
-          s.force.z,
-          s.f_cmd_n,
-          s.clamped ? 1.0 : 0.0,
-          s.contact ? 1.0 : 0.0,
-          s.normal.x,
-          s.normal.y,
-          s.normal.z,
-          1000 * s.stiffness_n_per_mm,
-          static_cast<double>(s.detail),
-          static_cast<double>(s.window_id),
-          static_cast<double>(s.origin),
-          static_cast<double>(s.buttons),
-          s.rate_hz,
-          s.hip.x,
-          s.hip.y,
-          s.hip.z,
-          s.proxy.x,
-          s.proxy.y,
-          s.proxy.z,
-          s.age_s};
-}
-
-std::string_view headerLine(std::string_view header, std::string_view word) {
-  while (!header.empty()) {
-    const std::size_t end = std::min(header.find('\n'), header.size());
-    const std::string_view line = header.substr(0, end);
-    if (line.starts_with(word)) return line.substr(word.size());
-    header.remove_prefix(std::min(end + 1, header.size()));
-  }
-  return {};
+TouchRow touchRow(const HapticSample& s, double t_s) {
+  return {.t_s = t_s,
+          .tick = s.tick,
+          .hip = s.hip_view,
+          .proxy = s.proxy_view,
+          .force = s.force,
+          .unlimited_n = s.f_cmd_n,
+          .clamped = s.clamped,
+          .origin = s.origin,
+          .contact = s.contact,
+          .normal = {s.normal.x, s.normal.y, s.normal.z},
+          .stiffness_n_per_m = 1000 * s.stiffness_n_per_mm,
+          .window_id = s.window_id,
+          .detail = s.detail,
+          .buttons = s.buttons,
+          .rate_hz = s.rate_hz,
+          .hand_hip = s.hip,
+          .hand_proxy = s.proxy,
+          .age_s = s.age_s};
 }
 
 namespace {
@@ -63,9 +41,8 @@ class PlacedLog : public SampleLog {
             LogKind kind)
       : place_(file), kind_(kind) {
     const std::filesystem::path& to = place_.writtenTo();
-    const std::string ending = to.extension().string();
     try {
-      if (ending == ".h5" || ending == ".hdf5") {
+      if (isHdf5Name(to)) {
         log_ = std::make_unique<Hdf5Log>(to, header, surface);
       } else {
         log_ = std::make_unique<LogWriter>(to, header, kind);

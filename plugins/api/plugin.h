@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/recording/force_curve.h"
 #include "core/region/probe.h"
 #include "core/region/window.h"
 
@@ -18,13 +19,6 @@ class QWidget;
 namespace relievo {
 
 struct FirmnessMap;  // core/session/firmness.h
-
-/// One point of the two plots (paper, force figure). Heights in view mm, force in newtons.
-struct PlotSample {
-  double t_s = 0;
-  double hip_z_mm = 0, proxy_z_mm = 0;
-  double force_n = 0;
-};
 
 /// What the status bar and the accessible texts say about touch.
 struct TouchStatus {
@@ -56,7 +50,7 @@ class Host : public QObject {
   /// Adds to a menu of the menu bar ("Touch", "Record"); the action also gets its shortcut there.
   virtual void addAction(const QString& menu, QAction* action) = 0;  ///< Takes ownership.
   virtual void showProbe(const Probe& probe) = 0;                    ///< Detail view, next frame.
-  virtual void plot(std::span<const PlotSample> samples) = 0;
+  virtual void plot(std::span<const ForcePoint> samples) = 0;
   virtual void showStatus(const TouchStatus& status) = 0;
   virtual void announce(const QString& text) = 0;  ///< Status text, accessible event, speech.
   /// A sentence about a failure above the views; it stays until it is closed.

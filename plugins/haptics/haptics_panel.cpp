@@ -470,7 +470,7 @@ void HapticsPanel::showScope() {
   open_scope_->activateWindow();
 }
 
-void HapticsPanel::plot(std::span<const PlotSample> samples) {
+void HapticsPanel::plot(std::span<const ForcePoint> samples) {
   if (open_scope_) open_scope_->add(samples);
 }
 

@@ -33,7 +33,7 @@ class HapticsPanel : public QWidget {
   void listDevices();
   void show(const LoopReport& report);  ///< A few times a second.
   using QWidget::show;
-  void plot(std::span<const PlotSample> samples);  ///< For the scope, if it is open.
+  void plot(std::span<const ForcePoint> samples);  ///< For the scope, if it is open.
 
  Q_SIGNALS:
   void forcesAsked(bool on);

@@ -260,7 +260,7 @@ void HapticsPlugin::frame() {
       host_->showProbe(probe);
     }
   }
-  const std::vector<PlotSample> plot = session_->takePlot();
+  const std::vector<ForcePoint> plot = session_->takePlot();
   if (!plot.empty()) {
     host_->plot(plot);
     if (panel_) panel_->plot(plot);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/recording/log_note.h"
 #include "haptics/loop/device_limits.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/haptics_plugin.h"

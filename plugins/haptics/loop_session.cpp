@@ -57,8 +57,8 @@ LoopSession::~LoopSession() {
 void LoopSession::plotSink(std::span<const HapticSample> batch) {
   for (const HapticSample& sample : batch) {
     if (sample.tick % plot_every_ != 0 || sample.window_id == 0) continue;
-    plot_.push({1e-9 * static_cast<double>(sample.time_ns - plot_start_ns_), sample.hip_view.z,
-                sample.proxy_view.z, norm(sample.force)});
+    const double t_s = 1e-9 * static_cast<double>(sample.time_ns - plot_start_ns_);
+    plot_.push(forcePoint(touchRow(sample, t_s)));
   }
 }
 
@@ -230,9 +230,9 @@ const falcon::LinkStatus* LoopSession::falconStatus() {
   return falcon_ == nullptr ? nullptr : &falcon_->status();
 }
 
-std::vector<PlotSample> LoopSession::takePlot() {
-  std::vector<PlotSample> samples;
-  PlotSample sample;
+std::vector<ForcePoint> LoopSession::takePlot() {
+  std::vector<ForcePoint> samples;
+  ForcePoint sample;
   while (plot_.pop(sample)) samples.push_back(sample);
   return samples;
 }

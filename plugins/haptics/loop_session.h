@@ -71,7 +71,7 @@ class LoopSession {
 
   const HapticSample& update();  ///< The newest sample. Takes what the worker has prepared.
   const LoopStats& stats();
-  std::vector<PlotSample> takePlot();  ///< Since the last call, every fifth sample.
+  std::vector<ForcePoint> takePlot();  ///< Since the last call, every fifth sample.
   std::optional<ButtonEvent> takeButton();
   /// How the Falcon is doing; null: the device is none.
   const falcon::LinkStatus* falconStatus();
@@ -98,7 +98,7 @@ class LoopSession {
   // In this order: the drain goes first and still finds the recorder and the loop's ring.
   Recorder recorder_;
   FlightRecord flight_;
-  SpscRing<PlotSample, 4096> plot_;
+  SpscRing<ForcePoint, 4096> plot_;
   std::uint64_t plot_every_ = 5;
   std::int64_t plot_start_ns_ = 0;
   std::unique_ptr<HapticLoop> loop_;

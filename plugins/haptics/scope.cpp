@@ -21,24 +21,24 @@ namespace relievo {
 
 namespace {
 struct Curve {
-  double PlotSample::*value;
+  double ForcePoint::*value;
   const char* name;
   const char* colour;
   bool lower;  // In the lower of the two strips.
 };
-constexpr std::array<Curve, 3> kCurves{{{&PlotSample::hip_z_mm, "hand z (mm)", "#c0392b", false},
-                                        {&PlotSample::proxy_z_mm, "proxy z (mm)", "#1f5fa8", false},
-                                        {&PlotSample::force_n, "force (N)", "#2e7d32", true}}};
+constexpr std::array<Curve, 3> kCurves{{{&ForcePoint::hip_z_mm, "hand z (mm)", "#c0392b", false},
+                                        {&ForcePoint::proxy_z_mm, "proxy z (mm)", "#1f5fa8", false},
+                                        {&ForcePoint::force_n, "force (N)", "#2e7d32", true}}};
 
 struct Range {
   double low = 0, high = 1;
 };
 /// Of the curves of one strip; never without height.
-Range rangeOf(std::span<const PlotSample> samples, bool lower) {
+Range rangeOf(std::span<const ForcePoint> samples, bool lower) {
   Range range{1e300, -1e300};
   for (const Curve& curve : kCurves) {
     if (curve.lower != lower) continue;
-    for (const PlotSample& sample : samples) {
+    for (const ForcePoint& sample : samples) {
       range.low = std::min(range.low, sample.*curve.value);
       range.high = std::max(range.high, sample.*curve.value);
     }
@@ -54,13 +54,13 @@ QString exact(double value) {
 }
 
 /// Points of one curve within a box; time fills its width.
-QPolygonF pointsOf(std::span<const PlotSample> samples, const Curve& curve, const Range& range,
+QPolygonF pointsOf(std::span<const ForcePoint> samples, const Curve& curve, const Range& range,
                    const QRectF& box) {
   QPolygonF points;
   if (samples.empty()) return points;
   const double start = samples.front().t_s;
   const double length = std::max(1e-9, samples.back().t_s - start);
-  for (const PlotSample& sample : samples) {
+  for (const ForcePoint& sample : samples) {
     const double part = (sample.*curve.value - range.low) / (range.high - range.low);
     points << QPointF(box.left() + box.width() * (sample.t_s - start) / length,
                       box.bottom() - box.height() * part);
@@ -69,9 +69,9 @@ QPolygonF pointsOf(std::span<const PlotSample> samples, const Curve& curve, cons
 }
 }  // namespace
 
-QString scopeCsv(std::span<const PlotSample> samples) {
+QString scopeCsv(std::span<const ForcePoint> samples) {
   QString text = QStringLiteral("t_s,hip_z_mm,proxy_z_mm,f_N\n");
-  for (const PlotSample& s : samples) {
+  for (const ForcePoint& s : samples) {
     text +=
         QStringList{exact(s.t_s), exact(s.hip_z_mm), exact(s.proxy_z_mm), exact(s.force_n)}.join(
             ',') +
@@ -80,7 +80,7 @@ QString scopeCsv(std::span<const PlotSample> samples) {
   return text;
 }
 
-QString scopeSvg(std::span<const PlotSample> samples) {
+QString scopeSvg(std::span<const ForcePoint> samples) {
   constexpr double kWidth = 900, kStrip = 200, kLeft = 70, kGap = 30;
   QString svg = QStringLiteral(
                     "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%1\" height=\"%2\" "
@@ -135,7 +135,7 @@ ScopeView::ScopeView(QWidget* parent) : QWidget(parent) {
   setMinimumSize(480, 320);
 }
 
-void ScopeView::add(std::span<const PlotSample> samples) {
+void ScopeView::add(std::span<const ForcePoint> samples) {
   // A loop that starts again starts its clock again.
   if (!samples.empty() && !samples_.empty() && samples.front().t_s < samples_.back().t_s) {
     samples_.clear();
@@ -160,7 +160,7 @@ void ScopeView::setPaused(bool paused) {
 void ScopeView::take() {
   const double from_end = shown_.empty() ? 0 : static_cast<double>(shown_.size() - 1 - cursor_);
   shown_.clear();
-  for (const PlotSample& sample : samples_) {
+  for (const ForcePoint& sample : samples_) {
     if (sample.t_s >= end_s_ - span_s_ && sample.t_s <= end_s_) shown_.push_back(sample);
   }
   const double last = shown_.empty() ? 0 : static_cast<double>(shown_.size() - 1);
@@ -178,7 +178,7 @@ void ScopeView::zoom(double factor) {
   span_s_ = span;
   take();
   const auto nearest = std::lower_bound(shown_.begin(), shown_.end(), at,
-                                        [](const PlotSample& s, double t) { return s.t_s < t; });
+                                        [](const ForcePoint& s, double t) { return s.t_s < t; });
   if (paused_ && nearest != shown_.end()) {
     cursor_ = static_cast<std::size_t>(nearest - shown_.begin());
     Q_EMIT cursorMoved();
@@ -196,7 +196,7 @@ void ScopeView::moveCursor(int by) {
 
 QString ScopeView::cursorText() const {
   if (shown_.empty()) return tr("Nothing measured yet.");
-  const PlotSample& s = shown_[cursor_];
+  const ForcePoint& s = shown_[cursor_];
   return tr("At %1 s: hand %2 mm, proxy %3 mm, force %4 N")
       .arg(s.t_s, 0, 'f', 3)
       .arg(s.hip_z_mm, 0, 'f', 3)
@@ -309,7 +309,7 @@ QAction* ScopeDialog::command(const char* name, const QString& text, const QStri
   return action;
 }
 
-void ScopeDialog::add(std::span<const PlotSample> samples) {
+void ScopeDialog::add(std::span<const ForcePoint> samples) {
   view_->add(samples);
 }
 

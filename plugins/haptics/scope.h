@@ -14,8 +14,8 @@ class QLabel;
 namespace relievo {
 
 /// The plots' samples of a stretch of time, as a file. Numbers with the dot, whatever the language.
-QString scopeCsv(std::span<const PlotSample> samples);
-QString scopeSvg(std::span<const PlotSample> samples);
+QString scopeCsv(std::span<const ForcePoint> samples);
+QString scopeSvg(std::span<const ForcePoint> samples);
 
 /// Height of hand and proxy and force against time: drawn with a cursor. [GUI thread]
 class ScopeView : public QWidget {
@@ -24,11 +24,11 @@ class ScopeView : public QWidget {
   static constexpr double kLeastSpanS = 0.05, kMostSpanS = 30;
 
   explicit ScopeView(QWidget* parent = nullptr);
-  void add(std::span<const PlotSample> samples);  ///< Shown unless paused; kept for 30 s.
+  void add(std::span<const ForcePoint> samples);  ///< Shown unless paused; kept for 30 s.
   void setPaused(bool paused);
   void zoom(double factor);  ///< Shows `factor` times as long a stretch, about the cursor.
   void moveCursor(int by);   ///< By samples; pauses are not needed.
-  std::span<const PlotSample> shown() const { return shown_; }
+  std::span<const ForcePoint> shown() const { return shown_; }
   double spanS() const { return span_s_; }
   QString cursorText() const;  ///< Values at the cursor, for the label and for speech.
 
@@ -44,8 +44,8 @@ class ScopeView : public QWidget {
  private:
   void take();  // shown_ from samples_.
 
-  std::deque<PlotSample> samples_;
-  std::vector<PlotSample> shown_;
+  std::deque<ForcePoint> samples_;
+  std::vector<ForcePoint> shown_;
   double span_s_ = 5, end_s_ = 0;
   std::size_t cursor_ = 0;  // Of shown_.
   bool paused_ = false;
@@ -56,7 +56,7 @@ class ScopeDialog : public QDialog {
   Q_OBJECT
  public:
   explicit ScopeDialog(QWidget* parent);
-  void add(std::span<const PlotSample> samples);
+  void add(std::span<const ForcePoint> samples);
   ScopeView& view() { return *view_; }
   /// SVG or CSV, as the name's ending says. @return empty, or why not
   QString exportTo(const QString& file) const;

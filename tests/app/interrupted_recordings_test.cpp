@@ -266,8 +266,7 @@ class InterruptedRecordings : public test::CommandTest {
     }
     ++tally.recordings;
     tally.ticks += log.rows.size();
-    constexpr std::size_t kContact = 13;
-    tally.in_contact += log.rows.back()[kContact] != 0 ? 1 : 0;
+    tally.in_contact += log.rows.back().contact ? 1 : 0;
     tally.with_fault += wasTroubled(log) ? 1 : 0;
     if (plan.ending == Ending::killed) {
       EXPECT_EQ(exit_code, 128 + SIGKILL) << plan.text();

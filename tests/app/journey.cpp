@@ -13,8 +13,6 @@
 #include <QMimeData>
 #include <QtTest/QTest>
 
-#include "app/batch/recording.h"
-
 namespace relievo {
 
 Journey::Journey(std::string name) : name_(std::move(name)) {
@@ -28,7 +26,6 @@ void Journey::TearDown() {
 }
 
 void Journey::attach() {
-  window().setRecordingReader(batch::readRecording);
   host_ = std::make_unique<WindowHost>(window());
   plugins_ = std::make_unique<PluginLoader>(*host_, window().settings());
   plugins_->load();

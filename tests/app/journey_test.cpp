@@ -19,7 +19,7 @@
 #include <QToolBar>
 #include <QtTest/QTest>
 
-#include "app/batch/recording.h"
+#include "core/project/recording.h"
 #include "data/generate/relief_f.h"
 #include "tests/app/command.h"
 #include "tests/app/journey.h"
@@ -333,7 +333,7 @@ void JourneyTest::recordStroke() {
   ASSERT_TRUE(eventually([this] { return child<QLabel>("status_recording")->text().isEmpty(); }));
   ASSERT_EQ(recordings().size(), 1U);
   log_ = recordings().front();
-  const TouchRecording recording = batch::readRecording(log_);
+  const TouchRecording recording = relievo::readRecording(log_);
   EXPECT_EQ(recording.input_sha256, document().fileSha256().toStdString());
   double low = 1e9;
   double high = -1e9;

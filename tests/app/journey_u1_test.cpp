@@ -19,7 +19,7 @@
 #include <QtTest/QTest>
 #include <thread>
 
-#include "app/batch/recording.h"
+#include "core/project/recording.h"
 #include "core/provenance/embedded.h"
 #include "data/generate/relief_f.h"
 #include "haptics/device/falcon/firmware.h"
@@ -79,21 +79,29 @@ class JourneyU1 : public Journey {
       f.body.pullToward({at.x + aside_.x, at.y + aside_.y, z});
     });
   }
-  /// Whoever sees that the proxy is elsewhere moves on. A window that came under a touching hand
-  /// keeps the touched point there, so that the hand need not be in the middle of its space.
+  /// Commands of the force loop that have reached the device.
+  std::uint64_t commandCount() {
+    return falcon_->with([](FalconEmulator& f) { return f.commandCount(); });
+  }
+  /// A person whose hand rests and who sees that the proxy is elsewhere steers on. A window that
+  /// came under a touching hand keeps the touched point there, so that the hand need not be in the
+  /// middle of its space.
   bool proxyNear(double x_mm, double y_mm, double within_mm) {
-    const auto near = [&] {
-      return probe() && std::hypot(probe()->proxy.x - x_mm, probe()->proxy.y - y_mm) < within_mm;
-    };
-    for (int attempt = 0; attempt < 20; ++attempt) {
-      if (QTest::qWaitFor(near, 2000)) return true;
-      if (!probe()) continue;
+    constexpr std::uint64_t kRestAfter = 1000;  // The hand's spring has settled long before.
+    std::uint64_t steered_at = commandCount();
+    return eventually([&] {
+      if (!probe()) return false;
+      const double aside_x = x_mm - probe()->proxy.x, aside_y = y_mm - probe()->proxy.y;
+      if (std::hypot(aside_x, aside_y) < within_mm) return true;
+      const bool is_of_this_window = probe()->window_id == document().window()->id;
+      if (!is_of_this_window || commandCount() < steered_at + kRestAfter) return false;
       const double scale = handMapping(*document().window()).device_per_view;
-      aside_.x += scale * (x_mm - probe()->proxy.x);
-      aside_.y += scale * (y_mm - probe()->proxy.y);
+      aside_.x += scale * aside_x;
+      aside_.y += scale * aside_y;
       handTo(x_mm, y_mm, depth_);
-    }
-    return false;
+      steered_at = commandCount();
+      return false;
+    });
   }
   /// Forces on over a place, then down on it. A busy computer may stop the forces for safety; then
   /// a person lifts the hand and begins again.
@@ -295,10 +303,13 @@ void JourneyU1::feelGrating() {
   EXPECT_NEAR(map.objectMmPerHandMm(), 0.625, 1e-3) << "1 mm of hand is 0.625 mm on the object";
   const double from = grating.x_mm - 0.5 * grating.side_mm - 1;
   ASSERT_TRUE(touch(from, grating.y_mm, kLightZ)) << where();
+  ASSERT_TRUE(proxyNear(from, grating.y_mm, 0.5)) << where();  // Before the first ridge.
   picture("5_grating");
   for (double x = from; x < from + grating.side_mm + 2; x += 0.25) {
     handTo(x, grating.y_mm, kLightZ);
-    QTest::qWait(12);
+    // By the loop's own time: a loop that is late must not skip a ridge.
+    const std::uint64_t moved_by = commandCount() + 12;
+    ASSERT_TRUE(eventually([&] { return commandCount() >= moved_by; }));
   }
   EXPECT_TRUE(proxyNear(from + grating.side_mm + 2, grating.y_mm, 1));
   key(Qt::Key_Escape);
@@ -331,7 +342,7 @@ void JourneyU1::readRecording() {
   ASSERT_TRUE(eventually([this] { return said().contains("Recording saved"); }))
       << said().toStdString();
   fs::copy_file(log_, kept("touch.csv").toStdString(), fs::copy_options::overwrite_existing);
-  recorded_ = batch::readRecording(log_);
+  recorded_ = relievo::readRecording(log_);
   EXPECT_EQ(recorded_.input_sha256, document().fileSha256().toStdString());
   EXPECT_GE(recorded_.windows.size(), 4U);
   const auto known = [&](const TouchRow& row) { return windowOf(recorded_, row) != nullptr; };

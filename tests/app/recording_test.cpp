@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What touch and record write comes back as a recording that knows its map, from CSV and HDF5.
-#include "app/batch/recording.h"
+#include "core/project/recording.h"
 
 #include <limits>
 
 #include "core/base/error.h"
 #include "core/provenance/sha256.h"
-#include "haptics/record/events.h"
+#include "core/recording/log_note.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
 #include "tests/app/command_test.h"
@@ -31,7 +31,7 @@ TEST_F(Recording, OfEveryVerbAndFormatKnowsItsInputItsMapAndItsWindow) {
   writeLog("touch", path("touch.h5"));
   writeLog("record", path("record.h5"), {"--seconds", "0.2"});
   for (const char* name : {"touch.csv", "touch.h5", "record.h5"}) {
-    const TouchRecording recording = batch::readRecording(path(name));
+    const TouchRecording recording = readRecording(path(name));
     EXPECT_EQ(recording.input_sha256, sum) << name;
     EXPECT_NE(recording.input.find("relief_f.ply"), std::string::npos) << name;
     ASSERT_TRUE(recording.view_from_file) << name;
@@ -46,8 +46,8 @@ TEST_F(Recording, OfEveryVerbAndFormatKnowsItsInputItsMapAndItsWindow) {
 TEST_F(Recording, HasTheSameRowsFromBothFormats) {
   writeLog("touch", path("same.csv"));
   writeLog("touch", path("same.h5"));
-  const TouchRecording csv = batch::readRecording(path("same.csv"));
-  const TouchRecording h5 = batch::readRecording(path("same.h5"));
+  const TouchRecording csv = readRecording(path("same.csv"));
+  const TouchRecording h5 = readRecording(path("same.h5"));
   ASSERT_EQ(csv.rows.size(), h5.rows.size());
   const StrokePoint first = readStroke(test::kFlatStroke).points.front();
   EXPECT_NEAR(norm(csv.rows[0].hip - ViewMm{first.x_mm, first.y_mm, first.z_mm}), 0, 1e-9);
@@ -80,7 +80,7 @@ TEST_F(Recording, ReadsFromItsLastLinesWhereLaterWindowsLay) {
       "loop ticks 2\nwindow 5: region_mm 0 0 300 level 3 gain 1\n"
       "window 6: region_mm 100.5 -20 50 level 1 gain 2.5\n";
   for (const char* name : {"windows.csv", "windows.h5"}) {
-    const TouchRecording recording = batch::readRecording(writeTwoRows(path(name), lines, 2));
+    const TouchRecording recording = readRecording(writeTwoRows(path(name), lines, 2));
     ASSERT_EQ(recording.windows.size(), 2U) << name;
     const TouchedWindow* later = windowOf(recording, recording.rows[1]);
     ASSERT_NE(later, nullptr);
@@ -102,7 +102,7 @@ TEST_F(Recording, HasEventsAndNotesAtTheTimesTheyBelongTo) {
                                : "");
     }
     log->close("loop ticks 100\n" + noteEvent(190, "late") + '\n');
-    const TouchRecording recording = batch::readRecording(path(name));
+    const TouchRecording recording = readRecording(path(name));
     ASSERT_EQ(recording.events.size(), 3U) << name;
     EXPECT_DOUBLE_EQ(recording.events[0].t_s, 0.02) << "when it was begun, not when it was ready";
     EXPECT_EQ(recording.events[0].text, "a \"crack\", here");
@@ -116,16 +116,15 @@ TEST_F(Recording, HasEventsAndNotesAtTheTimesTheyBelongTo) {
 }
 
 TEST_F(Recording, RefusesTimesThatGoBackAndValuesThatAreNoNumbers) {
-  EXPECT_THROW(batch::readRecording(writeTwoRows(path("back.csv"), "", 0.5)), FileError);
-  EXPECT_THROW(batch::readRecording(
-                   writeTwoRows(path("nan.h5"), "", std::numeric_limits<double>::quiet_NaN())),
-               FileError);
-  EXPECT_THROW(batch::readRecording(path("missing.csv")), FileError);
+  EXPECT_THROW(readRecording(writeTwoRows(path("back.csv"), "", 0.5)), FileError);
+  EXPECT_THROW(
+      readRecording(writeTwoRows(path("nan.h5"), "", std::numeric_limits<double>::quiet_NaN())),
+      FileError);
+  EXPECT_THROW(readRecording(path("missing.csv")), FileError);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_THROW(
-      batch::readRecording(writeTwoRows(path("stop.csv"), "", 2), Task{stop.get_token(), {}}),
-      Cancelled);
+  EXPECT_THROW(readRecording(writeTwoRows(path("stop.csv"), "", 2), Task{stop.get_token(), {}}),
+               Cancelled);
 }
 
 }  // namespace

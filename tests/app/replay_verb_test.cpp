@@ -5,7 +5,7 @@
 
 #include "core/provenance/embedded.h"
 #include "core/provenance/provenance.h"
-#include "haptics/record/sample_log.h"
+#include "core/recording/log_table.h"
 #include "tests/app/command_test.h"
 
 namespace relievo {
@@ -37,7 +37,11 @@ TEST_F(ReplayVerb, RepeatsATouchWithTheVirtualHandBitByBit) {
     EXPECT_GT(report["largest_force_n"], 0.05);
     const CommandResult replay = runRelievo({"replay", log, "--verify", "--report", "json"});
     EXPECT_EQ(replay.exit_code, 0) << replay.err;
-    EXPECT_EQ(nlohmann::json::parse(replay.out)["identical"], true);
+    const auto found = nlohmann::json::parse(replay.out);
+    EXPECT_EQ(found["identical"], true);
+    EXPECT_TRUE(found["recorded_by"]["commit"].is_string());
+    EXPECT_EQ(found["recorded_by"]["commit"], found["this_program"]["commit"]);
+    EXPECT_TRUE(found["recorded_by"]["build"].is_null()) << "a stroke depends on no build";
   }
 }
 

@@ -16,7 +16,6 @@
 #include <QPushButton>
 #include <QtTest/QTest>
 
-#include "app/batch/recording.h"
 #include "app/host.h"
 #include "app/plugin_loader.h"
 #include "core/region/hand.h"
@@ -239,6 +238,23 @@ TEST_F(TouchWindowTest, ARecordingWithLiveChangesIsReplayedToTheLastBit) {
   said({"project", "new", recording, "-o", path("p.json"), "--recording", recording});
   said({"project", "package", path("p.json"), "-o", path("p.zip")});
   EXPECT_TRUE(said({"replay", path("p.zip"), "--verify"}).contains("to the last bit"));
+  // As if another build had recorded it.
+  QFile file(recording);
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  QByteArray text = file.readAll();
+  const int core = text.indexOf("# replay core ");
+  ASSERT_GT(core, 0);
+  const int build = core + static_cast<int>(qstrlen("# replay core "));
+  text.replace(build, text.indexOf(' ', build) - build, "0123abcd");
+  file.seek(0);
+  file.write(text);
+  file.resize(text.size());
+  file.close();
+  const QString other = said({"replay", recording, "--verify"}, 5);
+  EXPECT_TRUE(other.contains("ticks replayed, all the same to the last bit"))
+      << other.toStdString();
+  EXPECT_TRUE(other.contains("It was changed: ")) << "by its checksums";
+  EXPECT_TRUE(other.contains(", build 0123abcd; this is version ")) << other.toStdString();
 }
 
 /// The recording is called after the scan, whose name is no UTF-8 and has two lines.
@@ -279,7 +295,6 @@ TEST_F(TouchWindowTest, AnHdf5RecordingIsNotedPackedReplayedHereAndToTheLastBit)
   useOwnHome();
   LoadedPlugins plugins(window());
   ASSERT_TRUE(plugins->has("haptics"));
-  window().setRecordingReader(batch::readRecording);
   openRelief();
   auto& view = window().detailView();
   touchMiddle();

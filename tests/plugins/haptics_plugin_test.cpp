@@ -439,17 +439,16 @@ TEST_F(HapticsPluginTest, TheLoopOutlivesAGuiThatHangsForTenSecondsAndLetsTheFor
   ASSERT_GT(log.rows.size(), 1000U);
   for (std::size_t i = 0; i < log.rows.size(); ++i) {
     // A dropped tick would be a consumer that the hang has stopped.
-    ASSERT_EQ(tickOf(log.rows[i]), tickOf(log.rows[0]) + i);
+    ASSERT_EQ(log.rows[i].tick, log.rows[0].tick + i);
   }
   // A hand that nobody moves is still there; nobody is, to switch its forces off. After a pause of
   // the whole computer the force rises anew, hence not in every row before.
-  constexpr std::size_t kForceZ = 10, kContact = 13;
   std::size_t pressed = 0;
   for (std::size_t i = 0; i < log.rows.size(); ++i) {
-    ASSERT_EQ(log.rows[i][kContact], 1);
-    if (i < 1500 && is_pressed(log.rows[i][kForceZ])) ++pressed;
+    ASSERT_TRUE(log.rows[i].contact);
+    if (i < 1500 && is_pressed(log.rows[i].force.z)) ++pressed;
     if (2 * i > log.rows.size()) {
-      ASSERT_EQ(log.rows[i][kForceZ], 0) << i;
+      ASSERT_EQ(log.rows[i].force.z, 0) << i;
     }
   }
   EXPECT_GT(pressed, 100U) << "before it had been silent for two seconds";

@@ -214,8 +214,8 @@ TEST_F(PluginRecordingTest, ANoteIsWrittenWhileTheRecordingGoesOn) {
   const std::string written = noteOf(log);
   EXPECT_TRUE(written.ends_with(": a \"crack\", here")) << written;
   const auto tick = std::stoull(written.substr(13));
-  EXPECT_GE(tick, tickOf(log.rows.front()));
-  EXPECT_LE(tick + 300, tickOf(log.rows.back())) << "of when it was begun";
+  EXPECT_GE(tick, log.rows.front().tick);
+  EXPECT_LE(tick + 300, log.rows.back().tick) << "of when it was begun";
   std::string all = log.header + log.footer;
   for (const LogEvent& event : log.events) all += event.text;
   EXPECT_NE(all.find("\u00e4\u00e4"), std::string::npos);

@@ -19,8 +19,8 @@ namespace relievo {
 namespace {
 
 /// Every 5 ms, as the panel gets them: a ramp of force, so that each sample is another.
-std::vector<PlotSample> samples(int from, int count) {
-  std::vector<PlotSample> made;
+std::vector<ForcePoint> samples(int from, int count) {
+  std::vector<ForcePoint> made;
   for (int i = from; i < from + count; ++i) {
     made.push_back({0.005 * i, std::sin(0.01 * i), 1 + std::sin(0.01 * i), 0.001 * i});
   }

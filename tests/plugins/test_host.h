@@ -29,7 +29,7 @@ class TestHost : public Host {
     actions[action->objectName()] = action;
   }
   void showProbe(const Probe& probe) override { probes.push_back(probe); }
-  void plot(std::span<const PlotSample> samples) override {
+  void plot(std::span<const ForcePoint> samples) override {
     plotted.insert(plotted.end(), samples.begin(), samples.end());
   }
   void showStatus(const TouchStatus& new_status) override { status = new_status; }
@@ -96,7 +96,7 @@ class TestHost : public Host {
   std::map<QString, QString> menus;
   std::map<QString, QAction*> actions;
   std::vector<Probe> probes;
-  std::vector<PlotSample> plotted;
+  std::vector<ForcePoint> plotted;
   TouchStatus status;
   QStringList announcements, commands, recordings, errors;
   std::vector<Region> regions;             ///< Asked to be shown.

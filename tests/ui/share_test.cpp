@@ -15,6 +15,7 @@
 
 #include "core/base/error.h"
 #include "core/project/package.h"
+#include "haptics/record/sample_log.h"
 #include "tests/ui/gui_fixture.h"
 #include "ui/measure_panel.h"
 #include "ui/message_strip.h"
@@ -286,13 +287,16 @@ TEST_F(ShareTest, NothingThatIsWrittenTakesThePlaceOfTheScan) {
 
 TEST_F(ShareTest, RecordingsOfOtherFormatsTellTheirScanToo) {
   openRelief();
-  window().setStateReader([](const fs::path& carrier) -> std::optional<Project> {
-    Project touched;
-    touched.file = "vase.stl";
-    touched.sha256 = "another";
-    return carrier.extension() == ".h5" ? std::optional(touched) : std::nullopt;
-  });
-  window().writePackage({path("p.zip"), true, {writeFile("other.h5", "felt elsewhere")}, {}});
+  Project touched;
+  touched.file = "vase.stl";
+  touched.sha256 = std::string(64, 'a');
+  touched.region.side_mm = 10;
+  std::string state = projectJson(touched);
+  std::erase(state, '\n');  // A header's line.
+  const auto log = openLog(path("other.h5").toStdString(), "relievo:state " + state);
+  log->write({}, 0);
+  log->close();
+  window().writePackage({path("p.zip"), true, {path("other.h5")}, {}});
   finishPacking();
   EXPECT_TRUE(window().message().contains("other.h5 is a recording of vase.stl"))
       << window().message().toStdString();

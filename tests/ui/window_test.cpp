@@ -288,7 +288,7 @@ TEST_F(WindowTest, AWindowAtRestLaysNothingOutAndWorkMovesNoView) {
 
 TEST_F(WindowTest, ThePlotKeepsTheLastTenSeconds) {
   TimePlot plot;
-  std::vector<TouchPlotPoint> points(15001);
+  std::vector<ForcePoint> points(15001);
   for (std::size_t i = 0; i < points.size(); ++i) points[i].t_s = 0.001 * static_cast<double>(i);
   plot.add(points);
   EXPECT_NEAR(static_cast<double>(plot.points()), 10001, 2);
@@ -302,7 +302,7 @@ TEST_F(WindowTest, AHandThatRestsDrawsNoPlot) {
   plot.show();
   double t = 0;
   const auto rest = [&](double seconds, double height_mm) {
-    std::vector<TouchPlotPoint> points;
+    std::vector<ForcePoint> points;
     for (const double end = t + seconds; t < end; t += 0.004) {
       points.push_back({t, height_mm, height_mm, 0});
     }

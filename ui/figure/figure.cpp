@@ -78,9 +78,9 @@ std::vector<Reading> readAll(const Surface& surface, const Project& project) {
 
 /// A recording says which scan was touched; of another one its heights and forces mean nothing
 /// here.
-std::vector<ForceCurveRow> readRecording(const Project& project) {
+std::vector<ForcePoint> curveOf(const Project& project, const Task& task) {
   const std::string& file = project.figure.recording;
-  std::vector<ForceCurveRow> rows = readForceCurve(file);
+  std::vector<ForcePoint> rows = readForceCurve(file, task);
   const std::optional<Project> touched = carriedProject(file);
   if (touched && !touched->sha256.empty() && !project.sha256.empty() &&
       touched->sha256 != project.sha256) {
@@ -133,7 +133,7 @@ DrawnSheet drawPictures(const Surface& surface, const Project& project, double d
   DrawnSheet drawn;
   drawn.layout = layOut(surface, project);
   drawn.dpi = dpi;
-  if (f.layout == FigureLayout::plot) drawn.recording = readRecording(project);
+  if (f.layout == FigureLayout::plot) drawn.recording = curveOf(project, task);
   // Before the pictures: one place beside the object and there is no figure.
   if (f.measurements) drawn.measured = readAll(surface, project);
   QImage unit(1, 1, QImage::Format_ARGB32_Premultiplied);

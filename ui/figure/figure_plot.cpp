@@ -150,21 +150,21 @@ std::pair<double, double> range(const std::vector<QPointF>& points) {
   return {low->y(), high->y()};
 }
 
-std::vector<QPointF> curveOf(const std::vector<ForceCurveRow>& rows,
-                             const std::function<double(const ForceCurveRow&)>& value) {
+std::vector<QPointF> curveOf(const std::vector<ForcePoint>& rows,
+                             const std::function<double(const ForcePoint&)>& value) {
   std::vector<QPointF> curve;
   curve.reserve(rows.size());
-  for (const ForceCurveRow& row : rows) curve.emplace_back(row.t_s, value(row));
+  for (const ForcePoint& row : rows) curve.emplace_back(row.t_s, value(row));
   return curve;
 }
 
 }  // namespace
 
-ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows,
+ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForcePoint>& rows,
                           const ForcePlots& papers) {
-  const auto hip = curveOf(rows, [](const ForceCurveRow& r) { return r.hip_z_mm; });
-  const auto proxy = curveOf(rows, [](const ForceCurveRow& r) { return r.proxy_z_mm; });
-  const auto force = curveOf(rows, [](const ForceCurveRow& r) { return r.force_n; });
+  const auto hip = curveOf(rows, [](const ForcePoint& r) { return r.hip_z_mm; });
+  const auto proxy = curveOf(rows, [](const ForcePoint& r) { return r.proxy_z_mm; });
+  const auto force = curveOf(rows, [](const ForcePoint& r) { return r.force_n; });
   const auto [hip_low, hip_high] = range(hip);
   const auto [proxy_low, proxy_high] = range(proxy);
   const Axis z = axisFor(std::min(hip_low, proxy_low), std::max(hip_high, proxy_high), kMostSteps);

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/project/force_curve.h"
+#include "core/recording/force_curve.h"
 #include "ui/figure/figure_ink.h"
 
 namespace relievo {
@@ -20,7 +20,7 @@ inline constexpr double kPlotGapEm = 1.3;
 /// against time.
 /// @param papers  the plots with the numbers left and right of them; those of time stand below
 /// @return  the plots' own boxes
-ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForceCurveRow>& rows,
+ForcePlots drawForcePlots(FigureInk& ink, const std::vector<ForcePoint>& rows,
                           const ForcePlots& papers);
 
 /// A curve (x, y) in pieces, left to right, with axes named after their units: of a profile that

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/force_curve.h"
+#include "core/recording/force_curve.h"
 #include "ui/figure/figure.h"
 #include "ui/figure/figure_ink.h"
 #include "ui/figure/figure_pictures.h"
@@ -18,7 +18,7 @@ struct DrawnSheet {
   std::vector<PanelPicture> pictures;  ///< One for each panel.
   std::vector<Reading> measured;       ///< One for each measurement that is drawn.
   std::vector<PanelMarks> marks;       ///< Of each panel.
-  std::vector<ForceCurveRow> recording;
+  std::vector<ForcePoint> recording;
   double dpi = 300;
   FigureFacts facts;
 };

@@ -28,7 +28,7 @@ struct PlotStrip::Impl {
   QImage curves;
 };
 
-PlotStrip::PlotStrip(const std::vector<ForceCurveRow>& rows, int width_px, int height_px)
+PlotStrip::PlotStrip(const std::vector<ForcePoint>& rows, int width_px, int height_px)
     : impl_(std::make_unique<Impl>()) {
   impl_->dpi = dpiFor(height_px);
   impl_->first_s = rows.front().t_s;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/project/force_curve.h"
+#include "core/recording/force_curve.h"
 #include "ui/vtk/offscreen.h"
 
 namespace relievo {
@@ -15,7 +15,7 @@ namespace relievo {
 class PlotStrip {
  public:
   /// @param rows  at least one, times increase
-  PlotStrip(const std::vector<ForceCurveRow>& rows, int width_px, int height_px);
+  PlotStrip(const std::vector<ForcePoint>& rows, int width_px, int height_px);
   ~PlotStrip();
   PlotStrip(const PlotStrip&) = delete;
   PlotStrip& operator=(const PlotStrip&) = delete;

@@ -356,8 +356,8 @@
         <translation>Das Projekt %1 ist beschädigt (%2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
     </message>
     <message>
-        <source>The project %1 was written by another relievo (schema %2; this one reads up to %3). Nothing was changed. Use that version, or choose another file.</source>
-        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest bis %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
+        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
@@ -366,14 +366,6 @@
     <message>
         <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
         <translation>Der Scan traf keine Zelle des Rasters. Nichts wurde gemacht. Wählen Sie eine andere Ansicht.</translation>
-    </message>
-    <message>
-        <source>The recording &apos;%1&apos; cannot be read. Choose another file.</source>
-        <translation>Die Aufzeichnung „%1“ ist nicht lesbar. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no recording: it has no column &apos;%2&apos;. Choose another file.</source>
-        <translation>„%1“ ist keine Aufzeichnung: Die Spalte „%2“ fehlt. Wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
@@ -512,8 +504,12 @@
         <translation>Die Aufzeichnung „%1“ ist nicht als eine dieser Version lesbar.</translation>
     </message>
     <message>
-        <source>The log &quot;%1&quot; has other columns than this version&apos;s.</source>
-        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version.</translation>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
+        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version: „%2“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
+        <translation>Die Aufzeichnung „%1“ hat eine Zeile, die nicht gelesen werden kann: Nummer %2.</translation>
     </message>
     <message>
         <source>The log &quot;%1&quot; has no rows.</source>
@@ -2373,8 +2369,8 @@
         <translation>Au&amp;fzeichnung</translation>
     </message>
     <message>
-        <source>CSV file of a recording, for the plots</source>
-        <translation>CSV-Datei einer Aufzeichnung, für die Kurven</translation>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>Datei einer Aufzeichnung, CSV oder HDF5, für die Kurven</translation>
     </message>
     <message>
         <source>Wi&amp;dth on paper</source>
@@ -2545,8 +2541,8 @@
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>Recordings (*.csv)</source>
-        <translation>Aufzeichnungen (*.csv)</translation>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>Aufzeichnungen (*.csv *.h5 *.hdf5)</translation>
     </message>
     <message>
         <source>O&amp;wn ends of the colours</source>

@@ -356,8 +356,8 @@
         <translation>परियोजना %1 क्षतिग्रस्त है (%2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
-        <source>The project %1 was written by another relievo (schema %2; this one reads up to %3). Nothing was changed. Use that version, or choose another file.</source>
-        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 तक पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
+        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
@@ -366,14 +366,6 @@
     <message>
         <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
         <translation>स्कैन ग्रिड के किसी खाने पर नहीं पड़ा। कुछ नहीं बना। दूसरा दृश्य चुनें।</translation>
-    </message>
-    <message>
-        <source>The recording &apos;%1&apos; cannot be read. Choose another file.</source>
-        <translation>रिकॉर्डिंग &apos;%1&apos; पढ़ी नहीं जा सकती। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no recording: it has no column &apos;%2&apos;. Choose another file.</source>
-        <translation>&apos;%1&apos; रिकॉर्डिंग नहीं है: इसमें स्तंभ &apos;%2&apos; नहीं है। दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
@@ -512,8 +504,12 @@
         <translation>रिकॉर्डिंग &quot;%1&quot; इस संस्करण की रिकॉर्डिंग के रूप में पढ़ी नहीं जा सकती।</translation>
     </message>
     <message>
-        <source>The log &quot;%1&quot; has other columns than this version&apos;s.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं।</translation>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं: इसमें &quot;%2&quot; नहीं है।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; की एक पंक्ति पढ़ी नहीं जा सकती: क्रमांक %2।</translation>
     </message>
     <message>
         <source>The log &quot;%1&quot; has no rows.</source>
@@ -2373,8 +2369,8 @@
         <translation>रिकॉर्डिंग (&amp;R)</translation>
     </message>
     <message>
-        <source>CSV file of a recording, for the plots</source>
-        <translation>आलेखों के लिए रिकॉर्डिंग की CSV फ़ाइल</translation>
+        <source>File of a recording, CSV or HDF5, for the plots</source>
+        <translation>आलेखों के लिए रिकॉर्डिंग की फ़ाइल, CSV या HDF5</translation>
     </message>
     <message>
         <source>Wi&amp;dth on paper</source>
@@ -2545,8 +2541,8 @@
         <translation>रिकॉर्डिंग</translation>
     </message>
     <message>
-        <source>Recordings (*.csv)</source>
-        <translation>रिकॉर्डिंग (*.csv)</translation>
+        <source>Recordings (*.csv *.h5 *.hdf5)</source>
+        <translation>रिकॉर्डिंग (*.csv *.h5 *.hdf5)</translation>
     </message>
     <message>
         <source>O&amp;wn ends of the colours</source>

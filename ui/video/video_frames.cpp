@@ -67,13 +67,14 @@ std::string words(const TouchRow& row, double t_s, int levels) {
   return text.data();
 }
 
-std::vector<ForceCurveRow> curveOf(const TouchRecording& recording, const VideoTimes& times) {
+std::vector<ForcePoint> curveOf(const TouchRecording& recording, const VideoTimes& times) {
   const double last = times.ofFrame(times.frames - 1) + 1e-9;
-  std::vector<ForceCurveRow> rows;
+  std::vector<ForcePoint> rows;
   for (const TouchRow& row : recording.rows) {
     const double t = row.t_s - recording.startS();
     if (t < times.from_s - 1e-9 || t > last) continue;
-    rows.push_back({t, row.hip.z, row.proxy.z, norm(row.force)});
+    rows.push_back(forcePoint(row));
+    rows.back().t_s = t;
   }
   if (rows.empty()) rows.push_back({times.from_s, 0, 0, 0});
   return rows;

@@ -12,28 +12,16 @@
 namespace relievo {
 namespace {
 
-/// As version 0.1 wrote figures and projects.
-constexpr const char* kSchema1 = R"({
-  "relievo_project": 1,
-  "version": "0.1.0",
-  "input": {"file": "scans/relief.ply",
-            "sha256": "2222222222222222222222222222222222222222222222222222222222222222"},
-  "depth_map": {"unit": "cm", "unit_source": "remembered",
-                "view": {"name": "free", "rotation": [0, 1, 0, -1, 0, 0, 0, 0, 1],
-                         "turn_deg": [1, 2, 3]},
-                "cells": null, "spacing_mm": 0.1, "engine": "depthbuffer", "rule": "median",
-                "holes": {"rule": "interpolate", "max_area_mm2": 12.5}, "factor": 1.5},
-  "region": {"x_mm": 1.5, "y_mm": -2.0, "side_mm": 44.4, "level": 2, "gain": 1.7},
-  "look": {"kind": "openness", "colours": "cividis", "light_azimuth_deg": 10,
-           "light_elevation_deg": 20, "radius_mm": 7, "range": [-1, 2]},
-  "stereo": {"on": true, "eye_angle_deg": 2.5, "zero_plane_mm": 3},
-  "figure": {"layout": "levels", "stereo": "dubois", "scale_1_to": 2, "zero_plane_mm": 1,
-             "width_mm": 85, "dpi": 600, "look": {"kind": "slope", "colours": "grey",
-             "light_azimuth_deg": 1, "light_elevation_deg": 2, "radius_mm": 0, "range": null}},
-  "places": [{"x_mm": 1, "y_mm": 2, "side_mm": 3, "level": 0, "gain": 2, "name": "nose"}],
-  "measurements": [{"name": "step", "kind": "depth", "places_mm": [[1, 2], [3, 4]], "plane_mm": 0}],
-  "recordings": [], "history": ["Depth map"], "smell": {"of": "stone"}
-})";
+/// As figures carry it and project files hold it.
+std::string projectText() {
+  Project p;
+  p.file = "scans/relief.ply";
+  p.sha256 = std::string(64, '2');
+  p.region = {.x_mm = 1.5, .y_mm = -2, .side_mm = 44.4, .level = Level{2}};
+  p.look.kind = ReliefKind::openness;
+  p.figure.dpi = 600;
+  return projectJson(p);
+}
 
 /// As version 0.1 wrote pictures of `render`.
 constexpr const char* kPicture = R"({
@@ -54,7 +42,7 @@ constexpr const char* kPicture = R"({
 
 TEST(CarriedState, MarkupCarriesItWhateverStandsAroundIt) {
   const test::TemporaryFolder folder;
-  const std::string element = stateElement(kSchema1);
+  const std::string element = stateElement(projectText());
   EXPECT_EQ(element.find("\"openness\""), std::string::npos) << "no quotes of JSON";
   // Longer than a block that is read at once, with the mark across the blocks' border.
   const std::string before = "%PDF-1.4\n" + std::string((1U << 20U) - 14, ' ');
@@ -68,31 +56,17 @@ TEST(CarriedState, MarkupCarriesItWhateverStandsAroundIt) {
                FileError);
 }
 
-TEST(CarriedState, AFigureOfAnOlderVersionOpensWhole) {
-  const auto p = projectFromState(kSchema1, "f.png");
-  ASSERT_TRUE(p);
-  EXPECT_EQ(p->version, "0.1.0");
-  EXPECT_EQ(p->file, "scans/relief.ply");
-  EXPECT_EQ(p->sha256, std::string(64, '2'));
-  EXPECT_EQ(p->options.unit, LengthUnit::cm);
-  EXPECT_EQ(p->options.rule, PointRule::median);
-  EXPECT_EQ(p->options.holes.max_area_mm2, 12.5);
-  EXPECT_EQ(p->options.view->turn_deg[2], 3);
-  EXPECT_EQ(p->region, (Region{.x_mm = 1.5, .y_mm = -2, .side_mm = 44.4, .level = Level{2}}));
-  EXPECT_EQ(p->gain, 1.7);
-  EXPECT_EQ(p->look.kind, ReliefKind::openness);
-  EXPECT_EQ(p->look.range, (std::array{-1.0, 2.0}));
-  EXPECT_EQ(p->stereo.mode, StereoMode::anaglyph);
-  EXPECT_EQ(p->stereo.zero_plane_mm, 3);
-  EXPECT_FALSE(p->picture);
-  EXPECT_EQ(p->figure.layout, FigureLayout::levels);
-  EXPECT_EQ(p->figure.dpi, 600);
-  EXPECT_EQ(p->figure.look.kind, ReliefKind::slope);
-  ASSERT_EQ(p->places.size(), 1U);
-  EXPECT_EQ(p->places[0].name, "nose");
-  ASSERT_EQ(p->measurements.size(), 1U);
-  EXPECT_EQ(p->history.size(), 1U);
-  EXPECT_NE(projectJson(*p).find("smell"), std::string::npos);
+TEST(CarriedState, AProjectOfTheSchemaBeforeTheFirstReleaseIsRefusedByItsNumber) {
+  std::string text = projectText();
+  const std::string schema = "\"relievo_project\": 2";
+  ASSERT_NE(text.find(schema), std::string::npos);
+  text.replace(text.find(schema), schema.size(), "\"relievo_project\": 1");
+  try {
+    projectFromState(text, "f.png");
+    FAIL() << "read it";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("(schema 1; this one reads 2)"));
+  }
 }
 
 TEST(CarriedState, APictureOfAnOlderVersionBecomesAProjectThatDrawsIt) {
@@ -125,7 +99,7 @@ TEST(CarriedState, ALogsPlaceIsTakenFromItsFolder) {
   std::erase(line, '\n');
   const auto log = folder.write("log.csv", "# " + stateLine(line) + "\nt_s\n");
   EXPECT_EQ(carriedProject(log)->file, (folder.path() / "a.xyz").string());
-  EXPECT_EQ(carriedProject(folder.write("p.json", kSchema1))->file,
+  EXPECT_EQ(carriedProject(folder.write("p.json", projectText()))->file,
             (folder.path() / "scans/relief.ply").string());
   EXPECT_FALSE(carriedProject(folder.write("points.csv", "x,y,z\n1,2,3\n")));
   EXPECT_THROW(carriedProject(folder.write("bad.json", "{\"a\": 1}")), FileError);

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/project/force_curve.h"
+#include "core/recording/force_curve.h"
 
 namespace relievo {
 namespace {

@@ -75,15 +75,16 @@ TEST(Hdf5Log, KeepsEveryValueToTheLastBitWithUnitsSurfaceAndEvents) {
   const hid_t held = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(held, 0);
   std::vector<std::vector<double>> columns;
-  for (const LogColumn& c : kLogColumns) {
+  for (const LogColumn& c : kNumberColumns) {
     columns.push_back(column(held, "/log/" + std::string(c.name)));
     ASSERT_EQ(columns.back().size(), samples.size()) << c.name;
     EXPECT_EQ(attribute(held, ("/log/" + std::string(c.name)).c_str(), "unit"), c.unit);
   }
   for (std::size_t row = 0; row < samples.size(); ++row) {
-    const auto values = logValues(samples[row], columns[0][row]);
-    for (std::size_t i = 1; i < values.size(); ++i) {
-      ASSERT_EQ(columns[i][row], values[i]) << kLogColumns[i].name << " " << row;
+    const TouchRow touched = touchRow(samples[row], columns[0][row]);
+    for (std::size_t i = 1; i < kNumberColumns.size(); ++i) {
+      ASSERT_EQ(columns[i][row], kNumberColumns[i].value(touched))
+          << kNumberColumns[i].name << " " << row;
     }
   }
   EXPECT_EQ(text(held, "/parameters"), "{\"k\":0.5}");
@@ -131,7 +132,7 @@ void write(SampleLog& log, std::uint64_t from, std::uint64_t to) {
 void expectRows(const LogTable& log, std::uint64_t count) {
   ASSERT_EQ(log.rows.size(), count);
   for (std::uint64_t tick = 0; tick < count; ++tick) {
-    ASSERT_EQ(log.rows[tick], logValues(sampleAt(tick), 0.001 * static_cast<double>(tick)));
+    ASSERT_EQ(log.rows[tick], touchRow(sampleAt(tick), 0.001 * static_cast<double>(tick)));
   }
 }
 

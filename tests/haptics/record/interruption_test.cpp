@@ -112,7 +112,7 @@ class Interruption : public ::testing::Test {
   void expectTheSame() {
     const LogTable log = readLog(file_);
     double largest = 0;
-    for (const LogRow& row : log.rows) largest = std::max(largest, std::abs(row[kForceZ]));
+    for (const TouchRow& row : log.rows) largest = std::max(largest, std::abs(row.force.z));
     EXPECT_GT(largest, 0.1) << "the hand felt something";
     const ReplayResult result =
         replay(*space_, options_, ForceChain::whole, log, [](const HapticSample&, double) {});
@@ -122,7 +122,6 @@ class Interruption : public ::testing::Test {
   }
   static void nothing(std::uint64_t, DeviceReading&) {}
 
-  static constexpr std::size_t kForceZ = 10;
   std::unique_ptr<HapticSpace> space_ = test::spaceOf(
       80, [](double x, double y) { return std::sin(0.3 * x) * std::cos(0.2 * y); }, 4, {},
       SurfaceKind::gated);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whatever is changed in a log, its checksums tell.
-#include "haptics/record/log_check.h"
+#include "core/recording/log_check.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "haptics/record/log_checksum.h"
+#include "core/recording/log_checksum.h"
 #include "haptics/record/replay.h"
 #include "haptics/record/sample_log.h"
 #include "tests/haptics/haptic_fixture.h"
@@ -250,7 +250,7 @@ void alter(const fs::path& file, const char* set_name, hid_t type, std::size_t i
 
 TEST_F(LogCheckTest, EveryColumnOfAnUnfinishedHdf5LogIsCovered) {
   const std::string left = bytesOf(killed("u.h5"));
-  for (const LogColumn& column : kLogColumns) {
+  for (const LogColumn& column : kNumberColumns) {
     write(at("u.h5"), left);
     alter<double>(at("u.h5"), ("log/" + std::string(column.name)).c_str(), H5T_NATIVE_DOUBLE,
                   draw(0, 700), [](double& value) { value = std::nextafter(value, 1e9); });

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/recording/log_note.h"
 #include "haptics/record/events.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/recorder.h"
@@ -110,7 +111,7 @@ TEST(Log, ReadsBackEveryValueAndItsForceIsStiffnessTimesDistance) {
 
 TEST(Log, QuotesEventsAndKeepsThemOnOneLine) {
   std::string row;
-  appendLogRow(row, {}, 0.5, "he said \"no\"\nand left");
+  appendLogRow(row, {}, "he said \"no\"\nand left");
   EXPECT_NE(row.find(",\"he said \"\"no\"\" and left\","), std::string::npos);
   EXPECT_EQ(std::count(row.begin(), row.end(), '\n'), 1);
   EXPECT_EQ(row.back(), '\n');

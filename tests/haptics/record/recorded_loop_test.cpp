@@ -13,6 +13,7 @@
 #include "haptics/loop/device_limits.h"
 #include "haptics/loop/haptic_loop.h"
 #include "haptics/record/flight_record.h"
+#include "haptics/record/named_json.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
 #include "tests/haptics/haptic_fixture.h"
@@ -92,8 +93,9 @@ class Recorded {
 
   ReplayResult replay(const LogTable& log) const {
     asked.clear();
-    const auto loop = recordedLoop(log.footer, kBuild);
+    const auto loop = recordedLoop(log.footer);
     EXPECT_TRUE(loop.has_value());
+    EXPECT_EQ(loop->build, kBuild);
     return replayLoop(
         *loop, log,
         [this](const RecordedScene& scene) -> const HapticSpace& {
@@ -144,8 +146,7 @@ TEST(RecordedLoop, AsksForTheSurfaceBeforeOnlyWhereItIsFelt) {
 TEST(RecordedLoop, SeesASingleOtherBit) {
   Recorded recorded;
   LogTable log = recorded.record(temporary("bit.csv"));
-  constexpr std::size_t kForceZ = 10;
-  log.rows[2000][kForceZ] = std::nextafter(log.rows[2000][kForceZ], 9);
+  log.rows[2000].force.z = std::nextafter(log.rows[2000].force.z, 9);
   const ReplayResult result = recorded.replay(log);
   EXPECT_EQ(result.different, 1U);
   EXPECT_EQ(result.first->tick, 3500U);
@@ -201,7 +202,7 @@ TEST(RecordedLoop, ARunningLoopIsRecordedToHdf5AndRepeated) {
   }
   const LogTable log = readLog(file);
   EXPECT_GT(log.rows.size(), 400U);
-  const auto recorded = recordedLoop(log.footer, kBuild);
+  const auto recorded = recordedLoop(log.footer);
   ASSERT_TRUE(recorded.has_value());
   const ReplayResult result = replayLoop(
       *recorded, log, [&](const RecordedScene&) -> const HapticSpace& { return *space; },
@@ -212,8 +213,7 @@ TEST(RecordedLoop, ARunningLoopIsRecordedToHdf5AndRepeated) {
 TEST(RecordedLoop, SaysWhatCannotBeRepeated) {
   Recorded recorded;
   LogTable log = recorded.record(temporary("not.csv"));
-  EXPECT_THROW(recordedLoop(log.footer, "b2"), FileError) << "another build";
-  EXPECT_FALSE(recordedLoop("loop ticks 5\nwindow 3: region_mm 0 0 1\n", kBuild));
+  EXPECT_FALSE(recordedLoop("loop ticks 5\nwindow 3: region_mm 0 0 1\n"));
   LogTable gap = log;
   gap.rows.erase(gap.rows.begin() + 100);
   EXPECT_THROW(recorded.replay(gap), FileError);
@@ -222,14 +222,37 @@ TEST(RecordedLoop, SaysWhatCannotBeRepeated) {
   EXPECT_THROW(recorded.replay(damaged), FileError);
   LogTable broken = log;
   broken.footer.replace(broken.footer.find("replay core b1 ") + 30, 1, "x");
-  EXPECT_THROW(recordedLoop(broken.footer, kBuild), FileError);
-  // Another digit is as good as the first one: bytes of a structure that would be run as they are.
+  EXPECT_THROW(recordedLoop(broken.footer), FileError);
+  // Another digit is as good as the first one.
   for (const char* line : {"replay options 1 ", "replay core b1 "}) {
     LogTable altered = log;
     char& digit = altered.footer[altered.footer.find(line) + 60];
     digit = digit == '7' ? '8' : '7';
-    EXPECT_THROW(recordedLoop(altered.footer, kBuild), FileError) << line;
+    EXPECT_THROW(recordedLoop(altered.footer), FileError) << line;
   }
+}
+
+/// What builds before these names wrote: bytes of the structures as they were in memory.
+TEST(RecordedLoop, ThatIsAMemoryImageIsRefusedWithTheNameOfItsBuild) {
+  try {
+    recordedLoop("replay options 1 00ff00ff\nreplay core 12ab 5 00ff00ff00ff\n");
+    FAIL() << "took it";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("it was made by build 12ab"), std::string::npos);
+  }
+}
+
+TEST(RecordedLoop, OfALaterBuildIsReadAsFarAsThisOneKnowsIt) {
+  HapticOptions options;
+  options.force.strength = 0.3;
+  std::string text = toJson(options);
+  text.insert(text.find("\"strength\""), "\"warmth\":[1,{\"a\":null}],");
+  text.erase(text.find("\"lift_n\""), text.find("\"limit_n\"") - text.find("\"lift_n\""));
+  HapticOptions back;
+  back.force.strength = 0.9;
+  ASSERT_TRUE(fromJson(text, back)) << text;
+  EXPECT_EQ(back.force.strength, 0.3);
+  EXPECT_EQ(toJson(back), toJson(options)) << "what it does not say is as it begins";
 }
 
 TEST(RecordedLoop, LinesOfASurfaceSayAllThatItIsMadeFrom) {
@@ -241,7 +264,7 @@ TEST(RecordedLoop, LinesOfASurfaceSayAllThatItIsMadeFrom) {
                             .anchor = Anchor{{1, 2, 3}, {0.1, 0.2, -0.3}},
                             .textured = true,
                             .checksum = 0xfedcba9876543210ULL};
-  const auto loop = recordedLoop(sceneLine(scene) + snapshotLine({}, 5, kBuild), kBuild);
+  const auto loop = recordedLoop(sceneLine(scene) + snapshotLine({}, 5, kBuild));
   ASSERT_TRUE(loop.has_value());
   const RecordedScene& back = loop->scenes.at(4);
   EXPECT_EQ(back.window_id, 77U);
@@ -265,8 +288,7 @@ TEST(RecordedLoop, TellsWhichMapAndWhichRasterOfFirmnessWhateverTheirNames) {
   const std::string name = "../my scans/firm 100 %\n\xc3\xa4.tif";
   const std::string state = R"({"file": "a b.ply", "of": "100 %"})";
   const auto loop = recordedLoop(sceneLine(scene) + firmnessLine("a1b2", name) + mapLine(2, state) +
-                                     snapshotLine(start, 0, kBuild),
-                                 kBuild);
+                                 snapshotLine(start, 0, kBuild));
   ASSERT_TRUE(loop);
   const RecordedScene& read = loop->scenes.at(7);
   EXPECT_EQ(read.firmness, "a1b2");
@@ -277,9 +299,10 @@ TEST(RecordedLoop, TellsWhichMapAndWhichRasterOfFirmnessWhateverTheirNames) {
   EXPECT_EQ(loop->files.firmness.at("a1b2"), name);
   EXPECT_EQ(loop->files.maps.at(2), state);
   scene.firmness.clear();
-  const auto without = recordedLoop(sceneLine(scene) + snapshotLine(start, 0, kBuild), kBuild);
+  const auto without = recordedLoop(sceneLine(scene) + snapshotLine(start, 0, kBuild));
   EXPECT_EQ(without->scenes.at(7).firmness, "");
-  EXPECT_THROW(recordedLoop("replay firmness a1b2 firm%2\n", kBuild), FileError);
+  EXPECT_THROW(recordedLoop("replay firmness a1b2 firm%2\n" + snapshotLine(start, 0, kBuild)),
+               FileError);
 }
 
 }  // namespace

@@ -257,7 +257,7 @@ TEST_F(MarkPlaces, ALegendKeepsTheTextsSizeAndTheFiguresWidth) {
 
 TEST_F(MarkPlaces, ForcePlotsHaveRoomForTheirNumbers) {
   project_.figure.layout = FigureLayout::plot;
-  std::vector<ForceCurveRow> rows;
+  std::vector<ForcePoint> rows;
   for (int i = 0; i <= 200; ++i) rows.push_back({0.01 * i, 0.01 * i, 1, 0.6});
   for (const double width_mm : {60.0, 85.0, 180.0}) {
     for (const double text_pt : {4.0, 8.0, 16.0}) {

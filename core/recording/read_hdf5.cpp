@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/recording/read_hdf5.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,12 +15,9 @@
 
 #include "core/base/error.h"
 #include "core/hash/sha256.h"
-#include "haptics/record/event_row.h"
-#include "haptics/record/hdf5_log.h"
-#include "haptics/record/hdf5_session.h"
-#include "haptics/record/log_check.h"
-#include "haptics/record/log_checksum.h"
-#include "haptics/record/replay.h"
+#include "core/recording/event_row.h"
+#include "core/recording/hdf5_session.h"
+#include "core/recording/log_checksum.h"
 
 namespace relievo {
 
@@ -51,6 +50,10 @@ std::vector<double> readColumn(hid_t file, std::string_view name) {
   std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
   require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return values;
+}
+
+bool hasColumn(hid_t file, std::string_view name) {
+  return H5Lexists(file, ("log/" + std::string(name)).c_str(), H5P_DEFAULT) > 0;
 }
 
 template <class Row>
@@ -105,7 +108,7 @@ std::string readAttribute(hid_t object, const char* name) {
 
 /// Units and descriptions are those of every log, so that they need no checksum.
 bool areColumnsNamedRight(hid_t file) {
-  return std::all_of(kLogColumns.begin(), kLogColumns.end(), [&](const LogColumn& column) {
+  return std::all_of(kNumberColumns.begin(), kNumberColumns.end(), [&](const LogColumn& column) {
     const Id set(H5Dopen2(file, ("log/" + std::string(column.name)).c_str(), H5P_DEFAULT),
                  H5Dclose);
     return readAttribute(set, "unit") == column.unit &&
@@ -158,7 +161,7 @@ LogCheck checkBlocks(hid_t file, const Task& task) {
     return changed(0, "its header or its surface is not as it was written");
   }
   std::vector<std::vector<double>> columns;
-  for (const LogColumn& column : kLogColumns) {
+  for (const LogColumn& column : kNumberColumns) {
     task.check();
     columns.push_back(readColumn(file, column.name));
   }
@@ -224,7 +227,7 @@ std::string digitsOfFile(std::ifstream& in, const Task& task) {
 
 }  // namespace
 
-LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
+LogTable readHdf5Log(const std::filesystem::path& file, LogUse use, const Task& task) {
   const std::string name = "The log \"" + file.string() + "\" ";
   std::unique_lock<std::mutex> turn(library());
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
@@ -237,19 +240,25 @@ LogTable readHdf5Log(const std::filesystem::path& file, const Task& task) {
     const std::string lines = linesIn(held);
     if (!lines.empty()) table.footer += '\n' + lines;
     table.events = eventsIn(held);
-    for (std::size_t i = 0; i < kLogColumns.size(); ++i) {
+    for (const LogColumn& column : kNumberColumns) {
       task.check();
-      const std::vector<double> values = readColumn(held, kLogColumns[i].name);
-      if (i == 0) table.rows.resize(values.size());
+      if (!hasColumn(held, column.name)) {
+        if (column.name == kNumberColumns.front().name) throw noRecording(file);
+        if (column.needed_by <= use) throw withoutColumn(file, column.name);
+        continue;
+      }
+      const std::vector<double> values = readColumn(held, column.name);
+      if (column.name == kNumberColumns.front().name) table.rows.resize(values.size());
       if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
       turn.unlock();  // A recording may be running, and its thread must not wait for long.
-      for (std::size_t row = 0; row < values.size(); ++row) table.rows[row][i] = values[row];
+      std::size_t row = 0;
+      while (row < values.size() && takeValue(column, use, table.rows[row], values[row])) ++row;
       turn.lock();
+      if (row < values.size()) throw badRow(file, row + 1);
     }
   } catch (const WriteError&) {
     throw FileError(name + "cannot be read as a log of this version.");
   }
-  if (table.rows.empty()) throw FileError(name + "has no rows.");
   return table;
 }
 

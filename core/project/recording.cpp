@@ -1,40 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/batch/recording.h"
+#include "core/project/recording.h"
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "app/batch/json.h"
 #include "core/base/error.h"
 #include "core/project/carried_state.h"
 #include "core/provenance/embedded.h"
-#include "haptics/record/events.h"
-#include "haptics/record/replay.h"
+#include "core/provenance/parameters_json.h"
+#include "core/recording/log_note.h"
+#include "core/recording/log_table.h"
 
-namespace relievo::batch {
+namespace relievo {
 namespace {
-
-constexpr std::size_t kHip = 2, kProxy = 5, kForce = 8, kContact = 13, kDetail = 18, kWindow = 19,
-                      kOrigin = 20;
-static_assert(kLogColumns[kHip].name == "hip_x_mm" && kLogColumns[kProxy].name == "proxy_x_mm");
-static_assert(kLogColumns[kForce].name == "f_x_N" && kLogColumns[kContact].name == "contact");
-static_assert(kLogColumns[kDetail].name == "detail" && kLogColumns[kWindow].name == "region_id");
-static_assert(kLogColumns[kOrigin].name == "origin");
-
-/// The rest of the first line that starts with `word`; nothing if there is none.
-std::string_view lineAfter(std::string_view text, std::string_view word) {
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    if (line.starts_with(word)) return line.substr(word.size());
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return {};
-}
 
 /// All numbers of a text, whatever stands between them.
 std::vector<double> numbersOf(std::string_view text) {
@@ -50,22 +32,16 @@ std::vector<double> numbersOf(std::string_view text) {
   return numbers;
 }
 
-TouchRow rowOf(const std::array<double, kLogColumns.size()>& v, const std::string& name,
-               std::size_t number) {
-  for (const double value : v) {
-    if (std::isfinite(value)) continue;
-    throw FileError("The recording \"" + name + "\" has a value that is no finite number in row " +
-                    std::to_string(number) + ". It is not replayed.");
+/// How the map was made from the file, if a state says it.
+std::optional<std::array<double, 16>> viewFromFileIn(std::string_view state) {
+  const Json json = Json::parse(state, nullptr, false);
+  const Json::json_pointer place("/made/view_from_file");
+  if (json.is_discarded() || !json.contains(place)) return std::nullopt;
+  try {
+    return json.at(place).get<std::array<double, 16>>();
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;  // These are no sixteen numbers.
   }
-  const auto code = static_cast<std::size_t>(v[kOrigin]);
-  return {.t_s = v[0],
-          .hip = {v[kHip], v[kHip + 1], v[kHip + 2]},
-          .proxy = {v[kProxy], v[kProxy + 1], v[kProxy + 2]},
-          .force = {v[kForce], v[kForce + 1], v[kForce + 2]},
-          .origin = code < kOriginCount ? static_cast<Origin>(code) : Origin::outside,
-          .contact = v[kContact] != 0,
-          .window_id = static_cast<std::uint64_t>(v[kWindow]),
-          .detail = static_cast<int>(v[kDetail])};
 }
 
 /// What the carried state says: input, map and the window at the start.
@@ -75,17 +51,13 @@ void takeState(TouchRecording& recording) {
   recording.input_sha256 = project.sha256;
   recording.windows.push_back(
       {recording.rows.front().window_id, project.region, project.gain, true});
-  const Json json = Json::parse(recording.state, nullptr, false);
-  const auto made = json.find("made");
-  if (made == json.end() || !made->is_object() || !made->contains("view_from_file")) return;
-  recording.view_from_file.emplace();
-  (*made)["view_from_file"].get_to(*recording.view_from_file);
+  recording.view_from_file = viewFromFileIn(recording.state);
 }
 
 /// Older logs of `record` name only input, region and level.
 void takePlainLines(TouchRecording& recording, std::string_view header) {
-  recording.input = lineAfter(header, "input ");
-  const std::vector<double> region = numbersOf(lineAfter(header, "region_mm "));
+  recording.input = headerLine(header, "input ");
+  const std::vector<double> region = numbersOf(headerLine(header, "region_mm "));
   if (region.size() != 5 || !(region[2] > 0)) return;
   recording.windows.push_back(
       {recording.rows.front().window_id,
@@ -114,9 +86,9 @@ void takeEvents(TouchRecording& recording, const LogTable& log) {
   const auto add_note = [&](const Note& note) {
     const auto row =
         std::lower_bound(log.rows.begin(), log.rows.end(), note.tick,
-                         [](const LogRow& one, std::uint64_t tick) { return tickOf(one) < tick; });
-    const LogRow& of = row == log.rows.end() ? log.rows.back() : *row;
-    recording.events.push_back({.t_s = of[0], .text = note.text, .is_note = true});
+                         [](const TouchRow& one, std::uint64_t tick) { return one.tick < tick; });
+    const TouchRow& of = row == log.rows.end() ? log.rows.back() : *row;
+    recording.events.push_back({.t_s = of.t_s, .text = note.text, .is_note = true});
   };
   for (const LogEvent& event : log.events) {
     if (const auto note = noteIn(event.text)) {
@@ -139,21 +111,19 @@ void takeEvents(TouchRecording& recording, const LogTable& log) {
 }  // namespace
 
 TouchRecording readRecording(const std::filesystem::path& file, const Task& task) {
-  const LogTable log = readLog(file, task);
+  LogTable log = readLog(file, LogUse::show, task);
   TouchRecording recording;
   recording.name = file.filename().string();
-  recording.rows.reserve(log.rows.size());
-  for (const auto& row : log.rows) {
-    constexpr std::size_t kRowsPerCheck = 65536;
-    if (recording.rows.size() % kRowsPerCheck == 0) task.check();
-    recording.rows.push_back(rowOf(row, recording.name, recording.rows.size() + 1));
-    if (recording.rows.size() < 2 || row[0] >= recording.rows[recording.rows.size() - 2].t_s) {
-      continue;
-    }
+  const auto back = std::adjacent_find(
+      log.rows.begin(), log.rows.end(),
+      [](const TouchRow& row, const TouchRow& next) { return next.t_s < row.t_s; });
+  if (back != log.rows.end()) {
     throw FileError("The recording \"" + recording.name + "\" goes back in time in row " +
-                    std::to_string(recording.rows.size()) + ". It is not replayed.");
+                    std::to_string(back - log.rows.begin() + 2) + ". It is not replayed.");
   }
-  recording.state = lineAfter(log.header, std::string(kStateKey) + " ");
+  takeEvents(recording, log);
+  recording.rows = std::move(log.rows);
+  recording.state = headerLine(log.header, std::string(kStateKey) + " ");
   if (recording.state.empty()) {
     takePlainLines(recording, log.header);
   } else {
@@ -162,8 +132,7 @@ TouchRecording readRecording(const std::filesystem::path& file, const Task& task
   // A recording of the window has its last lines in room that its header kept for them.
   takeWindowLines(recording, log.header);
   takeWindowLines(recording, log.footer);
-  takeEvents(recording, log);
   return recording;
 }
 
-}  // namespace relievo::batch
+}  // namespace relievo

@@ -6,11 +6,11 @@
 #include "core/base/task.h"
 #include "core/replay/touch_recording.h"
 
-namespace relievo::batch {
+namespace relievo {
 
 /// A recording of the window, of `record` or of `touch`, CSV or HDF5, as a plain value. Windows
-/// that the file does not place are left out. [worker; HDF5: while no HDF5 file is written]
+/// that the file does not place are left out. [worker]
 /// @throw FileError  as readLog; a number that is not finite  @throw Cancelled
 TouchRecording readRecording(const std::filesystem::path& file, const Task& task = {});
 
-}  // namespace relievo::batch
+}  // namespace relievo

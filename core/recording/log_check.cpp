@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/record/log_check.h"
+#include "core/recording/log_check.h"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,8 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "haptics/record/hdf5_log.h"
-#include "haptics/record/log_checksum.h"
-#include "haptics/record/log_writer.h"
-#include "haptics/record/replay.h"
+#include "core/recording/log_checksum.h"
+#include "core/recording/read_hdf5.h"
 
 namespace relievo {
 
@@ -40,7 +38,7 @@ class CsvCheck {
     if (in_.bad()) {
       throw FileError("The log \"" + file.string() + "\" cannot be read to its end.");
     }
-    const std::string_view first_column = logColumns().substr(0, logColumns().find(',') + 1);
+    const std::string first_column = std::string(kLogColumns.front().name) + ',';
     if (!columns_.starts_with(first_column) && !is_marked_ && !has_trace_) throw noRecording(file);
     return verdict();
   }
@@ -151,8 +149,7 @@ class CsvCheck {
 }  // namespace
 
 LogCheck checkLog(const std::filesystem::path& file, const Task& task) {
-  const std::string ending = file.extension().string();
-  if (ending == ".h5" || ending == ".hdf5") return checkHdf5Log(file, task);
+  if (isHdf5Name(file)) return checkHdf5Log(file, task);
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) {
     throw FileError("The log \"" + file.string() + "\" cannot be read.");

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "haptics/record/event_row.h"
+#include "core/recording/event_row.h"
 
 // What writing and reading HDF5 logs have in common.
 namespace relievo::hdf5 {
@@ -71,7 +71,7 @@ inline Id eventType() {
   return type;
 }
 
-/// Of each block a line of haptics/record/log_checksum.h, whose count is that of rows, events and
+/// Of each block a line of core/recording/log_checksum.h, whose count is that of rows, events and
 /// lines so far; of the first, of what stands before the rows, all 0.
 inline constexpr const char* kChecksumsSet = "checksums";
 inline constexpr std::string_view kNothingYet = "0 0 0";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "haptics/record/log_checksum.h"
+#include "core/recording/log_checksum.h"
 
 #include "core/hash/sha256.h"
 
