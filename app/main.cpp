@@ -4,6 +4,7 @@
 #include <csignal>
 #include <iostream>
 #include <QFile>
+#include <QHash>
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
@@ -106,6 +107,8 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 int main(int argc, char** argv) {
   // A file that may not grow is met like a full disk: what is written is completed.
   std::signal(SIGXFSZ, SIG_IGN);
+  // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.
+  qSetGlobalQHashSeed(0);
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
   if (const std::string unknown = argc > 1 ? relievo::unknownVerb(argv[1]) : ""; !unknown.empty()) {
     std::cerr << "relievo: " << unknown << '\n';

@@ -22,8 +22,7 @@ bool areOneFile(const fs::path& a, const fs::path& b) {
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-  throw WriteError("Cannot write " + file.string() + ": " + why +
-                   ". It was left as it is. Choose another name.");
+  throw NotReplaceable(file, why);
 }
 
 /// Links of the system name open files of a process, not places: /dev/stdout, /proc/self/fd/1.
@@ -45,6 +44,11 @@ fs::path behindLinks(const fs::path& file) {
 }
 
 }  // namespace
+
+NotReplaceable::NotReplaceable(const fs::path& file, const std::string& because)
+    : WriteError("Cannot write " + file.string() + ": " + because +
+                 ". It was left as it is. Choose another name."),
+      why(because) {}
 
 fs::path requireReplaceable(const fs::path& file) {
   const fs::path place = behindLinks(file);

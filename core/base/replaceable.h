@@ -5,13 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
+
 namespace relievo {
+
+/// "Cannot write FILE: <why>. It was left as it is."
+struct NotReplaceable : WriteError {
+  NotReplaceable(const std::filesystem::path& file, const std::string& because);
+  std::string why;  ///< For whoever says it in a sentence of his own.
+};
 
 /// Whoever writes a file beside its place and renames it asks this first: a pipe, a device or a
 /// folder of that name, also behind a symbolic link as /dev/stdout is one, would be gone. A link to
 /// a file stays a link; what it points to is replaced. [any thread]
 /// @return the place that the finished file takes: `file` itself, or what its links lead to
-/// @throw WriteError  there is something that is no regular file, or one that is read-only
+/// @throw NotReplaceable  there is something that is no regular file, or one that is read-only
 std::filesystem::path requireReplaceable(const std::filesystem::path& file);
 
 /// A file that is read for what is written, and what people call it, after "is".

@@ -146,6 +146,9 @@ constexpr std::array kWords{
                       "that OpenSSL's library is whole and allows SHA-256."),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "its length is odd"),
     QT_TRANSLATE_NOOP("relievo::SpokenWords", "it does not begin with AA 08"),
+    QT_TRANSLATE_NOOP("relievo::SpokenWords", "what has this name is no regular file"),
+    QT_TRANSLATE_NOOP("relievo::SpokenWords", "it is read-only"),
+    QT_TRANSLATE_NOOP("relievo::SpokenWords", "its symbolic links lead in a circle"),
 };
 
 /// A sentence with its parts as %1, %2, ...
@@ -289,7 +292,8 @@ constexpr std::array kForms{
                            "'relievo devices firmware FILE --accept' once.")},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
                            "The firmware could not be copied to \"%1\": %2. Nothing was changed. "
-                           "Check the folder and the disk's room.")},
+                           "Check the folder and the disk's room."),
+         "2"},
     Form{QT_TRANSLATE_NOOP("relievo::SpokenWords",
                            "The Falcon's settings could not be written to \"%1\". They hold until "
                            "the program ends. Check the folder's permissions.")},

@@ -51,6 +51,24 @@ TEST_F(FigureVerb, ReportsItsSizeAndMeasuresWithoutADisplay) {
   EXPECT_FALSE(bytesOf(path("h.tif")).empty());
 }
 
+TEST_F(FigureVerb, WritesTheSameBytesAgainButForThePdfsDate) {
+  const auto drawn = [&](const char* name) {
+    EXPECT_EQ(figure({"-o", path(name)}).exit_code, 0);
+    std::string bytes = bytesOf(path(name));
+    constexpr std::string_view kDate = "/CreationDate (D:";
+    const std::size_t date = bytes.find(kDate);
+    constexpr std::size_t kDigits = 14;
+    return date == std::string::npos ? bytes : bytes.erase(date + kDate.size(), kDigits);
+  };
+  for (const char* ending : {".pdf", ".svg"}) {
+    const std::string first = drawn((std::string("a") + ending).c_str());
+    // Fonts stood in the order of a hash that is another one in nearly every run.
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_TRUE(drawn((std::string("b") + ending).c_str()) == first) << ending;
+    }
+  }
+}
+
 TEST_F(FigureVerb, ACaptionToTheScreenIsNoFile) {
   ASSERT_EQ(figure({"--layout", "detail", "--caption", "-", "-o", path("a.png")}).exit_code, 0);
   EXPECT_FALSE(fs::exists("-"));

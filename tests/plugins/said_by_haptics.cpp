@@ -256,10 +256,19 @@ class FirmwareMistakes {
   }
 
   void keep() {
-    fs::create_directory(named(places_.data_home / "nvent_firmware.bin"));  // Where it should go.
-    said_.names.insert(std::generic_category().message(EISDIR));
     const falcon::Firmware firmware = falcon::readFirmware(file("unknown"));
-    refused(said_, [&] { falcon::installFirmware(firmware, places_); });
+    const fs::path place = named(places_.data_home / "nvent_firmware.bin");
+    const auto refusedAsItIs = [&] {
+      refused(said_, [&] { falcon::installFirmware(firmware, places_); });
+      fs::remove(place);
+    };
+    fs::create_directory(place);
+    refusedAsItIs();
+    fs::create_symlink(place.filename(), place);
+    refusedAsItIs();
+    fs::copy_file(file("unknown"), place);
+    fs::permissions(place, fs::perms::owner_read);
+    refusedAsItIs();
     refused(said_, [&] { falcon::writeSettings({}, named("/dev/null/falcon.conf")); });
   }
 

@@ -6913,6 +6913,18 @@
         <translation>Die Prüfsumme der Firmware konnte nicht berechnet werden. Nichts wurde geladen. Prüfen Sie, ob die Bibliothek von OpenSSL heil ist und SHA-256 erlaubt.</translation>
     </message>
     <message>
+        <source>what has this name is no regular file</source>
+        <translation>was so heißt, ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it is read-only</source>
+        <translation>sie ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>ihre symbolischen Verknüpfungen führen im Kreis</translation>
+    </message>
+    <message>
         <source>its length is odd</source>
         <translation>ihre Länge ist ungerade</translation>
     </message>

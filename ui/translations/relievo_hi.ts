@@ -6913,6 +6913,18 @@
         <translation>फ़र्मवेयर का हैश नहीं निकाला जा सका। कुछ नहीं लोड हुआ। जाँचें कि OpenSSL की लाइब्रेरी पूरी है और SHA-256 की अनुमति देती है।</translation>
     </message>
     <message>
+        <source>what has this name is no regular file</source>
+        <translation>इस नाम की चीज़ सामान्य फ़ाइल नहीं है</translation>
+    </message>
+    <message>
+        <source>it is read-only</source>
+        <translation>यह केवल पढ़ने के लिए है</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>इसके प्रतीकात्मक लिंक चक्र में जाते हैं</translation>
+    </message>
+    <message>
         <source>its length is odd</source>
         <translation>इसकी लंबाई विषम है</translation>
     </message>

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/replaceable.h"
 #include "core/file/output_set.h"
 #include "haptics/device/falcon/boot_image.h"
 
@@ -248,6 +249,8 @@ fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places)
     files.commit();
   } catch (const CannotWrite& cannot) {
     refuse(cannot.reason);
+  } catch (const NotReplaceable& refused) {
+    refuse(refused.why);
   }
   return target;
 }

@@ -12,11 +12,11 @@ import tempfile
 FAULTS = {
     "dies of a signal": ("case $1 in info) kill -SEGV $$;; esac", ["--files", "30"]),
     "lets a library speak": ("[ $code = 2 ] && echo 'terminate called after' >&2", ["--files", "30"]),
-    "fails without a word": ("case $1 in info) exec >/dev/null 2>&1; exit 2;; esac",
+    "fails without a word": ("case $1 in info) : > \"$answer\"; : > \"$words\"; code=2;; esac",
                              ["--files", "30"]),
     "writes no JSON": ("[ $code = 0 ] && echo '{\"seconds\": nan}'", ["--files", "30"]),
     "leaves what it failed to make": ("[ $code = 2 ] && : > out.tif", ["--files", "40"]),
-    "leaves a temporary file": (": > .left.tmp", ["--kills", "12", "--only", "convert .asc"]),
+    "leaves a temporary file": ("[ $1 = convert ] && : > .left.tmp", ["--kills", "12", "--only", "convert .asc"]),
     "now and then writes half": ("[ $1 = convert ] && [ $(($$ % 2)) = 0 ] && head -c 900 \"$3\" > h && mv h \"$3\"",
                     ["--kills", "12", "--only", "convert .asc"]),
     "loses the earlier output": ("[ $code != 0 ] && rm -f \"$3\"",
@@ -30,10 +30,12 @@ FAULTS = {
 }
 SCRIPT = """#!/bin/bash
 answer=$(mktemp)
-trap 'rm -f "$answer"' EXIT
-{program} "$@" > "$answer"
+words=$(mktemp)
+trap 'rm -f "$answer" "$words"' EXIT
+{program} "$@" > "$answer" 2> "$words"
 code=$?
 {fault}
+cat "$words" >&2
 cat "$answer"
 exit $code
 """
