@@ -29,8 +29,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "front-most point"),
     QT_TRANSLATE_NOOP("Core", "second point from the front"),
     QT_TRANSLATE_NOOP("Core", "mean of the top layer"),
-    QT_TRANSLATE_NOOP("Core", "median of the points"),
-    QT_TRANSLATE_NOOP("Core", "rear-most point"),
+    QT_TRANSLATE_NOOP("Core", "median of the points"), QT_TRANSLATE_NOOP("Core", "rear-most point"),
     QT_TRANSLATE_NOOP("Core", "mean of the points"), QT_TRANSLATE_NOOP("Core", "bilinear splat"),
     QT_TRANSLATE_NOOP("Core", "local quadratic"),
     // What is measured.

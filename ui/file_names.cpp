@@ -71,7 +71,7 @@ QString escaped(const QString& name) {
 /// A name without a blank widens what shows it, so that a long one misses its middle.
 QString shown(const QString& name) {
   constexpr int kMostCharacters = 80, kAtEnd = 25;
-  const QString text = escaped(name);
+  QString text = escaped(name);
   if (text.size() <= kMostCharacters) return text;
   return text.left(kMostCharacters - kAtEnd - 1) + QChar(0x2026) + text.right(kAtEnd);
 }

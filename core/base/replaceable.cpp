@@ -51,7 +51,7 @@ NotReplaceable::NotReplaceable(const fs::path& file, const std::string& because)
       why(because) {}
 
 fs::path requireReplaceable(const fs::path& file) {
-  const fs::path place = behindLinks(file);
+  fs::path place = behindLinks(file);
   std::error_code unknown;  // What cannot be asked cannot be opened either, which says why.
   const fs::file_status status = fs::status(place, unknown);
   if (!fs::exists(status)) return place;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <concepts>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -29,10 +28,10 @@ void removeLeftFiles(const std::filesystem::path& folder);
 /// Where a writer puts a file: a path alone, or a path as a member of a set whose files all take
 /// their places together.
 struct OutputFile {
-  template <class Path>
-  requires std::convertible_to<Path, std::filesystem::path> OutputFile(
-      Path&& file)  // NOLINT(google-explicit-constructor): a path alone is a place, too.
-      : path(std::forward<Path>(file)) {}
+  // A path alone, however it is written, is a place, too.
+  OutputFile(std::filesystem::path file) : path(std::move(file)) {}  // NOLINT(*-explicit-*)
+  OutputFile(const std::string& file) : path(file) {}                // NOLINT(*-explicit-*)
+  OutputFile(const char* file) : path(file) {}                       // NOLINT(*-explicit-*)
   OutputFile(std::filesystem::path file, OutputSet* of) : path(std::move(file)), set(of) {}
 
   std::filesystem::path path;

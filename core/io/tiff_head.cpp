@@ -98,7 +98,7 @@ std::optional<TiffStart> startOf(TiffBytes& in) {
   if (order != "II" && order != "MM") return std::nullopt;
   in.little_endian = order == "II";
   const auto magic = in.number(2, 2);
-  if (magic != 42 && magic != 43) return std::nullopt;
+  if (!magic || (*magic != 42 && *magic != 43)) return std::nullopt;
   const bool big = magic == 43;
   if (big && in.number(4, 4) != (in.little_endian ? 8U : 0x80000U)) return std::nullopt;
   const auto directory = in.number(big ? 8 : 4, big ? 8 : 4);

@@ -153,9 +153,14 @@ std::string toJson(const Provenance& p, int indent) {
 Provenance provenanceFromJson(std::string_view text, const std::string& source) {
   try {
     return provenanceFrom(parsedJson(text));
-  } catch (const nlohmann::json::exception& error) {
-    throw FileError(source + " holds no state that this version can read (" + error.what() +
-                    "). Nothing was changed.");
+  } catch (const nlohmann::json::parse_error&) {
+    throw FileError(source +
+                    " holds no state that this version can read: it is damaged. Nothing was "
+                    "changed.");
+  } catch (const nlohmann::json::exception&) {
+    throw FileError(source +
+                    " holds no state that this version can read: a part is missing or has another "
+                    "form. Nothing was changed.");
   } catch (const FileError& error) {
     throw FileError(source + " holds no state that this version can read. " + error.what() +
                     " Nothing was changed.");
@@ -175,6 +180,10 @@ ViewState viewFromText(std::string_view text) {
       throw FileError("There is no 'relievo_view' of schema 1 in it.");
     }
     return viewFrom(json);
+  } catch (const nlohmann::json::exception&) {
+    throw ArgumentError(
+        "This text is not a view of relievo (it is damaged, or a part is missing). The view was "
+        "not changed. Copy a view again.");
   } catch (const std::exception& error) {
     throw ArgumentError("This text is not a view of relievo (" + std::string(error.what()) +
                         "). The view was not changed. Copy a view again.");

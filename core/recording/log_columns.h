@@ -30,7 +30,7 @@ struct LogColumn {
   // Null of text, which no row has. Every number is exact in a double.
   double (*value)(const TouchRow&) = nullptr;
   /// @return false: the member cannot have this value
-  bool (*setValue)(TouchRow&, double) = nullptr;
+  bool (*set_value)(TouchRow&, double) = nullptr;
 };
 
 // How the table below is made from members.
@@ -79,8 +79,8 @@ constexpr LogColumn of(LogUse needed_by, From from, std::string_view name, std::
       .needed_by = needed_by,
       .is_recomputed = from == From::arithmetic,
       .value = [](const TouchRow& row) { return static_cast<double>(memberOf<Member, Axis>(row)); },
-      .setValue = [](TouchRow& row,
-                     double value) { return take(memberOf<Member, Axis>(row), value); }};
+      .set_value = [](TouchRow& row,
+                      double value) { return take(memberOf<Member, Axis>(row), value); }};
 }
 
 }  // namespace columns

@@ -123,7 +123,7 @@ LogTable readCsvLog(const std::filesystem::path& file, LogUse use, const Task& t
 }  // namespace
 
 bool takeValue(const LogColumn& column, LogUse use, TouchRow& row, double value) {
-  return (use == LogUse::replay || std::isfinite(value)) && column.setValue(row, value);
+  return (use == LogUse::replay || std::isfinite(value)) && column.set_value(row, value);
 }
 
 FileError badRow(const std::filesystem::path& file, std::size_t number) {

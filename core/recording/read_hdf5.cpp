@@ -36,9 +36,29 @@ using hdf5::require;
 using hdf5::textType;
 
 namespace {
+
+/// gzip makes a thousandth of what it is given at best, and what is not written yet takes no room:
+/// a file that claims far more than its bytes can hold is damaged, and is given no memory for it.
+void requireHeld(hid_t set, std::uint64_t elements) {
+  constexpr std::uint64_t kMostTimes = 1100, kNotWrittenYet = std::uint64_t{1} << 20U;
+  const Id type(H5Dget_type(set), H5Tclose);
+  const std::uint64_t most = H5Dget_storage_size(set) * kMostTimes + kNotWrittenYet;
+  const std::size_t bytes = H5Tget_size(type);
+  require(bytes == 0 || elements > most / bytes ? -1 : 0);
+}
+
+std::size_t rowsIn(hid_t set) {
+  const Id space(H5Dget_space(set), H5Sclose);
+  const hssize_t rows = H5Sget_simple_extent_npoints(space);
+  require(rows < 0 ? -1 : 0);
+  requireHeld(set, static_cast<std::uint64_t>(rows));
+  return static_cast<std::size_t>(rows);
+}
+
 std::string readText(hid_t file, const char* name) {
   const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
   const Id type(H5Dget_type(set), H5Tclose);
+  requireHeld(set, 1);
   std::string text(H5Tget_size(type), '\0');
   require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()));
   return text;
@@ -46,8 +66,7 @@ std::string readText(hid_t file, const char* name) {
 
 std::vector<double> readColumn(hid_t file, std::string_view name) {
   const Id set(H5Dopen2(file, ("log/" + std::string(name)).c_str(), H5P_DEFAULT), H5Dclose);
-  const Id space(H5Dget_space(set), H5Sclose);
-  std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  std::vector<double> values(rowsIn(set));
   require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
   return values;
 }
@@ -59,8 +78,7 @@ bool hasColumn(hid_t file, std::string_view name) {
 template <class Row>
 std::vector<Row> readRows(hid_t file, const char* name, hid_t type) {
   const Id set(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
-  const Id space(H5Dget_space(set), H5Sclose);
-  std::vector<Row> rows(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  std::vector<Row> rows(rowsIn(set));
   if (!rows.empty()) require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()));
   return rows;
 }
@@ -202,8 +220,7 @@ LogCheck checkBlocks(hid_t file, const Task& task) {
 
 std::uint64_t rowsOf(hid_t file) {
   const Id set(H5Dopen2(file, "log/t_s", H5P_DEFAULT), H5Dclose);
-  const Id space(H5Dget_space(set), H5Sclose);
-  return static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space));
+  return rowsIn(set);
 }
 
 /// Of a file whose every byte is as it was written. [the library's turn is held]

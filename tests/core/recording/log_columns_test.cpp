@@ -22,7 +22,7 @@ TEST(LogColumns, EveryColumnHasANameOfItsOwnAndAMemberOfItsOwn) {
   for (const LogColumn& column : kNumberColumns) {
     TouchRow row;
     const double other = column.value(row) == 0 ? 1 : 0;
-    ASSERT_TRUE(column.setValue(row, other)) << column.name;
+    ASSERT_TRUE(column.set_value(row, other)) << column.name;
     for (const LogColumn& one : kNumberColumns) {
       const double wanted = one.name == column.name ? other : one.value(TouchRow{});
       EXPECT_EQ(one.value(row), wanted) << one.name << " after " << column.name;
@@ -35,19 +35,19 @@ TEST(LogColumns, AMemberIsUntouchedByAValueThatItCannotHave) {
   for (const LogColumn& column : kNumberColumns) {
     TouchRow row;
     if (column.type == ColumnType::real) {
-      EXPECT_TRUE(column.setValue(row, kNan)) << "a replay compares it to the last bit";
+      EXPECT_TRUE(column.set_value(row, kNan)) << "a replay compares it to the last bit";
       EXPECT_TRUE(std::isnan(column.value(row))) << column.name;
       continue;
     }
     for (const double value : {kNan, 0.5, -3e9, 1e300, std::numeric_limits<double>::infinity()}) {
-      EXPECT_FALSE(column.setValue(row, value)) << column.name << " " << value;
+      EXPECT_FALSE(column.set_value(row, value)) << column.name << " " << value;
     }
     EXPECT_EQ(row, TouchRow{}) << column.name;
   }
   TouchRow row;
   const auto set = [&](std::string_view name, double value) {
     for (const LogColumn& column : kNumberColumns) {
-      if (column.name == name) return column.setValue(row, value);
+      if (column.name == name) return column.set_value(row, value);
     }
     return false;
   };
