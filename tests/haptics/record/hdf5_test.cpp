@@ -280,5 +280,26 @@ TEST(Hdf5Log, TheEndingChoosesTheFormat) {
   EXPECT_GT(H5Fis_hdf5(h5.c_str()), 0);
 }
 
+TEST(Hdf5Log, ASizeThatTheFileCannotHoldIsGivenNoMemory) {
+  const std::filesystem::path file = temporary("claims.h5");
+  const auto log = openLog(file, "relievo log", nullptr);
+  for (std::uint64_t tick = 0; tick < 1000; ++tick) {
+    HapticSample sample;
+    sample.tick = tick;
+    log->write(sample, 0.001 * static_cast<double>(tick), "");
+  }
+  log->close("loop ticks 1000");
+  EXPECT_EQ(readLog(file).rows.size(), 1000U);
+  // 800 GB, and more numbers than a vector can ever have.
+  for (const hsize_t rows : {hsize_t{100'000'000'000}, hsize_t{1} << 62U}) {
+    const hid_t held = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t set = H5Dopen2(held, "log/tick", H5P_DEFAULT);
+    ASSERT_GE(H5Dset_extent(set, &rows), 0);
+    H5Dclose(set);
+    H5Fclose(held);
+    EXPECT_THROW(readLog(file), FileError);
+  }
+}
+
 }  // namespace
 }  // namespace relievo
