@@ -20,6 +20,7 @@
 #include "app/batch/verb.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
+#include "core/provenance/name_text.h"
 #include "core/session/load.h"
 #include "core/session/surface_colours.h"
 #include "ui/vtk/depth_capture.h"
@@ -82,7 +83,8 @@ int report(const Outcome& outcome, const std::string& format) {
   if (format == "json") {
     std::cout << outcome.json << '\n';
   } else {
-    for (const std::string& line : outcome.lines) std::cout << line << '\n';
+    // Names may hold line ends and bytes that steer a terminal.
+    for (const std::string& line : outcome.lines) std::cout << escapedName(line) << '\n';
   }
   std::cout.flush();
   if (!std::cout) {
@@ -95,7 +97,7 @@ int report(const Outcome& outcome, const std::string& format) {
 }  // namespace
 
 void tell(const std::string& message) {
-  std::cerr << "relievo: " << message << '\n';
+  std::cerr << "relievo: " << escapedName(message) << '\n';
 }
 
 Surface loadForVerb(const MapArguments& arguments, const Task& task) {

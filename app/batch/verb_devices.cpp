@@ -2,6 +2,9 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
@@ -219,6 +222,13 @@ void declareFalcon(CLI::App& verb, const std::shared_ptr<DevicesArguments>& a) {
   verb.add_option("--left-handed", a->hand, "Plus and minus change sides: yes or no; kept")
       ->check(CLI::IsMember({"yes", "no"}));
 }
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
 }  // namespace
 
 Verb devicesVerb() {
@@ -248,7 +258,7 @@ Verb devicesVerb() {
                 if (a->calibrate) return calibrateFalcon(a->weight_g, a->test, task);
                 if (a->rule) {
                   return Outcome{.json = Json{{"rule", falcon::udevRule()}}.dump(2),
-                                 .lines = {falcon::udevRule()}};
+                                 .lines = linesOf(falcon::udevRule())};
                 }
                 return a->hand.empty() ? list() : hand;
               }};
