@@ -7,7 +7,7 @@
 #include <QFileInfo>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/provenance/provenance.h"
 #include "core/provenance/sha256.h"
 #include "core/region/edges.h"
@@ -134,7 +134,7 @@ std::vector<float> WindowHost::firmnessUnder(const FirmnessMap& firmness,
   try {
     return relievo::firmnessUnder(firmness, surface->ladder, window.region);
   } catch (const ArgumentError& error) {
-    throw ArgumentError(spokenError(error).toStdString());
+    throw ArgumentError(messageOf(error));
   }
 }
 

@@ -5,12 +5,14 @@
 #include <iostream>
 #include <QFile>
 #include <QHash>
+#include <QIcon>
 #include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
 #include "app/batch/companions.h"
 #include "app/batch/falcon_setting.h"
 #include "app/batch/state.h"
+#include "app/end_signals.h"
 #include "app/host.h"
 #include "app/options.h"
 #include "app/plugin_loader.h"
@@ -27,6 +29,7 @@ namespace {
 
 constexpr int kUsage = 1;
 constexpr int kNoGraphics = 7;
+constexpr int kEndedBySignal = 128;  ///< As shells count it.
 
 void prepareQt() {
   relievo::keepBytesOfNames();
@@ -58,6 +61,8 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   using namespace relievo;
   prepareQt();
   GuardedApplication app(argc, argv);
+  QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/relievo.svg")));
+  QGuiApplication::setDesktopFileName(QStringLiteral("relievo"));  // Wayland takes the icon by it.
   // QApplication takes the user's locale; the readers need the dot as decimal sign.
   std::setlocale(LC_NUMERIC, "C");
   installAccessibleViews();
@@ -76,6 +81,11 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   PluginLoader plugins(host, window.settings());
   QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
   app.tellTo([&window](const QString& sentence) { window.showMessage(sentence); });
+  const EndSignals end_signals;  // Before a plugin opens a device.
+  QObject::connect(&end_signals, &EndSignals::came, [&window](int signal) {
+    window.endAtOnce();
+    QApplication::exit(kEndedBySignal + signal);
+  });
   window.show();
   plugins.load();
   for (const QString& problem : plugins.problems()) std::cerr << problem.toStdString() << '\n';

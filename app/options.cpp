@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/options.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -102,18 +103,34 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
   return options;
 }
 
+const std::vector<WindowOptionRow>& windowOptionRows() {
+  static const std::vector<WindowOptionRow> kRows{
+      {{"--unit"}, "mm|cm|m|in|ft|us-ft", "length unit of the file's coordinates"},
+      {{"--view"}, "front|back|left|right|top|bottom|auto", "direction of the view"},
+      {{"--detail"}, "N", "first detail; 1 is the whole object"},
+      {{"--region"}, "X,Y,W,H", "first window, millimetres from the lower left corner"},
+      {{"--lang"}, "en|de|hi", "language of the window"},
+      {{"--safe-mode"}, "", "ignore and keep no settings"},
+      {{"--version"}, "", "print the version"},
+      {{"-h", "--help"}, "", "print this help"},
+      {{"--"}, "", "what follows are files, whatever they begin with"}};
+  return kRows;
+}
+
 std::string windowHelp() {
-  return "relievo [FILE]   opens the window; VERB ... works without one (relievo VERB --help)\n"
-         "relievo FILE...  several scans of one object, or a folder of them: to be joined\n"
-         "\n"
-         "  --unit mm|cm|m|in|ft|us-ft   length unit of the file's coordinates\n"
-         "  --view NAME                  front, back, left, right, top, bottom or auto\n"
-         "  --detail N                   first detail; 1 is the whole object\n"
-         "  --region X,Y,W,H             first window, millimetres from the lower left corner\n"
-         "  --lang xx                    language of the window: en, de, hi\n"
-         "  --safe-mode                  ignore and keep no settings\n"
-         "  --version, --help\n"
-         "  --                           what follows are files, whatever they begin with\n";
+  std::string text =
+      "relievo [FILE]   opens the window; VERB ... works without one (relievo VERB --help)\n"
+      "relievo FILE...  several scans of one object, or a folder of them: to be joined\n"
+      "\n";
+  constexpr std::size_t kColumn = 48;
+  for (const WindowOptionRow& row : windowOptionRows()) {
+    std::string line = "  ";
+    for (const std::string& name : row.names) line += (line.size() > 2 ? ", " : "") + name;
+    if (!row.value.empty()) line += " " + row.value;
+    line.resize(std::max(line.size() + 1, kColumn), ' ');
+    text += line + row.help + "\n";
+  }
+  return text;
 }
 
 }  // namespace relievo

@@ -32,6 +32,14 @@ struct WindowOptions {
 ///                       file beside several
 WindowOptions parseWindowOptions(const std::vector<std::string>& arguments);
 
+/// One line of --help, of the manual page and of the completions of shells.
+struct WindowOptionRow {
+  std::vector<std::string> names;
+  std::string value;  ///< "en|de|hi": one of these; "N": a number; empty: it takes none.
+  std::string help;
+};
+const std::vector<WindowOptionRow>& windowOptionRows();
+
 /// The text of --help.
 std::string windowHelp();
 

@@ -414,6 +414,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == rows_ && event->type() == QEvent::Resize) showPlots();
   if (event->type() != QEvent::KeyPress || QApplication::activeModalWidget() != nullptr ||
       QApplication::activePopupWidget() != nullptr || !watched->isWidgetType() ||
       static_cast<QWidget*>(watched)->window() != this) {
@@ -431,8 +432,9 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
       document_.cancel();
       return true;
     }
-    if (video_->writing()) {
-      video_->cancel();
+    if (video_->writing() || (closes_when_saved_ && video_->live())) {
+      stayOpen();
+      if (video_->writing()) video_->cancel();
       return true;
     }
     if (path_preview_->playing()) {

@@ -113,6 +113,10 @@ class MainWindow : public QMainWindow {
   /// Writes and checks a package for citation in the background.
   void writePackage(const PackageChoice& choice);
   bool packing() const { return package_work_.busy(); }
+  /// The computer or a terminal says that the program must end: without a question and without
+  /// waiting for long work. Work that no file holds stays as the automatic copy, a video of the
+  /// view and recordings end whole, and what is half written goes.
+  void endAtOnce();
   /// A sentence above the views.
   void showMessage(const QString& text);
   /// The same of an error, with its code and what can be done.
@@ -197,6 +201,8 @@ class MainWindow : public QMainWindow {
 
   // main_window_layout.cpp
   void setFullScreenDetail(bool on);
+  /// Where they are wanted and leave the views enough height.
+  void showPlots();
   void focusNextPart(int direction);
   void setTheme(Theme theme);
   void showPreferences();
@@ -227,12 +233,14 @@ class MainWindow : public QMainWindow {
   void chooseImage();
   void connectImages();
   PictureOrder pictureOrder(ImageSource source, const QSize& pixels, const QString& file);
-  /// Pictures, packages and exports that are being written.
-  bool writing() const { return savingImage() || packing() || exporting(); }
+  /// Pictures, packages, exports and videos that are being written.
+  bool writing() const;
   /// The window has to wait for what is being written, and closes by itself after it.
   bool closesWhenAllIsWritten();
   /// A file is written, or was not: then nobody closes before the sentence was read.
   void closeIfAwaited(bool written);
+  /// Nobody waits for the end any more; the next close asks again what it has to ask.
+  void stayOpen() { closes_when_saved_ = closes_anyway_ = false; }
 
   // main_window_export.cpp
   void makeExportCommand();
@@ -397,6 +405,7 @@ class MainWindow : public QMainWindow {
   QString project_file_;
   std::string saved_work_;  ///< What a file holds of the work; see hasUnsavedWork.
   bool closes_anyway_ = false;
+  bool ends_at_once_ = false;
   bool title_due_ = false;
   QString recovered_copy_;  ///< Of what a crash left, until it is open again.
   std::optional<Probe> probe_;

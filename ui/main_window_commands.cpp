@@ -344,8 +344,7 @@ void MainWindow::makeWindowCommands() {
                       {},
                       {},
                       true});
-  connect(plots, &QAction::toggled, this,
-          [this](bool on) { plot_->setVisible(on && !replay_->showing()); });
+  connect(plots, &QAction::toggled, this, [this](bool) { showPlots(); });
   make({"full_screen",
         tr("Full s&creen detail"),
         {QKeySequence("F11")},

@@ -45,7 +45,7 @@ void MainWindow::chooseImage() {
 void MainWindow::connectImages() {
   connect(&image_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
   connect(status_, &StatusFields::cancelAsked, this, [this] {
-    closes_when_saved_ = false;
+    stayOpen();
     if (image_work_.cancel()) announce(tr("Cancelled. No picture was saved."));
   });
 }
@@ -72,17 +72,24 @@ void MainWindow::saveImage(ImageSource source, const QSize& pixels, const QStrin
       });
 }
 
+bool MainWindow::writing() const {
+  return savingImage() || packing() || exporting() || video_->writing() || video_->live();
+}
+
 bool MainWindow::closesWhenAllIsWritten() {
+  if (video_->live()) video_->stopLive();
   closes_when_saved_ = writing();
   if (!closes_when_saved_) return false;
   announce(packing()     ? tr("relievo closes when the package is written")
            : exporting() ? tr("relievo closes when the map is written")
-                         : tr("relievo closes when the picture is saved"));
+           : video_->writing() || video_->live()
+               ? tr("relievo closes when the video is saved; Escape stops both")
+               : tr("relievo closes when the picture is saved"));
   return true;
 }
 
 void MainWindow::closeIfAwaited(bool written) {
-  if (!written) closes_when_saved_ = false;
+  if (!written) stayOpen();
   if (closes_when_saved_ && !writing()) close();
 }
 

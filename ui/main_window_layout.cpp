@@ -25,6 +25,11 @@
 #include "ui/time_plot.h"
 
 namespace relievo {
+namespace {
+/// Views of fewer lines of text, their headers among them, show little: with large text and a
+/// message above them the plots make room.
+constexpr int kLeastViewLines = 8;
+}  // namespace
 
 void MainWindow::useThisView() {
   if (!document_.isOpen() || !detail_->isTurned()) return;
@@ -54,7 +59,7 @@ void MainWindow::setFullScreenDetail(bool on) {
   tools_->setVisible(!on && document_.isOpen());
   reference_box_->setVisible(!on && command("show_reference")->isChecked());
   panels_->setVisible(!on && command("show_panels")->isChecked());
-  plot_->setVisible(!on && !replay_->showing() && command("show_plots")->isChecked());
+  showPlots();
   inset_->setVisible(on);
   if (!on) restoreState(layout_before_full_screen_);
   command("full_screen")->setChecked(on);
@@ -104,6 +109,14 @@ void MainWindow::setTheme(Theme theme) {
     quiet.setColor(QPalette::WindowText, c.quiet_text);
     label->setPalette(quiet);
   }
+}
+
+void MainWindow::showPlots() {
+  const QAction* plots = command("show_plots");
+  const bool wanted =
+      plots->isVisible() && plots->isChecked() && !isFullScreen() && !replay_->showing();
+  const int views = rows_->height() - plot_->minimumSizeHint().height() - rows_->handleWidth();
+  plot_->setVisible(wanted && views >= kLeastViewLines * fontMetrics().height());
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

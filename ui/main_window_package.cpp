@@ -59,7 +59,7 @@ void MainWindow::makePackageCommand() {
 void MainWindow::connectPackages() {
   connect(&package_work_, &WorkQueue::busyChanged, this, &MainWindow::showBusy);
   connect(status_, &StatusFields::cancelAsked, this, [this] {
-    closes_when_saved_ = false;
+    stayOpen();
     if (package_work_.cancel()) announce(tr("Cancelled. Nothing was packed."));
   });
 }

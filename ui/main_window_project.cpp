@@ -203,8 +203,8 @@ void MainWindow::showRestored() {
   noteSaved();
   if (!recovered_copy_.isEmpty()) {
     WorkKeeper::discard(std::exchange(recovered_copy_, QString()));
-    saved_work_.clear();
-    keeper_->changed();  // It is still in no file of the user's.
+    saved_work_ = "recovered";  // Equal to no work:
+    keeper_->changed();         // it is still in no file of the user's.
     showTitle();
   }
   if (!stored.sha256.empty() && stored.sha256 != document_.fileSha256().toStdString()) {

@@ -187,8 +187,7 @@ void MainWindow::showReplaying(bool on) {
     command(name)->setEnabled(on);
   }
   replay_->panel()->setVisible(on);
-  plot_->setVisible(!on && command("show_plots")->isVisible() &&
-                    command("show_plots")->isChecked());
+  showPlots();
   enableCommands();
   if (on) {
     replay_->panel()->setFocus();

@@ -2,17 +2,23 @@
 // What would be lost if the window closed, or showed another scan, and the question about it.
 #include <QCloseEvent>
 #include <QCoreApplication>
+#include <QDeadlineTimer>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QProcess>
+#include <utility>
 
 #include "ui/core_words.h"
+#include "ui/event_turn.h"
 #include "ui/file_names.h"
 #include "ui/main_window.h"
+#include "ui/work_keeper.h"
 
 namespace relievo {
 namespace {
+
+constexpr int kPatienceMs = 5000, kTurnMs = 20;
 
 /// What of a state cost somebody work, as text. Where the window stands is not work: to look about
 /// must not end in a question; recordings are files already. @param settings  also how the surface
@@ -35,7 +41,9 @@ std::string workIn(const Project& state, bool settings) {
 }  // namespace
 
 bool MainWindow::hasUnsavedWork() {
-  return document_.isOpen() && workIn(project(), !project_file_.isEmpty()) != saved_work_;
+  // While the first file is being opened nothing has been noted yet, and there is no work.
+  return document_.isOpen() && !saved_work_.empty() &&
+         workIn(project(), !project_file_.isEmpty()) != saved_work_;
 }
 
 void MainWindow::noteSaved() {
@@ -92,6 +100,20 @@ void MainWindow::restart() {
   close();
 }
 
+void MainWindow::endAtOnce() {
+  if (std::exchange(ends_at_once_, true)) return;
+  if (hasUnsavedWork()) keeper_->leave();
+  video_->cancel();
+  // What was filmed until now is as much a record as a recording is; its end takes moments.
+  video_->stopLive();
+  const QDeadlineTimer patience(kPatienceMs);
+  while (video_->live() && !patience.hasExpired()) {
+    waitForEvents(kTurnMs);
+  }
+  closes_anyway_ = true;
+  close();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!closes_anyway_ && hasUnsavedWork()) {
     event->ignore();
@@ -101,7 +123,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
-  if (closesWhenAllIsWritten()) {
+  if (!ends_at_once_ && closesWhenAllIsWritten()) {
     event->ignore();
     return;
   }

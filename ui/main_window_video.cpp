@@ -86,8 +86,12 @@ void MainWindow::connectVideo() {
   connect(video_, &VideoControl::failed, this, &MainWindow::showMessage);
   connect(video_, &VideoControl::busyChanged, this, &MainWindow::showBusy);
   connect(video_, &VideoControl::busyChanged, this, [this](bool) { enableVideo(); });
+  connect(video_, &VideoControl::ended, this, &MainWindow::closeIfAwaited);
   connect(video_, &VideoControl::progressed, status_, &StatusFields::showWork);
-  connect(status_, &StatusFields::cancelAsked, video_, &VideoControl::cancel);
+  connect(status_, &StatusFields::cancelAsked, this, [this] {
+    stayOpen();
+    video_->cancel();
+  });
   connect(video_, &VideoControl::liveEnded, this, [this] {
     command("video_live")->setChecked(false);
     enableVideo();

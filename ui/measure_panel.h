@@ -65,6 +65,7 @@ class MeasurePanel : public QWidget {
  private:
   void showList();
   void showReadings();
+  std::string stateFor(const QString& file) const;
   QString sourceText(const QString& file) const;
   QString readingText(const Measurement& m) const;
   std::shared_ptr<const MeasureReadings::Entry> readEntry(const Measurement& m) const;

@@ -27,18 +27,22 @@ std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Meas
 
 /// What a file was measured on: in words, and as the line that brings the map back.
 /// @throw ArgumentError  it would take the scan's place
-QString MeasurePanel::sourceText(const QString& file) const {
-  requireNotAnInput(QFile::encodeName(file).toStdString(),
-                    {{.file = QFile::encodeName(document_.file()).toStdString()}});
+std::string MeasurePanel::stateFor(const QString& file) const {
   const DocumentState& state = document_.state();
   Provenance made = provenanceOf(*state.surface, state.options);
   const QFileInfo input(document_.file());
   made.input = {relativePath(QFile::encodeName(document_.file()).toStdString(),
                              QFile::encodeName(QFileInfo(file).absolutePath()).toStdString()),
                 document_.fileSha256().toStdString(), static_cast<std::uint64_t>(input.size())};
+  return toJson(made, -1);
+}
+
+QString MeasurePanel::sourceText(const QString& file) const {
+  requireNotAnInput(QFile::encodeName(file).toStdString(),
+                    {{.file = QFile::encodeName(document_.file()).toStdString()}});
   return QStringLiteral("relievo %1, input %2, sha256 %3\n%4")
       .arg(QStringLiteral(RELIEVO_VERSION_STRING), wholeName(document_.file()),
-           document_.fileSha256(), QString::fromStdString(stateLine(toJson(made, -1))));
+           document_.fileSha256(), QString::fromStdString(stateLine(stateFor(file))));
 }
 
 QString MeasurePanel::csv(const QString& file) const {
@@ -63,12 +67,13 @@ void MeasurePanel::writeSelected(const QString& file) const {
   const bool svg = file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
   std::string text;
   const std::string source = sourceText(file).toStdString();  // Refuses the scan as target.
+  const std::string state = stateFor(file);
   if (m->kind == section) {
     const std::string title = wholeName(document_.file()).toStdString() + ": " + m->name;
-    text = svg ? sectionSvg(entry->reading->curves, planeOf(*m), title)
+    text = svg ? withState(sectionSvg(entry->reading->curves, planeOf(*m), title), state)
                : sectionCsv(entry->reading->curves, source);
   } else {
-    text = svg ? profileSvg(entry->rows) : profileCsv(entry->rows, source);
+    text = svg ? withState(profileSvg(entry->rows), state) : profileCsv(entry->rows, source);
   }
   writeTextFile(QFile::encodeName(file).toStdString(), text);
 }

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "ui/figure/figure.h"
 #include "ui/file_names.h"
+#include "ui/message/message_text.h"
 #include "ui/spoken_error.h"
 #include "ui/text.h"
 #include "ui/video/live_video.h"
@@ -101,12 +102,14 @@ void VideoControl::write(const Order& order) {
         if (!outcome->error.isEmpty()) {
           Q_EMIT said(tr("The video has ended early"));
           Q_EMIT failed(outcome->error);
+          Q_EMIT ended(false);
           return;
         }
         Q_EMIT said(tr("Video saved: %1 s, %2 frames in %3")
                         .arg(numberText(outcome->facts.seconds, 1))
                         .arg(outcome->facts.frames)
                         .arg(name));
+        Q_EMIT ended(true);
       });
 }
 
@@ -177,14 +180,17 @@ void VideoControl::watchEnd() {
   Q_EMIT liveEnded();
   if (!report.error.empty()) {
     Q_EMIT said(tr("The video has ended early"));  // Nothing older stays in the status bar.
-    Q_EMIT failed(
-        shownError(QString::fromStdString(report.error), QString::fromStdString(report.code)));
+    const QString words =
+        report.message ? messageText(*report.message) : QString::fromStdString(report.error);
+    Q_EMIT failed(shownError(words, QString::fromStdString(report.code)));
+    Q_EMIT ended(false);
     return;
   }
   Q_EMIT said(tr("Video saved: %1 s, %2 pictures dropped, in %3")
                   .arg(numberText(static_cast<double>(report.frames) / kLiveFps, 1))
                   .arg(report.dropped)
                   .arg(live_file_));
+  Q_EMIT ended(true);
 }
 
 }  // namespace relievo

@@ -57,6 +57,7 @@ class VideoControl : public QObject {
   void said(const QString& text);
   void failed(const QString& message);
   void liveEnded();
+  void ended(bool saved);  ///< A video is written, or was not; after what was said of it.
   void busyChanged(bool busy);
   void progressed(const QString& step, double fraction);
 

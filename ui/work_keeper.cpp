@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/work_keeper.h"
 
+#include <iostream>
+#include <QCoreApplication>
 #include <QDateTime>
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
 
 #include "core/base/error.h"
+#include "ui/event_turn.h"
 #include "ui/spoken_error.h"
 
 namespace relievo {
 namespace {
 
 constexpr int kDelayMs = 2000;
+constexpr int kPatienceMs = 2000, kTurnMs = 20;
 
 std::filesystem::path pathOf(const QString& file) {
   return QFile::encodeName(file).toStdString();
@@ -36,6 +41,23 @@ void WorkKeeper::changed() {
 void WorkKeeper::forget() {
   later_.stop();
   autosave_.reset();
+}
+
+void WorkKeeper::leave() {
+  if (folder_.isEmpty()) return;
+  later_.stop();
+  // A copy that is being written may be an older one: it must not land after this one.
+  const QDeadlineTimer patience(kPatienceMs);
+  while (worker_.running() && !patience.hasExpired()) {
+    waitForEvents(kTurnMs);
+  }
+  try {
+    if (!autosave_) autosave_ = std::make_shared<Autosave>(pathOf(folder_));
+    autosave_->leave();
+    autosave_->save(work_());
+  } catch (const Error& error) {  // The strip goes with the window; the older copy stays.
+    std::cerr << "relievo: " << error.what() << '\n';
+  }
 }
 
 void WorkKeeper::save() {

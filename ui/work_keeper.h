@@ -24,6 +24,9 @@ class WorkKeeper : public QObject {
 
   /// There is something that no file holds.
   void changed();
+  /// The program is told to end: writes the copy as the work is now, and leaves it for the next
+  /// start. Waits for it.
+  void leave();
   /// Nothing is unsaved any more: the copy goes.
   void forget();
   bool pending() const { return later_.isActive() || worker_.busy(); }

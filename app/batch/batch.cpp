@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/batch/declare_verbs.h"
 #include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
@@ -95,6 +96,16 @@ int report(const Outcome& outcome, const std::string& format) {
 }
 
 }  // namespace
+
+void declareVerbs(CLI::App& app, std::vector<Verb>& verbs, std::string& format) {
+  for (Verb& verb : verbs) {
+    CLI::App* sub = app.add_subcommand(verb.name, verb.help);
+    verb.declare(*sub);
+    sub->add_option("--report", format, "json: one object on standard output")
+        ->check(CLI::IsMember({"json", "text"}));
+    refuseEmptyTexts(*sub);
+  }
+}
 
 void tell(const std::string& message) {
   std::cerr << "relievo: " << escapedName(message) << '\n';
@@ -246,13 +257,7 @@ int runBatch(int argc, char** argv) {
   app.require_subcommand(1);
   std::vector<batch::Verb> verbs = batch::verbs({argv + 1, argv + argc});
   std::string format = "text";
-  for (batch::Verb& verb : verbs) {
-    CLI::App* sub = app.add_subcommand(verb.name, verb.help);
-    verb.declare(*sub);
-    sub->add_option("--report", format, "json: one object on standard output")
-        ->check(CLI::IsMember({"json", "text"}));
-    batch::refuseEmptyTexts(*sub);
-  }
+  batch::declareVerbs(app, verbs, format);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

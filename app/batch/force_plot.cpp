@@ -6,7 +6,6 @@
 
 #include "app/batch/svg.h"
 #include "core/base/error.h"
-#include "core/io/text_file.h"
 
 namespace relievo::batch {
 namespace {
@@ -124,11 +123,6 @@ std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string&
   svg += textAt(kWidth - kRight - 4, 50, "end", "HIP", " fill='#d02020'");
   svg += textAt(kWidth - kRight - 34, 50, "end", "proxy", " fill='#1f5fd0'");
   return svg + "</svg>\n";
-}
-
-void writeForcePlot(const OutputFile& file, const std::vector<ForcePoint>& rows,
-                    const std::string& title, const ForceLimit& limit) {
-  writeTextFile(file, forcePlotSvg(rows, title, limit));
 }
 
 }  // namespace relievo::batch

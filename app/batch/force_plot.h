@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/file/atomic_file.h"
 #include "core/recording/force_curve.h"
 
 namespace relievo::batch {
@@ -20,9 +19,5 @@ struct ForceLimit {
 /// @param limit  a dashed line, where the forces reach it
 std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string& title,
                          const ForceLimit& limit = {});
-
-/// Writes it. @throw WriteError
-void writeForcePlot(const OutputFile& file, const std::vector<ForcePoint>& rows,
-                    const std::string& title, const ForceLimit& limit = {});
 
 }  // namespace relievo::batch

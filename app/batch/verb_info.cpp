@@ -9,9 +9,16 @@
 #include "app/batch/map_report.h"
 #include "app/batch/report_text.h"
 #include "app/batch/verb.h"
+#include "core/io/file_check.h"
 #include "core/io/import.h"
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
+#include "core/io/tiff_head.h"
+#include "core/project/carried_state.h"
+#include "core/project/file_set.h"
+#include "core/provenance/name_text.h"
+#include "core/provenance/provenance.h"
+#include "core/recording/log_table.h"
 #include "core/session/nodata.h"
 #include "core/session/strays.h"
 #include "core/session/unit_guess.h"
@@ -48,6 +55,7 @@ Json jsonOf(const FilePoint& p) {
 
 struct InfoArguments {
   std::string file, unit;
+  std::vector<std::string> with;
   ScanArguments scan;
 };
 
@@ -157,6 +165,102 @@ std::string sizeText(const FilePoint& size_mm) {
   return text.data();
 }
 
+bool isOnePlace(const std::filesystem::path& a, const std::filesystem::path& b) {
+  return std::filesystem::absolute(a).lexically_normal() ==
+         std::filesystem::absolute(b).lexically_normal();
+}
+
+/// Says of the files that commands write beside this one, and of those that were named, whether
+/// they belong to it. @return  is one of those that were named of another set?
+bool addSet(const InfoArguments& a, Json& json, std::vector<std::string>& lines) {
+  std::vector<SetMember> members = filesBeside(a.file);
+  bool named_other = false;
+  for (const std::string& file : a.with) {
+    std::erase_if(members, [&](const SetMember& m) { return isOnePlace(m.file, file); });
+    members.push_back({file, membershipIn(a.file, file)});
+    named_other = named_other || members.back().membership == SetMembership::other;
+  }
+  json["set"] = Json::array();
+  for (const SetMember& member : members) {
+    const std::string shown = shownName(member.file);
+    json["set"].push_back(
+        {{"file", textOfName(member.file.string())}, {"belongs", name(member.membership)}});
+    switch (member.membership) {
+      case SetMembership::same:
+        lines.push_back(shown + " was written with it");
+        break;
+      case SetMembership::other:
+        lines.push_back(shown + " was not written with it");
+        tell(shown + " was not written with " + shownName(a.file) +
+             ". Make both again before you use them together.");
+        break;
+      case SetMembership::unsaid:
+        lines.push_back(shown + " does not say what it was written with");
+    }
+  }
+  return named_other;
+}
+
+/// A file that shows or tells something of a scan, and is none.
+struct Shown {
+  std::string kind;
+  InputFile of;
+  std::string version;  ///< Of the program that made it.
+  std::optional<Region> region;
+};
+
+/// "picture", "recording", "table"; empty: points or heights, or nothing of ours.
+std::string kindOf(const std::filesystem::path& file) {
+  const std::optional<TiffHead> tiff = readTiffHead(file);
+  if (tiff) return tiff->bands == 1 ? "" : "picture";
+  constexpr std::size_t kHeadBytes = 32;
+  const std::string head = readHead(file, kHeadBytes);
+  if (isHdf5Log(head) || head.starts_with("# relievo log")) return "recording";
+  if (head.starts_with('#')) return "table";
+  const bool picture = head.starts_with("\x89PNG") || head.starts_with("%PDF-") ||
+                       head.starts_with("<?xml") || head.starts_with("<svg");
+  return picture ? "picture" : "";
+}
+
+/// Pictures, drawings, recordings and tables of ours; maps and clouds hold points of their own.
+std::optional<Shown> shownBy(const std::filesystem::path& file) {
+  const std::string kind = kindOf(file);
+  const auto state = kind.empty() ? std::nullopt : stateCarriedBy(file);
+  if (!state) return std::nullopt;
+  Shown shown{.kind = kind, .of = {}, .version = {}, .region = {}};
+  if (const std::optional<Project> project = carriedProject(file, *state)) {
+    shown.of = {project->file, project->sha256, project->bytes};
+    shown.version = project->version;
+    shown.region = project->region;
+  } else {
+    const Provenance made = provenanceFromJson(*state, shownName(file));
+    shown.of = made.input;
+    shown.version = made.version;
+  }
+  return shown;
+}
+
+Outcome infoOfShown(const InfoArguments& a, const Shown& shown) {
+  Json json;
+  json["file"] = a.file;
+  json["format"] = shown.kind + " of relievo";
+  json["shows"] = textOfName(shown.of.file);
+  json["input_sha256"] = shown.of.sha256;
+  json["version"] = shown.version;
+  json["level"] = nullptr;
+  json["region_mm"] = nullptr;
+  if (shown.region) {
+    json["level"] = shown.region->level.value;
+    json["region_mm"] = batch::jsonOf(*shown.region);
+  }
+  Outcome outcome;
+  outcome.lines = {a.file + ": " + shown.kind + " of relievo " + shown.version,
+                   "of " + shownName(shown.of.file) + ", sha256 " + shown.of.sha256};
+  if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
+  outcome.json = reportText(json);
+  return outcome;
+}
+
 Outcome runInfo(const InfoArguments& a, const Task& task) {
   std::optional<LengthUnit> given;
   if (!a.unit.empty()) {
@@ -165,6 +269,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
       throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
     }
   }
+  if (const auto shown = shownBy(a.file)) return infoOfShown(a, *shown);
   const FileFacts found = readFacts(a, task);
   const ScanInfo& info = found.info;
   ScanInfo without_strays = info;
@@ -203,7 +308,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   addValues(found, json);
 
   // Names of a file's scans need not be UTF-8; JSON must be.
-  Outcome outcome{.json = reportText(json), .lines = {}};
+  Outcome outcome;
   outcome.lines = {a.file + ": " + info.format,
                    std::to_string(info.points) + " points, " + std::to_string(info.finite_points) +
                        " finite, " + std::to_string(info.faces) + " faces",
@@ -216,6 +321,8 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
                             (nobody_said ? ", if one unit is 1 " + std::string(name(unit)) : ""));
   }
   addValueLines(found, outcome.lines);
+  if (addSet(a, json, outcome.lines)) outcome.exit_code = 5;
+  outcome.json = reportText(json);
   return outcome;
 }
 
@@ -228,6 +335,9 @@ Verb infoVerb() {
           .declare =
               [arguments](CLI::App& verb) {
                 verb.add_option("FILE", arguments->file, "Scan or raster")->required();
+                verb.add_option("--with", arguments->with,
+                                "Was this file written with FILE? More may follow; exit 5 if one "
+                                "was not");
                 verb.add_option("--unit", arguments->unit, "mm cm m in ft us-ft");
                 addScanOptions(verb, arguments->scan);
               },

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 
 #include "app/batch/json.h"
@@ -19,6 +20,7 @@
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
+#include "core/provenance/set_mark.h"
 #include "core/session/map_facts.h"
 
 namespace relievo::batch {
@@ -176,25 +178,31 @@ void checkFiles(const MeasureArguments& a, const std::vector<Measurement>& list)
   if (!a.section_svg.empty()) onlyOne(list, section, "--section-svg");
 }
 
-using HeaderFor = std::function<std::string(const std::string& out)>;
+/// The state that a file carries.
+using StateFor = std::function<std::string(const std::string& out)>;
 
 void writeProfileFiles(const MeasureArguments& a, const MapCells& cells, const Measurement& m,
-                       const std::string& title, const HeaderFor& header, OutputSet& set) {
+                       const std::string& title, const StateFor& state, OutputSet& set) {
   if (a.profile_csv.empty() && a.profile_svg.empty()) return;
   const std::vector<ProfileRow> rows = profile(cells, m.places);
   if (!a.profile_csv.empty()) {
-    writeTextFile(set.file(a.profile_csv), profileCsv(rows, header(a.profile_csv)));
+    writeTextFile(set.file(a.profile_csv), profileCsv(rows, stateLine(state(a.profile_csv))));
   }
-  if (!a.profile_svg.empty()) writeTextFile(set.file(a.profile_svg), profileSvg(rows, title));
+  if (!a.profile_svg.empty()) {
+    writeTextFile(set.file(a.profile_svg),
+                  withState(profileSvg(rows, title), state(a.profile_svg)));
+  }
 }
 
 void writeSectionFiles(const MeasureArguments& a, const Reading& reading, const Measurement& m,
-                       const std::string& title, const HeaderFor& header, OutputSet& set) {
+                       const std::string& title, const StateFor& state, OutputSet& set) {
   if (!a.section_csv.empty()) {
-    writeTextFile(set.file(a.section_csv), sectionCsv(reading.curves, header(a.section_csv)));
+    writeTextFile(set.file(a.section_csv),
+                  sectionCsv(reading.curves, stateLine(state(a.section_csv))));
   }
   if (!a.section_svg.empty()) {
-    writeTextFile(set.file(a.section_svg), sectionSvg(reading.curves, planeOf(m), title));
+    writeTextFile(set.file(a.section_svg),
+                  withState(sectionSvg(reading.curves, planeOf(m), title), state(a.section_svg)));
   }
 }
 
@@ -203,9 +211,6 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
   checkFiles(a, list);
   const Surface surface = openForVerb(a.map, task);
   const MapCells cells = mapCells(surface, task);
-  const auto header = [&](const std::string& out) {
-    return stateLine(toJson(provenanceOfVerb(a.map, surface, out, task), -1));
-  };
   Json json;
   Outcome outcome;
   json["spacing_mm"] = cells.frame().spacing_mm;
@@ -216,25 +221,36 @@ Outcome runMeasure(const MeasureArguments& a, const Task& task) {
     json["measurements"].push_back(readingJson(m, readings.back()));
     outcome.lines.push_back(lineFor(m, readings.back()));
   }
+  const std::string shown = reportText(json);
+  std::map<std::filesystem::path, std::string> states;  // Of each folder: names are relative to it.
+  const auto state = [&](const std::string& out) {
+    std::string& text = states[std::filesystem::path(out).parent_path()];
+    if (!text.empty()) return text;
+    Provenance made = provenanceOfVerb(a.map, surface, out, task);
+    Provenance anywhere = made;  // The folder is no part of what is shown.
+    anywhere.input.file.clear();
+    made.made = markedMade(made.made, setMark(toJson(anywhere, -1) + shown));
+    return text = toJson(made, -1);
+  };
   OutputSet set;
   // Only after all could be read.
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string title =
         escapedName(surface.info.file.filename().string()) + ": " + list[i].name;
     if (list[i].kind == MeasureKind::profile)
-      writeProfileFiles(a, cells, list[i], title, header, set);
+      writeProfileFiles(a, cells, list[i], title, state, set);
     if (list[i].kind == MeasureKind::section) {
-      writeSectionFiles(a, readings[i], list[i], title, header, set);
+      writeSectionFiles(a, readings[i], list[i], title, state, set);
     }
   }
   outcome.json = reportText(json);
   if (!a.out.empty()) {
     const bool as_json = std::filesystem::path(a.out).extension() == ".json";
     if (as_json) {
-      json["provenance"] = Json::parse(toJson(provenanceOfVerb(a.map, surface, a.out, task)));
+      json["provenance"] = Json::parse(state(a.out));
     }
-    writeTextFile(set.file(a.out),
-                  as_json ? reportText(json) + "\n" : measurementsCsv(cells, list, header(a.out)));
+    writeTextFile(set.file(a.out), as_json ? reportText(json) + "\n"
+                                           : measurementsCsv(cells, list, stateLine(state(a.out))));
   }
   set.commit();
   return outcome;

@@ -14,9 +14,11 @@
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "core/file/output_set.h"
+#include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
+#include "core/recording/log_table.h"
 #include "core/region/hand.h"
 #include "core/session/finer_heights.h"
 #include "core/session/firmness.h"
@@ -133,7 +135,7 @@ std::string stateOfTouch(const TouchArguments& a, const TouchSetup& setup, const
   touch["device"] = a.device;
   touch["safety"] = safetyOf(a);
   provenance.touch = touch.dump();
-  return stateLine(toJson(provenance, -1));
+  return toJson(provenance, -1);
 }
 
 Outcome runTouch(const TouchArguments& a, const Task& task) {
@@ -162,8 +164,8 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   }
 
   if (!setup.limited.empty()) tell(setup.limited);
-  const std::unique_ptr<SampleLog> log =
-      openLog(a.out, touchHeader(a, setup, task), setup.space.get());
+  const std::string header = touchHeader(a, setup, task);
+  const std::unique_ptr<SampleLog> log = openLog(a.out, header, setup.space.get());
   const ForceLimit limit = limitOf(device.get());
   StrokeFindings findings{window, *setup.space, limit.force_n};
   std::optional<HapticSample> before;
@@ -178,10 +180,10 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
       },
       task);
   if (!a.plot.empty()) {
-    writeForcePlot(
-        beside.file(a.plot), plot,
-        escapedName(setup.surface.info.file.filename().string()) + ", proxy " + proxyName(a),
-        limit);
+    const std::string title =
+        escapedName(setup.surface.info.file.filename().string()) + ", proxy " + proxyName(a);
+    writeTextFile(beside.file(a.plot), withState(forcePlotSvg(plot, title, limit),
+                                                 headerLine(header, std::string(kStateKey) + " ")));
   }
   log->close();
   beside.commit();
@@ -283,7 +285,7 @@ std::string touchHeader(const TouchArguments& a, const TouchSetup& setup, const 
               ? "\n" + std::string(kLiftWords) + Json(setup.core.force.lift_n).dump() + " N upward"
               : "") +
          (setup.limited.empty() ? "" : "\nlimits " + setup.limited) + "\nparameters " +
-         parameters.dump() + "\n" + stateOfTouch(a, setup, task);
+         parameters.dump() + "\n" + stateLine(stateOfTouch(a, setup, task));
 }
 
 void addTouchOptions(CLI::App& verb, TouchArguments& arguments) {

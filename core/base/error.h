@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 namespace relievo {
 
-/// Root of everything this project throws; caught at a GUI task, plugin attach, thread top or
-/// batch main, and nowhere else. `what()` is one sentence or two for people: what happened, what
-/// the program did, what you can do. `code` names a message of the catalogue ("E101") or is empty.
+struct Message;
+
+/// Root of everything this project throws. `what()` is one sentence or two for people, in English:
+/// what happened, what the program did, what you can do. `code` names the sentence in manuals
+/// ("E101") or is empty.
 struct Error : std::runtime_error {
-  explicit Error(const std::string& message, std::string code_of_catalogue = {})
-      : std::runtime_error(message), code(std::move(code_of_catalogue)) {}
+  /// A sentence that is not in the catalogue; a window shows it in English.
+  explicit Error(const std::string& sentence, std::string code_of_catalogue = {})
+      : std::runtime_error(sentence), code(std::move(code_of_catalogue)) {}
+  /// A message of the catalogue (core/message), which says its sentence and its code.
+  explicit Error(const Message& of_catalogue);
   std::string code;
+  /// What a window renders in its own language; absent where the sentence is not in the catalogue.
+  std::shared_ptr<const Message> message;
 };
 
 struct ArgumentError : Error {

@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -21,7 +21,7 @@ bool areOneFile(const fs::path& a, const fs::path& b) {
   return !missing && place == fs::weakly_canonical(b, missing) && !missing;
 }
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+[[noreturn]] void refuse(const fs::path& file, const Message& why) {
   throw NotReplaceable(file, why);
 }
 
@@ -36,8 +36,8 @@ fs::path behindLinks(const fs::path& file) {
   fs::path place = file;
   std::error_code unknown;
   for (int i = 0; fs::is_symlink(fs::symlink_status(place, unknown)); ++i) {
-    if (i == kMostLinks) refuse(file, "its symbolic links lead in a circle");
-    if (isOfTheSystem(place)) refuse(file, "what has this name is no regular file");
+    if (i == kMostLinks) refuse(file, said<MessageId::links_in_circle>());
+    if (isOfTheSystem(place)) refuse(file, said<MessageId::is_no_regular_file>());
     place = place.parent_path() / fs::read_symlink(place, unknown);
   }
   return place;
@@ -45,31 +45,29 @@ fs::path behindLinks(const fs::path& file) {
 
 }  // namespace
 
-NotReplaceable::NotReplaceable(const fs::path& file, const std::string& because)
-    : WriteError("Cannot write " + file.string() + ": " + because +
-                 ". It was left as it is. Choose another name."),
-      why(because) {}
+NotReplaceable::NotReplaceable(const fs::path& file, const Message& because)
+    : WriteError(said<MessageId::not_replaceable>(file, because)), why(because) {}
 
 fs::path requireReplaceable(const fs::path& file) {
   fs::path place = behindLinks(file);
   std::error_code unknown;  // What cannot be asked cannot be opened either, which says why.
   const fs::file_status status = fs::status(place, unknown);
   if (!fs::exists(status)) return place;
-  if (!fs::is_regular_file(status)) refuse(file, "what has this name is no regular file");
+  if (!fs::is_regular_file(status)) refuse(file, said<MessageId::is_no_regular_file>());
   // The superuser may write to it all the same; who made it read-only meant everybody.
   constexpr fs::perms kWrite =
       fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
   const bool writable =
       (status.permissions() & kWrite) != fs::perms::none && ::access(place.c_str(), W_OK) == 0;
-  if (!writable) refuse(file, "it is read-only");
+  if (!writable) refuse(file, said<MessageId::is_read_only>());
   return place;
 }
 
 void requireNotAnInput(const fs::path& out, const std::vector<FileRead>& inputs) {
   for (const FileRead& input : inputs) {
     if (!areOneFile(out, input.file)) continue;
-    throw ArgumentError("The output '" + out.string() + "' is " + input.what +
-                        ". Nothing was written. Choose another name.");
+    if (input.what.empty()) throw failure<MessageId::output_is_the_scan>(out);
+    throw failure<MessageId::output_is_read>(out, input.what);
   }
 }
 
@@ -77,8 +75,7 @@ void requireDifferentFiles(const std::vector<fs::path>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       if (!areOneFile(outputs[k], outputs[i])) continue;
-      throw ArgumentError("Two of the outputs would be '" + outputs[i].string() +
-                          "'. Nothing was written. Give one of them another name.");
+      throw failure<MessageId::outputs_are_one>(outputs[i]);
     }
   }
 }

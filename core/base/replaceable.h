@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
 /// "Cannot write FILE: <why>. It was left as it is."
 struct NotReplaceable : WriteError {
-  NotReplaceable(const std::filesystem::path& file, const std::string& because);
-  std::string why;  ///< For whoever says it in a sentence of his own.
+  NotReplaceable(const std::filesystem::path& file, const Message& because);
+  Message why;  ///< For whoever says it in a sentence of his own.
 };
 
 /// Whoever writes a file beside its place and renames it asks this first: a pipe, a device or a
@@ -25,7 +26,7 @@ std::filesystem::path requireReplaceable(const std::filesystem::path& file);
 /// A file that is read for what is written, and what people call it, after "is".
 struct FileRead {
   std::filesystem::path file;
-  std::string what = "the scan itself";
+  std::string what = {};  ///< Nothing: it is the scan itself.
 };
 
 /// Before any work: what is written must not take the place of what it is made from. One file

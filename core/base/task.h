@@ -18,11 +18,14 @@ struct Task {
 
   /// @throw Cancelled  if stopping was requested
   void check() const {
-    if (stop.stop_requested()) throw Cancelled("Cancelled. Nothing was changed.");
+    if (stop.stop_requested()) throwCancelled();
   }
   void report(std::string_view step, double fraction) const {
     if (progress) progress(step, fraction);
   }
+
+ private:
+  [[noreturn]] static void throwCancelled();
 };
 
 }  // namespace relievo

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace relievo {
@@ -26,6 +29,8 @@ Planar projected(const Scan& scan, const Rotation& r, std::size_t most) {
   // golden ratio visit them all alike.
   constexpr double kGoldenRatio = 0.6180339887498949;
   double position = 0;
+  planar.x.reserve(taken);
+  planar.y.reserve(taken);
   for (std::size_t i = 0; i < taken; ++i) {
     const std::size_t chosen =
         taken == count ? i : static_cast<std::size_t>(position * static_cast<double>(count));
@@ -38,10 +43,36 @@ Planar projected(const Scan& scan, const Rotation& r, std::size_t most) {
   return planar;
 }
 
+/// Rising. Into as many even steps of their range as there are values, first: that takes the time
+/// of a few looks at each, where sorting at once takes a quarter of an open cloud's judgement.
+void sortSpread(std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  const double first = *low;
+  const double range = *high - first;
+  if (!(range > 0) || !std::isfinite(range)) return std::sort(values.begin(), values.end());
+  const std::size_t steps = values.size();
+  const double per_unit = static_cast<double>(steps - 1) / range;
+  const auto step = [&](double value) {
+    return std::min(static_cast<std::size_t>((value - first) * per_unit), steps - 1);
+  };
+  std::vector<std::uint32_t> ends(steps + 1);  // First where each step begins.
+  for (const double value : values) ++ends[step(value) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<double> placed(values.size());
+  for (const double value : values) placed[ends[step(value)]++] = value;
+  std::size_t begin = 0;
+  for (std::size_t s = 0; s < steps; ++s) {
+    const auto at = [&](std::size_t i) { return placed.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (ends[s] - begin > 1) std::sort(at(begin), at(ends[s]));
+    begin = ends[s];
+  }
+  values = std::move(placed);
+}
+
 /// Distance of the lines that all values lie on, if they lie on evenly spaced lines.
 std::optional<double> evenSpacing(std::vector<double> values) {
   const std::size_t count = values.size();
-  std::sort(values.begin(), values.end());
+  sortSpread(values);
   const double range = values.back() - values.front();
   // Values closer than this are the same line: float rounding at this range.
   const double same = 1e-5 * range;

@@ -43,6 +43,10 @@ class CubeCounts {
   }
   std::uint32_t points(std::uint64_t number) const { return cubes_[placeOf(number)].points; }
   std::size_t count() const { return count_; }
+  /// It will be asked for soon: a table of megabytes is not in the processor's cache.
+  void expect(std::uint64_t number) const {
+    __builtin_prefetch(&cubes_[mixed(number) >> (64 - std::countr_zero(cubes_.size()))]);
+  }
 
  private:
   static constexpr std::uint64_t kFree = ~std::uint64_t{0};
@@ -83,11 +87,11 @@ class CubeGrid {
     return step(p.x, low_.x) | step(p.y, low_.y) << 21U | step(p.z, low_.z) << 42U;
   }
 
-  /// Points in a cube and the 26 around it. @param counts  knows points(number)
+  /// Do a cube and the 26 around it hold so many points? @param counts  knows points(number)
   template <class Counts>
-  static std::uint32_t around(std::uint64_t number, const Counts& counts) {
+  static bool holdAround(std::uint64_t number, const Counts& counts, std::uint32_t company) {
     std::uint32_t sum = 0;
-    for (int k = 0; k < 27; ++k) {
+    for (int k = 0; k < 27 && sum < company; ++k) {
       const std::array<int, 3> off{k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1};
       std::uint64_t near = 0;
       bool is_there = true;
@@ -98,7 +102,12 @@ class CubeGrid {
       }
       if (is_there) sum += counts.points(near);
     }
-    return sum;
+    return sum >= company;
+  }
+
+  /// Along one axis.
+  static std::uint64_t stepOf(std::uint64_t number, unsigned axis) {
+    return number >> (21U * axis) & kLast;
   }
 
  private:
@@ -141,18 +150,51 @@ void forBatches(const ViewBlocks& points, const ViewBox& box, const Task& task, 
   give();
 }
 
-/// Only how many cubes there are.
-class CountedCubes {
+/// How many cubes of a coarse grid hold points: a bit a cube, of each thread its own.
+class MetCubes {
  public:
-  explicit CountedCubes(std::size_t expected) : counts_(expected) {}
-  void add(std::uint64_t number, const ViewMm&, std::uint64_t) { counts_.add(number); }
-  const CubeCounts& counts() const { return counts_; }
+  MetCubes(int threads, const CubeGrid& grid, double across)
+      : grid_(grid), side_(static_cast<std::size_t>(across) + 2) {
+    bits_.assign(static_cast<std::size_t>(threads),
+                 std::vector<std::uint64_t>((side_ * side_ * side_ + 63) / 64));
+  }
+
+  void add(std::span<const ViewMm> points, std::uint64_t /*before*/) {
+    const auto threads = static_cast<int>(bits_.size());
+    inBands(threads, threads, [&](int number, int) {
+      const auto part = static_cast<std::size_t>(number);
+      std::vector<std::uint64_t>& bits = bits_[part];
+      const std::size_t end = points.size() * (part + 1) / bits_.size();
+      for (std::size_t i = points.size() * part / bits_.size(); i < end; ++i) {
+        const std::size_t cube = placeOf(grid_(points[i]));
+        bits[cube / 64] |= std::uint64_t{1} << (cube % 64);
+      }
+    });
+  }
+  std::size_t count() const {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < bits_.front().size(); ++i) {
+      std::uint64_t word = 0;
+      for (const std::vector<std::uint64_t>& bits : bits_) word |= bits[i];
+      sum += static_cast<std::size_t>(std::popcount(word));
+    }
+    return sum;
+  }
 
  private:
-  CubeCounts counts_;
+  std::size_t placeOf(std::uint64_t number) const {
+    const auto step = [&](unsigned axis) {
+      return std::min<std::size_t>(CubeGrid::stepOf(number, axis), side_ - 1);
+    };
+    return (step(2) * side_ + step(1)) * side_ + step(0);
+  }
+
+  CubeGrid grid_;
+  std::size_t side_;
+  std::vector<std::vector<std::uint64_t>> bits_;
 };
 
-/// Also the sum of what is in each, in the order in which the cubes were met.
+/// The sum of what is in each cube, in the order in which the cubes were met.
 class SummedCubes {
  public:
   struct Cube {
@@ -174,6 +216,7 @@ class SummedCubes {
     cube.sum = cube.sum + from_corner;
     ++cube.count;
   }
+  void expect(std::uint64_t number) const { counts_.expect(number); }
   const CubeCounts& counts() const { return counts_; }
   const std::vector<Cube>& cubes() const { return cubes_; }
 
@@ -184,7 +227,6 @@ class SummedCubes {
 
 /// The cubes of a grid, each of them one thread's: what is in one is counted and summed in the
 /// cloud's order, the same for any number of threads.
-template <class Cubes>
 class SharedCubes {
  public:
   SharedCubes(int threads, const CubeGrid& grid, const ViewMm& corner, std::size_t expected)
@@ -195,9 +237,18 @@ class SharedCubes {
   }
 
   void add(std::span<const ViewMm> points, std::uint64_t before) {
+    constexpr std::size_t kAhead = 12;
+    numbers_.resize(points.size() + kAhead);
+    onEach([&](std::size_t part) {
+      const std::size_t end = points.size() * (part + 1) / shares_.size();
+      for (std::size_t i = points.size() * part / shares_.size(); i < end; ++i) {
+        numbers_[i] = grid_(points[i]);
+      }
+    });
     onEach([&](std::size_t own) {
       for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::uint64_t number = grid_(points[i]);
+        if (ownerOf(numbers_[i + kAhead]) == own) shares_[own].expect(numbers_[i + kAhead]);
+        const std::uint64_t number = numbers_[i];
         if (ownerOf(number) == own) shares_[own].add(number, points[i] - corner_, before + i);
       }
     });
@@ -211,13 +262,13 @@ class SharedCubes {
   /// How many cubes hold points.
   std::size_t count() const {
     std::size_t sum = 0;
-    for (const Cubes& share : shares_) sum += share.counts().count();
+    for (const SummedCubes& share : shares_) sum += share.counts().count();
     return sum;
   }
   std::uint32_t points(std::uint64_t number) const {
     return shares_[ownerOf(number)].counts().points(number);
   }
-  const std::vector<Cubes>& shares() const { return shares_; }
+  const std::vector<SummedCubes>& shares() const { return shares_; }
 
  private:
   std::size_t ownerOf(std::uint64_t number) const {
@@ -226,14 +277,14 @@ class SharedCubes {
 
   CubeGrid grid_;
   ViewMm corner_;
-  std::vector<Cubes> shares_;
+  std::vector<SummedCubes> shares_;
+  std::vector<std::uint64_t> numbers_;  // Of a batch's points, and some that are not looked at.
 };
 
 /// The middle of each cube that holds points enough, itself or with those around it, in the order
 /// in which the cubes were met. Thinning leaves of a surface one point in many, of strays every
 /// one: most of what is chosen would be strays. Their cubes have nobody around.
-std::vector<std::array<float, 3>> inCompany(const SharedCubes<SummedCubes>& cubes,
-                                            std::uint64_t count) {
+std::vector<std::array<float, 3>> inCompany(const SharedCubes& cubes, std::uint64_t count) {
   struct Chosen {
     std::uint64_t first;
     std::array<float, 3> middle;
@@ -243,7 +294,7 @@ std::vector<std::array<float, 3>> inCompany(const SharedCubes<SummedCubes>& cube
   std::vector<std::vector<Chosen>> of_shares(cubes.shares().size());
   cubes.onEach([&](std::size_t own) {
     for (const SummedCubes::Cube& cube : cubes.shares()[own].cubes()) {
-      if (cube.count < company && CubeGrid::around(cube.number, cubes) < company) continue;
+      if (cube.count < company && !CubeGrid::holdAround(cube.number, cubes, company)) continue;
       const double points = cube.count;
       of_shares[own].push_back(
           {cube.first, single({cube.sum.x / points, cube.sum.y / points, cube.sum.z / points})});
@@ -284,14 +335,15 @@ std::vector<std::array<float, 3>> evenPoints(const ViewBlocks& points, const Vie
     });
   };
   // A surface meets the square of twice as many cubes of half the side.
-  const double across = std::sqrt(static_cast<double>(count) / kPointsOfCube);
-  const double counted_side = side / std::clamp(across, 1.0, kMostAcross);
-  SharedCubes<CountedCubes> coarse(threads, CubeGrid(box, counted_side), box.min, 1U << 16U);
+  const double across =
+      std::clamp(std::sqrt(static_cast<double>(count) / kPointsOfCube), 1.0, kMostAcross);
+  const double counted_side = side / across;
+  MetCubes coarse(threads, CubeGrid(box, counted_side), across);
   fill(coarse);
   const double cube_side =
       counted_side * std::sqrt(static_cast<double>(coarse.count()) / static_cast<double>(wanted));
-  SharedCubes<SummedCubes> cubes(threads, CubeGrid(box, std::max(cube_side, side / (1U << 20U))),
-                                 box.min, wanted);
+  SharedCubes cubes(threads, CubeGrid(box, std::max(cube_side, side / (1U << 20U))), box.min,
+                    wanted);
   fill(cubes);
   return inCompany(cubes, count);
 }

@@ -9,17 +9,11 @@
 #include "core/base/task.h"
 #include "core/base/vec3.h"
 #include "core/depth/depth_request.h"
+#include "core/depth/disc_raster.h"
 #include "core/depth/even_points.h"
 #include "core/depth/surface_discs.h"
 
 namespace relievo {
-
-/// What is in front at a pixel of the raster.
-struct FrontPiece {
-  float z;          ///< NaN without a surface.
-  float tolerance;  ///< What lies no farther off along z is the same surface.
-  float spacing;    ///< Of the points there.
-};
 
 /// Where the front of a closed object is, seen along -z, known from its points in 3-D before any
 /// cell of a map gets a height: discs around the points are drawn into a raster, the nearest to the
@@ -57,9 +51,6 @@ class FrontSurface {
   static constexpr std::size_t kMostDiscs = 200'000;
 
  private:
-  void draw(const std::vector<SurfaceDisc>& discs, const Task& task);
-  void drawBand(const std::vector<SurfaceDisc>& discs, int first_row, int end_row,
-                const Task& task);
   void lookBehind(const std::vector<SurfaceDisc>& discs);
   const FrontPiece* pieceAt(double x_mm, double y_mm) const noexcept;
 

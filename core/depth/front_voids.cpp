@@ -49,7 +49,14 @@ struct Closing {
 class VoidFinder {
  public:
   VoidFinder(const std::vector<FrontPiece>& pieces, GridSize size, double pixel_mm)
-      : pieces_(pieces), size_(size), pixel_mm_(static_cast<float>(pixel_mm)) {}
+      : pieces_(pieces), size_(size), pixel_mm_(static_cast<float>(pixel_mm)) {
+    float widest = 0;
+    for (const FrontPiece& piece : pieces) widest = std::max(widest, piece.spacing);
+    // A void is no wider than twice this from rim to rim, so no rim is farther off.
+    const float farthest = 2 * kVoidRadius * widest / pixel_mm_;
+    most_steps_ = farthest < kMostSteps ? static_cast<int>(farthest) + 2 : kMostSteps;
+    most_steps_ = std::min(most_steps_, kMostSteps);
+  }
 
   void find(const Task& task) {
     std::vector<std::map<std::size_t, FrontPiece>> rows(static_cast<std::size_t>(size_.rows));
@@ -130,7 +137,7 @@ class VoidFinder {
                                 float& distance) const {
     const bool is_diagonal = direction[0] != 0 && direction[1] != 0;
     const float stride = pixel_mm_ * (is_diagonal ? 1.41421356F : 1.0F);
-    for (int step = 1; step <= kMostSteps; ++step) {
+    for (int step = 1; step <= most_steps_; ++step) {
       const Cell near{.col = from.col + step * direction[0], .row = from.row + step * direction[1]};
       if (!size_.contains(near)) return nullptr;
       const FrontPiece& piece = pieces_[size_.index(near)];
@@ -172,6 +179,7 @@ class VoidFinder {
   const std::vector<FrontPiece>& pieces_;
   GridSize size_;
   float pixel_mm_;
+  int most_steps_ = kMostSteps;
   std::map<std::size_t, Closing> closings_;  // By pixel.
   std::vector<Void> voids_;
 };

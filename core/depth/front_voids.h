@@ -5,7 +5,7 @@
 
 #include "core/base/grid.h"
 #include "core/base/task.h"
-#include "core/depth/front_surface.h"
+#include "core/depth/disc_raster.h"
 #include "core/depth/surface_discs.h"
 
 namespace relievo {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 namespace relievo {
 namespace {
@@ -48,6 +49,51 @@ bool isLayered(const std::vector<ViewMm>& square, double side) {
   return first_above <= last_below;
 }
 
+/// Which points each square of a grid holds.
+class Squares {
+ public:
+  Squares(const std::vector<ViewMm>& points, const ViewMm& low, double side) {
+    std::vector<std::array<std::uint32_t, 2>> places;
+    places.reserve(points.size());
+    std::uint32_t cols = 1;
+    std::uint32_t rows = 1;
+    for (const ViewMm& p : points) {
+      const auto col = static_cast<std::uint32_t>((p.x - low.x) / side);
+      const auto row = static_cast<std::uint32_t>((p.y - low.y) / side);
+      cols = std::max(cols, col + 1);
+      rows = std::max(rows, row + 1);
+      places.push_back({col, row});
+    }
+    held_.assign(std::size_t{cols} * rows, 0);
+    squares_.reserve(points.size());
+    for (const auto& [col, row] : places) {
+      squares_.push_back(row * cols + col);
+      ++held_[squares_.back()];
+    }
+  }
+
+  std::size_t count() const { return held_.size(); }
+  std::size_t held(std::size_t square) const { return held_[square]; }
+  std::size_t hit() const {
+    return held_.size() -
+           static_cast<std::size_t>(std::count(held_.begin(), held_.end(), std::uint32_t{0}));
+  }
+  /// The points' numbers, square after square.
+  std::vector<std::uint32_t> pointsInOrder() const {
+    std::vector<std::uint32_t> starts(held_.size());
+    std::exclusive_scan(held_.begin(), held_.end(), starts.begin(), std::uint32_t{0});
+    std::vector<std::uint32_t> order(squares_.size());
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      order[starts[squares_[i]]++] = static_cast<std::uint32_t>(i);
+    }
+    return order;
+  }
+
+ private:
+  std::vector<std::uint32_t> held_;     // Points in each square.
+  std::vector<std::uint32_t> squares_;  // Of each point.
+};
+
 }  // namespace
 
 bool liesInLayers(const std::vector<ViewMm>& points) {
@@ -68,36 +114,29 @@ LayerShares layerShares(const std::vector<ViewMm>& points) {
   // The covered area is not known yet: squares of a quarter of the points' mean area, then larger
   // ones until those that are hit hold enough.
   double side = longer * std::sqrt(kPointsOfSquare / static_cast<double>(points.size())) / 2;
-  struct Placed {
-    std::uint64_t square;
-    ViewMm point;
-  };
-  std::vector<Placed> placed(points.size());
-  for (int attempt = 0; attempt < 4; ++attempt) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto col = static_cast<std::uint64_t>((points[i].x - low.x) / side);
-      const auto row = static_cast<std::uint64_t>((points[i].y - low.y) / side);
-      placed[i] = {.square = row << 32U | col, .point = points[i]};
-    }
-    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
-      return a.square != b.square ? a.square < b.square : a.point.z < b.point.z;
-    });
-    std::size_t squares = 0;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-      squares += i == 0 || placed[i].square != placed[i - 1].square ? 1 : 0;
-    }
-    if (static_cast<double>(placed.size()) >= kPointsOfSquare * static_cast<double>(squares)) break;
+  constexpr int kMostAttempts = 4;
+  Squares squares(points, low, side);
+  for (int attempt = 1;
+       static_cast<double>(points.size()) < kPointsOfSquare * static_cast<double>(squares.hit());
+       ++attempt) {
     side *= 1.5;
+    if (attempt == kMostAttempts) break;
+    squares = Squares(points, low, side);
   }
   std::size_t layered = 0;
   std::size_t upright = 0;
   std::size_t judged = 0;
   std::vector<ViewMm> square;
-  for (std::size_t i = 0; i < placed.size();) {
+  const std::vector<std::uint32_t> in_order = squares.pointsInOrder();
+  std::size_t begin = 0;
+  for (std::size_t number = 0; number < squares.count(); ++number) {
+    const std::size_t end = begin + squares.held(number);
     square.clear();
-    const std::uint64_t number = placed[i].square;
-    for (; i < placed.size() && placed[i].square == number; ++i) square.push_back(placed[i].point);
+    for (std::size_t i = begin; i < end; ++i) square.push_back(points[in_order[i]]);
+    begin = end;
     if (square.size() < kFewestPoints) continue;
+    std::sort(square.begin(), square.end(),
+              [](const ViewMm& a, const ViewMm& b) { return a.z < b.z; });
     judged += square.size();
     if (isLayered(square, side)) {
       layered += square.size();

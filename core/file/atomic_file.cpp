@@ -16,7 +16,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
 #include "core/file/owned_fd.h"
@@ -107,9 +107,7 @@ void cannotWrite(const std::filesystem::path& file, const std::string& reason) {
 }
 
 CannotWrite::CannotWrite(const std::filesystem::path& file, const std::string& why)
-    : WriteError("Cannot write " + file.string() + ": " + why +
-                 ". Check the folder, its permissions and the free space."),
-      reason(why) {}
+    : WriteError(said<MessageId::cannot_write>(file, why)), reason(why) {}
 
 void removeLeftFiles(const std::filesystem::path& folder) {
   std::error_code error;

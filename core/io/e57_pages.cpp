@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "core/base/failure.h"
 #include "core/io/crc32c.h"
+#include "core/io/file_check.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -26,7 +28,7 @@ E57Pages::E57Pages(const ReadJob& job) : job_(job) {
 void E57Pages::readHeader() {
   const std::string_view bytes = job_.bytes;
   if (bytes.size() < kHeaderBytes) {
-    refuseScan(job_.file, "it is shorter than the header of an E57 file. Copy or export it again.");
+    throw failure<MessageId::shorter_than_e57_header>(shownName(job_.file));
   }
   const auto u64_at = [bytes](std::size_t at) {
     return loadAs<std::uint64_t>(bytes.data() + at, ByteOrder::little);

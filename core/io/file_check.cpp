@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -19,7 +19,7 @@ class ReadOnlyFile {
  public:
   explicit ReadOnlyFile(const std::filesystem::path& file)
       : fd_(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
-    if (fd_ < 0) throw FileError(reason(file, errno));
+    if (fd_ < 0) throw refusal(shownName(file), errno);
   }
   ~ReadOnlyFile() { ::close(fd_); }
   ReadOnlyFile(const ReadOnlyFile&) = delete;
@@ -27,20 +27,18 @@ class ReadOnlyFile {
   int fd() const noexcept { return fd_; }
 
  private:
-  static std::string reason(const std::filesystem::path& file, int error) {
-    const std::string name = shownName(file);
+  static FileError refusal(const std::string& name, int error) {
     switch (error) {
       case ENOENT:
       case ENOTDIR:
-        return "Cannot read " + name + ": there is no such file. Check the name and the folder.";
+        return failure<MessageId::file_missing>(name);
       case EACCES:
       case EPERM:
-        return "Cannot read " + name +
-               ": this account may not read it. Change its permissions, or copy it.";
+        return failure<MessageId::file_forbidden>(name);
       case ELOOP:
-        return "Cannot read " + name + ": its links lead in a circle. Choose the file itself.";
+        return failure<MessageId::file_links_in_circle>(name);
       default:
-        return "Cannot read " + name + ": " + std::strerror(error) + ". Choose another file.";
+        return failure<MessageId::file_not_opened>(name, std::strerror(error));
     }
   }
 
@@ -50,19 +48,16 @@ class ReadOnlyFile {
 std::uint64_t sizeOf(const ReadOnlyFile& open_file, const std::filesystem::path& file) {
   struct stat facts {};
   if (::fstat(open_file.fd(), &facts) != 0) {
-    throw FileError("Cannot read " + shownName(file) + ": " + std::strerror(errno) + ".");
+    throw failure<MessageId::file_not_read>(shownName(file), std::strerror(errno));
   }
   if (S_ISDIR(facts.st_mode)) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": it is a folder. Choose one of the files in it.");
+    throw failure<MessageId::file_is_a_folder>(shownName(file));
   }
   if (!S_ISREG(facts.st_mode)) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": it is a pipe or device, not a file. Save the scan to a file first.");
+    throw failure<MessageId::file_is_a_pipe>(shownName(file));
   }
   if (facts.st_size <= 0) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": it is empty (0 bytes). Copy or export it again.");
+    throw failure<MessageId::file_is_empty>(shownName(file));
   }
   return static_cast<std::uint64_t>(facts.st_size);
 }
@@ -138,7 +133,7 @@ std::string readHead(const std::filesystem::path& file, std::size_t limit) {
     const ssize_t got = ::read(open_file.fd(), head.data() + done, head.size() - done);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) {
-      throw FileError("Cannot read " + shownName(file) + ": " + std::strerror(errno) + ".");
+      throw failure<MessageId::file_not_read>(shownName(file), std::strerror(errno));
     }
     if (got == 0) break;
     done += static_cast<std::size_t>(got);

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <optional>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 
@@ -241,14 +241,9 @@ void checkReadableAsScan(const FoundFormat& found_format, const std::filesystem:
     if (fact.format == found_format.format && fact.readable_as_scan) return;
   }
   if (isReadableRaster(found_format.format)) {
-    throw FileError("Cannot read " + shownName(file) + " as a scan: it is " + found_format.name +
-                    ". Open it as a raster.");
+    throw failure<MessageId::file_is_a_raster>(shownName(file), found_format.name);
   }
-  throw FileError(
-      "Cannot read " + shownName(file) + ": it is " + found_format.name +
-      "; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV "
-      "text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. "
-      "Convert it to one of these, or choose another file.");
+  throw failure<MessageId::file_of_another_format>(shownName(file), found_format.name);
 }
 
 }  // namespace relievo

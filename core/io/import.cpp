@@ -8,7 +8,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/colour_raster.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
@@ -58,12 +58,10 @@ ImportProgram precheck(const std::filesystem::path& file, ReaderChoice choice) {
                          " s of processor time. Thin it out or cut it into parts first.");
   }
   if (!end.exited && end.number == SIGBUS) {
-    refuseScan(file, "it became shorter while it was read, or its disk failed. Try again.");
+    throw failure<MessageId::file_became_shorter>(shownName(file));
   }
   if (!end.exited && end.number == SIGKILL) {
-    refuseScan(file,
-               "the system stopped the import, probably for lack of memory. Close other "
-               "programs, or thin the scan out first.");
+    throw failure<MessageId::import_stopped_by_system>(shownName(file));
   }
   refuseScan(file, "its reader broke down on it" + words +
                        ". The program is unharmed; the file "
@@ -84,6 +82,7 @@ Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, 
   if (auto* wanted = std::get_if<Wanted>(&answer)) return std::move(*wanted);
   if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
     if (refusal->code == kMisuse) throw ArgumentError(refusal->message);
+    if (const auto message = messageFromBytes(refusal->of_catalogue)) throw FileError(*message);
     throw FileError(refusal->message, refusal->code);
   }
   refuseEnd(file, options, end);
@@ -122,8 +121,9 @@ namespace {
 void refuseColours(const RasterRows& rows, const std::filesystem::path& file) {
   const std::string& format = rows.head().info.format;
   if (format != kColourRasterFormat && format != kIntensityRasterFormat) return;
-  throw FileError("Cannot read " + shownName(file) + ": it holds the " + format +
-                  ", not heights. Open the map beside it.");
+  const std::string name = shownName(file);
+  if (format == kColourRasterFormat) throw failure<MessageId::raster_holds_colours>(name);
+  throw failure<MessageId::raster_holds_intensities>(name);
 }
 
 /// Calls pixel(index, colour, alpha) for every cell of a companion. Nothing, and a warning, if it

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/import.h"
 #include "core/io/lines.h"
@@ -96,7 +96,8 @@ void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libr
       refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
     }
   } catch (const Error& error) {
-    sendAnswer(kAnswerFd, WorkerRefusal{error.what(), error.code});
+    sendAnswer(kAnswerFd, WorkerRefusal{error.what(), error.code,
+                                        error.message ? messageBytes(*error.message) : ""});
   } catch (const AnswerTooLong& answer) {
     sendAnswer(kAnswerFd, tooLong(arguments, answer));
   } catch (const std::bad_alloc&) {

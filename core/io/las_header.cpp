@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/base/failure.h"
+#include "core/io/file_check.h"
 #include "core/io/read_scan.h"
 #include "core/io/scalar.h"
 
@@ -78,15 +80,17 @@ std::optional<FileBounds> statedBounds(std::string_view bytes) {
 }  // namespace
 
 LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& file) {
-  constexpr std::string_view kShort =
-      "it is shorter than the header of a LAS file. Copy or export it again.";
-  if (bytes.size() < kHeader) refuseScan(file, kShort);
+  if (bytes.size() < kHeader) {
+    throw failure<MessageId::shorter_than_las_header>(shownName(file));
+  }
   checkVersion(bytes, file);
   LasHeader header;
   header.minor = fieldAt<std::uint8_t>(bytes, 25);
   header.header_bytes = fieldAt<std::uint16_t>(bytes, 94);
   const std::size_t needed = header.minor >= 4 ? kHeader14 : kHeader;
-  if (bytes.size() < needed) refuseScan(file, kShort);
+  if (bytes.size() < needed) {
+    throw failure<MessageId::shorter_than_las_header>(shownName(file));
+  }
   if (header.header_bytes < needed) {
     refuseScan(file, "it says its header has " + std::to_string(header.header_bytes) + " bytes; " +
                          std::to_string(needed) + " are needed. Export it again.");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/laz_fields.h"
 #include "core/io/laz_recovery.h"
@@ -237,7 +238,7 @@ LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
   if (!record) refuseScan(file, kNoRecord);
   LazFile laz;
   const Packing packing = readPacking(*record, laz.layout, header, file);
-  if (header.points == 0) refuseScan(file, "it has 0 points. Choose another file.");
+  if (header.points == 0) throw failure<MessageId::no_points>(shownName(file));
   if (header.points > kMostPoints) {
     refuse(file, "its header promises " + grouped(header.points) + " points.");
   }

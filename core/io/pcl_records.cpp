@@ -14,12 +14,14 @@
 #include <array>
 #include <cerrno>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "core/base/bands.h"
 #include "core/base/error.h"
 #include "core/file/owned_fd.h"
+#include "core/io/scan_transport.h"
 
 namespace relievo {
 namespace {
@@ -120,11 +122,19 @@ const char* plyType(ScalarType type) {
   return kNames[static_cast<std::size_t>(type)];
 }
 
-/// A record as PCL is told of it: what is read as it is, what lies between as few wide numbers,
-/// since every property costs PCL the same. Names mean nothing to it.
+/// Records as PCL is told of them: every property costs PCL the same, so they are few and wide. In
+/// this machine's order they need no turning, and rows of one to eight records are told as eight
+/// bytes after eight; else what is read is told as it is and what lies between as wide numbers.
+/// Names mean nothing to it.
 class PlyForm {
  public:
   explicit PlyForm(const RecordLayout& layout) {
+    constexpr std::size_t kWord = 8;
+    if (layout.order == ByteOrder::little) {
+      row_records_ = kWord / std::gcd(kWord, layout.bytes);
+      skipTo(row_records_ * layout.bytes);
+      return;
+    }
     std::vector<StoredNumber> wanted(layout.xyz.begin(), layout.xyz.end());
     if (layout.colour) wanted.insert(wanted.end(), layout.colour->begin(), layout.colour->end());
     if (layout.intensity) wanted.push_back(*layout.intensity);
@@ -140,13 +150,18 @@ class PlyForm {
   std::string header(std::uint64_t points, ByteOrder order) const {
     std::string text = std::string("ply\nformat binary_") +
                        (order == ByteOrder::big ? "big" : "little") +
-                       "_endian 1.0\nelement vertex " + std::to_string(points) + "\n";
+                       "_endian 1.0\nelement vertex " + std::to_string(rowsOf(points)) + "\n";
     for (std::size_t i = 0; i < types_.size(); ++i) {
       text += std::string("property ") + plyType(types_[i]) + " p" + std::to_string(i) + "\n";
     }
     return text + "end_header\n";
   }
   std::size_t properties() const noexcept { return types_.size(); }
+  std::size_t rowBytes() const noexcept { return end_; }
+  /// That hold so many records; the last one may be filled up.
+  std::uint64_t rowsOf(std::uint64_t records) const noexcept {
+    return (records + row_records_ - 1) / row_records_;
+  }
   /// Of the property that begins there in the file's record.
   std::size_t propertyAt(std::size_t offset) const {
     return static_cast<std::size_t>(std::find(offsets_.begin(), offsets_.end(), offset) -
@@ -168,6 +183,7 @@ class PlyForm {
   std::vector<ScalarType> types_;
   std::vector<std::size_t> offsets_;
   std::size_t end_ = 0;
+  std::size_t row_records_ = 1;
 };
 
 bool writeAll(int fd, std::string_view bytes) {
@@ -192,20 +208,32 @@ class PlyBlocks {
   /// Reads `count` records, on any thread. @throw FileError  PCL cannot
   void read(std::string_view records, std::uint64_t count) {
     count_ = count;
+    const std::uint64_t rows = form_.rowsOf(count);
+    const std::string header = form_.header(count, file_layout_.order);
+    const std::string_view own = records.substr(0, count * file_layout_.bytes);
+    const std::string filling(rows * form_.rowBytes() - own.size(), '\0');
+    const std::size_t all = header.size() + own.size() + filling.size();
     pcl::PLYReader reader;
-    const bool read = memory_.get() >= 0 && ::ftruncate(memory_.get(), 0) == 0 &&
-                      ::lseek(memory_.get(), 0, SEEK_SET) == 0 &&
-                      writeAll(memory_.get(), form_.header(count, file_layout_.order)) &&
-                      writeAll(memory_.get(), records.substr(0, count * file_layout_.bytes)) &&
-                      reader.read(path_, cloud_) >= 0;
+    // Cut to its length when it is written: what the block before left need not be made again.
+    errno = 0;
+    const bool written = memory_.get() >= 0 && ::lseek(memory_.get(), 0, SEEK_SET) == 0 &&
+                         writeAll(memory_.get(), header) && writeAll(memory_.get(), own) &&
+                         writeAll(memory_.get(), filling) &&
+                         ::ftruncate(memory_.get(), static_cast<off_t>(all)) == 0;
+    if (!written && errno == EFBIG) refuseLength();
+    const bool read = written && reader.read(path_, cloud_) >= 0;
     if (!read || cloud_.fields.size() != form_.properties() ||
-        std::uint64_t{cloud_.width} * cloud_.height != count ||
-        cloud_.data.size() < count * cloud_.point_step) {
+        cloud_.point_step != form_.rowBytes() ||
+        std::uint64_t{cloud_.width} * cloud_.height != rows ||
+        cloud_.data.size() < rows * form_.rowBytes()) {
       throw FileError("PCL gave up on its points. Give --reader own.");
     }
   }
   /// What was read last.
   void give(const TakeColumns& take) const {
+    if (file_layout_.order == ByteOrder::little) {
+      return take(columnsOf(file_layout_, charsOf(cloud_)), count_);
+    }
     const auto moved = [&](const StoredNumber& number) {
       return StoredNumber{cloud_.fields[form_.propertyAt(number.offset)].offset, number.type};
     };

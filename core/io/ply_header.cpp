@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/read_scan.h"
@@ -64,7 +64,7 @@ class HeaderParser {
       }
       parseLine(word, rest);
     }
-    refuseScan(file_, "its header has no end (\"end_header\"). Copy or export it again.");
+    throw failure<MessageId::header_without_end>(shownName(file_), "\"end_header\"");
   }
 
  private:
@@ -180,11 +180,11 @@ class HeaderParser {
   }
 
   void check() {
-    if (!format_seen_) refuseScan(file_, "its header names no format. Export it again.");
+    if (!format_seen_) throw failure<MessageId::header_without_format>(shownName(file_));
     const auto& elements = header_.elements;
     const auto vertices = findVertices();
     if (vertices == elements.end()) {
-      refuseScan(file_, "its header promises no vertices. Choose a file with points.");
+      throw failure<MessageId::no_vertices_promised>(shownName(file_));
     }
     header_.vertex_element = static_cast<std::size_t>(vertices - elements.begin());
     constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
@@ -193,8 +193,7 @@ class HeaderParser {
       const auto at = findNamed(list, kAxes[axis],
                                 [](const PlyProperty& p) { return !p.list_length.has_value(); });
       if (at == list.end()) {
-        refuseScan(file_, "its points have no " + std::string(kAxes[axis]) +
-                              " coordinate. Export it with x, y and z.");
+        throw failure<MessageId::no_coordinate>(shownName(file_), kAxes[axis]);
       }
       header_.xyz[axis] = static_cast<std::size_t>(at - list.begin());
     }

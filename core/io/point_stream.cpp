@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/las_header.h"
@@ -40,7 +41,7 @@ void readAll(int fd, std::uint64_t at, std::span<char> bytes, const std::filesys
     const ssize_t got = ::pread(fd, bytes.data(), bytes.size(), static_cast<off_t>(at));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) {
-      refuseScan(file, "it became shorter while it was read, or its disk failed. Try again.");
+      throw failure<MessageId::file_became_shorter>(shownName(file));
     }
     at += static_cast<std::uint64_t>(got);
     bytes = bytes.subspan(static_cast<std::size_t>(got));
@@ -183,7 +184,7 @@ void PointStream::setPoints(std::uint64_t found, std::uint64_t promised,
                     {info_.file, {}, options, task}, info_);
   }
   if (info_.points == 0) {
-    refuseScan(info_.file, "it has 0 points. Choose another file.");
+    throw failure<MessageId::no_points>(shownName(info_.file));
   }
 }
 

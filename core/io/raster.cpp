@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/unit.h"
 #include "core/io/ascii_grid.h"
 #include "core/io/colour_rows.h"
@@ -142,9 +142,7 @@ double readUnits(GDALDataset& dataset, RasterHead& raster) {
   const OGRSpatialReference* srs = dataset.GetSpatialRef();
   if (srs == nullptr || srs->IsEmpty()) return 1;
   if (srs->IsGeographic()) {
-    refuse(info.file,
-           "its pixels are measured in degrees. Reproject it to metres, for example "
-           "gdalwarp -t_srs EPSG:UTM-ZONE.");
+    throw failure<MessageId::raster_in_degrees>(shownName(info.file));
   }
   if (!srs->IsProjected() && !srs->IsLocal()) return 1;
   const double metres = srs->GetLinearUnits(nullptr);
@@ -184,9 +182,7 @@ void checkBand(GDALRasterBand& band, const std::filesystem::path& file) {
   }
   const GDALColorInterp colour = band.GetColorInterpretation();
   if (colour == GCI_RedBand || colour == GCI_PaletteIndex) {
-    refuse(file,
-           "it is a colour picture, not a height raster. Choose the raster with one band of "
-           "heights.");
+    throw failure<MessageId::raster_is_a_colour_picture>(shownName(file));
   }
 }
 

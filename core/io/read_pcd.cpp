@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/lzf.h"
 #include "core/io/pcd_header.h"
@@ -92,7 +93,7 @@ class PcdReader {
   bool byPcl() const {
     if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
     if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
-      refuseScan(job_.file, "it was changed while it was read. Try again.");
+      throw failure<MessageId::file_was_changed>(shownName(job_.file));
     }
     return job_.pcl != nullptr;
   }
@@ -137,7 +138,7 @@ class PcdReader {
   }
 
   [[noreturn]] void refuseUndecoded() const {
-    refuseScan(job_.file, "its points cannot be decoded. The file is damaged; export it again.");
+    throw failure<MessageId::points_not_decoded>(shownName(job_.file));
   }
 
   /// From all points' first field, all points' second field ...

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/planted_fault.h"
@@ -155,7 +155,7 @@ class PlyReader {
   bool byPcl() const {
     if (!usesPcl(job_.options.scan.reader, whyNotPcl(header_), job_.file)) return false;
     if (job_.pcl == nullptr && job_.options.scan.reader == ReaderChoice::pcl) {
-      refuseScan(job_.file, "it was changed while it was read. Try again.");
+      throw failure<MessageId::file_was_changed>(shownName(job_.file));
     }
     return job_.pcl != nullptr;
   }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/mapped_file.h"
@@ -33,6 +33,20 @@ bool isWantedPart(const ReadJob& job, std::size_t index) {
          std::find(parts.begin(), parts.end(), static_cast<int>(index) + 1) != parts.end();
 }
 
+namespace {
+
+[[noreturn]] void throwEndsEarly(const Shortfall& shortfall, const ReadJob& job) {
+  const CountArgument promised = CountArgument::grouped(shortfall.promised);
+  const CountArgument found = CountArgument::grouped(shortfall.found);
+  if (shortfall.complete_points == 0) {
+    throw failure<MessageId::file_ends_early>(shownName(job.file), promised, found);
+  }
+  throw failure<MessageId::file_ends_early_with_points>(
+      shownName(job.file), promised, found, CountArgument::grouped(shortfall.complete_points));
+}
+
+}  // namespace
+
 void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& info) {
   const std::string records(shortfall.records);
   const std::string found = grouped(shortfall.found);
@@ -42,6 +56,7 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
                             ". What is there was loaded.");
     return;
   }
+  if (records == "points") throwEndsEarly(shortfall, job);
   std::string message = "Cannot read " + shownName(job.file) + ": header promises " +
                         grouped(shortfall.promised) + " " + records + ", file ends at " + found +
                         ". Nothing was loaded. ";

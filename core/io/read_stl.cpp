@@ -5,6 +5,8 @@
 #include <cctype>
 #include <string>
 
+#include "core/base/failure.h"
+#include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/planted_fault.h"
 #include "core/io/read_scan.h"
@@ -27,13 +29,13 @@ void addTriangle(ScanBuilder& builder, const std::array<std::array<double, 3>, 3
 
 void readBinary(const ReadJob& job, ScanBuilder& builder) {
   if (job.bytes.size() < kHeader) {
-    refuseScan(job.file, "it is shorter than the header of an STL file. Copy or export it again.");
+    throw failure<MessageId::shorter_than_stl_header>(shownName(job.file));
   }
   const std::uint64_t promised = loadAs<std::uint32_t>(job.bytes.data() + 80, ByteOrder::little);
   const std::uint64_t found =
       std::min<std::uint64_t>(promised, (job.bytes.size() - kHeader) / kTriangle);
   plantedFault(found == 3 && promised == 300);
-  if (promised == 0) refuseScan(job.file, "it holds 0 triangles. Choose another file.");
+  if (promised == 0) throw failure<MessageId::no_triangles>(shownName(job.file));
   if (found < promised) {
     handleShortfall({"points", 3 * promised, 3 * found, 3 * found}, job, builder.info());
   } else if (job.bytes.size() > kHeader + found * kTriangle) {
@@ -177,7 +179,7 @@ Scan readStl(const ReadJob& job) {
   if (text) {
     StlTextReader(job, builder).read();
     if (builder.faceCount() == 0) {
-      refuseScan(job.file, "it holds 0 triangles. Choose another file.");
+      throw failure<MessageId::no_triangles>(shownName(job.file));
     }
   } else {
     readBinary(job, builder);

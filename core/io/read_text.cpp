@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/planted_fault.h"
@@ -32,7 +32,7 @@ class TextReader {
 
   Scan read() {
     builder_.info().format = "text";
-    if (!nextRow()) refuseScan(job_.file, "it holds no rows of numbers. Choose another file.");
+    if (!nextRow()) throw failure<MessageId::no_rows_of_numbers>(shownName(job_.file));
     readCountLine();
     if (!at_end_) readHeader();
     if (!at_end_) chooseValues();

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/large_pages.h"
 #include "core/io/file_check.h"
 #include "core/io/point_values.h"
@@ -247,8 +247,8 @@ Scan ScanBuilder::finish() {
                             " points beyond 1e38 were left out; they are no measurements.");
   }
   if (info.finite_points == 0) {
-    throw FileError("Cannot read " + shownName(info.file) + ": it has " + grouped(info.points) +
-                    " points, none finite. Choose another file.");
+    throw failure<MessageId::no_finite_point>(shownName(info.file),
+                                              CountArgument::grouped(info.points));
   }
   if (info.bounds->min == info.bounds->max) {
     info.warnings.emplace_back(info.finite_points == 1 ? "The scan has one point only."

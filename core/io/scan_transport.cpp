@@ -104,12 +104,6 @@ class Unpacker {
   bool good_ = true;
 };
 
-[[noreturn]] void refuseLength() {
-  rlimit files{};
-  ::getrlimit(RLIMIT_FSIZE, &files);
-  throw AnswerTooLong(files.rlim_cur);
-}
-
 void writeAll(int fd, const void* start, std::size_t size, std::uint64_t at) {
   const auto* from = static_cast<const char*>(start);
   while (size > 0) {
@@ -431,6 +425,12 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
 
 }  // namespace
 
+void refuseLength() {
+  rlimit files{};
+  ::getrlimit(RLIMIT_FSIZE, &files);
+  throw AnswerTooLong(files.rlim_cur);
+}
+
 void sendAnswer(int fd, const Scan& scan) {
   const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
   const std::array<std::span<const std::byte>, kArrays - 1> arrays{
@@ -444,6 +444,7 @@ void sendAnswer(int fd, const WorkerRefusal& refusal) {
   Packer packer;
   packer.put(refusal.message);
   packer.put(refusal.code);
+  packer.put(refusal.of_catalogue);
   send(fd, AnswerKind::refusal, packer.bytes(), {});
 }
 
@@ -505,6 +506,7 @@ WorkerAnswer receiveAnswer(int fd, const Task& task) {
   WorkerRefusal refusal;
   refusal.message = unpacker.text();
   refusal.code = unpacker.text();
+  refusal.of_catalogue = unpacker.text();
   if (!unpacker.good() || refusal.message.empty()) return {};
   return refusal;
 }

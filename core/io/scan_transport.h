@@ -16,6 +16,7 @@ namespace relievo {
 /// Why a worker has nothing to give: an Error for the caller of importScan or importRaster.
 struct WorkerRefusal {
   std::string message, code;
+  std::string of_catalogue = {};  ///< The same as messageBytes; empty: it is not in the catalogue.
 };
 
 /// An answer is longer than files may be where this runs.
@@ -27,6 +28,9 @@ class AnswerTooLong : public std::bad_alloc {
  private:
   std::uint64_t most_bytes_;
 };
+
+/// @throw AnswerTooLong  a file, in memory too, could not become longer (EFBIG)
+[[noreturn]] void refuseLength();
 
 /// Writes the worker's answer over whatever a file held. @throw Error, AnswerTooLong
 void sendAnswer(int fd, const Scan& scan);

@@ -31,8 +31,10 @@ constexpr rlim_t kFilesNeeded = 64;
                     " files may be open at once here (ulimit -n), and it takes " +
                     std::to_string(kFilesNeeded) + ". Allow more and try again.");
   }
+  const bool lacks_room = error == EAGAIN || error == ENOMEM || error == EMFILE || error == ENFILE;
   throw FileError(std::string("Another program cannot be started: ") + std::strerror(error) +
-                  ". Close other programs and try again.");
+                  (lacks_room ? ". Close other programs and try again."
+                              : ". Install relievo again, or give the right to run it."));
 }
 
 class SpawnSettings {

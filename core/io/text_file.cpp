@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/io/text_file.h"
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 
 namespace relievo {
@@ -12,17 +12,15 @@ void writeTextFile(const OutputFile& file, std::string_view text) {
     written.write(text);
     written.commit();
   } catch (const CannotWrite& error) {
-    throw WriteError("Cannot write " + file.path.string() + " (" + error.reason +
-                     "). What was there is as before. Choose another folder or free some space.");
+    throw failure<MessageId::text_not_written>(file.path, error.reason);
   }
 }
 
 std::string readTextFile(const std::filesystem::path& file, std::size_t most_bytes) {
   const std::uint64_t bytes = checkedFileSize(file);
   if (bytes > most_bytes) {
-    throw FileError("Cannot read " + shownName(file) + ": it has " + grouped(bytes) +
-                    " bytes, more than the " + grouped(most_bytes) +
-                    " that such a file may have. Nothing was loaded.");
+    throw failure<MessageId::file_too_long>(shownName(file), CountArgument::grouped(bytes),
+                                            CountArgument::grouped(most_bytes));
   }
   return readHead(file, most_bytes);
 }

@@ -73,7 +73,8 @@ void writeBand(const std::filesystem::path& file, const std::filesystem::path& s
   GdalErrors errors;
   registerRasterDrivers();
   const GridSize size = place.size;
-  const char* const options[] = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", nullptr};
+  const char* const options[] = {"COMPRESS=DEFLATE", "BIGTIFF=IF_SAFER", "NUM_THREADS=ALL_CPUS",
+                                 nullptr};
   Dataset dataset(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
       file.c_str(), size.cols, size.rows, 1, band.type, const_cast<char**>(options)));
   if (!dataset) cannotWrite(shown, errors.first());

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/measure/piece.h"
 
 namespace relievo {
@@ -61,7 +61,7 @@ double angleDeg(const std::vector<ViewMm>& p) {
   const ViewMm a = p[0] - p[1];
   const ViewMm b = p[2] - p[1];
   const double lengths = norm(a) * norm(b);
-  if (!(lengths > 0)) throw ArgumentError("An angle needs three different points.");
+  if (!(lengths > 0)) throw failure<MessageId::angle_of_one_point>();
   return std::acos(std::clamp(dot(a, b) / lengths, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
@@ -130,7 +130,7 @@ std::optional<PartOfLeg> partOnMap(const GridFrame& frame, PlaceMm a, PlaceMm b)
 
 void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
   const std::vector<ProfileRow> rows = profile(map, m.places);
-  if (rows.size() < 2) throw ArgumentError("The profile's line is not on the object.");
+  if (rows.size() < 2) throw failure<MessageId::profile_off_the_object>();
   std::vector<SurfacePoint> points;
   double low = rows.front().point.at.z;
   double high = low;
@@ -180,8 +180,7 @@ void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
 }
 
 void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
-  const std::string problem = outlineProblem(m.places);
-  if (!problem.empty()) throw ArgumentError(problem);
+  if (const auto problem = outlineRefusal(m.places)) throw ArgumentError(*problem);
   const Piece piece = pieceOf(map, m.places, m.plane_mm);
   reading.quantities = {{.title = "area in the view",
                          .value = piece.area_mm2,
@@ -199,18 +198,15 @@ void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
 }
 
 /// To the micrometre, without zeros that say nothing.
-std::string shown(double mm) {
-  std::array<char, 400> text{};  // The largest double has 309 digits.
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::round(mm * 1e3) / 1e3,
-                                 std::chars_format::fixed);
-  return {text.data(), end.ptr};
+NumberArgument shown(double mm) {
+  return {.value = mm, .digits = 3, .form = NumberArgument::Form::trimmed};
 }
 
 void readSection(const MapCells& map, const Measurement& m, Reading& reading) {
   reading.curves = section(map, planeOf(m));
   if (reading.curves.empty()) {
-    throw ArgumentError("The plane" + (m.name.empty() ? "" : " of '" + m.name + "'") +
-                        " does not cut the surface. Choose another plane.");
+    if (m.name.empty()) throw failure<MessageId::plane_cuts_nothing>();
+    throw failure<MessageId::named_plane_cuts_nothing>(m.name);
   }
   Quantity length{.title = "length of the cut", .unit = "mm"};
   double points = 0;
@@ -293,15 +289,13 @@ Reading read(const MapCells& map, const Measurement& m) {
     return reading;
   }
   if (static_cast<int>(m.places.size()) < placesNeeded(m.kind)) {
-    throw ArgumentError("A measurement of kind " + std::string(name(m.kind)) + " needs " +
-                        std::to_string(placesNeeded(m.kind)) + " places.");
+    throw failure<MessageId::too_few_places>(name(m.kind), placesNeeded(m.kind));
   }
   for (const PlaceMm& place : m.places) {
     const auto point = surfacePoint(map, place);
     // A piece's corners and a profile's ends may lie beside the object.
     if (!point && !takesMore(m.kind)) {
-      throw ArgumentError("There is no surface at x " + shown(place.x) + ", y " + shown(place.y) +
-                          " mm. Choose a place on the object.");
+      throw failure<MessageId::no_surface_at>(shown(place.x), shown(place.y));
     }
     reading.points.push_back(point.value_or(SurfacePoint{.at = {place.x, place.y, m.plane_mm}}));
   }
@@ -340,7 +334,7 @@ Reading read(const MapCells& map, const Measurement& m) {
 }
 
 std::vector<ProfileRow> profile(const MapCells& map, const std::vector<PlaceMm>& places) {
-  if (places.size() < 2) throw ArgumentError("A profile needs at least two places.");
+  if (places.size() < 2) throw failure<MessageId::profile_of_one_place>();
   std::vector<ProfileRow> rows;
   double before = 0;
   bool on_object = false;  // The end of the leg before.

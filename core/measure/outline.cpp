@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/failure.h"
 #include "core/measure/measure.h"
+#include "core/measure/piece.h"
 
 namespace relievo {
 namespace {
@@ -37,10 +39,10 @@ bool lastSideCrosses(const std::vector<PlaceMm>& places) {
   return false;
 }
 
-std::string outlineProblem(const std::vector<PlaceMm>& places) {
-  if (places.size() < 3) return {};
+std::optional<Message> outlineRefusal(const std::vector<PlaceMm>& places) {
+  if (places.size() < 3) return std::nullopt;
   if (crossesItself(places)) {
-    return "The outline crosses itself, so that it has no inside. Choose its corners in order.";
+    return said<MessageId::outline_crosses_itself>();
   }
   double twice_area = 0;
   double longest = 0;
@@ -51,9 +53,14 @@ std::string outlineProblem(const std::vector<PlaceMm>& places) {
   }
   // On one line but for rounding.
   if (std::abs(twice_area) <= 1e-9 * longest * longest) {
-    return "The corners lie on one line, so that there is no area among them. Choose others.";
+    return said<MessageId::outline_is_a_line>();
   }
-  return {};
+  return std::nullopt;
+}
+
+std::string outlineProblem(const std::vector<PlaceMm>& places) {
+  const std::optional<Message> refusal = outlineRefusal(places);
+  return refusal ? englishText(*refusal) : std::string();
 }
 
 }  // namespace relievo

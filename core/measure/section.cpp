@@ -10,7 +10,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -103,8 +103,7 @@ class Cutter {
     }
     pieces_.push_back({a, b});
     if (at_edge_.size() > most_points_) {
-      throw ArgumentError("The plane cuts this map in more than " + std::to_string(most_points_) +
-                          " points. Choose another plane, or make a map with coarser cells.");
+      throw failure<MessageId::section_too_long>(most_points_);
     }
   }
 
@@ -230,7 +229,7 @@ double wallsOff(const std::vector<ViewMm>& points, const std::vector<double>& of
 PlaneMm planeThrough(const std::vector<ViewMm>& p) {
   if (p.size() == 1) return {.normal = {0, 0, 1}, .offset_mm = p[0].z};
   if (p.size() != 2 && p.size() != 3) {
-    throw ArgumentError("A section's plane goes through one, two or three places.");
+    throw failure<MessageId::section_places>();
   }
   const ViewMm a = p[1] - p[0];
   const ViewMm b = p.size() == 2 ? ViewMm{0, 0, 1} : p[2] - p[0];
@@ -238,9 +237,8 @@ PlaneMm planeThrough(const std::vector<ViewMm>& p) {
   const double length = norm(normal);
   // On one line but for rounding.
   if (!(length > 1e-9 * norm(a) * norm(b))) {
-    throw ArgumentError(p.size() == 2
-                            ? "Two places, one above the other, give no plane. Choose another."
-                            : "Three places on one line give no plane. Choose another.");
+    if (p.size() == 2) throw failure<MessageId::two_places_no_plane>();
+    throw failure<MessageId::three_places_no_plane>();
   }
   const ViewMm unit = (1 / length) * normal;
   return {.normal = unit, .offset_mm = dot(unit, p[0])};
@@ -250,7 +248,7 @@ std::vector<SectionCurve> section(const MapCells& map, const PlaneMm& plane,
                                   std::size_t most_points) {
   const double length = norm(plane.normal);
   if (!(length > 0) || !std::isfinite(length) || !std::isfinite(plane.offset_mm)) {
-    throw ArgumentError("A section needs a plane with a direction and a distance.");
+    throw failure<MessageId::plane_without_direction>();
   }
   const GridSize size = map.frame().size;
   Cutter cutter(map.frame(), {.normal = (1 / length) * plane.normal, .offset_mm = plane.offset_mm},

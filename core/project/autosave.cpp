@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/output_set.h"
 
 namespace relievo {
@@ -39,8 +39,7 @@ Autosave::Autosave(const std::filesystem::path& folder) {
   if (lock_ < 0 || ::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     const std::string reason = std::strerror(errno);
     if (lock_ >= 0) ::close(lock_);
-    throw WriteError("The folder " + folder.string() + " for automatic copies cannot be written (" +
-                     reason + "). Save by hand, or free some space.");
+    throw failure<MessageId::copies_not_written>(folder, reason);
   }
   lock_file_ = name;
   file_ = lock_file_;
@@ -48,8 +47,10 @@ Autosave::Autosave(const std::filesystem::path& folder) {
 }
 
 Autosave::~Autosave() {
-  ::unlink(file_.c_str());
-  ::unlink(lock_file_.c_str());
+  if (!stays_) {
+    ::unlink(file_.c_str());
+    ::unlink(lock_file_.c_str());
+  }
   ::close(lock_);
 }
 

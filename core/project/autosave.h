@@ -15,16 +15,19 @@ class Autosave {
  public:
   /// @throw WriteError  the folder cannot be made or written
   explicit Autosave(const std::filesystem::path& folder);
-  ~Autosave();  ///< Takes the copy away.
+  ~Autosave();  ///< Takes the copy away, unless it is left.
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
+  /// The copy stays when this goes, and is found as one that a crash left.
+  void leave() { stays_ = true; }
   /// Replaces the copy. @throw WriteError  the old copy is as before
   void save(const Project& project) const;
 
  private:
   std::filesystem::path file_, lock_file_;
   int lock_ = -1;
+  bool stays_ = false;
 };
 
 /// Copies that programs left that no longer run, newest first. Copies that cannot be read are

@@ -37,11 +37,14 @@ std::optional<Project> projectFromState(std::string_view state, const std::strin
   return project;
 }
 
-std::optional<Project> carriedProject(const std::filesystem::path& carrier) {
+std::optional<std::string> stateCarriedBy(const std::filesystem::path& carrier) {
   constexpr std::size_t kHeadBytes = 32;
-  const std::string head = readHead(carrier, kHeadBytes);
-  if (head.starts_with('{')) return readProject(carrier);
-  const auto state = isHdf5Log(head) ? hdf5State(carrier) : embeddedState(carrier);
+  return isHdf5Log(readHead(carrier, kHeadBytes)) ? hdf5State(carrier) : embeddedState(carrier);
+}
+
+std::optional<Project> carriedProject(const std::filesystem::path& carrier) {
+  if (readHead(carrier, 1) == "{") return readProject(carrier);
+  const auto state = stateCarriedBy(carrier);
   return state ? carriedProject(carrier, *state) : std::nullopt;
 }
 

@@ -10,6 +10,10 @@
 
 namespace relievo {
 
+/// The state of embeddedState(), and that of an HDF5 recording. [worker]
+/// @throw FileError  as embeddedState
+std::optional<std::string> stateCarriedBy(const std::filesystem::path& carrier);
+
 /// The work that a picture, a log or a project file shows, wherever its format keeps it; `file` is
 /// where the state says, absolute. Nothing: it carries no state of ours, or one that shows no
 /// region (a map). [worker]

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 
@@ -14,38 +14,36 @@ std::optional<FigureLayout> figureLayout(std::string_view name) {
   return static_cast<FigureLayout>(found - kFigureLayoutNames.begin());
 }
 
+namespace {
+
+template <MessageId refusal>
+void requireWithin(double value, double low, double high) {
+  if (value >= low && value <= high) return;
+  throw failure<refusal>(static_cast<int>(low), static_cast<int>(high));
+}
+
+}  // namespace
+
 void check(const FigureRequest& f) {
-  const auto within = [](const char* what, double value, double low, double high) {
-    if (value >= low && value <= high) return;
-    throw ArgumentError("A figure's " + std::string(what) + " must be " +
-                        std::to_string(static_cast<int>(low)) + " to " +
-                        std::to_string(static_cast<int>(high)) + ". Nothing was drawn.");
-  };
-  within("width in mm", f.width_mm, 20, 2000);
-  within("dots per inch", f.dpi, 30, 2400);
-  within("text size in points", f.text_pt, 4, 36);
-  within("angle between the eyes in degrees", f.eye_angle_deg, 0.01, 20);
+  requireWithin<MessageId::figure_width>(f.width_mm, 20, 2000);
+  requireWithin<MessageId::figure_dpi>(f.dpi, 30, 2400);
+  requireWithin<MessageId::figure_text_size>(f.text_pt, 4, 36);
+  requireWithin<MessageId::figure_eye_angle>(f.eye_angle_deg, 0.01, 20);
   if (f.scale_1_to && !(*f.scale_1_to > 0)) {
-    throw ArgumentError("A scale of 1:N needs an N above 0. Nothing was drawn.");
+    throw failure<MessageId::figure_scale>();
   }
   if (f.transparent && isAnaglyph(f.stereo)) {
-    throw ArgumentError(
-        "An anaglyph needs its background: without paper the eyes would see "
-        "different pages. Choose one of the two.");
+    throw failure<MessageId::figure_anaglyph_paper>();
   }
   const bool pair = f.stereo == StereoPrint::side_by_side || f.stereo == StereoPrint::over_under;
   if (pair && f.layout != FigureLayout::detail) {
-    throw ArgumentError(
-        "Two eyes' pictures fill a figure of their own: they need the layout "
-        "'detail'. Choose it, or an anaglyph.");
+    throw failure<MessageId::figure_pair_layout>();
   }
   if (f.eye != FigureEye::both && (!pair || f.layout != FigureLayout::detail)) {
-    throw ArgumentError(
-        "One eye's picture of two needs the layout 'detail' and the stereo 'sidebyside' or "
-        "'overunder'. Choose both eyes, or these.");
+    throw failure<MessageId::figure_eye_layout>();
   }
   if (f.layout == FigureLayout::plot && f.recording.empty()) {
-    throw ArgumentError("A figure with plots needs a recording. Choose one, CSV or HDF5.");
+    throw failure<MessageId::figure_plot_recording>();
   }
 }
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
@@ -24,6 +24,8 @@
 
 namespace relievo {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kManifest = "manifest-sha256.txt";
 constexpr const char* kProject = "project.json";
@@ -122,8 +124,7 @@ class PackageWriter {
   }
 
   [[noreturn]] void fail(const std::string& reason) const {
-    throw WriteError("The package " + target_.string() + " could not be written (" + reason +
-                     "). Nothing was left behind. Choose another folder or free some space.");
+    throw failure<MessageId::package_not_written>(target_, reason);
   }
 
   std::filesystem::path target_;
@@ -135,13 +136,21 @@ class PackageWriter {
 };
 
 /// The file is there and is the one the project means.
-void requireAsBefore(const FileCheck& check, const std::string& what_to_do) {
-  if (check.state == FileState::as_before) return;
-  throw FileError("'" + check.file.file + "' " +
-                      (check.state == FileState::missing ? "is not there"
-                                                         : "has changed since (checksum differs)") +
-                      ". Nothing was packed. " + what_to_do,
-                  "E501");
+void requireAsBefore(const FileCheck& check) {
+  const fs::path file = check.file.file;
+  if (check.state == FileState::missing) throw failure<MessageId::packed_file_missing>(file);
+  if (check.state == FileState::changed) throw failure<MessageId::packed_file_changed>(file);
+}
+
+/// Likewise of one that is needed to repeat a recording.
+void requireAsBefore(const FileCheck& check, const fs::path& recording) {
+  const fs::path file = check.file.file;
+  if (check.state == FileState::missing) {
+    throw failure<MessageId::needed_file_missing>(file, recording);
+  }
+  if (check.state == FileState::changed) {
+    throw failure<MessageId::needed_file_changed>(file, recording);
+  }
 }
 
 /// What the recordings need beyond the input, each file once.
@@ -153,10 +162,7 @@ std::vector<InputFile> companionsOf(const Project& project, const PackageContent
   for (const InputFile& recording : project.recordings) {
     for (InputFile& file : contents.companions(recording.file, task)) {
       if (!known.insert(file.sha256).second) continue;
-      requireAsBefore(checkFile(file, task),
-                      "It is needed to repeat '" +
-                          std::filesystem::path(recording.file).filename().string() +
-                          "': put it back, or take the recording out.");
+      requireAsBefore(checkFile(file, task), fs::path(recording.file).filename());
       all.push_back(std::move(file));
     }
   }
@@ -193,9 +199,8 @@ void requireBounded(zip_t* archive, const std::filesystem::path& file) {
   }
   const std::uint64_t packed = std::filesystem::file_size(file);
   if (bytes <= kSmallBytes || bytes <= kMostRatio * packed) return;
-  throw FileError(shownName(file) + " would unpack to " + grouped(bytes) + " bytes, more than " +
-                  std::to_string(kMostRatio) +
-                  " times its own size. Nothing was unpacked. Ask whoever made it for another.");
+  throw failure<MessageId::package_unpacks_too_large>(shownName(file),
+                                                      CountArgument::grouped(bytes), kMostRatio);
 }
 
 Zip openZip(const std::filesystem::path& file) {
@@ -203,8 +208,7 @@ Zip openZip(const std::filesystem::path& file) {
   int code = 0;
   Zip archive(zip_open(file.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));
   if (!archive) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": it is not a whole zip file. Copy or download it again.");
+    throw failure<MessageId::not_a_zip>(shownName(file));
   }
   requireBounded(archive.get(), file);
   return archive;
@@ -324,9 +328,7 @@ void writePackage(const std::filesystem::path& target, const Project& project,
   Project packed = project;
   std::vector<FileCheck> checks = checkFiles(project, task);
   if (!contents.with_input) checks.erase(checks.begin());
-  for (const FileCheck& check : checks) {
-    requireAsBefore(check, "Relink it, or take it out of the project.");
-  }
+  for (const FileCheck& check : checks) requireAsBefore(check);
   const std::vector<InputFile> companions = companionsOf(project, contents, task);
   std::vector<std::string> figure_sums;
   for (const auto& figure : contents.figures) figure_sums.push_back(sha256OfFile(figure, task));
@@ -360,12 +362,13 @@ void unpackPackage(const std::filesystem::path& file, const std::filesystem::pat
   const Zip archive = openZip(file);
   const auto text = entryText(archive.get(), kManifest, task);
   const auto manifest = text ? manifestFrom(*text) : std::nullopt;
-  if (!manifest) throw FileError(shownName(file) + " holds no " + kManifest + " of relievo.");
+  if (!manifest) {
+    throw failure<MessageId::package_without_manifest>(shownName(file), kManifest);
+  }
   for (const auto& [name, sha256] : *manifest) {
     const std::filesystem::path inside = std::filesystem::path(name).lexically_normal();
     if (inside.is_absolute() || inside.empty() || *inside.begin() == "..") {
-      throw FileError(shownName(file) + " names a file outside of itself ('" + name +
-                      "'). Nothing was unpacked.");
+      throw failure<MessageId::package_names_outside>(shownName(file), name);
     }
     std::error_code error;
     std::filesystem::create_directories((folder / inside).parent_path(), error);
@@ -378,8 +381,8 @@ void unpackPackage(const std::filesystem::path& file, const std::filesystem::pat
         },
         task);
     out.close();
-    if (!out) throw WriteError("'" + name + "' cannot be unpacked; is the disk full?");
-    if (!whole) throw FileError("'" + name + "' of " + shownName(file) + " is damaged.");
+    if (!out) throw failure<MessageId::package_not_unpacked>(name);
+    if (!whole) throw failure<MessageId::package_part_damaged>(name, shownName(file));
   }
 }
 
@@ -388,8 +391,7 @@ PackageCheck verifyPackage(const std::filesystem::path& file, const Task& task) 
   const auto text = entryText(archive.get(), kManifest, task);
   const auto manifest = text ? manifestFrom(*text) : std::nullopt;
   if (!manifest) {
-    throw FileError(shownName(file) + " holds no " + kManifest +
-                    " of relievo, so that nothing can be checked. Choose a package for citation.");
+    throw failure<MessageId::package_not_checked>(shownName(file), kManifest);
   }
   PackageCheck check;
   for (const auto& [name, sha256] : *manifest) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/io/file_check.h"
 #include "core/io/text_file.h"
@@ -161,7 +161,7 @@ CameraPath pathFrom(const Json& json) {
     try {
       path.keys.push_back({key.at("t_s").get<double>(), viewFromText(key.at("view").dump())});
     } catch (const ArgumentError& error) {
-      throw FileError(error.what());
+      throw FileError(messageOf(error));
     }
   }
   return path;
@@ -208,21 +208,13 @@ struct OtherFile : FileError {
 
 void refuseOthers(const Json& json, const std::string& source) {
   if (!json.is_object() || !json.contains("relievo_project")) {
-    throw OtherFile(shownName(source) +
-                    " is not a project of relievo. Nothing was changed. Choose another file.");
+    throw OtherFile(said<MessageId::no_project>(shownName(source)));
   }
   const int schema = json.at("relievo_project").get<int>();
   if (schema != kProjectSchema) {
-    throw OtherFile("The project " + shownName(source) +
-                    " was written by another relievo (schema " + std::to_string(schema) +
-                    "; this one reads " + std::to_string(kProjectSchema) +
-                    "). Nothing was changed. Use that version, or choose another file.");
+    throw OtherFile(
+        said<MessageId::project_of_another_version>(shownName(source), schema, kProjectSchema));
   }
-}
-
-FileError damaged(const std::string& source, const std::string& where) {
-  return FileError("The project " + shownName(source) + " is damaged (" + where +
-                   "). Nothing was changed. Choose another file.");
 }
 
 }  // namespace
@@ -283,16 +275,15 @@ Project projectFromJson(std::string_view json, const std::string& source) {
     return projectFrom(read);
   } catch (const nlohmann::json::parse_error& error) {
     const std::string_view before = json.substr(0, std::max<std::size_t>(error.byte, 1) - 1);
-    throw damaged(source,
-                  "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')));
+    throw failure<MessageId::project_damaged_in_line>(
+        shownName(source), 1 + std::count(before.begin(), before.end(), '\n'));
   } catch (const nlohmann::json::exception&) {
-    throw damaged(source, "a part is missing or has another form");
+    throw failure<MessageId::project_part_damaged>(shownName(source));
   } catch (const OtherFile&) {
     throw;
   } catch (const FileError& error) {
-    std::string_view reason = error.what();
-    if (reason.ends_with('.')) reason.remove_suffix(1);
-    throw damaged(source, std::string(reason));
+    throw failure<MessageId::project_damaged>(shownName(source),
+                                              WordsArgument::clause(messageOf(error)));
   }
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/carried_state.h"
 
 namespace relievo {
@@ -53,9 +53,7 @@ std::filesystem::path foundInput(const std::filesystem::path& carrier,
         (folder / "../input" / stored.filename()).lexically_normal()}) {
     if (std::filesystem::is_regular_file(candidate, error)) return candidate;
   }
-  throw FileError(carrier.filename().string() + " was made from '" + stored.filename().string() +
-                      "', which is not there (E501). Nothing was made. Give its place as FILE.",
-                  "E501");
+  throw failure<MessageId::input_is_not_there>(carrier.filename(), stored.filename());
 }
 
 std::filesystem::path foundInput(const std::filesystem::path& carrier,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/carried_state.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/parameters_json.h"
@@ -118,8 +118,7 @@ TouchRecording readRecording(const std::filesystem::path& file, const Task& task
       log.rows.begin(), log.rows.end(),
       [](const TouchRow& row, const TouchRow& next) { return next.t_s < row.t_s; });
   if (back != log.rows.end()) {
-    throw FileError("The recording \"" + recording.name + "\" goes back in time in row " +
-                    std::to_string(back - log.rows.begin() + 2) + ". It is not replayed.");
+    throw failure<MessageId::recording_goes_back>(file.filename(), back - log.rows.begin() + 2);
   }
   takeEvents(recording, log);
   recording.rows = std::move(log.rows);

@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/ply_header.h"
@@ -62,8 +62,7 @@ std::optional<std::string> pngState(const std::filesystem::path& file) {
   const std::unique_ptr<std::FILE, CloseFile> in(std::fopen(file.c_str(), "rb"));
   std::string state;
   if (!in || !readPngEntry(in.get(), state)) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": the picture is damaged. Nothing was restored.");
+    throw failure<MessageId::picture_damaged>(shownName(file));
   }
   if (state.empty()) return std::nullopt;
   return state;
@@ -157,8 +156,7 @@ std::optional<std::string> markupState(const std::filesystem::path& file) {
   if (!skipTo(in, "<" + key) || !textUpTo(in, ">", kMostStateBytes)) return std::nullopt;
   const auto text = textUpTo(in, "</" + key, kMostStateBytes);
   if (!text) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": what it carries of relievo is cut off. Nothing was restored.");
+    throw failure<MessageId::embedded_state_cut>(shownName(file));
   }
   return withoutEntities(*text);
 }
@@ -183,6 +181,13 @@ std::string stateElement(std::string_view json) {
   const std::string key(kStateKey);
   return "<" + key + " xmlns:relievo=\"" + std::string(kNamespace) + "\">" + markupText(json) +
          "</" + key + ">";
+}
+
+std::string withState(std::string svg, std::string_view json) {
+  const std::size_t element = svg.find("<svg");
+  const std::size_t end = svg.find('>', element) + 1;
+  svg.insert(end, "\n<metadata>" + stateElement(json) + "</metadata>");
+  return svg;
 }
 
 std::string stateLine(std::string_view json) {

@@ -21,6 +21,9 @@ std::string markupText(std::string_view text);
 /// A state as an XML element, for an SVG's <metadata> and the XMP packet of a PDF.
 std::string stateElement(std::string_view json);
 
+/// A drawing with a state in its metadata. @param svg  with an <svg> element
+std::string withState(std::string svg, std::string_view json);
+
 /// The state that a PNG, TIFF, PDF, SVG, CSV or PLY file of ours carries, as JSON: a provenance, in
 /// pictures a project, in clouds how they were prepared; nothing if it has none. The file is told
 /// by its content, not by its name. [worker]

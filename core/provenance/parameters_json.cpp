@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/json_nesting.h"
 #include "core/depth/point_rule.h"
 #include "core/provenance/name_text.h"
@@ -24,15 +24,14 @@ constexpr double kAny = std::numeric_limits<double>::max();
 double number(const Json& json, const char* key, double low, double high) {
   const auto value = json.at(key).get<double>();
   if (!(value >= low) || !(value <= high)) {
-    throw FileError("'" + std::string(key) + "' is " + json.at(key).dump() +
-                    ", beyond what it may be.");
+    throw failure<MessageId::field_out_of_range>(key, json.at(key).dump());
   }
   return value;
 }
 
 int wholeNumber(const Json& json, const char* key, int low, int high) {
   if (!json.at(key).is_number_integer()) {
-    throw FileError("'" + std::string(key) + "' is not a whole number.");
+    throw failure<MessageId::field_not_whole>(key);
   }
   return static_cast<int>(number(json, key, low, high));
 }
@@ -54,12 +53,12 @@ std::optional<ViewChoice> viewChoiceFrom(const Json& json) {
   ViewChoice view{.name = stored.at("name").get<std::string>(), .rotation = std::nullopt};
   if (has(stored, "rotation")) {
     if (stored.at("rotation").size() != Rotation{}.size()) {
-      throw FileError("'rotation' has not 9 numbers.");
+      throw failure<MessageId::field_count>("rotation", Rotation{}.size());
     }
     view.rotation = stored.at("rotation").get<Rotation>();
   }
   if (stored.at("turn_deg").size() != view.turn_deg.size()) {
-    throw FileError("'turn_deg' has not 3 numbers.");
+    throw failure<MessageId::field_count>("turn_deg", view.turn_deg.size());
   }
   view.turn_deg = stored.at("turn_deg").get<std::array<double, 3>>();
   return view;
@@ -102,8 +101,12 @@ StereoOptions stereoFrom(const Json& json) {
 
 Json parsedJson(std::string_view text) {
   constexpr int kDeepest = 64;
-  if (isNestedDeeper(text, kDeepest)) throw FileError("It is nested too deep.");
+  if (isNestedDeeper(text, kDeepest)) throw failure<MessageId::field_nested_too_deep>();
   return Json::parse(text);
+}
+
+void throwUnknownWord(const std::string& word, const char* key) {
+  throw failure<MessageId::field_unknown_word>(word, key);
 }
 
 void putScanChoices(const ScanChoices& choices, Json& input) {
@@ -134,11 +137,11 @@ InputFile inputFrom(const Json& json) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f');
   });
   if (!input.sha256.empty() && (input.sha256.size() != 64 || !is_digits)) {
-    throw FileError("'sha256' is not a checksum.");
+    throw failure<MessageId::field_no_checksum>("sha256");
   }
   // A file name with a zero inside would be another file to the operating system.
   if (input.file.empty() || input.file.find('\0') != std::string::npos) {
-    throw FileError("'file' is not a file's name.");
+    throw failure<MessageId::field_no_file_name>("file");
   }
   return input;
 }
@@ -170,7 +173,7 @@ SurfaceOptions optionsFrom(const Json& json) {
   if (has(json, "unit")) {
     const auto unit = json.at("unit").get<std::string>();
     o.unit = lengthUnit(unit);
-    if (!o.unit) throw FileError("'" + unit + "' is not a known 'unit'.");
+    if (!o.unit) throw failure<MessageId::field_unknown_word>(unit, "unit");
   }
   o.unit_source = word<UnitSource>(json, "unit_source", kUnitSourceNames);
   o.view = viewChoiceFrom(json);
@@ -178,12 +181,12 @@ SurfaceOptions optionsFrom(const Json& json) {
   if (has(json, "spacing_mm")) o.spacing_mm = number(json, "spacing_mm", 0, kAny);
   o.engine = json.at("engine").get<std::string>();
   if (o.engine != "cpu" && o.engine != "depthbuffer") {
-    throw FileError("'" + o.engine + "' is not a known 'engine'.");
+    throw failure<MessageId::field_unknown_word>(o.engine, "engine");
   }
   if (has(json, "rule")) {
     const auto rule = json.at("rule").get<std::string>();
     o.rule = pointRule(rule);
-    if (!o.rule) throw FileError("'" + rule + "' is not a known 'rule'.");
+    if (!o.rule) throw failure<MessageId::field_unknown_word>(rule, "rule");
   }
   if (json.contains("strays")) {
     o.strays = word<StrayRule>(json, "strays", kStrayRuleNames);
@@ -227,7 +230,7 @@ ReliefLook lookFrom(const Json& json) {
   look.light.elevation_deg = number(json, "light_elevation_deg", -90, 90);
   look.radius_mm = number(json, "radius_mm", 0, kAny);
   if (has(json, "range")) {
-    if (json.at("range").size() != 2) throw FileError("'range' has not 2 numbers.");
+    if (json.at("range").size() != 2) throw failure<MessageId::field_count>("range", 2);
     look.range = json.at("range").get<std::array<double, 2>>();
   }
   // Files of versions without natural colours lack it.
@@ -250,13 +253,13 @@ ViewState viewFrom(const Json& json) {
   ViewState view;
   const Json& region = json.at("region_mm");
   const Json& turn = json.at("turn_deg");
-  if (region.size() != 4) throw FileError("'region_mm' has not 4 numbers.");
-  if (turn.size() != 2) throw FileError("'turn_deg' has not 2 numbers.");
+  if (region.size() != 4) throw failure<MessageId::field_count>("region_mm", 4);
+  if (turn.size() != 2) throw failure<MessageId::field_count>("turn_deg", 2);
   view.region = {.x_mm = region.at(0).get<double>(),
                  .y_mm = region.at(1).get<double>(),
                  .side_mm = region.at(2).get<double>(),
                  .level = Level{wholeNumber(json, "level", 0, 1000)}};
-  if (!(view.region.side_mm > 0)) throw FileError("'region_mm' has no size.");
+  if (!(view.region.side_mm > 0)) throw failure<MessageId::field_without_size>("region_mm");
   view.gain = number(json, "gain", std::numeric_limits<double>::min(), kAny);
   view.azimuth_deg = turn.at(0).get<double>();
   view.elevation_deg = turn.at(1).get<double>();
@@ -274,7 +277,7 @@ Json triple(const Vector& v) {
 
 template <class Vector>
 Vector tripleFrom(const Json& json) {
-  if (json.size() != 3) throw FileError("a place of a picture has not 3 numbers.");
+  if (json.size() != 3) throw failure<MessageId::field_picture_place>();
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
@@ -323,12 +326,12 @@ PictureChoice pictureFrom(const Json& json) {
   constexpr int kMost = 1 << 20;
   if (picture.width_px < 1 || picture.height_px < 1 || picture.width_px > kMost ||
       picture.height_px > kMost) {
-    throw FileError("'pixels' is beyond what it may be.");
+    throw failure<MessageId::field_beyond>("pixels");
   }
   picture.source = json.value("source", picture.source);
   picture.background = json.value("background", picture.background);
   if (!picture.background.empty() && !isColour(picture.background)) {
-    throw FileError("'background' is no colour.");
+    throw failure<MessageId::field_no_colour>("background");
   }
   if (json.contains("lines_mm")) {
     for (const Json& points : json.at("lines_mm")) {

@@ -20,13 +20,16 @@ using Json = nlohmann::ordered_json;
 /// @throw FileError, nlohmann::json::exception
 Json parsedJson(std::string_view text);
 
+/// @throw FileError  always
+[[noreturn]] void throwUnknownWord(const std::string& word, const char* key);
+
 /// One of the words of a list, by its place. @throw FileError naming the key
 template <class Enum, std::size_t N>
 Enum word(const Json& json, const char* key, const std::array<std::string_view, N>& names) {
   const auto said = json.at(key).get<std::string>();
   const auto* const found = std::find(names.begin(), names.end(), said);
   if (found == names.end()) {
-    throw FileError("'" + said + "' is not a known '" + std::string(key) + "'.");
+    throwUnknownWord(said, key);
   }
   return static_cast<Enum>(found - names.begin());
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/provenance/parameters_json.h"
 #include "core/provenance/program.h"
 #include "core/session/large_map.h"
@@ -63,18 +63,17 @@ SurfaceOptions writtenOut(SurfaceOptions out, const Made& made, bool is_raster, 
 
 std::string objectText(const Json& json, const char* key) {
   if (!json.contains(key)) return {};
-  if (!json.at(key).is_object()) throw FileError("'" + std::string(key) + "' is not an object.");
+  if (!json.at(key).is_object()) throw failure<MessageId::field_no_object>(key);
   return json.at(key).dump();
 }
 
 Provenance provenanceFrom(const Json& json) {
   if (!json.is_object() || !json.contains("relievo_provenance")) {
-    throw FileError("There is no 'relievo_provenance' in it.");
+    throw failure<MessageId::field_missing>("relievo_provenance");
   }
   const int schema = json.at("relievo_provenance").get<int>();
   if (schema < 1 || schema > kSchema) {
-    throw FileError("It is of schema " + std::to_string(schema) + "; this version reads up to " +
-                    std::to_string(kSchema) + ".");
+    throw failure<MessageId::schema_unknown>(schema, kSchema);
   }
   Provenance p;
   p.version = json.at("program").at("version").get<std::string>();
@@ -154,16 +153,11 @@ Provenance provenanceFromJson(std::string_view text, const std::string& source) 
   try {
     return provenanceFrom(parsedJson(text));
   } catch (const nlohmann::json::parse_error&) {
-    throw FileError(source +
-                    " holds no state that this version can read: it is damaged. Nothing was "
-                    "changed.");
+    throw failure<MessageId::state_damaged>(source);
   } catch (const nlohmann::json::exception&) {
-    throw FileError(source +
-                    " holds no state that this version can read: a part is missing or has another "
-                    "form. Nothing was changed.");
+    throw failure<MessageId::state_part_damaged>(source);
   } catch (const FileError& error) {
-    throw FileError(source + " holds no state that this version can read. " + error.what() +
-                    " Nothing was changed.");
+    throw failure<MessageId::state_unreadable>(source, messageOf(error));
   }
 }
 
@@ -177,16 +171,13 @@ ViewState viewFromText(std::string_view text) {
   try {
     const Json json = parsedJson(text);
     if (!json.is_object() || json.value("relievo_view", 0) != kViewSchema) {
-      throw FileError("There is no 'relievo_view' of schema 1 in it.");
+      throw failure<MessageId::view_schema_unknown>();
     }
     return viewFrom(json);
   } catch (const nlohmann::json::exception&) {
-    throw ArgumentError(
-        "This text is not a view of relievo (it is damaged, or a part is missing). The view was "
-        "not changed. Copy a view again.");
+    throw failure<MessageId::text_is_no_view>();
   } catch (const std::exception& error) {
-    throw ArgumentError("This text is not a view of relievo (" + std::string(error.what()) +
-                        "). The view was not changed. Copy a view again.");
+    throw failure<MessageId::text_is_no_view_for>(messageOf(error));
   }
 }
 

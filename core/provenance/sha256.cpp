@@ -4,7 +4,7 @@
 #include <fstream>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 
 namespace relievo {
@@ -15,8 +15,7 @@ constexpr std::size_t kPieceBytes = 1U << 20U;  // About a millisecond: often en
 std::string sha256OfFile(const std::filesystem::path& file, const Task& task) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {
-    throw FileError("Cannot read " + shownName(file) +
-                    ": it is missing or not a file. Its checksum was not made.");
+    throw failure<MessageId::checksum_of_no_file>(shownName(file));
   }
   const auto bytes = static_cast<double>(std::filesystem::file_size(file, error));
   std::ifstream in(file, std::ios::binary);
@@ -32,7 +31,7 @@ std::string sha256OfFile(const std::filesystem::path& file, const Task& task) {
     if (bytes > 0) task.report("Checksum", done / bytes);
   }
   if (!in.eof()) {
-    throw FileError("Cannot read " + shownName(file) + " to its end. Its checksum was not made.");
+    throw failure<MessageId::checksum_cut>(shownName(file));
   }
   return hash.finish();
 }

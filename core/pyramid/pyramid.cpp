@@ -7,7 +7,7 @@
 #include <span>
 
 #include "core/base/bands.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/pyramid/halve.h"
 #include "core/pyramid/kernel.h"
 #include "core/pyramid/row_reducer.h"
@@ -49,17 +49,13 @@ bool isCoarsest(GridSize size, const PyramidOptions& options) {
 /// @throw ArgumentError
 void requireFactor(GridSize size, const PyramidOptions& options) {
   if (!(options.factor >= kLeastFactor) || !(options.factor <= kMostFactor)) {
-    throw ArgumentError(
-        "The pyramid's factor M must be from 1.1 to 8. Nothing was made; 2 is the "
-        "paper's.");
+    throw failure<MessageId::pyramid_factor>();
   }
   auto cells = static_cast<double>(size.count());
   for (; !isCoarsest(size, options); cells += static_cast<double>(size.count())) {
     size = reducedSize(size, options.factor);
     if (cells > kMostCellsInAll) {
-      throw ArgumentError(
-          "The pyramid's factor M is so near to 1 that its levels do not fit into memory. Nothing "
-          "was made; choose a larger one.");
+      throw failure<MessageId::pyramid_factor_near_one>();
     }
   }
 }

@@ -11,7 +11,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/recording/event_row.h"
 
 // What writing and reading HDF5 logs have in common.
@@ -23,11 +22,15 @@ inline std::mutex& library() {
   return one;
 }
 
+[[noreturn]] void throwRefused();  ///< @throw WriteError
+/// @throw WriteError  a call of the library failed
+void require(herr_t status);
+
 /// An HDF5 identifier and what closes it.
 class Id {
  public:
   Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {
-    if (id_ < 0) throw WriteError("HDF5 refused a part of the file.", "E401");
+    if (id_ < 0) throwRefused();
   }
   ~Id() {
     if (id_ >= 0) close_(id_);
@@ -44,10 +47,6 @@ class Id {
   hid_t id_;
   herr_t (*close_)(hid_t);
 };
-
-inline void require(herr_t status) {
-  if (status < 0) throw WriteError("HDF5 could not write.", "E401");
-}
 
 inline Id textType(std::size_t bytes) {
   Id type(H5Tcopy(H5T_C_S1), H5Tclose);

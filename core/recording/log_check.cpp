@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/recording/log_checksum.h"
 #include "core/recording/read_hdf5.h"
 
@@ -36,7 +36,7 @@ class CsvCheck {
       takeLine();
     }
     if (in_.bad()) {
-      throw FileError("The log \"" + file.string() + "\" cannot be read to its end.");
+      throw failure<MessageId::log_unreadable_to_its_end>(file);
     }
     const std::string first_column = std::string(kLogColumns.front().name) + ',';
     if (!columns_.starts_with(first_column) && !is_marked_ && !has_trace_) throw noRecording(file);
@@ -152,7 +152,7 @@ LogCheck checkLog(const std::filesystem::path& file, const Task& task) {
   if (isHdf5Name(file)) return checkHdf5Log(file, task);
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) {
-    throw FileError("The log \"" + file.string() + "\" cannot be read.");
+    throw failure<MessageId::log_unreadable>(file);
   }
   return CsvCheck(in).result(file, task);
 }

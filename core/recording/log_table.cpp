@@ -7,6 +7,7 @@
 #include <fstream>
 #include <utility>
 
+#include "core/base/failure.h"
 #include "core/recording/log_checksum.h"
 #include "core/recording/read_hdf5.h"
 
@@ -91,7 +92,7 @@ bool parseRow(std::string_view line, const std::vector<const LogColumn*>& column
 LogTable readCsvLog(const std::filesystem::path& file, LogUse use, const Task& task) {
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file)) {
-    throw FileError("The log \"" + file.string() + "\" cannot be read.");
+    throw failure<MessageId::log_unreadable>(file);
   }
   LogTable table;
   std::vector<const LogColumn*> columns;
@@ -127,19 +128,15 @@ bool takeValue(const LogColumn& column, LogUse use, TouchRow& row, double value)
 }
 
 FileError badRow(const std::filesystem::path& file, std::size_t number) {
-  return FileError("The log \"" + file.string() + "\" has a row that cannot be read: number " +
-                   std::to_string(number) + ".");
+  return failure<MessageId::log_row_unreadable>(file, number);
 }
 
 FileError noRecording(const std::filesystem::path& file) {
-  return FileError("\"" + file.string() +
-                   "\" is no recording of relievo. Choose a .csv or .h5 file that it recorded.");
+  return failure<MessageId::no_recording>(file);
 }
 
 FileError withoutColumn(const std::filesystem::path& file, std::string_view column) {
-  return FileError("The log \"" + file.string() +
-                   "\" has other columns than this version's: it has no \"" + std::string(column) +
-                   "\".");
+  return failure<MessageId::log_without_column>(file, column);
 }
 
 bool isHdf5Name(const std::filesystem::path& file) {
@@ -149,7 +146,7 @@ bool isHdf5Name(const std::filesystem::path& file) {
 
 LogTable readLog(const std::filesystem::path& file, LogUse use, const Task& task) {
   LogTable table = isHdf5Name(file) ? readHdf5Log(file, use, task) : readCsvLog(file, use, task);
-  if (table.rows.empty()) throw FileError("The log \"" + file.string() + "\" has no rows.");
+  if (table.rows.empty()) throw failure<MessageId::log_without_rows>(file);
   return table;
 }
 

@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/hash/sha256.h"
 #include "core/recording/event_row.h"
 #include "core/recording/hdf5_session.h"
@@ -245,7 +245,6 @@ std::string digitsOfFile(std::ifstream& in, const Task& task) {
 }  // namespace
 
 LogTable readHdf5Log(const std::filesystem::path& file, LogUse use, const Task& task) {
-  const std::string name = "The log \"" + file.string() + "\" ";
   std::unique_lock<std::mutex> turn(library());
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // Errors are ours to tell.
   LogTable table;
@@ -266,7 +265,9 @@ LogTable readHdf5Log(const std::filesystem::path& file, LogUse use, const Task& 
       }
       const std::vector<double> values = readColumn(held, column.name);
       if (column.name == kNumberColumns.front().name) table.rows.resize(values.size());
-      if (values.size() != table.rows.size()) throw FileError(name + "has columns of two lengths.");
+      if (values.size() != table.rows.size()) {
+        throw failure<MessageId::log_columns_differ>(file);
+      }
       turn.unlock();  // A recording may be running, and its thread must not wait for long.
       std::size_t row = 0;
       while (row < values.size() && takeValue(column, use, table.rows[row], values[row])) ++row;
@@ -274,7 +275,7 @@ LogTable readHdf5Log(const std::filesystem::path& file, LogUse use, const Task& 
       if (row < values.size()) throw badRow(file, row + 1);
     }
   } catch (const WriteError&) {
-    throw FileError(name + "cannot be read as a log of this version.");
+    throw failure<MessageId::log_of_another_version>(file);
   }
   return table;
 }
@@ -287,7 +288,7 @@ std::optional<std::string> hdf5State(const std::filesystem::path& file) {
     if (H5Lexists(held, kStateSet, H5P_DEFAULT) <= 0) return std::nullopt;
     return readText(held, kStateSet);
   } catch (const WriteError&) {
-    throw FileError("\"" + file.string() + "\" cannot be read as HDF5.");
+    throw failure<MessageId::not_hdf5>(file);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/region/window.h"
 
 namespace relievo {
@@ -42,9 +42,7 @@ Region regionOfDetail(const DetailLadder& ladder, int detail, const Region& from
 
 void requireLevel(const DetailLadder& ladder, Level level) {
   if (level.value >= 0 && level.value < ladder.levels()) return;
-  throw ArgumentError("There is no level " + std::to_string(level.value) +
-                      "; this map has levels 0 to " + std::to_string(ladder.levels() - 1) +
-                      ". Choose one of them.");
+  throw failure<MessageId::no_such_level>(level.value, ladder.levels() - 1);
 }
 
 }  // namespace
@@ -88,9 +86,7 @@ Region regionFromRect(const DetailLadder& ladder, const RectMm& rect, std::optio
   const bool finite = std::isfinite(rect.x_mm) && std::isfinite(rect.y_mm) &&
                       std::isfinite(rect.width_mm) && std::isfinite(rect.height_mm);
   if (!finite || !(rect.width_mm > 0) || !(rect.height_mm > 0)) {
-    throw ArgumentError(
-        "A region needs a position and a width and height above 0, in millimetres. "
-        "Nothing was changed.");
+    throw failure<MessageId::region_without_size>();
   }
   if (level) requireLevel(ladder, *level);
   return {.x_mm = rect.x_mm + 0.5 * (rect.width_mm - side),

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/wide_vectors.h"
 
 namespace relievo {
@@ -268,7 +268,7 @@ void findRange(RegionWindow& window) {
 RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Region& region,
                           double gain) {
   if (region.level.value < 0 || region.level.value >= static_cast<int>(pyramid.levels.size())) {
-    throw ArgumentError("The region names a level that the pyramid does not have.");
+    throw failure<MessageId::pyramid_has_no_level>();
   }
   const PyramidLevel& level = pyramid.levels[static_cast<std::size_t>(region.level.value)];
   const auto heights = [&level](int row, int col, int) {
@@ -289,10 +289,10 @@ RegionWindow sampleWindow(const DepthMap& map, const Pyramid& pyramid, const Reg
 RegionWindow sampleWindow(const WindowRows& rows, const Region& region, double gain) {
   if (!(region.side_mm > 0) || !std::isfinite(region.side_mm) || !std::isfinite(region.x_mm) ||
       !std::isfinite(region.y_mm)) {
-    throw ArgumentError("A region needs a finite position and a side above 0 mm.");
+    throw failure<MessageId::region_not_finite>();
   }
   if (!(gain > 0) || !std::isfinite(gain)) {
-    throw ArgumentError("The height gain must be a finite number above 0; 1 is true to scale.");
+    throw failure<MessageId::gain_not_positive>();
   }
   RegionWindow window;
   window.region = region;

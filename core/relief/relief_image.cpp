@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/base/bands.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/relief/horizon.h"
 #include "core/relief/smooth.h"
 
@@ -208,7 +208,7 @@ ColourMap coloursOf(const ReliefLook& look) {
 
 void checkShading(const ReliefLook& look) {
   if (look.shading >= 0 && look.shading <= 1) return;
-  throw ArgumentError("The shading of a scan's own colours must lie between 0 and 1.");
+  throw failure<MessageId::shading_out_of_range>();
 }
 
 std::pair<double, double> roundEnds(double low, double high) {
@@ -223,15 +223,15 @@ std::pair<double, double> roundEnds(double low, double high) {
 
 void checkRange(const ReliefLook& look) {
   if (!look.range || (*look.range)[1] > (*look.range)[0]) return;
-  throw ArgumentError("The colours' upper end must lie above their lower end.");
+  throw failure<MessageId::colour_range_reversed>();
 }
 
 ReliefValues reliefValues(const DepthMap& map, const ReliefLook& look, const Task& task) {
   const bool light = std::isfinite(look.light.azimuth_deg) && look.light.elevation_deg >= 0 &&
                      look.light.elevation_deg <= 90;
-  if (!light) throw ArgumentError("A light needs a direction and a height of 0 to 90 degrees.");
+  if (!light) throw failure<MessageId::light_without_direction>();
   if (!(look.radius_mm >= 0) || !std::isfinite(look.radius_mm)) {
-    throw ArgumentError("The radius of a relief image must be 0 (automatic) or more millimetres.");
+    throw failure<MessageId::relief_radius_negative>();
   }
   checkRange(look);
   checkShading(look);
@@ -270,9 +270,8 @@ std::vector<std::uint8_t> shadedColours(const ReliefValues& values, const Relief
   const std::size_t count = values.values.size();
   const bool natural = look.kind == ReliefKind::natural;
   if ((natural ? own.colours.size() : own.intensities.size()) != count) {
-    throw ArgumentError(std::string("This surface has no ") +
-                        (natural ? "colours" : "intensities") +
-                        " of its own. Choose another relief image.");
+    if (natural) throw failure<MessageId::no_own_colours>();
+    throw failure<MessageId::no_own_intensities>();
   }
   const auto shading = static_cast<float>(look.shading);
   std::vector<std::uint8_t> colours;

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <sstream>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -90,7 +89,7 @@ std::optional<StereoPrint> stereoPrint(std::string_view name) {
 void mixAnaglyph(StereoPrint print, std::span<std::uint8_t> left,
                  std::span<const std::uint8_t> right, std::size_t channels) {
   if (left.size() != right.size() || left.size() % channels != 0) {
-    throw ArgumentError("Two pictures of one size are needed for an anaglyph.");
+    throw failure<MessageId::anaglyph_of_two_sizes>();
   }
   const auto& linear = linearTable();
   for (std::size_t i = 0; i < left.size(); i += channels) {
@@ -144,11 +143,10 @@ double automaticEyeAngle(double height_mm, double paper_per_mm, double distance_
 void checkZeroPlane(double zero_plane_mm, double low_mm, double high_mm, double side_mm) {
   const double margin = std::max(high_mm - low_mm, side_mm);
   if (zero_plane_mm >= low_mm - margin && zero_plane_mm <= high_mm + margin) return;
-  std::ostringstream words;
-  words << "The plane of zero parallax, " << zero_plane_mm
-        << " mm, lies far from the heights here, " << low_mm << " to " << high_mm
-        << " mm. Nothing was drawn. Choose one among them.";
-  throw ArgumentError(words.str());
+  const auto shown = [](double mm) {
+    return NumberArgument{.value = mm, .digits = 6, .form = NumberArgument::Form::significant};
+  };
+  throw failure<MessageId::zero_plane_far>(shown(zero_plane_mm), shown(low_mm), shown(high_mm));
 }
 
 }  // namespace relievo

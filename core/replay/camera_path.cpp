@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -40,18 +40,18 @@ double cubic(double from, double to, double slope_from, double slope_to, double 
 }  // namespace
 
 void check(const CameraPath& path) {
-  const std::string name = "The camera path \"" + path.name + "\" ";
   if (path.keys.size() < 2) {
-    throw ArgumentError(name + "needs at least two key views. Nothing was made.");
+    throw failure<MessageId::path_of_one_view>(path.name);
   }
   for (std::size_t i = 0; i < path.keys.size(); ++i) {
     const KeyView& key = path.keys[i];
-    const std::string which = name + "cannot be followed: key view " + std::to_string(i + 1);
     if (!std::isfinite(key.t_s) || (i > 0 && !(key.t_s > path.keys[i - 1].t_s))) {
-      throw ArgumentError(which + " is not later than the one before it.");
+      throw failure<MessageId::path_goes_back>(path.name, i + 1);
     }
     for (const double value : valuesOf(key.view)) {
-      if (!std::isfinite(value)) throw ArgumentError(which + " has no size or no place.");
+      if (!std::isfinite(value)) {
+        throw failure<MessageId::path_without_place>(path.name, i + 1);
+      }
     }
   }
 }

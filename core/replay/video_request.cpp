@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -23,10 +23,15 @@ std::string plain(double value) {
   return {text.data(), end.ptr};
 }
 
-void within(const char* what, double value, double low, double high) {
+/// The same in a message.
+NumberArgument plainNumber(double value) {
+  return {.value = value, .digits = 6, .form = NumberArgument::Form::significant};
+}
+
+template <MessageId refusal>
+void requireWithin(double value, double low, double high) {
   if (value >= low && value <= high) return;
-  throw ArgumentError("A video's " + std::string(what) + " must be " + plain(low) + " to " +
-                      plain(high) + ". Nothing was made.");
+  throw failure<refusal>(plainNumber(low), plainNumber(high));
 }
 
 double lengthS(const VideoRequest& v, const TouchRecording* recording) {
@@ -48,43 +53,44 @@ std::optional<VideoProfile> videoProfile(std::string_view name) {
 }
 
 void check(const VideoRequest& v) {
-  within("width in pixels", v.width_px, 64, 4096);
-  within("height in pixels", v.height_px, 64, 4096);
-  within("frames per second", v.fps, 1, 120);
-  within("speed", v.speed, 0.01, 100);
-  within("angle between the eyes in degrees", v.eye_angle_deg, 0.01, 20);
+  requireWithin<MessageId::video_width>(v.width_px, 64, 4096);
+  requireWithin<MessageId::video_height>(v.height_px, 64, 4096);
+  requireWithin<MessageId::video_rate>(v.fps, 1, 120);
+  requireWithin<MessageId::video_speed>(v.speed, 0.01, 100);
+  requireWithin<MessageId::video_eye_angle>(v.eye_angle_deg, 0.01, 20);
   if (v.width_px % 2 != 0 || v.height_px % 2 != 0) {
-    throw ArgumentError("A video's width and height must be even. Nothing was made.");
+    throw failure<MessageId::video_size_odd>();
   }
   if (v.stereo != StereoPrint::off && !isAnaglyph(v.stereo)) {
-    throw ArgumentError("A video's stereo must be grey, half or dubois. Nothing was made.");
+    throw failure<MessageId::video_stereo>();
   }
   if (isAnaglyph(v.stereo) && v.profile == VideoProfile::talk) {
-    throw ArgumentError(
-        "The profile talk halves the colours' size, which mixes the two eyes of an anaglyph. "
-        "Choose the profile anaglyph or archive. Nothing was made.");
+    throw failure<MessageId::video_talk_anaglyph>();
   }
   if (v.path) check(*v.path);
 }
 
 VideoTimes timesOf(const VideoRequest& v, const TouchRecording* recording) {
   if (recording == nullptr && !v.path) {
-    throw ArgumentError("A video needs a recording or a camera path. Nothing was made.");
+    throw failure<MessageId::video_of_nothing>();
   }
   const double end = lengthS(v, recording);
   const double from = std::max(0.0, v.from_s.value_or(0));
   const double to = std::min(end, v.to_s.value_or(end));
   if (!(to >= from)) {
-    throw ArgumentError("There is nothing between " + plain(v.from_s.value_or(0)) + " s and " +
-                        plain(v.to_s.value_or(end)) + " s: " + lengthWords(v, recording) +
-                        ". Nothing was made.");
+    const NumberArgument first = plainNumber(v.from_s.value_or(0));
+    const NumberArgument last = plainNumber(v.to_s.value_or(end));
+    const NumberArgument length = plainNumber(lengthS(v, recording));
+    if (recording != nullptr) {
+      throw failure<MessageId::video_beyond_recording>(first, last, length);
+    }
+    throw failure<MessageId::video_beyond_path>(first, last, length);
   }
   const double step = v.speed / v.fps;
   // A thousandth of a frame's grace: lengths are sums of floating-point steps.
   const double frames = std::floor((to - from) / step + 1e-3) + 1;
   if (frames > kMostFrames) {
-    throw ArgumentError(
-        "This would be more than a million frames. Choose a part of the recording.");
+    throw failure<MessageId::video_too_long>();
   }
   return {from, step, static_cast<std::uint64_t>(frames)};
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
 #include "core/region/window.h"
@@ -57,9 +57,7 @@ ExportGrid exportedGrid(const Surface& surface, const MapExport& choice, const R
   }
   auto grid = fileGrid(map, surface.view_from_file, surface.unit, raster);
   if (!grid) {
-    throw ArgumentError(surface.info.file.filename().string() +
-                        " was not seen from the top, so heights are no z of the file. Nothing was "
-                        "written. Choose --view top or view millimetres.");
+    throw failure<MessageId::heights_not_from_the_top>(surface.info.file.filename());
   }
   grid->state = choice.state;
   grid->colours = coloursOf(surface, choice);

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
 #include "core/region/window.h"
@@ -13,15 +12,12 @@
 namespace relievo {
 
 namespace {
-std::string nameOf(const FirmnessMap& firmness) {
-  return "'" + std::filesystem::path(firmness.file).filename().string() + "'";
+std::filesystem::path nameOf(const FirmnessMap& firmness) {
+  return std::filesystem::path(firmness.file).filename();
 }
 
-std::string shortText(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
+NumberArgument shortNumber(double value) {
+  return {.value = value, .digits = 6, .form = NumberArgument::Form::significant};
 }
 
 /// A raster with as many cells as the map has samples may be laid edge to edge or sample to sample:
@@ -33,11 +29,9 @@ void requireFit(const FirmnessMap& firmness, const DetailLadder& map) {
   if (std::abs(size.rows - rows_for_square) <= 1 || std::abs(size.cols - cols_for_square) <= 1) {
     return;
   }
-  throw ArgumentError(nameOf(firmness) + " has " + std::to_string(size.cols) + " x " +
-                      std::to_string(size.rows) + " cells, but the map is " +
-                      shortText(map.width_mm) + " x " + shortText(map.height_mm) +
-                      " mm: it is not a raster of the whole map, and was not used. Cut it to the "
-                      "outline of the map.");
+  throw failure<MessageId::firmness_of_another_size>(nameOf(firmness), size.cols, size.rows,
+                                                     shortNumber(map.width_mm),
+                                                     shortNumber(map.height_mm));
 }
 }  // namespace
 
@@ -48,10 +42,7 @@ FirmnessMap readFirmness(const std::filesystem::path& file, const Task& task) {
     float& part = firmness.parts[i];
     if (!raster.valid[i]) part = 0;
     if (part >= 0 && part <= 1) continue;
-    throw ArgumentError(nameOf(firmness) + " holds values outside 0 to 1, such as " +
-                        shortText(part) +
-                        ", and was not used. Scale them: 1 where the ground is firm, 0 where it is "
-                        "softest.");
+    throw failure<MessageId::firmness_out_of_range>(nameOf(firmness), shortNumber(part));
   }
   return firmness;
 }

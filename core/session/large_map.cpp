@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/depth/losses.h"
 #include "core/depth/point_rule.h"
 #include "core/depth/rasterize.h"
@@ -52,17 +52,13 @@ void refuseMesh(const std::filesystem::path& file) {
   if (!head.starts_with("ply")) return;
   const PlyHeader header = parsePlyHeader(head, file);
   if (header.face_element && header.elements[*header.face_element].count > 0) {
-    throw FileError(shownName(file) +
-                    ": a mesh's triangles cannot be read in blocks. Nothing was made. Leave out "
-                    "--memory, or save it without faces.");
+    throw failure<MessageId::mesh_in_blocks>(shownName(file));
   }
 }
 
 void requireStreamable(const std::filesystem::path& file) {
   if (!PointStream::canStream(file)) {
-    throw FileError(shownName(file) +
-                    ": only LAS, LAZ and binary PLY clouds and rasters are read in blocks. Nothing "
-                    "was made. Convert it to LAS, or leave out --memory.");
+    throw failure<MessageId::not_read_in_blocks>(shownName(file));
   }
   refuseMesh(file);
 }
@@ -115,9 +111,7 @@ Scan sampleOf(const PointStream& stream, const std::vector<PointRange>& ranges, 
   info.finite_points = scan.info.finite_points;
   scan.info = info;
   if (scan.points.empty()) {
-    throw FileError(shownName(info.file) +
-                    ": none of its points that were looked at is finite. "
-                    "Nothing was made.");
+    throw failure<MessageId::sample_not_finite>(shownName(info.file));
   }
   return scan;
 }
@@ -467,7 +461,7 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
   const auto start = Clock::now();
   requireStreamable(file);
   if (options.engine != "cpu") {
-    throw ArgumentError("Maps by tiles are made by the cpu engine. Nothing was made.");
+    throw failure<MessageId::tiles_by_cpu_only>();
   }
   const PointStream stream(file, import, task);
   LargeMap map;
@@ -561,7 +555,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
     facts.unit_source = UnitSource::file;
     if (!rows.hasOrigins()) {
       facts.messages.emplace_back(
-          "The map's origin file is missing; every height was taken as measured.");
+          "The map has no origins of its own; every height was taken as measured.");
     }
   } else {
     chooseUnit(facts, options);
@@ -592,7 +586,7 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
   }
   if (options.view && options.view->name != "top" && options.view->name != "auto" &&
       options.view->name != kEarlierAutomatic) {
-    throw ArgumentError("A raster is a height map already and is seen from the top only.");
+    throw failure<MessageId::raster_from_the_top_only>();
   }
   const RasterInUse in_use(rows, options.nodata, task);
   map.missing = in_use.missing();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/tiles/band_colours.h"
 #include "core/tiles/threads.h"
 #include "core/tiles/tile_layout.h"
@@ -31,8 +31,8 @@ std::uint64_t writingBytes(GridSize size) {
          size.count() / 2;
 }
 
-std::string megabytes(std::uint64_t bytes) {
-  return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB";
+std::uint64_t megabytes(std::uint64_t bytes) {
+  return (bytes + kMegabyte - 1) / kMegabyte;
 }
 
 }  // namespace
@@ -41,13 +41,8 @@ namespace {
 
 [[noreturn]] void refuse(const GridFrame& frame, const LargeMapOptions& large,
                          std::uint64_t needed) {
-  throw ArgumentError("A map of " + std::to_string(frame.size.cols) + " x " +
-                          std::to_string(frame.size.rows) + " cells needs at least " +
-                          megabytes(needed) + " of memory when made by tiles; " +
-                          megabytes(large.memory_bytes) +
-                          " are allowed. Nothing was made. Allow more with --memory, or choose "
-                          "larger cells.",
-                      "E102");
+  throw failure<MessageId::tiles_need_memory>(frame.size.cols, frame.size.rows, megabytes(needed),
+                                              megabytes(large.memory_bytes));
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/tiles/tiled_map.h"
 
 namespace relievo {
 
 const GridFrame& levelFrame(const Surface& surface, Level level) {
   if (level.value < 0 || level.value >= surface.ladder.levels()) {
-    throw ArgumentError("There is no level " + std::to_string(level.value) + ".");
+    throw failure<MessageId::surface_has_no_level>(level.value);
   }
   const auto index = static_cast<std::size_t>(level.value);
   return surface.tiles ? surface.tiles->frames()[index] : surface.pyramid.levels[index].frame;

@@ -2,13 +2,11 @@
 #include "core/session/memory_guard.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -22,16 +20,15 @@ constexpr std::uint64_t kBytesOfSums = 16;  // Of the rows that are worked on.
 constexpr std::uint64_t kMostBytesOfSums = std::uint64_t{1} << 28U;
 constexpr double kGigabyte = 1e9;
 
-std::string gigabytes(double bytes) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f GB", bytes / kGigabyte);
-  return text.data();
+NumberArgument gigabytes(double bytes) {
+  return {.value = bytes / kGigabyte, .digits = 1, .unit = MessageUnit::gigabyte};
 }
 
-std::string millimetres(double mm) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g mm", mm);
-  return text.data();
+NumberArgument millimetres(double mm) {
+  return {.value = mm,
+          .digits = 3,
+          .form = NumberArgument::Form::significant,
+          .unit = MessageUnit::millimetre};
 }
 
 std::optional<std::uint64_t> freeOnMachine(const std::filesystem::path& root) {
@@ -136,12 +133,9 @@ void requireMemory(const GridFrame& frame, std::optional<std::uint64_t> availabl
   // Two thirds of what is free leaves room for the pictures.
   const auto usable = 2.0 / 3 * static_cast<double>(*available);
   const double coarser = frame.spacing_mm * std::sqrt(static_cast<double>(needed) / usable);
-  throw ArgumentError("This needs about " + gigabytes(static_cast<double>(needed)) + "; " +
-                          gigabytes(static_cast<double>(*available)) +
-                          " are free. Nothing was made. Choose cells of at least " +
-                          millimetres(coarser) + " (" + gigabytes(usable) +
-                          "), or close other programs.",
-                      "E102");
+  throw failure<MessageId::memory_needed>(gigabytes(static_cast<double>(needed)),
+                                          gigabytes(static_cast<double>(*available)),
+                                          millimetres(coarser), gigabytes(usable));
 }
 
 }  // namespace relievo

@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/cloud/scan.h"
 #include "core/io/file_check.h"
 #include "core/io/raster.h"
@@ -140,9 +140,7 @@ std::uint64_t takeAsMissing(RasterMap& raster, double value) {
     }
   }
   if (missing > 0 && left == 0) {
-    throw FileError(shownName(raster.info.file) +
-                    ": every height is the one that stands for none, so there is no surface. "
-                    "Nothing was made. Choose another --nodata.");
+    throw failure<MessageId::every_height_is_none>(shownName(raster.info.file));
   }
   return missing;
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/session/strays.h"
 
@@ -32,9 +32,7 @@ RasterInUse::RasterInUse(const RasterRows& raster, const std::optional<NodataCho
     }
   });
   if (!std::isfinite(lowest_)) {
-    throw FileError(shownName(raster.head().info.file) +
-                    ": every height is the one that stands for none, so there is no surface. "
-                    "Nothing was made. Choose another --nodata.");
+    throw failure<MessageId::every_height_is_none>(shownName(raster.head().info.file));
   }
   if (missing_ > 0) messages_.push_back(missingWords(missing_, *value_));
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 
 namespace relievo {
@@ -57,9 +57,7 @@ SourceInUse sourceInUse(PointSource all, const Scan& sample, const Rotation& rot
   const auto [bounds, counts] = boundsAndCountsOf(
       in_use.source, view_from_file, gridInView(sample, rotation, view_from_file), threads, task);
   if (bounds.finite_points == 0) {
-    throw FileError(shownName(sample.info.file) +
-                    ": no point is left to make a surface from. Nothing was made. Choose another "
-                    "--nodata.");
+    throw failure<MessageId::no_point_left>(shownName(sample.info.file));
   }
   if (missing) in_use.missing = finite - bounds.finite_points;
   in_use.bounds = bounds;

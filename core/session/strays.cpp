@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/cloud/part_of_scan.h"
 #include "core/cloud/stray_limits.h"
 #include "core/io/file_check.h"
@@ -182,9 +182,7 @@ ScanInUse::ScanInUse(const Scan& whole, StrayRule rule, std::optional<double> mi
     }
     missing_ = static_cast<std::uint64_t>(std::count(keep.begin(), keep.end(), std::uint8_t{0}));
     if (missing_ == keep.size()) {
-      throw FileError(shownName(whole.info.file) +
-                      ": every height is the one that stands for none, so there is no surface. "
-                      "Nothing was made. Choose another --nodata.");
+      throw failure<MessageId::every_height_is_none>(shownName(whole.info.file));
     }
     if (missing_ > 0) part_ = partOf(whole, keep);
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/base/failure.h"
 #include "core/depth/cell_size.h"
 #include "core/depth/losses.h"
 #include "core/depth/point_rule.h"
@@ -55,18 +56,16 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
   const double height = box.max.y - box.min.y;
   const double side = std::max(width, height);
   if (!(side > 0) || !std::isfinite(side)) {
-    throw FileError(surface.info.file.filename().string() +
-                    ": seen from here all points lie on one spot, so there is no surface. "
-                    "Nothing was made. Choose another view or another file.");
+    throw failure<MessageId::all_on_one_spot>(surface.info.file.filename());
   }
   if (options.cells && options.spacing_mm) {
-    throw ArgumentError("Give the number of cells or their spacing, not both.");
+    throw failure<MessageId::cells_or_spacing>();
   }
   double spacing = 0;
   if (options.spacing_mm) {
     spacing = *options.spacing_mm;
     if (!(spacing > 0) || !std::isfinite(spacing)) {
-      throw ArgumentError("The spacing must be above 0 mm.");
+      throw failure<MessageId::spacing_not_positive>();
     }
   } else {
     int cells = options.cells.value_or(0);
@@ -76,7 +75,7 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
       surface.messages.push_back("Grid: " + std::to_string(cells) + " samples across (" +
                                  proposal.reason + ").");
     }
-    if (cells < 2) throw ArgumentError("The grid needs at least 2 cells across.");
+    if (cells < 2) throw failure<MessageId::too_few_cells>();
     spacing = side / (cells - 1);
   }
   // A map has two samples each way at least: fewer enclose no square that could be drawn or
@@ -89,10 +88,8 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
         "or touched. Choose another view, or more cells.");
   }
   if (!(cols * rows <= kMostCells)) {
-    throw ArgumentError("A grid of " + std::to_string(static_cast<long long>(cols)) + " x " +
-                        std::to_string(static_cast<long long>(rows)) +
-                        " cells is larger than this version can hold (16384 x 16384). "
-                        "Choose fewer cells.");
+    throw failure<MessageId::too_many_cells>(static_cast<long long>(cols),
+                                             static_cast<long long>(rows));
   }
   return {.size = {.cols = static_cast<int>(cols), .rows = static_cast<int>(rows)},
           .spacing_mm = spacing,
@@ -104,8 +101,7 @@ GridFrame chooseFrame(Surface& surface, const SurfaceOptions& options, const Rot
 std::optional<PointRule> requestedRule(const Scan& scan, const SurfaceOptions& options) {
   const bool any = options.engine == "cpu" && scan.triangles.empty();
   if (!any && options.rule && *options.rule != PointRule::front) {
-    throw ArgumentError(
-        "Rules other than front are for point clouds in the cpu engine. Nothing was made.");
+    throw failure<MessageId::rule_for_clouds_only>();
   }
   return any ? options.rule : PointRule::front;
 }
@@ -234,7 +230,7 @@ void takeOwnMap(Surface& surface, const RasterMap& raster) {
   if (map.origins.empty()) {
     map.origins.assign(raster.size.count(), Origin::measured);
     surface.messages.emplace_back(
-        "The map's origin file is missing; every height was taken as measured.");
+        "The map has no origins of its own; every height was taken as measured.");
   }
   for (std::size_t i = 0; i < map.heights_mm.size(); ++i) {
     if (raster.valid[i] && map.origins[i] != Origin::outside) continue;
@@ -249,7 +245,7 @@ void takeForeignRaster(Surface& surface, const RasterMap& raster, const SurfaceO
   if (options.view && (options.view->turn_deg != std::array<double, 3>{} ||
                        (options.view->name != "top" && options.view->name != "auto" &&
                         options.view->name != kEarlierAutomatic))) {
-    throw ArgumentError("A raster is a height map already and is seen from the top only.");
+    throw failure<MessageId::raster_from_the_top_only>();
   }
   const double mm = mmPer(surface.unit);
   const double spacing = raster.pixel * mm;

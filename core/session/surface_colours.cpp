@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/depth/cell_colours.h"
 #include "core/depth/colour_fill.h"
 #include "core/depth/point_rule.h"
@@ -169,11 +169,8 @@ GridColours finestColours(const Surface& surface) {
 
 void requireColours(const Surface& surface, ReliefKind kind) {
   if (canShow(surface, kind)) return;
-  throw ArgumentError(kind == ReliefKind::natural
-                          ? "The relief image 'natural' cannot be drawn: this surface has no "
-                            "colours. Choose another, for example 'lit'."
-                          : "The relief image 'intensity' cannot be drawn: this surface has no "
-                            "intensities. Choose another, for example 'lit'.");
+  if (kind == ReliefKind::natural) throw failure<MessageId::no_natural_colours>();
+  throw failure<MessageId::no_intensities>();
 }
 
 }  // namespace relievo

@@ -39,7 +39,7 @@ void Watchdog::watch(int fifo_priority) {
       cuts_.fetch_add(1, std::memory_order_relaxed);
       device_.cutForce();
     }
-    look_ns = std::max(look_ns, now_ns - kLookNs);
+    look_ns = lookAfter(now_ns, !awake, beat_ns);
   }
 }
 

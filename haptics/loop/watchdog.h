@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <thread>
@@ -10,19 +11,29 @@
 
 namespace relievo {
 
-/// Cuts the force when the loop alone stalls: a thread that looks at the loop's heartbeat every
-/// 2 ms. While the whole computer stands still nobody can send anything; then the loop's own first
-/// force is zero.
+/// Cuts the force when the loop alone stalls: a thread that looks at the loop's heartbeat
+/// when it would be too old, and every 2 ms while there is none or it is. While the whole computer
+/// stands still nobody can send anything; then the loop's own first force is zero.
 class Watchdog {
  public:
   static constexpr std::int64_t kLookNs = 2'000'000;
   /// A heartbeat older than this is a stall: with one look it is recognised within 20 ms.
   static constexpr std::int64_t kStallNs = 16'000'000;
 
+  /// kLookNs before the next look, after one at `now_ns` that saw this heartbeat (0: none). Before
+  /// a heartbeat can be too old there is nothing to see, and a newer one moves the look on. A look
+  /// that came late says nothing about the loop; the next one follows at once, because a sleep
+  /// before it could be late again.
+  static constexpr std::int64_t lookAfter(std::int64_t now_ns, bool came_late,
+                                          std::int64_t beat_ns) noexcept {
+    if (came_late) return now_ns - kLookNs;
+    return beat_ns == 0 ? now_ns : std::max(now_ns, beat_ns + kStallNs + 1 - kLookNs);
+  }
+
   /// @param fifo_priority  the loop's, or 0: its own is one above, so that a loop that spins cannot
   ///                       keep it from running; a refusal is the loop's to tell
   Watchdog(Device& device, int fifo_priority);
-  ~Watchdog();  ///< Joins.
+  ~Watchdog();  ///< Joins; its thread may sleep for kStallNs.
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 

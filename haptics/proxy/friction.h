@@ -22,12 +22,16 @@ namespace relievo {
 //
 // A count across the way would turn the pull of a proxy that trails close behind, by k times the
 // count. Friction is against the way of sliding, not against the last count of it: the proxy trails
-// along a line of at least kTrailMm, drawn behind the hand like its own (a tractrix).
+// along a line of at least kTrailMm, and of 1.5 times what it trails by, drawn behind the hand like
+// its own way (a tractrix): the count turns the pull by two thirds of what it turns the spring.
 
 /// At 1 kHz: a count of 0.0635 mm in so many ticks is 2.5 mm/s.
 inline constexpr std::uint8_t kRestTicks = 25;
 /// Millimetres of the hand. A count of 0.0635 mm turns a line of this length by 0.064.
 inline constexpr double kTrailMm = 1;
+/// The least that the line is longer than the proxy's own way, as a part of that. Rough ground on a
+/// spring of 0.5 N/mm would ripple by k times the count without it: 0.032 to 0.039 N.
+inline constexpr double kTrailShare = 0.5;
 /// The line may turn the proxy by no more than so many millimetres of the hand off its own way: two
 /// counts of the coarsest device, so that a hand that turns is followed at once.
 inline constexpr double kMostTurnMm = 0.15;
@@ -84,7 +88,7 @@ inline void drawTrail(ProxyState& state, GridPoint before, double mm_per_cell) R
   if (!(length > 0)) return;
   const double own_x = x / length, own_y = y / length;
   // What the line is longer than the proxy's own way, still on its old course.
-  const double rest = std::max(0.0, kTrailMm / mm_per_cell - length);
+  const double rest = std::max(kTrailMm / mm_per_cell - length, kTrailShare * length);
   const double line_x = x + rest * state.trail_x, line_y = y + rest * state.trail_y;
   const double along = line_x * own_x + line_y * own_y, across = own_x * line_y - own_y * line_x;
   state.trail_x = own_x;

@@ -94,6 +94,7 @@ void FlightRecord::save() {
     prune();
   } catch (const Error& error) {
     end->error = error.what();
+    end->message = error.message;
   }
   if (ends_.push(end.get())) {
     [[maybe_unused]] const RecordingEnd* handed_over = end.release();

@@ -13,7 +13,7 @@ struct Law {
   int number;
   std::string_view since, change;
 };
-constexpr std::array<Law, 3> kLaws{{
+constexpr std::array<Law, 4> kLaws{{
     {2, "2026-11-22",
      "a tick sends the force that it has computed, not the last one's; settings and surfaces "
      "change "
@@ -21,6 +21,8 @@ constexpr std::array<Law, 3> kLaws{{
     {3, "2026-11-23",
      "a slow loop or device bounds the stiffness (E306); a calibrated grip's weight is held"},
     {4, "2026-11-23", "friction pulls against the way of the last millimetre"},
+    {5, "2026-11-23",
+     "on rough ground friction pulls against the way of 1.5 times what it trails by"},
 }};
 static_assert(kLaws.back().number == kForceLaw);
 }  // namespace

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/hash/sha256.h"
 #include "core/recording/event_row.h"
 #include "core/recording/hdf5_session.h"
@@ -370,7 +370,7 @@ void Hdf5Log::Impl::shut(bool is_finished) {
   const bool whole = disk->whole() && disk->close() == 0;
   disk.reset();
   if (whole) return;
-  throw WriteError("The recording \"" + path.string() + "\" may be incomplete.", "E401");
+  throw failure<MessageId::recording_maybe_incomplete>(path);
 }
 
 /// @param why  an errno; 0: the library

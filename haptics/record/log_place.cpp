@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "haptics/record/recording_error.h"
 
@@ -47,10 +47,7 @@ bool isTaken(int descriptor) {
 }
 
 [[noreturn]] void refuseTaken(const std::filesystem::path& file) {
-  throw WriteError("The recording \"" + file.string() +
-                       "\" is being written by another program. Nothing was recorded. Choose "
-                       "another name, or end the other one first.",
-                   "E401");
+  throw failure<MessageId::recording_taken>(file);
 }
 
 void closeIfOpen(int& descriptor) noexcept {
@@ -122,9 +119,7 @@ void LogPlace::keep() {
   try {
     putInPlace(written_, target_);
   } catch (const CannotWrite& error) {
-    throw WriteError("The recording is whole, but it cannot be called \"" + target_.string() +
-                         "\": " + error.reason + ". It is in \"" + written_.string() + "\".",
-                     "E401");
+    throw failure<MessageId::recording_keeps_its_name>(target_, error.reason, written_);
   }
   written_ = target_;
   release();

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/failure.h"
 #include "core/recording/log_checksum.h"
 #include "core/recording/log_columns.h"
 #include "haptics/record/recording_error.h"
@@ -215,9 +216,7 @@ void LogWriter::close(std::string_view footer) {
   const int descriptor = std::exchange(descriptor_, -1);
   // Some file systems report a full disk only here.
   if (::close(descriptor) != 0) {
-    throw WriteError(
-        "The recording \"" + file_.string() + "\" may be incomplete: " + std::strerror(errno) + ".",
-        "E401");
+    throw failure<MessageId::recording_maybe_incomplete_for>(file_, std::strerror(errno));
   }
 }
 

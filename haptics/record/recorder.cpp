@@ -83,7 +83,7 @@ void Recorder::take(std::span<const HapticSample> batch) {
 void Recorder::switchOver() {
   SampleLog* command = nullptr;
   while (commands_.pop(command)) {
-    if (writer_) finish({});
+    if (writer_) finish(nullptr);
     writer_.reset(command);
     first_ = true;
     begins_.reset();
@@ -105,7 +105,7 @@ void Recorder::write(const HapticSample& sample) {
   try {
     writer_->write(sample, static_cast<double>(sample.time_ns - start_ns_) / 1e9, event);
   } catch (const WriteError& error) {
-    finish(error.what());
+    finish(&error);
   }
 }
 
@@ -116,7 +116,9 @@ std::string Recorder::takeNote() {
   return std::move(*taken);
 }
 
-void Recorder::finish(std::string error) {
+void Recorder::finish(const WriteError* stopped) {
+  std::string error = stopped == nullptr ? std::string() : stopped->what();
+  auto message = stopped == nullptr ? nullptr : stopped->message;
   std::string notes;
   for (std::string note = takeNote(); !note.empty(); note = takeNote()) notes += note + '\n';
   if (error.empty()) {
@@ -127,10 +129,11 @@ void Recorder::finish(std::string error) {
       writer_->close((last ? *last : std::string()) + notes + replay_lines_);
     } catch (const WriteError& late) {
       error = late.what();
+      message = late.message;
     }
   }
   auto end = std::make_unique<RecordingEnd>(
-      RecordingEnd{writer_->file(), writer_->rows(), std::move(error)});
+      RecordingEnd{writer_->file(), writer_->rows(), std::move(error), std::move(message)});
   writer_.reset();
   if (ends_.push(end.get())) {
     [[maybe_unused]] const RecordingEnd* handed_over = end.release();

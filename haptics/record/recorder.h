@@ -22,6 +22,7 @@ struct RecordingEnd {
   std::filesystem::path file;
   std::uint64_t samples = 0;  ///< Saved.
   std::string error;          ///< Empty: all is saved. Else a sentence for people (E401).
+  std::shared_ptr<const Message> message = nullptr;  ///< The same for a window's language.
 };
 
 /// Records every sample to a CSV or HDF5 file (conventions.md 5.5) from the drain thread. Samples
@@ -56,7 +57,7 @@ class Recorder {
  private:
   void switchOver();                       // [drain thread]
   void write(const HapticSample& sample);  // [drain thread]
-  void finish(std::string error);          // [drain thread]
+  void finish(const WriteError* stopped);  // [drain thread]
   std::string takeNote();                  // [drain thread] Empty: none.
 
   // GUI to drain: a file to write to, or null: stop. Drain to GUI: how it ended. The pointers own.

@@ -3,7 +3,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <string>
+
+#include "core/base/failure.h"
 
 namespace relievo {
 
@@ -15,23 +16,15 @@ bool isFull(int error) {
 }  // namespace
 
 WriteError recordingRefused(const std::filesystem::path& file, int why) {
-  const std::string begun = "The recording \"" + file.string() + "\" cannot be written: ";
-  if (isFull(why)) {
-    return WriteError(
-        begun + "disk full. Nothing was kept. Free some space or choose another place.", "E401");
-  }
-  return WriteError(
-      begun + (why == 0 ? "HDF5 refuses it" : std::strerror(why)) + ". Choose another place.",
-      "E401");
+  if (isFull(why)) return failure<MessageId::recording_refused_disk_full>(file);
+  if (why == 0) return failure<MessageId::recording_refused_by_hdf5>(file);
+  return failure<MessageId::recording_refused>(file, std::strerror(why));
 }
 
 WriteError recordingStopped(const std::filesystem::path& file, int why, std::uint64_t rows) {
-  const std::string reason = why == 0      ? "HDF5 could not write"
-                             : isFull(why) ? "disk full"
-                                           : std::strerror(why);
-  return WriteError("Recording stopped: " + reason + ". " + std::to_string(rows) +
-                        " samples are saved and complete in \"" + file.string() + "\".",
-                    "E401");
+  if (why == 0) return failure<MessageId::recording_stopped_by_hdf5>(rows, file);
+  if (isFull(why)) return failure<MessageId::recording_stopped_disk_full>(rows, file);
+  return failure<MessageId::recording_stopped>(std::strerror(why), rows, file);
 }
 
 }  // namespace relievo

@@ -275,11 +275,10 @@ void HapticsPlugin::frame() {
   watchRecording();
   runButtons(sample);
   watchSleep(sample);
-  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32, kFramesPerStatusAtRest = 256;
-  const bool at_rest = rate_told_ && !forces_asked_ && !session_->recorder().running();
+  constexpr int kFramesPerReadout = 8, kFramesPerStatus = 32;
   ++frames_;
   if (frames_ % kFramesPerReadout != 0) return;
-  slowReadouts(frames_ % (at_rest ? kFramesPerStatusAtRest : kFramesPerStatus) == 0);
+  slowReadouts(frames_ % kFramesPerStatus == 0);
 }
 
 void HapticsPlugin::slowReadouts(bool with_status) {
@@ -311,7 +310,6 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
   status.recorded_samples = session_->recorder().samples();
   status.stiffness_n_per_mm = report.sample.stiffness_n_per_mm;
   host_->showStatus(status);
-  rate_told_ = status.rate_hz > 0;
 }
 
 void HapticsPlugin::watchDevice(LoopReport& report) {

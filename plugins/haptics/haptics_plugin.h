@@ -59,7 +59,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void setFirmness(std::shared_ptr<const FirmnessMap> firmness);
   void applySurface();  // Another kind of the shown window's, if that was chosen.
   void frame();         // 60 times a second.
-  /// About 8 times a second; the host hears of it twice a second, every four seconds at rest.
+  /// About 8 times a second; the host hears of it twice a second.
   void slowReadouts(bool with_status = true);
   void tellStatus(const LoopReport& report);
   void watchSoftening(const HapticSample& sample);
@@ -106,7 +106,6 @@ class HapticsPlugin : public QObject, public Plugin {
   Probe shown_;  // Last given to the host; window_id 0: none yet.
   int frames_ = 0;
   std::uint64_t given_window_ = 0;  // To the session, last.
-  bool rate_told_ = false;          // To the host, of this loop.
   int softened_ = 0;
   SurfaceKind surface_ = SurfaceKind::gated;  // Given to the loop last, with the next.
   bool textured_ = false;

@@ -9,13 +9,14 @@
 #include <QThread>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/recording/log_note.h"
 #include "haptics/loop/device_limits.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/haptics_plugin.h"
 #include "plugins/haptics/recording_file.h"
 #include "plugins/haptics/shown_file.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
@@ -48,8 +49,7 @@ void HapticsPlugin::setRecording(bool on) {
     const QSignalBlocker blocker(actions_.record);
     actions_.record->setChecked(false);
     const bool of_file = dynamic_cast<const WriteError*>(&error) != nullptr;
-    host_->showError(QString::fromStdString(error.what()),
-                     of_file ? QStringLiteral("E401") : QString());
+    host_->showError(messageText(messageOf(error)), of_file ? QStringLiteral("E401") : QString());
   }
 }
 
@@ -68,13 +68,21 @@ void HapticsPlugin::endRecording() {
   }
 }
 
+namespace {
+
+QString textOf(const RecordingEnd& failed) {
+  return failed.message ? messageText(*failed.message) : QString::fromStdString(failed.error);
+}
+
+}  // namespace
+
 void HapticsPlugin::watchRecording() {
   if (const std::optional<RecordingEnd> flight = session_->flight().written()) {
     host_->announce(flight->error.empty()
                         ? tr("The last %1 before the fault are kept: %2")
                               .arg(durationText(flight->samples))
                               .arg(shownFilePath(QFile::decodeName(flight->file.c_str())))
-                        : QString::fromStdString(flight->error));
+                        : textOf(*flight));
   }
   const std::optional<RecordingEnd> end = session_->recorder().ended();
   if (!end) return;
@@ -84,7 +92,7 @@ void HapticsPlugin::watchRecording() {
   if (note_) note_->accept();
   if (!end->error.empty()) {
     host_->announce(tr("The recording has ended early."));
-    host_->showError(QString::fromStdString(end->error), QStringLiteral("E401"));
+    host_->showError(textOf(*end), QStringLiteral("E401"));
     host_->recordingSaved(QFile::decodeName(end->file.c_str()));  // What is there is complete.
     return;
   }

@@ -4,10 +4,11 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "plugins/haptics/haptics_plugin.h"
 #include "plugins/haptics/recording_file.h"
 #include "plugins/haptics/shown_file.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
@@ -39,7 +40,7 @@ SceneMaps HapticsPlugin::mapsUnder(const RegionWindow& window) {
       maps.firmness_from = firmness_;
     } catch (const Error& error) {
       firmness_fits_ = false;
-      if (fitted) host_->announce(QString::fromUtf8(error.what()));  // Once, not for every window.
+      if (fitted) host_->announce(messageText(messageOf(error)));  // Once, not for every window.
     }
   }
   if (panel_) panel_->setFirmnessUsed(firmness_fits_);
@@ -80,7 +81,7 @@ void HapticsPlugin::takeFirmness(const QString& file, std::shared_ptr<const Firm
     try {
       host_->firmnessUnder(*firmness, *window);
     } catch (const Error& error) {
-      refusal = QString::fromUtf8(error.what());
+      refusal = messageText(messageOf(error));
     }
   }
   if (refusal.isEmpty()) {

@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/loop/surface_preset.h"
 #include "haptics/record/force_law.h"
 #include "plugins/haptics/shown_file.h"
@@ -17,8 +17,8 @@ QString proposedRecording(const QString& folder_path, const QString& scan, const
                           const QDate& today) {
   const QDir folder(folder_path);
   if (folder_path.isEmpty() || !folder.mkpath(QStringLiteral("."))) {
-    throw WriteError("The folder \"" + shownFilePath(folder_path).toStdString() +
-                     "\" for recordings cannot be made. Nothing is recorded. Choose another one.");
+    throw failure<MessageId::no_folder_for_recordings>(
+        std::filesystem::path(shownFilePath(folder_path).toStdString()));
   }
   QString stem = scan.isEmpty() ? QStringLiteral("touch") : scan;
   constexpr int kMostBytes = 200;  // Of 255 that a name may have.

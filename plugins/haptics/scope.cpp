@@ -14,8 +14,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/text_file.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
@@ -319,7 +320,7 @@ QString ScopeDialog::exportTo(const QString& file) const {
   try {
     writeTextFile(QFile::encodeName(file).toStdString(), text.toStdString());
   } catch (const WriteError& error) {
-    return QString::fromUtf8(error.what());
+    return messageText(messageOf(error));
   }
   return {};
 }

@@ -39,19 +39,25 @@ TEST_F(Batch, InfoTellsWhatAFileHolds) {
 }
 
 TEST_F(Batch, LimitsOfTheSystemAreNamedAsTheCause) {
-  const auto said = [this](const std::string& before) {
-    const std::string command = before + " '" RELIEVO_BINARY_DIR "/bin/relievo' info '" + plane() +
+  const auto said = [this](const std::string& before, const std::string& scan) {
+    const std::string command = before + " '" RELIEVO_BINARY_DIR "/bin/relievo' info '" + scan +
                                 "' > '" + path("out") + "' 2> '" + path("err") + "'";
     EXPECT_NE(std::system(("bash -c \"" + command + "\"").c_str()), 0) << before;
     return test::bytesOf(path("err"));
   };
-  EXPECT_THAT(said("ulimit -f 10;"), HasSubstr("no more than 10 kB here (ulimit -f)"));
-  EXPECT_THAT(said("ulimit -n 16;"), HasSubstr("no more than 16 files may be open at once"));
+  // A text is read by ourselves, a PLY by PCL through a file in memory.
+  for (const std::string& scan :
+       {plane(), std::string(RELIEVO_SOURCE_DIR "/data/samples/panel.ply")}) {
+    EXPECT_THAT(said("ulimit -f 10;", scan), HasSubstr("no more than 10 kB here (ulimit -f)"));
+  }
+  EXPECT_THAT(said("ulimit -n 16;", plane()),
+              HasSubstr("no more than 16 files may be open at once"));
   if (std::system("unshare -rm mount -t tmpfs none /proc 2> /dev/null") != 0) {
     GTEST_SKIP() << "no /proc to take away: namespaces are not allowed";
   }
-  EXPECT_THAT(said("exec unshare -rm sh -c 'mount -t tmpfs none /proc && exec \\\"\\$@\\\"' sh"),
-              HasSubstr("/proc, by which relievo finds its own programs, is not there"));
+  EXPECT_THAT(
+      said("exec unshare -rm sh -c 'mount -t tmpfs none /proc && exec \\\"\\$@\\\"' sh", plane()),
+      HasSubstr("/proc, by which relievo finds its own programs, is not there"));
 }
 
 TEST_F(Batch, AGivenUnitIsUsedAndNotWarnedAbout) {

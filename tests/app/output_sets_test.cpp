@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
@@ -163,6 +164,150 @@ TEST_F(OutputSets, AllSayWhichSetTheyAreOf) {
   for (const char* name :
        {"site.origin.tif", "site.colour.tif", "site.count.tif", "site.spread.tif"}) {
     EXPECT_EQ(rasterFacts(out() / name).at(kSetFact), set) << name;
+  }
+}
+
+/// What `relievo info` says of the files beside one, and of those named.
+class OutputSetsTold : public OutputSets {
+ protected:
+  /// File name -> "same", "other" or "unsaid".
+  std::map<std::string, std::string> told(const std::string& main, const Words& with = {}) {
+    Words words{"info", in(main), "--report", "json"};
+    for (const std::string& file : with) words.insert(words.end(), {"--with", in(file)});
+    const CommandResult result = runRelievo(words);
+    exit_code_ = result.exit_code;
+    errors_ = result.err;
+    std::map<std::string, std::string> members;
+    const auto report = nlohmann::json::parse(result.out);
+    for (const auto& member : report.at("set")) {
+      members[fs::path(member.at("file").get<std::string>()).filename()] = member.at("belongs");
+    }
+    return members;
+  }
+  int exit_code_ = -1;
+  std::string errors_;
+};
+
+TEST_F(OutputSetsTold, CountsAndSpreadsOfAnotherMapAreNoticed) {
+  const Words words = cases().front().words;
+  must(filled(words, cloud("b.csv", 0.3), out()));
+  const Files other = files();
+  must(filled(words, cloud("a.csv", 0.1), out()));
+  const std::map<std::string, std::string> whole = told("site.tif");
+  EXPECT_EQ(whole.size(), 4U);
+  for (const auto& [name, belongs] : whole) EXPECT_EQ(belongs, "same") << name;
+  for (const char* name : {"site.count.tif", "site.spread.tif", "site.colour.tif"}) {
+    const std::string kept = bytesOf(in(name));
+    write("out/" + std::string(name), other.at(name));
+    auto expected = whole;
+    expected[name] = "other";
+    EXPECT_EQ(told("site.tif"), expected);
+    EXPECT_EQ(exit_code_, 0);
+    EXPECT_NE(errors_.find(std::string(name) + " was not written with site.tif"), std::string::npos)
+        << errors_;
+    told("site.tif", {name});
+    EXPECT_EQ(exit_code_, 5) << "it was asked";
+    write("out/" + std::string(name), kept);
+  }
+}
+
+TEST_F(OutputSetsTold, LevelsOfAnotherPyramidAreNoticed) {
+  const std::string first = cloud("a.csv", 0.1), second = cloud("b.csv", 0.3);
+  for (const std::string& scan : {second, first}) {
+    must({"pyramid", scan, "--unit", "mm", "--cells", "450", "-o", in("p.tif")});
+    if (scan == second) fs::copy_file(in("p.L1.tif"), in("of_second.tif"));
+  }
+  EXPECT_EQ(told("p.L0.tif").at("p.L1.tif"), "same");
+  fs::rename(in("of_second.tif"), in("p.L1.tif"));
+  EXPECT_EQ(told("p.L0.tif").at("p.L1.tif"), "other");
+}
+
+TEST_F(OutputSetsTold, ThePicturesCaptionEyesAndHeightsAreItsOwnOrNoticed) {
+  const std::string scan = cloud("a.csv", 0.1);
+  const auto drawn = [&](const std::string& name, const std::string& ending,
+                         const std::string& light) {
+    must({"figure", scan, "--unit", "mm", "--light", light, "-o", in(name + ending), "--both-eyes",
+          "--heights", in(name + ".h.tif"), "--caption", in(name + ".txt"), "--dpi", "60"});
+  };
+  drawn("two", ".png", "90,45");
+  for (const char* ending : {".png", ".svg", ".pdf", ".tif"}) {
+    drawn("one", ending, "315,45");
+    const std::map<std::string, std::string> own = told(
+        "one" + std::string(ending), {"one.h.tif", "one.txt", "one.left.png", "one.right.png"});
+    EXPECT_EQ(own.size(), 4U);
+    for (const auto& [name, belongs] : own) EXPECT_EQ(belongs, "same") << name << ending;
+    EXPECT_EQ(exit_code_, 0);
+    for (const char* name : {"two.h.tif", "two.txt", "two.left.png"}) {
+      EXPECT_EQ(told("one" + std::string(ending), {name}).at(name), "other") << name << ending;
+      EXPECT_EQ(exit_code_, 5);
+    }
+  }
+  must({"render", scan, "--unit", "mm", "-o", in("r.png"), "--caption", in("r.txt")});
+  EXPECT_EQ(told("r.png", {"r.txt"}).at("r.txt"), "same");
+  EXPECT_EQ(told("r.png", {"one.txt"}).at("one.txt"), "other");
+}
+
+TEST_F(OutputSetsTold, DrawingsBelongToTheirTablesAndRecordings) {
+  const std::string scan = cloud("a.csv", 0.1);
+  const std::string stroke = write("stroke.csv", "t_s,x_mm,y_mm,z_mm\n0,20,20,9\n0.1,25,20,5\n");
+  const std::string further = write("further.csv", "t_s,x_mm,y_mm,z_mm\n0,20,20,9\n0.1,30,20,5\n");
+  const auto measured = [&](const std::string& name, const std::string& line) {
+    must({"measure", scan, "--unit", "mm", "--profile", line, "-o", in(name + ".csv"),
+          "--profile-svg", in(name + ".svg")});
+  };
+  measured("one", "10,10,40,40");
+  measured("two", "10,10,40,41");
+  EXPECT_EQ(told("one.svg", {"one.csv"}).at("one.csv"), "same");
+  EXPECT_EQ(told("two.svg", {"one.csv"}).at("one.csv"), "other");
+  const auto touched = [&](const std::string& name, const std::string& along) {
+    must({"touch", scan, "--unit", "mm", "--stroke", along, "-o", in(name + ".csv"), "--plot",
+          in(name + ".svg")});
+  };
+  touched("run", stroke);
+  touched("other", further);
+  must({"touch", scan, "--unit", "mm", "--stroke", stroke, "-o", in("run.h5")});
+  const CommandResult recording = runRelievo({"info", in("run.h5")});
+  EXPECT_EQ(recording.exit_code, 0) << recording.err;
+  EXPECT_NE(recording.out.find("recording of relievo"), std::string::npos) << recording.out;
+  EXPECT_EQ(told("run.h5", {"run.svg"}).at("run.svg"), "same");
+  EXPECT_EQ(told("other.svg", {"run.h5"}).at("run.h5"), "other");
+  EXPECT_EQ(told("run.csv", {"run.svg"}).at("run.svg"), "same");
+  EXPECT_EQ(told("run.csv", {"other.svg"}).at("other.svg"), "other");
+  EXPECT_EQ(told("run.svg", {"run.csv"}).at("run.csv"), "same");
+}
+
+/// The readings are the same, and the scans are not.
+TEST_F(OutputSetsTold, TablesOfTwoScansAreNotOneSet) {
+  const auto points = [](double far) {
+    std::ostringstream text;
+    for (int i = 0; i < 2500; ++i) {
+      text << i % 50 << ' ' << i / 50 << ' ' << (i == 2499 ? far : 5.0) << '\n';
+    }
+    return text.str();
+  };
+  for (const auto& [name, far] : {std::pair{"one", 5.0}, std::pair{"two", 6.0}}) {
+    const std::string scan = write("in.xyz", points(far));
+    must({"measure", scan, "--unit", "mm", "--view", "top", "--spacing", "1", "--profile",
+          "5,5,20,5", "-o", in(name + std::string(".json")), "--profile-csv",
+          in(name + std::string(".csv")), "--profile-svg", in(name + std::string(".svg"))});
+  }
+  EXPECT_EQ(told("one.svg", {"one.csv", "./one.csv"}),
+            (std::map<std::string, std::string>{{"one.csv", "same"}}));
+  EXPECT_EQ(told("one.svg", {"two.csv"}).at("two.csv"), "other");
+  EXPECT_EQ(told("one.svg", {"one.json"}).at("one.json"), "same");
+  EXPECT_EQ(told("one.svg", {"two.json"}).at("two.json"), "other");
+  EXPECT_NE(runRelievo({"info", in("one.csv")}).out.find("table of relievo"), std::string::npos);
+}
+
+TEST_F(OutputSetsTold, ADamagedStateIsToldWithItsFile) {
+  must(filled(cases().front().words, cloud("a.csv", 0.1), out()));
+  for (const std::string& text :
+       {"# relievo:state " + std::string(400, '[') + std::string(400, ']') + "\n1,2,3\n",
+        std::string("# relievo:state {\"made\":\n1,2,3\n")}) {
+    write("out/odd.csv", text);
+    const CommandResult result = runRelievo({"info", in("site.tif"), "--with", in("odd.csv")});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("Cannot read odd.csv"), std::string::npos) << result.err;
   }
 }
 

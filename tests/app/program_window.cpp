@@ -14,6 +14,7 @@
 #include <thread>
 
 // After Qt: its macros are common words.
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
@@ -112,7 +113,21 @@ std::string ProgramWindow::title() {
   return window == 0 ? std::string() : nameOf(impl_->display.get(), window);
 }
 
-void ProgramWindow::key(const std::string& name, bool control) {
+bool ProgramWindow::hasIcon() {
+  Display* const display = impl_->display.get();
+  Atom type = 0;
+  int format = 0;
+  unsigned long count = 0, rest = 0;
+  unsigned char* data = nullptr;
+  constexpr long kSizeOnly = 2;  // Width and height come first.
+  const bool read =
+      XGetWindowProperty(display, impl_->mainWindow(), XInternAtom(display, "_NET_WM_ICON", 0), 0,
+                         kSizeOnly, 0, XA_CARDINAL, &type, &format, &count, &rest, &data) == 0;
+  if (data != nullptr) XFree(data);
+  return read && count == kSizeOnly && rest > 0;
+}
+
+void ProgramWindow::key(const std::string& name, bool control, bool alt) {
   Display* display = impl_->display.get();
   const Window window = impl_->mainWindow();
   // There is no window manager that would give it the keyboard.
@@ -126,7 +141,7 @@ void ProgramWindow::key(const std::string& name, bool control) {
   key.time = CurrentTime;
   key.same_screen = 1;
   key.keycode = XKeysymToKeycode(display, XStringToKeysym(name.c_str()));
-  key.state = control ? ControlMask : 0;
+  key.state = (control ? ControlMask : 0U) | (alt ? Mod1Mask : 0U);
   for (const int type : {KeyPress, KeyRelease}) {
     key.type = type;
     XSendEvent(display, window, 1, KeyPressMask, &event);

@@ -23,8 +23,9 @@ class ProgramWindow {
   int process() const;   ///< Its number.
   int exitCode() const;  ///< Once it does not run; 128 + signal if it was killed.
   std::string title();   ///< Of its main window; empty: it has none yet.
+  bool hasIcon();        ///< Does its main window have a picture for task bars?
   /// A press and release, "F5" or "r", into the main window.
-  void key(const std::string& name, bool control = false);
+  void key(const std::string& name, bool control = false, bool alt = false);
   /// What the screen shows, as PNG.
   void picture(const std::string& file);
 

@@ -34,8 +34,9 @@ std::vector<MadeObject> objects() {
   const fs::path folder = stated != nullptr
                               ? fs::path(stated)
                               : fs::path(RELIEVO_SOURCE_DIR) / ".." / "shared" / "data";
-  for (const char* name : {"obj/stanford-bunny.obj", "obj/armadillo.obj",
-                           "obj/demosthenes-low-res.obj", "ply/ankylosaurus_mesh.ply"}) {
+  for (const char* name :
+       {"obj/stanford-bunny.obj", "obj/armadillo.obj", "obj/demosthenes-low-res.obj",
+        "ply/ankylosaurus_mesh.ply", "ply/DancingGirl_le_normals.ply", "obj/sword.obj"}) {
     std::error_code missing;
     if (!fs::exists(folder / name, missing)) {
       std::printf("%s is not there: left out.\n", name);

@@ -2,13 +2,14 @@
 // closed_solids [NAME...]: clouds sampled on solids whose distance is known in closed form,
 // gridded, and held against the place where each ray meets the solid, found by that distance alone
 // to 1e-9 of the size: no mesh, no code of the program. A line a cloud and the bars as in
-// closed_clouds, with its CLOSED_CLOUDS_VIEW, _LEAST and _MOST; "fine": within two of 600 samples
-// across. Exact distances: I. Quilez, "Distance functions" (ball, torus, box, capsule, link,
-// shell).
+// closed_clouds, with its CLOSED_CLOUDS_VIEW, _LEAST, _MOST and _PITS; "fine": within two of 600
+// samples across. Exact distances: I. Quilez, "Distance functions" (ball, torus, box, capsule,
+// link, shell).
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <random>
@@ -197,6 +198,15 @@ Found judged(const Surface& surface, const Solid& solid) {
       const double low = lowestAround(rays, frame.xMm(col), frame.yMm(row));
       if (std::isnan(low)) continue;
       found.fine_lost += is_there ? 0 : 1;
+      if (!is_there && std::getenv("CLOSED_CLOUDS_PITS") != nullptr) {
+        const double half = frame.spacing_mm / 2, x = frame.xMm(col), y = frame.yMm(row);
+        const auto rise = [&](double right, double up) {
+          return std::abs(rays.heightAt(x + right, y + up) - rays.heightAt(x - right, y - up));
+        };
+        std::printf("  lost at %d %d origin %d: the solid rises by %.1f a cell\n", col, row,
+                    static_cast<int>(origin),
+                    std::max(rise(half, 0), rise(0, half)) / frame.spacing_mm);
+      }
       found.fine_pits += is_there && height < low - 0.03 * kSize ? 1 : 0;
     }
   }

@@ -134,7 +134,11 @@ class Bench {
 };
 
 void print(const char* what, const Rates& rates) {
-  std::printf("| %s | %.1f | %.1f | %.0f |\n", what, rates.detail, rates.reference, rates.cpu);
+  // On a computer that is busy with other things, rates say little and this what a picture costs.
+  constexpr double kMsPerPercent = 10;
+  const double both = rates.detail + rates.reference;
+  std::printf("| %s | %.1f | %.1f | %.0f | %.0f |\n", what, rates.detail, rates.reference,
+              rates.cpu, both > 0 ? kMsPerPercent * rates.cpu / both : 0);
   std::fflush(stdout);
 }
 
@@ -158,8 +162,9 @@ void run(const QString& scan, double seconds) {
   Bench bench(window, seconds);
   ReferenceView& reference = window.referenceView();
   DetailView& detail = window.detailView();
-  std::printf("| | detail, pictures a second | reference | processor, %% of a core |\n");
-  std::printf("|---|---:|---:|---:|\n");
+  std::printf(
+      "| | detail, pictures a second | reference | processor, %% of a core | ms a picture |\n");
+  std::printf("|---|---:|---:|---:|---:|\n");
   for (const bool stereo : {false, true}) {
     if (stereo) window.runCommand("stereo");
     const std::string mode = stereo ? ", anaglyph" : "";

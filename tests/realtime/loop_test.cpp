@@ -8,9 +8,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <map>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -45,6 +50,60 @@ HapticSample waitFor(HapticLoop& loop, const Holds& holds) {
   }
   ADD_FAILURE() << "No sample was as awaited.";
   return sample;
+}
+
+/// How often each thread of this process has slept, by its number.
+std::map<std::string, std::uint64_t> sleepsOfThreads() {
+  std::map<std::string, std::uint64_t> sleeps;
+  for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::ifstream status(thread.path() / "status");
+    const std::string wanted = "voluntary_ctxt_switches:";
+    for (std::string line; std::getline(status, line);) {
+      if (line.starts_with(wanted)) {
+        sleeps[thread.path().filename()] = std::stoull(line.substr(wanted.size()));
+      }
+    }
+  }
+  return sleeps;
+}
+
+/// On a computer that is so busy that every sleep ends late the force is cut all the same.
+TEST(HapticLoop, AWatchdogThatAlwaysWakesLateFindsAStall) {
+  constexpr std::int64_t kLook = Watchdog::kLookNs, kStall = Watchdog::kStallNs;
+  for (const std::int64_t late : {std::int64_t{0}, kLook / 2, kLook, 3 * kLook, 20 * kLook}) {
+    constexpr std::int64_t kBeat = 1;  // Of a loop that stands still from here on.
+    std::int64_t now = kBeat, look = now, cut = 0;
+    for (int looks = 0; looks < 100 && cut == 0; ++looks) {
+      look += kLook;
+      if (look > now) now = look + late;
+      const bool came_late = now - look >= kLook;
+      if (!came_late && now - kBeat > kStall) cut = now;
+      look = Watchdog::lookAfter(now, came_late, kBeat);
+    }
+    EXPECT_GT(cut, kBeat + kStall) << late;
+    EXPECT_LE(cut, kBeat + kStall + kLook + 2 * late) << late;
+  }
+}
+
+TEST(HapticLoop, TheWatchdogSleepsUntilAHeartbeatCouldBeTooOld) {
+  const auto before = sleepsOfThreads();
+  HapticLoop loop(std::make_unique<MouseDevice>());
+  loop.start();
+  constexpr int kTicks = 1000;
+  int ticks = 0;
+  waitFor(loop, [&ticks](const HapticSample&) { return ++ticks == kTicks; });
+  std::vector<std::uint64_t> sleeps;
+  for (const auto& [thread, count] : sleepsOfThreads()) {
+    if (!before.contains(thread)) sleeps.push_back(count);
+  }
+  loop.stop();
+  // The loop's sleeps most, the watchdog's next; the thread sanitizer may have begun one of its
+  // own.
+  ASSERT_GE(sleeps.size(), 2U);
+  std::sort(sleeps.rbegin(), sleeps.rend());
+  // A sixteenth; by looks of 2 ms it was a half. However busy the computer is, both are held up.
+  EXPECT_LT(sleeps[1], kTicks / 5U);
+  EXPECT_GT(sleeps[1], 0U);
 }
 
 TEST(HapticLoop, TicksWithTheNewestWindowAndJoins) {

@@ -22,7 +22,7 @@
 #include <QtTest/QTest>
 #include <QXmlStreamReader>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/relief/relief_image.h"
 #include "core/relief/stereo.h"
 #include "core/session/memory_guard.h"
@@ -177,19 +177,20 @@ TEST_F(PseudoTest, ErrorsOfProjectsAndOfOddFilesAreTranslatedAndNameNoLibrary) {
 }
 
 TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {
-  std::string memory;
+  QString memory;
   try {
     requireMemory({{100000, 100000}, 0.1, 0, 0}, 1'000'000'000);
   } catch (const Error& error) {
-    memory = error.what();
+    memory = spokenError(error);
   }
-  EXPECT_TRUE(spokenError(QString::fromStdString(memory)).contains(QString::fromUtf8("ábóüt")))
-      << memory;
-  const QString full = "Recording stopped: disk full. 12 samples are saved and complete in \"%1\".";
+  EXPECT_TRUE(memory.contains(QString::fromUtf8("ábóüt"))) << memory.toStdString();
+  const WriteError full =
+      failure<MessageId::recording_stopped_disk_full>(12, std::filesystem::path("%1"));
   EXPECT_TRUE(spokenError(full).contains("\"%1\".")) << "a name is not filled in again";
-  EXPECT_NE(spokenError(full), full);
+  EXPECT_NE(spokenError(full), full.what());
   EXPECT_EQ(spokenError(QStringLiteral("This is new.")), "This is new.");
-  EXPECT_EQ(shownError(full, "E401"), spokenError(full) + " (E401)");
+  EXPECT_EQ(shownError(full), spokenError(full) + " (E401)");
+  EXPECT_EQ(shownError(QStringLiteral("This is new."), "E401"), "This is new. (E401)");
   EXPECT_EQ(shownError(FileError("It is gone (E501).", "E501")), "It is gone (E501).");
   EXPECT_EQ(shownError(FileError("It is odd.")), "It is odd.");
 }

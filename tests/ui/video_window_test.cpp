@@ -164,6 +164,66 @@ TEST_F(VideoWindowTest, AVideoCancelledInItsFirstMomentIsAnsweredAtOnceAndCanBeM
   EXPECT_FALSE(QFile::exists(path("left")));
 }
 
+TEST_F(VideoWindowTest, AWindowThatIsClosedSavesItsVideoFirst) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(0.1); });
+  window().replay(path("touch.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  QFile(path("touch.csv")).open(QIODevice::WriteOnly);
+  window().writeVideo(pictures(), path("frames"));
+  window().close();
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_TRUE(said().contains("closes when the video is saved")) << said().toStdString();
+  ASSERT_TRUE(waitFor([this] { return !window().isVisible(); }));
+  EXPECT_EQ(QDir(path("frames")).entryList({"*.png"}).size(), 4) << "all of it";
+}
+
+TEST_F(VideoWindowTest, EscapeStopsTheVideoThatAClosedWindowWaitsForAndTheWindowStays) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(20); });
+  window().replay(path("long.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  QFile(path("long.csv")).open(QIODevice::WriteOnly);
+  window().writeVideo(pictures(), path("long"));
+  window().close();
+  ASSERT_TRUE(window().isVisible());
+  QTest::keyClick(&window().detailView(), Qt::Key_Escape);
+  EXPECT_FALSE(video().writing());
+  EXPECT_TRUE(waitFor([this] { return !QFile::exists(path("long")); })) << "nothing is left";
+  EXPECT_TRUE(window().isVisible());
+  window().close();
+  EXPECT_FALSE(window().isVisible()) << "nothing is waited for any more";
+}
+
+TEST_F(VideoWindowTest, AVideoOfTheViewEndsWholeWhenTheWindowIsClosed) {
+  if (!haveFfmpeg()) GTEST_SKIP() << "ffmpeg is not installed";
+  action("video_live")->trigger();
+  ASSERT_TRUE(video().live());
+  window().close();
+  ASSERT_TRUE(waitFor([this] { return !window().isVisible(); }));
+  ASSERT_EQ(videos().size(), 1);
+  QFile file(path("home/Videos/relievo/" + videos().front()));
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readAll().contains("moov")) << "a video without it cannot be played";
+}
+
+TEST_F(VideoWindowTest, AnEndFromOutsideWaitsForNoVideoAndLeavesNoHalfOne) {
+  window().setRecordingReader(
+      [](const std::filesystem::path&, const Task&) { return shortTouch(20); });
+  window().replay(path("long.csv"));
+  ASSERT_TRUE(waitFor([this] { return window().replayControl().showing(); }));
+  QFile(path("long.csv")).open(QIODevice::WriteOnly);
+  window().runCommand("beacon");
+  ASSERT_TRUE(window().hasUnsavedWork());
+  window().writeVideo(pictures(), path("long"));
+  ASSERT_TRUE(waitFor([this] { return QFile::exists(path("long/frame_000001.png")); }));
+  window().endAtOnce();
+  EXPECT_FALSE(window().isVisible());
+  restart();
+  EXPECT_FALSE(QFile::exists(path("long")));
+  EXPECT_TRUE(window().message().contains("was kept")) << window().message().toStdString();
+}
+
 TEST_F(VideoWindowTest, SizeAndRateAreChosenInTheDialog) {
   window().setRecordingReader(
       [](const std::filesystem::path&, const Task&) { return shortTouch(0.5); });

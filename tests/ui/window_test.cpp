@@ -391,6 +391,11 @@ TEST_F(WindowTest, AStepThatIsUndoneIsNotSaidAnyLonger) {
 TEST_F(WindowTest, LargeTextOfAMessageLeavesRoomForTheViews) {
   window().resize(1440, 900);
   openRelief();
+  TouchReadout touch;
+  touch.rate_hz = 1000;
+  window().showTouch(touch);
+  const auto* plots = child<QWidget>("time_plot");
+  EXPECT_TRUE(plots->isVisible());
   window().settings().setChoice("text_percent", 300);
   applyTextSize(300);
   child<MessageStrip>("message_strip")
@@ -400,8 +405,12 @@ TEST_F(WindowTest, LargeTextOfAMessageLeavesRoomForTheViews) {
                             "3,00 m. Als Millimeter gezeigt, bis Sie es sagen. (E103)"),
              {{"Millimeter", {}}, {"Zentimeter", {}}, {"Meter", {}}});
   QApplication::processEvents();
+  EXPECT_FALSE(plots->isVisible()) << "they yield first";
   EXPECT_GE(window().detailView().height(), 200);
+  child<MessageStrip>("message_strip")->close();
   applyTextSize(kLeastTextPercent);
+  EXPECT_TRUE(waitFor([plots] { return plots->isVisible(); })) << "as they were chosen";
+  EXPECT_TRUE(action("show_plots")->isChecked());
 }
 
 TEST_F(WindowTest, ControlAndLGoesToTheOtherView) {

@@ -8,7 +8,7 @@
 #include <QImage>
 #include <QPainter>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/caption.h"
 #include "core/project/carried_state.h"
 #include "core/session/map_facts.h"
@@ -84,11 +84,8 @@ std::vector<ForcePoint> curveOf(const Project& project, const Task& task) {
   const std::optional<Project> touched = carriedProject(file);
   if (touched && !touched->sha256.empty() && !project.sha256.empty() &&
       touched->sha256 != project.sha256) {
-    throw FileError("'" + fs::path(file).filename().string() + "' is no recording of '" +
-                        fs::path(project.file).filename().string() +
-                        "' but of another file (checksum differs, E501). Nothing was drawn. "
-                        "Choose a recording of this one.",
-                    "E501");
+    throw failure<MessageId::recording_of_another_file>(fs::path(file).filename(),
+                                                        fs::path(project.file).filename());
   }
   return rows;
 }

@@ -83,8 +83,10 @@ EyeFiles writeEyes(const Surface& surface, const Project& project, const OutputF
 
 /// The region's heights as a 16-bit TIFF of the region's panel, outside as 0; the step in mm and
 /// the height of value 1 stand in the file's description.
+/// @param figure  whose heights they are; it may be written later
 /// @throw WriteError, ArgumentError
-void writeHeightsTiff(const Surface& surface, const Project& project, const OutputFile& file);
+void writeHeightsTiff(const Surface& surface, const Project& project, const OutputFile& file,
+                      const std::filesystem::path& figure);
 
 /// The files that one figure is written as; an empty name: not that one.
 struct FigureFiles {

@@ -11,12 +11,13 @@
 #include <QSvgGenerator>
 #include <set>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/io/text_file.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
+#include "core/provenance/set_mark.h"
 #include "ui/figure/figure.h"
 #include "ui/figure/figure_layout.h"
 #include "ui/figure/figure_sheet.h"
@@ -27,10 +28,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What all files of one figure say.
+SetMark setOf(const Project& project, const fs::path& figure, const std::string& caption = {}) {
+  Project shown = relativeTo(project, figure);
+  shown.made.clear();
+  shown.figures.clear();
+  return setMark(projectJson(shown), caption);
+}
+
+/// @param mark  the figure's set, and its caption if it is the figure itself
 PictureText textOf(const Surface& surface, const Project& project, const FigureFacts& facts,
-                   const fs::path& file) {
+                   const fs::path& file, const SetMark& mark) {
   Project state = relativeTo(project, file);
-  state.made = madeText(surface);
+  state.made = markedMade(madeText(surface), mark);
   state.figures.clear();  // What else was drawn changes no figure.
   return {{"Title", escapedName(fs::path(project.file).filename().string())},
           {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},
@@ -163,8 +173,7 @@ std::string named(const fs::path& file) {
 void checkFigureName(const fs::path& file) {
   const std::string ending = lowerEnding(file);
   if (pictureFormatOf(file) || ending == ".pdf" || ending == ".svg") return;
-  throw ArgumentError("A figure's name ends in .png, .tif, .pdf or .svg; '" + named(file) +
-                      "' does not. Nothing was drawn.");
+  throw failure<MessageId::figure_name>(named(file));
 }
 
 /// What the file of one eye shows: the region as that one sees it and nothing over it.
@@ -188,7 +197,8 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const Ou
   checkFigureName(file);
   if (const auto pixels = pictureFormatOf(file)) {
     const Figure figure = drawFigure(surface, project, task);
-    const PictureText text = textOf(surface, project, figure.facts, file);
+    const PictureText text =
+        textOf(surface, project, figure.facts, file, setOf(project, file, figure.facts.caption));
     if (pixels == PictureFormat::png) {
       writePng(place, figure.image, project.figure.dpi, text);
     } else {
@@ -200,7 +210,8 @@ FigureFacts writeFigure(const Surface& surface, const Project& project, const Ou
   Project whole = project;
   whole.figure.dpi = std::round(project.figure.dpi);  // Both writers count whole dots.
   const DrawnSheet sheet = drawPictures(surface, whole, whole.figure.dpi, task);
-  const PictureText text = textOf(surface, whole, sheet.facts, file);
+  const PictureText text =
+      textOf(surface, whole, sheet.facts, file, setOf(project, file, sheet.facts.caption));
   save(pdf ? pdfOf(surface, whole, sheet, text) : svgOf(surface, whole, sheet, text), place);
   return sheet.facts;
 }
@@ -225,7 +236,8 @@ EyeFiles writeEyes(const Surface& surface, const Project& project, const OutputF
     eyes.files.push_back(eyeFile(file.path, eye));
     eyes.eye_angle_deg = figure.facts.eye_angle_deg;
     eyes.parallax_deg = figure.facts.parallax_deg;
-    const PictureText text = textOf(surface, one, figure.facts, eyes.files.back());
+    const PictureText text =
+        textOf(surface, one, figure.facts, eyes.files.back(), setOf(project, file.path));
     drawn.push_back({std::move(figure), text});
   }
   task.check();
@@ -236,7 +248,8 @@ EyeFiles writeEyes(const Surface& surface, const Project& project, const OutputF
   return eyes;
 }
 
-void writeHeightsTiff(const Surface& surface, const Project& project, const OutputFile& file) {
+void writeHeightsTiff(const Surface& surface, const Project& project, const OutputFile& file,
+                      const fs::path& figure) {
   const FigureRequest& f = project.figure;
   check(f);
   const Region& r = project.region;
@@ -274,7 +287,8 @@ void writeHeightsTiff(const Surface& surface, const Project& project, const Outp
   facts.caption = "Heights: value 0 is outside; value v is " + shortNumber(low, 9) +
                   " mm + (v - 1) x " + shortNumber(step_mm, 9) + " mm. " +
                   figureCaption(surface, project, facts);
-  writeTiff(file, picture, f.dpi, textOf(surface, project, facts, file.path));
+  writeTiff(file, picture, f.dpi,
+            textOf(surface, project, facts, file.path, setOf(project, figure)));
 }
 
 std::vector<fs::path> namesOf(const FigureFiles& files) {
@@ -291,15 +305,13 @@ std::vector<fs::path> namesOf(const FigureFiles& files) {
 void check(const FigureFiles& files) {
   checkFigureName(files.figure);
   if (!files.heights.empty() && pictureFormatOf(files.heights) != PictureFormat::tiff) {
-    throw ArgumentError("The name of a figure's heights ends in .tif; '" + named(files.heights) +
-                        "' does not. Nothing was drawn.");
+    throw failure<MessageId::heights_name>(named(files.heights));
   }
   std::set<fs::path> taken;
   for (const fs::path& name : namesOf(files)) {
     requireReplaceable(name);
     if (taken.insert(fs::absolute(name).lexically_normal()).second) continue;
-    throw ArgumentError("Two of the figure's files would be '" + name.string() +
-                        "'. Nothing was drawn. Give one of them another name.");
+    throw failure<MessageId::figure_files_are_one>(name);
   }
 }
 
@@ -324,7 +336,8 @@ FigureWritten writeFigureFiles(const Surface& surface, const Project& project,
   if (files.both_eyes) {
     written.eyes = writeEyes(surface, project, {files.figure, set}, task);
   }
-  if (!files.heights.empty()) writeHeightsTiff(surface, project, {files.heights, set});
+  if (!files.heights.empty())
+    writeHeightsTiff(surface, project, {files.heights, set}, files.figure);
   OutputSet figure;
   written.facts = writeFigure(surface, project, figure.file(files.figure), task);
   if (!files.caption.empty()) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/caption.h"
 #include "core/project/shown_lengths.h"
 #include "core/relief/relief_image.h"
@@ -41,14 +41,19 @@ Level levelOfWhole(const DetailLadder& map) {
   return {level};
 }
 
+/// Three digits; from a thousand on whole numbers, which are read more easily than an exponent.
+NumberArgument shown(double value) {
+  constexpr double kWholeFrom = 999.5;
+  if (value >= kWholeFrom) return {.value = value};
+  return {.value = value, .digits = 3, .form = NumberArgument::Form::significant};
+}
+
 void checkPaper(const FigureSheet& sheet) {
   const bool tiny = sheet.width_mm < kLeastPaperMm;
   if (!tiny && sheet.width_mm <= kMostPaperMm && sheet.height_mm <= kMostPaperMm) return;
-  throw ArgumentError("This figure would be " + shortNumber(sheet.width_mm, 3) + " x " +
-                      shortNumber(sheet.height_mm, 3) + " mm " +
-                      (tiny ? "small, and at least 20 mm wide it must be. Nothing was drawn. "
-                              "Choose a larger scale, 1:N with a smaller N."
-                            : "large. Nothing was drawn. Choose a smaller scale or width."));
+  const NumberArgument width = shown(sheet.width_mm), height = shown(sheet.height_mm);
+  if (tiny) throw failure<MessageId::figure_too_small>(width, height);
+  throw failure<MessageId::figure_too_large>(width, height);
 }
 
 bool needsLegend(const Surface& surface, const Project& project) {
@@ -227,10 +232,7 @@ FigureSheet layOut(const Surface& surface, const Project& project) {
   if (f.layout == FigureLayout::plot) {
     const double em = f.text_pt * kMmPerPoint;
     if (sheet.width_mm < kLeastPlotEm * em) {
-      throw ArgumentError("Numbers of " + shortNumber(f.text_pt, 3) +
-                          " points leave no room for plots " + "on " +
-                          shortNumber(sheet.width_mm, 3) +
-                          " mm. Nothing was drawn. Choose a smaller text or a larger width.");
+      throw failure<MessageId::plot_text_too_large>(shown(f.text_pt), shown(sheet.width_mm));
     }
     const double gap = std::max(kGapMm, kPlotGapEm * em);
     const double high = std::max(kPlotMm, kPlotEm * em);

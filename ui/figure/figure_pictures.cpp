@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/session/level_cut.h"
 #include "core/session/surface_colours.h"
 #include "ui/vtk/offscreen.h"
@@ -67,12 +67,10 @@ LevelSamples samplesIn(const Surface& surface, Level level, const RectMm& rect, 
   const int cols = right - left + 1;
   const int rows = top - bottom + 1;
   if (cols < 2 || rows < 2) {
-    throw ArgumentError("There is nothing of the object in this region. Choose another.");
+    throw failure<MessageId::nothing_in_region>();
   }
   if (std::max(cols, rows) > kMostSamples) {
-    throw ArgumentError("Level " + std::to_string(level.value) + " has more than " +
-                        std::to_string(kMostSamples) +
-                        " samples across this region. Choose a coarser level.");
+    throw failure<MessageId::level_too_fine>(level.value, kMostSamples);
   }
   return {.left = left, .right = right, .bottom = bottom, .top = top};
 }

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "ui/figure/figure_plot.h"
 
 namespace relievo {
@@ -18,7 +18,7 @@ constexpr QRectF kBoxMm(18, 4, 98, 42);
 }  // namespace
 
 std::string profileSvg(const std::vector<ProfileRow>& rows) {
-  if (rows.empty()) throw ArgumentError("There is no surface along this line.");
+  if (rows.empty()) throw failure<MessageId::profile_without_surface>();
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);

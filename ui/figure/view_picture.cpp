@@ -5,11 +5,12 @@
 #include <array>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/caption.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/program.h"
+#include "core/provenance/set_mark.h"
 #include "core/relief/relief_image.h"
 #include "core/session/surface_colours.h"
 #include "ui/vtk/offscreen.h"
@@ -96,9 +97,7 @@ ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& wi
                                   const Task& task) {
   Project p = project;
   if (p.picture->source != PictureChoice{}.source) {
-    throw ArgumentError("This is a picture of the " + p.picture->source +
-                        ", which only the window can draw. Nothing was drawn. Open it with relievo "
-                        "to get its state back.");
+    throw failure<MessageId::picture_of_the_window>(p.picture->source);
   }
   p.made = madeText(surface);
   const RgbImage image = draw(surface, window, p, task);
@@ -107,11 +106,13 @@ ViewPictureFacts writeViewPicture(const Surface& surface, const RegionWindow& wi
                          .mm_per_pixel = p.region.side_mm / std::min(image.width, image.height),
                          .caption = {}};
   facts.caption = captionOf(p, surface, window, pictureFacts(p, facts.mm_per_pixel));
+  Project shown = relativeTo(p, file.path);
+  shown.made = markedMade(shown.made, setMark(projectJson(shown), facts.caption));
   writePicture(file, image,
                {{"Title", escapedName(std::filesystem::path(p.file).filename().string())},
                 {"Description", facts.caption},
                 {"Software", "relievo " + std::string(programVersion())},
-                {std::string(kStateKey), projectJson(relativeTo(p, file.path))}});
+                {std::string(kStateKey), projectJson(shown)}});
   return facts;
 }
 

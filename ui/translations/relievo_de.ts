@@ -216,204 +216,16 @@
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
-        <translation>%1 kann nicht gelesen werden: Es gibt keine solche Datei. Prüfen Sie Name und Ordner.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: this account may not read it. Change its permissions, or copy it.</source>
-        <translation>%1 kann nicht gelesen werden: Dieses Konto darf es nicht. Ändern Sie die Rechte oder kopieren Sie die Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
-        <translation>%1 kann nicht gelesen werden: Es ist ein Ordner. Wählen Sie eine der Dateien darin.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei ist leer (0 Bytes). Kopieren oder exportieren Sie sie erneut.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei hat %2 Punkte, keiner ist endlich. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its header has no end (%2). Copy or export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf hat kein Ende (%2). Kopieren oder exportieren Sie die Datei erneut.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Laden Sie die %4 vollständigen Punkte oder wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
-        <translation>%1 kann nicht gelesen werden: Das System hat das Lesen beendet, wahrscheinlich aus Speichermangel. Schließen Sie andere Programme oder dünnen Sie den Scan vorher aus.</translation>
-    </message>
-    <message>
-        <source>This needs about %1; %2 are free. Nothing was made. Choose cells of at least %3 (%4), or close other programs.</source>
-        <translation>Das braucht etwa %1; frei sind %2. Nichts wurde erzeugt. Wählen Sie Zellen von mindestens %3 (%4) oder schließen Sie andere Programme.</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: %2. Check the folder, its permissions and the free space.</source>
-        <translation>%1 kann nicht geschrieben werden: %2. Prüfen Sie den Ordner, seine Rechte und den freien Platz.</translation>
-    </message>
-    <message>
-        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>Aufnahme beendet: Datenträger voll. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
-    </message>
-    <message>
-        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
-        <translation>Video beendet: Datenträger voll. %1 s (%2 Bilder) sind gespeichert und vollständig in „%3“.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is %2; this version reads %3. Convert it to one of these, or choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest %3. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
-    </message>
-    <message>
         <source>batlow</source>
         <translation>Batlow</translation>
-    </message>
-    <message>
-        <source>%1 has %2 cells, but the map is %3 mm: it is not a raster of the whole map, and was not used. Cut it to the outline of the map.</source>
-        <translation>%1 hat %2 Zellen, die Karte aber misst %3 mm: es ist kein Raster der ganzen Karte und wurde nicht verwendet. Schneiden Sie es auf den Umriss der Karte zu.</translation>
-    </message>
-    <message>
-        <source>%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
-        <translation>%1 enthält Werte außerhalb von 0 bis 1, etwa %2, und wurde nicht verwendet. Skalieren Sie sie: 1, wo der Grund fest ist, 0, wo er am weichsten ist.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its points have no %2 coordinate. Export it with x, y and z.</source>
-        <translation>%1 kann nicht gelesen werden: Die Punkte haben keine Koordinate %2. Exportieren Sie die Datei mit x, y und z.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds no rows of numbers. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei enthält keine Zeilen mit Zahlen. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it has 0 points. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei hat 0 Punkte. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds 0 triangles. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei enthält 0 Dreiecke. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its header promises no vertices. Choose a file with points.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht keine Punkte. Wählen Sie eine Datei mit Punkten.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its header names no format. Export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf nennt kein Format. Exportieren Sie die Datei noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer LAS-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer E57-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is shorter than the header of an STL file. Copy or export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer STL-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its points cannot be decoded. The file is damaged; export it again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Punkte lassen sich nicht entschlüsseln. Die Datei ist beschädigt; exportieren Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it became shorter while it was read, or its disk failed. Try again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei wurde beim Lesen kürzer, oder ihr Datenträger versagte. Versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it was changed while it was read. Try again.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei wurde beim Lesen geändert. Versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is a colour picture, not a height raster. Choose the raster with one band of heights.</source>
-        <translation>%1 kann nicht gelesen werden: Es ist ein Farbbild, kein Höhenraster. Wählen Sie das Raster mit einem Band von Höhen.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its pixels are measured in degrees. Reproject it to metres, for example %2</source>
-        <translation>%1 kann nicht gelesen werden: Die Pixel sind in Grad gemessen. Rechnen Sie die Datei in Meter um, zum Beispiel %2</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is not a whole zip file. Copy or download it again.</source>
-        <translation>%1 kann nicht gelesen werden: Es ist keine vollständige Zip-Datei. Kopieren oder laden Sie sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The project %1 is damaged (line %2). Nothing was changed. Choose another file.</source>
-        <translation>Das Projekt %1 ist beschädigt (Zeile %2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>The project %1 is damaged (a part is missing or has another form). Nothing was changed. Choose another file.</source>
-        <translation>Das Projekt %1 ist beschädigt (ein Teil fehlt oder hat eine andere Form). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>The project %1 is damaged (%2). Nothing was changed. Choose another file.</source>
-        <translation>Das Projekt %1 ist beschädigt (%2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
-        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
-        <translation>%1 ist kein Projekt von relievo. Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
         <translation>Der Scan traf keine Zelle des Rasters. Nichts wurde gemacht. Wählen Sie eine andere Ansicht.</translation>
     </message>
     <message>
-        <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
-        <translation>%1 kann nicht geschrieben werden (%2). Was dort war, ist wie vorher. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <source>The package %1 could not be written (%2). Nothing was left behind. Choose another folder or free some space.</source>
-        <translation>Das Paket %1 konnte nicht geschrieben werden (%2). Nichts blieb zurück. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
         <source>length of the cut</source>
         <translation>Länge des Schnitts</translation>
-    </message>
-    <message>
-        <source>The outline crosses itself, so that it has no inside. Choose its corners in order.</source>
-        <translation>Der Umriss kreuzt sich selbst und hat deshalb kein Inneres. Wählen Sie seine Ecken der Reihe nach.</translation>
-    </message>
-    <message>
-        <source>The corners lie on one line, so that there is no area among them. Choose others.</source>
-        <translation>Die Ecken liegen auf einer Geraden, zwischen ihnen ist keine Fläche. Wählen Sie andere.</translation>
-    </message>
-    <message>
-        <source>The plane does not cut the surface. Choose another plane.</source>
-        <translation>Die Ebene schneidet die Oberfläche nicht. Wählen Sie eine andere Ebene.</translation>
-    </message>
-    <message>
-        <source>Two places, one above the other, give no plane. Choose another.</source>
-        <translation>Zwei Stellen übereinander ergeben keine Ebene. Wählen Sie eine andere.</translation>
-    </message>
-    <message>
-        <source>Three places on one line give no plane. Choose another.</source>
-        <translation>Drei Stellen auf einer Geraden ergeben keine Ebene. Wählen Sie eine andere.</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: what has this name is no regular file. It was left as it is. Choose another name.</source>
-        <translation>%1 kann nicht geschrieben werden: Was diesen Namen trägt, ist keine gewöhnliche Datei. Es blieb, wie es ist. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: it is read-only. It was left as it is. Choose another name.</source>
-        <translation>%1 kann nicht geschrieben werden: Die Datei ist schreibgeschützt. Sie blieb, wie sie ist. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: its symbolic links lead in a circle. It was left as it is. Choose another name.</source>
-        <translation>%1 kann nicht geschrieben werden: Die symbolischen Verknüpfungen führen im Kreis. Nichts wurde geändert. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
-        <translation>Zum Zeichnen reicht der Speicher nicht: Der Grafiktreiber braucht 512 MB Adressraum, und eine gesetzte Grenze (ulimit -v) lässt weniger. Nichts wurde gezeichnet. Heben Sie die Grenze an.</translation>
     </message>
     <message>
         <source>Video</source>
@@ -424,192 +236,8 @@
         <translation>Höhen lesen</translation>
     </message>
     <message>
-        <source>A figure&apos;s name ends in .png, .tif, .pdf or .svg; &apos;%1&apos; does not. Nothing was drawn.</source>
-        <translation>Der Name einer Abbildung endet mit .png, .tif, .pdf oder .svg; „%1“ nicht. Nichts wurde gezeichnet.</translation>
-    </message>
-    <message>
-        <source>The name of a figure&apos;s heights ends in .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
-        <translation>Der Name der Höhen einer Abbildung endet mit .tif; „%1“ nicht. Nichts wurde gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
-        <translation>Zwei Dateien der Abbildung hießen „%1“. Nichts wurde gezeichnet. Geben Sie einer davon einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
-        <translation>Das Bild „%1“ kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <source>Cannot write the picture &apos;%1&apos;. Choose another folder or free some space.</source>
-        <translation>Das Bild „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
-    </message>
-    <message>
-        <source>The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 mm. Nothing was drawn. Choose one among them.</source>
-        <translation>Die Nullebene der Parallaxe, %1 mm, liegt weit von den Höhen hier, %2 bis %3 mm. Nichts wurde gezeichnet. Wählen Sie eine dazwischen.</translation>
-    </message>
-    <message>
-        <source>The colours&apos; upper end must lie above their lower end.</source>
-        <translation>Das obere Ende der Farben muss über dem unteren liegen.</translation>
-    </message>
-    <message>
-        <source>There is nothing of the object in this region. Choose another.</source>
-        <translation>In diesem Ausschnitt liegt nichts vom Objekt. Wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <source>Level %1 has more than %2 samples across this region. Choose a coarser level.</source>
-        <translation>Ebene %1 hat über diesen Ausschnitt mehr als %2 Stützstellen. Wählen Sie eine gröbere Ebene.</translation>
-    </message>
-    <message>
-        <source>This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller scale or width.</source>
-        <translation>Diese Abbildung würde %1 x %2 mm groß. Nichts wurde gezeichnet. Wählen Sie einen kleineren Maßstab oder weniger Breite.</translation>
-    </message>
-    <message>
-        <source>The graphics driver returned a black picture. Try a smaller one.</source>
-        <translation>Der Grafiktreiber lieferte ein schwarzes Bild. Versuchen Sie ein kleineres.</translation>
-    </message>
-    <message>
-        <source>The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size.</source>
-        <translation>Der Grafiktreiber kann keine Bilder von %1 x %2 Pixeln zeichnen. Wählen Sie eine kleinere Größe.</translation>
-    </message>
-    <message>
-        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>Aufnahme beendet: HDF5 konnte nicht schreiben. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
-    </message>
-    <message>
-        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
-        <translation>Aufnahme beendet: %1. %2 Abtastwerte sind gespeichert und vollständig in „%3“.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
-        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; may be incomplete.</source>
-        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
-        <translation>Die Aufzeichnung &quot;%1&quot; wird gerade von einem anderen Programm geschrieben. Es wurde nichts aufgezeichnet. Wählen Sie einen anderen Namen, oder beenden Sie die andere zuerst.</translation>
-    </message>
-    <message>
-        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
-        <translation>Die Aufzeichnung ist vollständig, kann aber nicht &quot;%1&quot; heißen: %2. Sie liegt in &quot;%3&quot;.</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; cannot be read.</source>
-        <translation>Die Aufzeichnung „%1“ ist nicht lesbar.</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; cannot be read as a log of this version.</source>
-        <translation>Die Aufzeichnung „%1“ ist nicht als eine dieser Version lesbar.</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
-        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version: „%2“ fehlt.</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
-        <translation>Die Aufzeichnung „%1“ hat eine Zeile, die nicht gelesen werden kann: Nummer %2.</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; has no rows.</source>
-        <translation>Die Aufzeichnung „%1“ hat keine Zeilen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not there. Nothing was packed. Relink it, or take it out of the project.</source>
-        <translation>„%1“ ist nicht da. Nichts wurde gepackt. Verknüpfen Sie die Datei neu, oder nehmen Sie sie aus dem Projekt.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. Relink it, or take it out of the project.</source>
-        <translation>„%1“ wurde seither geändert (andere Prüfsumme). Nichts wurde gepackt. Verknüpfen Sie die Datei neu, oder nehmen Sie sie aus dem Projekt.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not there. Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
-        <translation>„%1“ ist nicht da. Nichts wurde gepackt. Die Datei wird gebraucht, um „%2“ zu wiederholen: Legen Sie sie zurück, oder nehmen Sie die Aufzeichnung heraus.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
-        <translation>„%1“ wurde seither geändert (andere Prüfsumme). Nichts wurde gepackt. Die Datei wird gebraucht, um „%2“ zu wiederholen: Legen Sie sie zurück, oder nehmen Sie die Aufzeichnung heraus.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: the picture is damaged. Nothing was restored.</source>
-        <translation>%1 kann nicht gelesen werden: Das Bild ist beschädigt. Nichts wurde wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
-        <translation>%1 kann nicht gelesen werden: Was die Datei von relievo mitbringt, ist abgeschnitten. Nichts wurde wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
-        <translation>Der Ordner „%1“ kann nicht angelegt werden. Nichts wurde geschrieben. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; holds frames of a video already. Nothing was written. Choose another.</source>
-        <translation>Der Ordner „%1“ enthält schon Bilder eines Videos. Nichts wurde geschrieben. Wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <source>This would be more than a million frames. Choose a part of the recording.</source>
-        <translation>Das wären mehr als eine Million Bilder. Wählen Sie einen Teil der Aufzeichnung.</translation>
-    </message>
-    <message>
-        <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
-        <translation>Das Ziel „%1“ ist der Scan selbst. Nichts wurde geschrieben. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
-        <translation>Die Ebene von „%1“ schneidet die Oberfläche nicht. Wählen Sie eine andere Ebene.</translation>
-    </message>
-    <message>
-        <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
-        <translation>Ein Bild von %1 x %2 Pixeln ist mehr, als diese Version fasst (%3 Millionen im Ganzen). Nichts wurde gezeichnet. Wählen Sie ein kleineres.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
-        <translation>Die Aufnahme „%1“ kann nicht geschrieben werden: Der Datenträger ist voll. Nichts wurde behalten. Schaffen Sie Platz oder wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
-        <translation>Der Ordner „%1“ für Aufnahmen kann nicht angelegt werden. Nichts wird aufgenommen. Wählen Sie einen anderen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
-        <translation>„%1“ ist keine Aufnahme von relievo. Wählen Sie eine .csv- oder .h5-Datei, die es aufgenommen hat.</translation>
-    </message>
-    <message>
-        <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
-        <translation>Zwischen %1 s und %2 s ist nichts: Die Aufnahme ist %3 s lang. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
-        <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
-        <translation>Zwischen %1 s und %2 s ist nichts: Der Kameraweg ist %3 s lang. Nichts wurde gemacht.</translation>
-    </message>
-    <message>
         <source>Colours</source>
         <translation>Farben</translation>
-    </message>
-    <message>
-        <source>The shading of a scan&apos;s own colours must lie between 0 and 1.</source>
-        <translation>Die Schattierung der eigenen Farben eines Scans muss zwischen 0 und 1 liegen.</translation>
-    </message>
-    <message>
-        <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
-        <translation>Das Reliefbild „natürliche Farben“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Farben. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
-    </message>
-    <message>
-        <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
-        <translation>Das Reliefbild „Intensität“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Intensitäten. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds the colours of a map&apos;s cells, not heights. Open the map beside it.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei enthält die Farben der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
-    </message>
-    <message>
-        <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
-        <translation>%1: Jede Höhe ist die, die für keine steht; es gibt also keine Oberfläche. Nichts wurde gemacht. Wählen Sie ein anderes --nodata.</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei enthält die Intensitäten der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
     </message>
     <message>
         <source>preparing</source>
@@ -4322,7 +3950,7 @@
     </message>
     <message>
         <source>in %1 %2</source>
-        <translation>in %2 %1</translation>
+        <translation>als %1 %2</translation>
     </message>
     <message>
         <source>%1 × %2 × %3</source>
@@ -4981,6 +4609,10 @@
         <translation>relievo schließt, wenn das Paket geschrieben ist</translation>
     </message>
     <message>
+        <source>relievo closes when the video is saved; Escape stops both</source>
+        <translation>relievo schließt, wenn das Video gespeichert ist; Escape bricht beides ab</translation>
+    </message>
+    <message>
         <source>relievo closes when the map is written</source>
         <translation>relievo schließt, wenn die Karte geschrieben ist</translation>
     </message>
@@ -5214,6 +4846,821 @@
     <message>
         <source>F after one place: the contour at its height; after two: an upright cut through both. Three places: the plane through them.</source>
         <translation>F nach einer Stelle: die Höhenlinie dort; nach zweien: ein aufrechter Schnitt durch beide. Drei Stellen: die Ebene durch sie.</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::Message</name>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>Abgebrochen. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>what has this name is no regular file</source>
+        <translation>was so heißt, ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it is read-only</source>
+        <translation>sie ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>ihre symbolischen Verknüpfungen führen im Kreis</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. It was left as it is. Choose another name.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Es blieb, wie es ist. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
+        <translation>Das Ziel „%1“ ist der Scan selbst. Nichts wurde geschrieben. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is %2. Nothing was written. Choose another name.</source>
+        <translation>Die Ausgabe „%1“ ist zugleich eine Eingabe (%2). Nichts wurde geschrieben. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Two of the outputs would be &apos;%1&apos;. Nothing was written. Give one of them another name.</source>
+        <translation>Zwei der Ausgaben hießen „%1“. Nichts wurde geschrieben. Geben Sie einer davon einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. Check the folder, its permissions and the free space.</source>
+        <translation>%1 kann nicht geschrieben werden: %2. Prüfen Sie den Ordner, seine Rechte und den freien Platz.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read.</source>
+        <translation>Die Aufzeichnung „%1“ ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read to its end.</source>
+        <translation>Die Aufzeichnung „%1“ ist nicht bis zu ihrem Ende lesbar.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read as a log of this version.</source>
+        <translation>Die Aufzeichnung „%1“ ist nicht als eine dieser Version lesbar.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
+        <translation>Die Aufzeichnung „%1“ hat eine Zeile, die nicht gelesen werden kann: Nummer %2.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
+        <translation>Die Aufzeichnung „%1“ hat andere Spalten als die dieser Version: „%2“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has no rows.</source>
+        <translation>Die Aufzeichnung „%1“ hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has columns of two lengths.</source>
+        <translation>Die Aufzeichnung „%1“ hat Spalten von zweierlei Länge.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
+        <translation>„%1“ ist keine Aufnahme von relievo. Wählen Sie eine .csv- oder .h5-Datei, die es aufgenommen hat.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read as HDF5.</source>
+        <translation>„%1“ ist nicht als HDF5 lesbar.</translation>
+    </message>
+    <message>
+        <source>HDF5 refused a part of the file.</source>
+        <translation>HDF5 lehnte einen Teil der Datei ab.</translation>
+    </message>
+    <message>
+        <source>HDF5 could not write.</source>
+        <translation>HDF5 konnte nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>The folder %1 for automatic copies cannot be written (%2). Save by hand, or free some space.</source>
+        <translation>Der Ordner %1 für automatische Kopien kann nicht beschrieben werden (%2). Speichern Sie von Hand, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s width in mm must be %1 to %2. Nothing was drawn.</source>
+        <translation>Die Breite einer Abbildung in mm muss zwischen %1 und %2 liegen. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s dots per inch must be %1 to %2. Nothing was drawn.</source>
+        <translation>Die Zahl der Punkte je Zoll einer Abbildung muss zwischen %1 und %2 liegen. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s text size in points must be %1 to %2. Nothing was drawn.</source>
+        <translation>Die Schriftgröße einer Abbildung in Punkt muss zwischen %1 und %2 liegen. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s angle between the eyes in degrees must be %1 to %2. Nothing was drawn.</source>
+        <translation>Der Winkel zwischen den Augen einer Abbildung in Grad muss zwischen %1 und %2 liegen. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A scale of 1:N needs an N above 0. Nothing was drawn.</source>
+        <translation>Ein Maßstab 1:N braucht ein N über 0. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background: without paper the eyes would see different pages. Choose one of the two.</source>
+        <translation>Ein Anaglyphenbild braucht seinen Hintergrund: Ohne Papier sähen die Augen verschiedene Seiten. Wählen Sie eines von beiden.</translation>
+    </message>
+    <message>
+        <source>Two eyes&apos; pictures fill a figure of their own: they need the layout &apos;detail&apos;. Choose it, or an anaglyph.</source>
+        <translation>Die Bilder zweier Augen füllen eine eigene Abbildung: Sie brauchen die Anordnung „detail“. Wählen Sie diese oder ein Anaglyphenbild.</translation>
+    </message>
+    <message>
+        <source>One eye&apos;s picture of two needs the layout &apos;detail&apos; and the stereo &apos;sidebyside&apos; or &apos;overunder&apos;. Choose both eyes, or these.</source>
+        <translation>Das Bild eines von zwei Augen braucht die Anordnung „detail“ und das Stereo „sidebyside“ oder „overunder“. Wählen Sie beide Augen oder diese.</translation>
+    </message>
+    <message>
+        <source>A figure with plots needs a recording. Choose one, CSV or HDF5.</source>
+        <translation>Eine Abbildung mit Kurven braucht eine Aufzeichnung. Wählen Sie eine, CSV oder HDF5.</translation>
+    </message>
+    <message>
+        <source>The package %1 could not be written (%2). Nothing was left behind. Choose another folder or free some space.</source>
+        <translation>Das Paket %1 konnte nicht geschrieben werden (%2). Nichts blieb zurück. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>„%1“ ist nicht da. Nichts wurde gepackt. Verknüpfen Sie die Datei neu, oder nehmen Sie sie aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>„%1“ wurde seither geändert (andere Prüfsumme). Nichts wurde gepackt. Verknüpfen Sie die Datei neu, oder nehmen Sie sie aus dem Projekt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>„%1“ ist nicht da. Nichts wurde gepackt. Die Datei wird gebraucht, um „%2“ zu wiederholen: Legen Sie sie zurück, oder nehmen Sie die Aufzeichnung heraus.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>„%1“ wurde seither geändert (andere Prüfsumme). Nichts wurde gepackt. Die Datei wird gebraucht, um „%2“ zu wiederholen: Legen Sie sie zurück, oder nehmen Sie die Aufzeichnung heraus.</translation>
+    </message>
+    <message>
+        <source>%1 would unpack to %2 bytes, more than %3 times its own size. Nothing was unpacked. Ask whoever made it for another.</source>
+        <translation>%1 ergäbe ausgepackt %2 Bytes, mehr als das %3-Fache der eigenen Größe. Nichts wurde ausgepackt. Bitten Sie den Ersteller um ein anderes Paket.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is not a whole zip file. Copy or download it again.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist keine vollständige Zip-Datei. Kopieren oder laden Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 holds no %2 of relievo.</source>
+        <translation>%1 enthält kein %2 von relievo.</translation>
+    </message>
+    <message>
+        <source>%1 holds no %2 of relievo, so that nothing can be checked. Choose a package for citation.</source>
+        <translation>%1 enthält kein %2 von relievo, deshalb kann nichts geprüft werden. Wählen Sie ein Paket zum Zitieren.</translation>
+    </message>
+    <message>
+        <source>%1 names a file outside of itself (&apos;%2&apos;). Nothing was unpacked.</source>
+        <translation>%1 nennt eine Datei außerhalb seiner selbst („%2“). Nichts wurde ausgepackt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be unpacked; is the disk full?</source>
+        <translation>„%1“ kann nicht ausgepackt werden; ist der Datenträger voll?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 is damaged.</source>
+        <translation>„%1“ in %2 ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
+        <translation>%1 ist kein Projekt von relievo. Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>Das Projekt %1 stammt von einem anderen relievo (Schema %2; dieses liest %3). Nichts wurde geändert. Benutzen Sie jene Version, oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (line %2). Nothing was changed. Choose another file.</source>
+        <translation>Das Projekt %1 ist beschädigt (Zeile %2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (a part is missing or has another form). Nothing was changed. Choose another file.</source>
+        <translation>Das Projekt %1 ist beschädigt (ein Teil fehlt oder hat eine andere Form). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (%2). Nothing was changed. Choose another file.</source>
+        <translation>Das Projekt %1 ist beschädigt (%2). Nichts wurde geändert. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>%1 was made from &apos;%2&apos;, which is not there (E501). Nothing was made. Give its place as FILE.</source>
+        <translation>%1 wurde aus „%2“ gemacht, das nicht da ist (E501). Nichts wurde gemacht. Nennen Sie den Ort als DATEI.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; goes back in time in row %2. It is not replayed.</source>
+        <translation>Die Aufzeichnung „%1“ springt in Zeile %2 in der Zeit zurück. Sie wird nicht wiedergegeben.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the picture is damaged. Nothing was restored.</source>
+        <translation>%1 kann nicht gelesen werden: Das Bild ist beschädigt. Nichts wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it says of how it was made is damaged. Nothing was compared.</source>
+        <translation>%1 kann nicht gelesen werden: Was die Datei über ihre Entstehung sagt, ist beschädigt. Nichts wurde verglichen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
+        <translation>%1 kann nicht gelesen werden: Was die Datei von relievo mitbringt, ist abgeschnitten. Nichts wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2, beyond what it may be.</source>
+        <translation>„%1“ ist %2 und damit außerhalb des Erlaubten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is beyond what it may be.</source>
+        <translation>„%1“ ist außerhalb des Erlaubten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number.</source>
+        <translation>„%1“ ist keine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has not %2 numbers.</source>
+        <translation>„%1“ hat nicht %2 Zahlen.</translation>
+    </message>
+    <message>
+        <source>It is nested too deep.</source>
+        <translation>Es ist zu tief verschachtelt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a checksum.</source>
+        <translation>„%1“ ist keine Prüfsumme.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a file&apos;s name.</source>
+        <translation>„%1“ ist kein Dateiname.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a known &apos;%2&apos;.</source>
+        <translation>„%1“ ist kein bekannter Wert für „%2“.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no size.</source>
+        <translation>„%1“ hat keine Größe.</translation>
+    </message>
+    <message>
+        <source>a place of a picture has not 3 numbers.</source>
+        <translation>Eine Stelle eines Bildes hat nicht 3 Zahlen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no colour.</source>
+        <translation>„%1“ ist keine Farbe.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an object.</source>
+        <translation>„%1“ ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>There is no &apos;%1&apos; in it.</source>
+        <translation>„%1“ fehlt darin.</translation>
+    </message>
+    <message>
+        <source>It is of schema %1; this version reads up to %2.</source>
+        <translation>Es hat Schema %1; diese Version liest bis %2.</translation>
+    </message>
+    <message>
+        <source>There is no &apos;relievo_view&apos; of schema 1 in it.</source>
+        <translation>„relievo_view“ nach Schema 1 fehlt darin.</translation>
+    </message>
+    <message>
+        <source>%1 holds no state that this version can read: it is damaged. Nothing was changed.</source>
+        <translation>%1 enthält keinen Zustand, den diese Version lesen kann: Er ist beschädigt. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 holds no state that this version can read: a part is missing or has another form. Nothing was changed.</source>
+        <translation>%1 enthält keinen Zustand, den diese Version lesen kann: Ein Teil fehlt oder hat eine andere Form. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 holds no state that this version can read. %2 Nothing was changed.</source>
+        <translation>%1 enthält keinen Zustand, den diese Version lesen kann. %2 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>This text is not a view of relievo (it is damaged, or a part is missing). The view was not changed. Copy a view again.</source>
+        <translation>Dieser Text ist keine Ansicht von relievo (er ist beschädigt, oder ein Teil fehlt). Die Ansicht wurde nicht geändert. Kopieren Sie eine Ansicht noch einmal.</translation>
+    </message>
+    <message>
+        <source>This text is not a view of relievo (%1). The view was not changed. Copy a view again.</source>
+        <translation>Dieser Text ist keine Ansicht von relievo (%1). Die Ansicht wurde nicht geändert. Kopieren Sie eine Ansicht noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is missing or not a file. Its checksum was not made.</source>
+        <translation>%1 kann nicht gelesen werden: Es fehlt oder ist keine Datei. Die Prüfsumme wurde nicht gebildet.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 to its end. Its checksum was not made.</source>
+        <translation>%1 kann nicht bis zum Ende gelesen werden. Die Prüfsumme wurde nicht gebildet.</translation>
+    </message>
+    <message>
+        <source>%1 was not seen from the top, so heights are no z of the file. Nothing was written. Choose --view top or view millimetres.</source>
+        <translation>%1 wurde nicht von oben gesehen, deshalb sind die Höhen kein z der Datei. Nichts wurde geschrieben. Wählen Sie --view top oder Millimeter der Ansicht.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 x %3 cells, but the map is %4 x %5 mm: it is not a raster of the whole map, and was not used. Cut it to the outline of the map.</source>
+        <translation>„%1“ hat %2 x %3 Zellen, die Karte aber misst %4 x %5 mm: Es ist kein Raster der ganzen Karte und wurde nicht verwendet. Schneiden Sie es auf den Umriss der Karte zu.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
+        <translation>„%1“ enthält Werte außerhalb von 0 bis 1, etwa %2, und wurde nicht verwendet. Skalieren Sie sie: 1, wo der Grund fest ist, 0, wo er am weichsten ist.</translation>
+    </message>
+    <message>
+        <source>%1: a mesh&apos;s triangles cannot be read in blocks. Nothing was made. Leave out --memory, or save it without faces.</source>
+        <translation>%1: Die Dreiecke eines Netzes können nicht in Blöcken gelesen werden. Nichts wurde gemacht. Lassen Sie --memory weg, oder speichern Sie die Datei ohne Flächen.</translation>
+    </message>
+    <message>
+        <source>%1: only LAS, LAZ and binary PLY clouds and rasters are read in blocks. Nothing was made. Convert it to LAS, or leave out --memory.</source>
+        <translation>%1: Nur Wolken in LAS, LAZ und binärem PLY sowie Raster werden in Blöcken gelesen. Nichts wurde gemacht. Wandeln Sie die Datei in LAS um, oder lassen Sie --memory weg.</translation>
+    </message>
+    <message>
+        <source>%1: none of its points that were looked at is finite. Nothing was made.</source>
+        <translation>%1: Keiner der angesehenen Punkte ist endlich. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>Maps by tiles are made by the cpu engine. Nothing was made.</source>
+        <translation>Karten in Kacheln entstehen mit dem Verfahren cpu. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A raster is a height map already and is seen from the top only.</source>
+        <translation>Ein Raster ist schon eine Höhenkarte und wird nur von oben gesehen.</translation>
+    </message>
+    <message>
+        <source>A map of %1 x %2 cells needs at least %3 MB of memory when made by tiles; %4 MB are allowed. Nothing was made. Allow more with --memory, or choose larger cells.</source>
+        <translation>Eine Karte von %1 x %2 Zellen braucht in Kacheln mindestens %3 MB Speicher; erlaubt sind %4 MB. Nichts wurde gemacht. Erlauben Sie mit --memory mehr, oder wählen Sie größere Zellen.</translation>
+    </message>
+    <message>
+        <source>There is no level %1.</source>
+        <translation>Es gibt keine Ebene %1.</translation>
+    </message>
+    <message>
+        <source>This needs about %1; %2 are free. Nothing was made. Choose cells of at least %3 (%4), or close other programs.</source>
+        <translation>Das braucht etwa %1; frei sind %2. Nichts wurde erzeugt. Wählen Sie Zellen von mindestens %3 (%4) oder schließen Sie andere Programme.</translation>
+    </message>
+    <message>
+        <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
+        <translation>%1: Jede Höhe ist die, die für keine steht; es gibt also keine Oberfläche. Nichts wurde gemacht. Wählen Sie ein anderes --nodata.</translation>
+    </message>
+    <message>
+        <source>%1: no point is left to make a surface from. Nothing was made. Choose another --nodata.</source>
+        <translation>%1: Kein Punkt bleibt, aus dem eine Oberfläche werden könnte. Nichts wurde gemacht. Wählen Sie ein anderes --nodata.</translation>
+    </message>
+    <message>
+        <source>%1: seen from here all points lie on one spot, so there is no surface. Nothing was made. Choose another view or another file.</source>
+        <translation>%1: Von hier gesehen liegen alle Punkte auf einer Stelle, deshalb gibt es keine Oberfläche. Nichts wurde gemacht. Wählen Sie eine andere Ansicht oder eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Give the number of cells or their spacing, not both.</source>
+        <translation>Nennen Sie die Zahl der Zellen oder ihren Abstand, nicht beides.</translation>
+    </message>
+    <message>
+        <source>The spacing must be above 0 mm.</source>
+        <translation>Der Abstand muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The grid needs at least 2 cells across.</source>
+        <translation>Das Gitter braucht mindestens 2 Zellen in der Breite.</translation>
+    </message>
+    <message>
+        <source>A grid of %1 x %2 cells is larger than this version can hold (16384 x 16384). Choose fewer cells.</source>
+        <translation>Ein Gitter von %1 x %2 Zellen ist größer, als diese Version fassen kann (16384 x 16384). Wählen Sie weniger Zellen.</translation>
+    </message>
+    <message>
+        <source>Rules other than front are for point clouds in the cpu engine. Nothing was made.</source>
+        <translation>Andere Regeln als front gelten für Punktwolken mit dem Verfahren cpu. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
+        <translation>Das Reliefbild „natürliche Farben“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Farben. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
+        <translation>Das Reliefbild „Intensität“ kann nicht gezeichnet werden: Diese Oberfläche hat keine Intensitäten. Wählen Sie ein anderes, zum Beispiel beleuchteten Stein.</translation>
+    </message>
+    <message>
+        <source>An angle needs three different points.</source>
+        <translation>Ein Winkel braucht drei verschiedene Punkte.</translation>
+    </message>
+    <message>
+        <source>The profile&apos;s line is not on the object.</source>
+        <translation>Die Linie des Profils liegt nicht auf dem Objekt.</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself, so that it has no inside. Choose its corners in order.</source>
+        <translation>Der Umriss kreuzt sich selbst und hat deshalb kein Inneres. Wählen Sie seine Ecken der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>The corners lie on one line, so that there is no area among them. Choose others.</source>
+        <translation>Die Ecken liegen auf einer Geraden, zwischen ihnen ist keine Fläche. Wählen Sie andere.</translation>
+    </message>
+    <message>
+        <source>The plane does not cut the surface. Choose another plane.</source>
+        <translation>Die Ebene schneidet die Oberfläche nicht. Wählen Sie eine andere Ebene.</translation>
+    </message>
+    <message>
+        <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
+        <translation>Die Ebene von „%1“ schneidet die Oberfläche nicht. Wählen Sie eine andere Ebene.</translation>
+    </message>
+    <message>
+        <source>A measurement of kind %1 needs %2 places.</source>
+        <translation>Eine Messung der Art %1 braucht %2 Stellen.</translation>
+    </message>
+    <message>
+        <source>There is no surface at x %1, y %2 mm. Choose a place on the object.</source>
+        <translation>Bei x %1, y %2 mm gibt es keine Oberfläche. Wählen Sie eine Stelle auf dem Objekt.</translation>
+    </message>
+    <message>
+        <source>A profile needs at least two places.</source>
+        <translation>Ein Profil braucht mindestens zwei Stellen.</translation>
+    </message>
+    <message>
+        <source>The plane cuts this map in more than %1 points. Choose another plane, or make a map with coarser cells.</source>
+        <translation>Die Ebene schneidet diese Karte in mehr als %1 Punkten. Wählen Sie eine andere Ebene, oder machen Sie eine Karte mit gröberen Zellen.</translation>
+    </message>
+    <message>
+        <source>A section&apos;s plane goes through one, two or three places.</source>
+        <translation>Die Ebene eines Schnitts geht durch eine, zwei oder drei Stellen.</translation>
+    </message>
+    <message>
+        <source>Two places, one above the other, give no plane. Choose another.</source>
+        <translation>Zwei Stellen übereinander ergeben keine Ebene. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Three places on one line give no plane. Choose another.</source>
+        <translation>Drei Stellen auf einer Geraden ergeben keine Ebene. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>A section needs a plane with a direction and a distance.</source>
+        <translation>Ein Schnitt braucht eine Ebene mit Richtung und Abstand.</translation>
+    </message>
+    <message>
+        <source>The shading of a scan&apos;s own colours must lie between 0 and 1.</source>
+        <translation>Die Schattierung der eigenen Farben eines Scans muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The colours&apos; upper end must lie above their lower end.</source>
+        <translation>Das obere Ende der Farben muss über dem unteren liegen.</translation>
+    </message>
+    <message>
+        <source>A light needs a direction and a height of 0 to 90 degrees.</source>
+        <translation>Ein Licht braucht eine Richtung und eine Höhe von 0 bis 90 Grad.</translation>
+    </message>
+    <message>
+        <source>The radius of a relief image must be 0 (automatic) or more millimetres.</source>
+        <translation>Der Radius eines Reliefbilds muss 0 (automatisch) oder mehr Millimeter sein.</translation>
+    </message>
+    <message>
+        <source>This surface has no colours of its own. Choose another relief image.</source>
+        <translation>Diese Oberfläche hat keine eigenen Farben. Wählen Sie ein anderes Reliefbild.</translation>
+    </message>
+    <message>
+        <source>This surface has no intensities of its own. Choose another relief image.</source>
+        <translation>Diese Oberfläche hat keine eigenen Intensitäten. Wählen Sie ein anderes Reliefbild.</translation>
+    </message>
+    <message>
+        <source>Two pictures of one size are needed for an anaglyph.</source>
+        <translation>Ein Anaglyphenbild braucht zwei Bilder gleicher Größe.</translation>
+    </message>
+    <message>
+        <source>The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 mm. Nothing was drawn. Choose one among them.</source>
+        <translation>Die Nullebene der Parallaxe, %1 mm, liegt weit von den Höhen hier, %2 bis %3 mm. Nichts wurde gezeichnet. Wählen Sie eine dazwischen.</translation>
+    </message>
+    <message>
+        <source>There is no level %1; this map has levels 0 to %2. Choose one of them.</source>
+        <translation>Es gibt keine Ebene %1; diese Karte hat die Ebenen 0 bis %2. Wählen Sie eine davon.</translation>
+    </message>
+    <message>
+        <source>A region needs a position and a width and height above 0, in millimetres. Nothing was changed.</source>
+        <translation>Ein Ausschnitt braucht eine Lage sowie Breite und Höhe über 0, in Millimetern. Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The region names a level that the pyramid does not have.</source>
+        <translation>Der Ausschnitt nennt eine Ebene, die die Pyramide nicht hat.</translation>
+    </message>
+    <message>
+        <source>A region needs a finite position and a side above 0 mm.</source>
+        <translation>Ein Ausschnitt braucht eine endliche Lage und eine Seite über 0 mm.</translation>
+    </message>
+    <message>
+        <source>The height gain must be a finite number above 0; 1 is true to scale.</source>
+        <translation>Die Überhöhung muss eine endliche Zahl über 0 sein; 1 ist maßstäblich.</translation>
+    </message>
+    <message>
+        <source>The pyramid&apos;s factor M must be from 1.1 to 8. Nothing was made; 2 is the paper&apos;s.</source>
+        <translation>Der Faktor M der Pyramide muss zwischen 1.1 und 8 liegen. Nichts wurde gemacht; 2 ist der des Artikels.</translation>
+    </message>
+    <message>
+        <source>The pyramid&apos;s factor M is so near to 1 that its levels do not fit into memory. Nothing was made; choose a larger one.</source>
+        <translation>Der Faktor M der Pyramide liegt so nahe bei 1, dass ihre Ebenen nicht in den Speicher passen. Nichts wurde gemacht; wählen Sie einen größeren.</translation>
+    </message>
+    <message>
+        <source>The camera path &quot;%1&quot; needs at least two key views. Nothing was made.</source>
+        <translation>Der Kamerapfad „%1“ braucht mindestens zwei Kamerapunkte. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>The camera path &quot;%1&quot; cannot be followed: key view %2 is not later than the one before it.</source>
+        <translation>Dem Kamerapfad „%1“ kann nicht gefolgt werden: Kamerapunkt %2 liegt nicht später als der vorige.</translation>
+    </message>
+    <message>
+        <source>The camera path &quot;%1&quot; cannot be followed: key view %2 has no size or no place.</source>
+        <translation>Dem Kamerapfad „%1“ kann nicht gefolgt werden: Kamerapunkt %2 hat keine Größe oder keinen Ort.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s width in pixels must be %1 to %2. Nothing was made.</source>
+        <translation>Die Breite eines Videos in Pixeln muss zwischen %1 und %2 liegen. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s height in pixels must be %1 to %2. Nothing was made.</source>
+        <translation>Die Höhe eines Videos in Pixeln muss zwischen %1 und %2 liegen. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s frames per second must be %1 to %2. Nothing was made.</source>
+        <translation>Die Zahl der Bilder je Sekunde eines Videos muss zwischen %1 und %2 liegen. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s speed must be %1 to %2. Nothing was made.</source>
+        <translation>Das Tempo eines Videos muss zwischen %1 und %2 liegen. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s angle between the eyes in degrees must be %1 to %2. Nothing was made.</source>
+        <translation>Der Winkel zwischen den Augen eines Videos in Grad muss zwischen %1 und %2 liegen. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s width and height must be even. Nothing was made.</source>
+        <translation>Breite und Höhe eines Videos müssen gerade sein. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s stereo must be grey, half or dubois. Nothing was made.</source>
+        <translation>Das Stereo eines Videos muss grey, half oder dubois sein. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>The profile talk halves the colours&apos; size, which mixes the two eyes of an anaglyph. Choose the profile anaglyph or archive. Nothing was made.</source>
+        <translation>Das Profil talk halbiert die Größe der Farben und mischt so die beiden Augen eines Anaglyphenbilds. Wählen Sie das Profil anaglyph oder archive. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>A video needs a recording or a camera path. Nothing was made.</source>
+        <translation>Ein Video braucht eine Aufzeichnung oder einen Kamerapfad. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
+        <translation>Zwischen %1 s und %2 s ist nichts: Die Aufnahme ist %3 s lang. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
+        <translation>Zwischen %1 s und %2 s ist nichts: Der Kameraweg ist %3 s lang. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>This would be more than a million frames. Choose a part of the recording.</source>
+        <translation>Das wären mehr als eine Million Bilder. Wählen Sie einen Teil der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>Aufnahme beendet: Datenträger voll. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>Aufnahme beendet: HDF5 konnte nicht schreiben. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
+        <translation>Aufnahme beendet: %1. %2 Abtastwerte sind gespeichert und vollständig in „%3“.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
+        <translation>Die Aufnahme „%1“ kann nicht geschrieben werden: Der Datenträger ist voll. Nichts wurde behalten. Schaffen Sie Platz oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: HDF5 refuses it. Choose another place.</source>
+        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: HDF5 verweigert es. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete.</source>
+        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete: %2.</source>
+        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig: %2.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
+        <translation>Die Aufzeichnung &quot;%1&quot; wird gerade von einem anderen Programm geschrieben. Es wurde nichts aufgezeichnet. Wählen Sie einen anderen Namen, oder beenden Sie die andere zuerst.</translation>
+    </message>
+    <message>
+        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
+        <translation>Die Aufzeichnung ist vollständig, kann aber nicht &quot;%1&quot; heißen: %2. Sie liegt in &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
+        <translation>Der Ordner „%1“ für Aufnahmen kann nicht angelegt werden. Nichts wird aufgenommen. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
+        <translation>%1 kann nicht gelesen werden: Es gibt keine solche Datei. Prüfen Sie Name und Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: this account may not read it. Change its permissions, or copy it.</source>
+        <translation>%1 kann nicht gelesen werden: Dieses Konto darf es nicht. Ändern Sie die Rechte oder kopieren Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its links lead in a circle. Choose the file itself.</source>
+        <translation>%1 kann nicht gelesen werden: Die Verknüpfungen führen im Kreis. Wählen Sie die Datei selbst.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: %2. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2.</source>
+        <translation>%1 kann nicht gelesen werden: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist ein Ordner. Wählen Sie eine der Dateien darin.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a pipe or device, not a file. Save the scan to a file first.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist eine Pipe oder ein Gerät, keine Datei. Speichern Sie den Scan zuerst in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist leer (0 Bytes). Kopieren oder exportieren Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is %2; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist %2; diese Version liest PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Wandeln Sie die Datei in eines davon um oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 as a scan: it is %2. Open it as a raster.</source>
+        <translation>%1 kann nicht als Scan gelesen werden: Es ist %2. Öffnen Sie es als Raster.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 bytes, more than the %3 that such a file may have. Nothing was loaded.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat %2 Bytes, mehr als die %3, die eine solche Datei haben darf. Nichts wurde geladen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
+        <translation>%1 kann nicht geschrieben werden (%2). Was dort war, ist wie vorher. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header has no end (%2). Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf hat kein Ende (%2). Kopieren oder exportieren Sie die Datei erneut.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Laden Sie die %4 vollständigen Punkte oder wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat %2 Punkte, keiner ist endlich. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
+        <translation>%1 kann nicht gelesen werden: Das System hat das Lesen beendet, wahrscheinlich aus Speichermangel. Schließen Sie andere Programme oder dünnen Sie den Scan vorher aus.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its points have no %2 coordinate. Export it with x, y and z.</source>
+        <translation>%1 kann nicht gelesen werden: Die Punkte haben keine Koordinate %2. Exportieren Sie die Datei mit x, y und z.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds no rows of numbers. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält keine Zeilen mit Zahlen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has 0 points. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat 0 Punkte. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds 0 triangles. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält 0 Dreiecke. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header promises no vertices. Choose a file with points.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht keine Punkte. Wählen Sie eine Datei mit Punkten.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header names no format. Export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf nennt kein Format. Exportieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer LAS-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer E57-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an STL file. Copy or export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist kürzer als der Kopf einer STL-Datei. Kopieren oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its points cannot be decoded. The file is damaged; export it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Punkte lassen sich nicht entschlüsseln. Die Datei ist beschädigt; exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it became shorter while it was read, or its disk failed. Try again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei wurde beim Lesen kürzer, oder ihr Datenträger versagte. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it was changed while it was read. Try again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei wurde beim Lesen geändert. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a colour picture, not a height raster. Choose the raster with one band of heights.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist ein Farbbild, kein Höhenraster. Wählen Sie das Raster mit einem Band von Höhen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its pixels are measured in degrees. Reproject it to metres, for example gdalwarp -t_srs EPSG:UTM-ZONE.</source>
+        <translation>%1 kann nicht gelesen werden: Die Pixel sind in Grad gemessen. Rechnen Sie die Datei in Meter um, zum Beispiel gdalwarp -t_srs EPSG:UTM-ZONE.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the colours of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält die Farben der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält die Intensitäten der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no recording of &apos;%2&apos; but of another file (checksum differs, E501). Nothing was drawn. Choose a recording of this one.</source>
+        <translation>„%1“ ist keine Aufzeichnung von „%2“, sondern von einer anderen Datei (andere Prüfsumme, E501). Nichts wurde gezeichnet. Wählen Sie eine Aufzeichnung von dieser.</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s name ends in .png, .tif, .pdf or .svg; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>Der Name einer Abbildung endet mit .png, .tif, .pdf oder .svg; „%1“ nicht. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The name of a figure&apos;s heights ends in .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>Der Name der Höhen einer Abbildung endet mit .tif; „%1“ nicht. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
+        <translation>Zwei Dateien der Abbildung hießen „%1“. Nichts wurde gezeichnet. Geben Sie einer davon einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller scale or width.</source>
+        <translation>Diese Abbildung würde %1 x %2 mm groß. Nichts wurde gezeichnet. Wählen Sie einen kleineren Maßstab oder weniger Breite.</translation>
+    </message>
+    <message>
+        <source>This figure would be %1 x %2 mm small, and at least 20 mm wide it must be. Nothing was drawn. Choose a larger scale, 1:N with a smaller N.</source>
+        <translation>Diese Abbildung würde nur %1 x %2 mm groß, muss aber mindestens 20 mm breit sein. Nichts wurde gezeichnet. Wählen Sie einen größeren Maßstab, 1:N mit kleinerem N.</translation>
+    </message>
+    <message>
+        <source>Numbers of %1 points leave no room for plots on %2 mm. Nothing was drawn. Choose a smaller text or a larger width.</source>
+        <translation>Zahlen von %1 Punkt lassen auf %2 mm keinen Platz für Kurven. Nichts wurde gezeichnet. Wählen Sie kleinere Schrift oder mehr Breite.</translation>
+    </message>
+    <message>
+        <source>There is nothing of the object in this region. Choose another.</source>
+        <translation>In diesem Ausschnitt liegt nichts vom Objekt. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Level %1 has more than %2 samples across this region. Choose a coarser level.</source>
+        <translation>Ebene %1 hat über diesen Ausschnitt mehr als %2 Stützstellen. Wählen Sie eine gröbere Ebene.</translation>
+    </message>
+    <message>
+        <source>There is no surface along this line.</source>
+        <translation>Entlang dieser Linie gibt es keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>This is a picture of the %1, which only the window can draw. Nothing was drawn. Open it with relievo to get its state back.</source>
+        <translation>Das ist ein Bild von %1, das nur das Fenster zeichnen kann. Nichts wurde gezeichnet. Öffnen Sie es mit relievo, um seinen Zustand wiederzubekommen.</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
+        <translation>Das Bild „%1“ kann nicht geschrieben werden (%2). Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos;. Choose another folder or free some space.</source>
+        <translation>Das Bild „%1“ kann nicht geschrieben werden. Wählen Sie einen anderen Ordner, oder schaffen Sie Platz.</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned a black picture. Try a smaller one.</source>
+        <translation>Der Grafiktreiber lieferte ein schwarzes Bild. Versuchen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size.</source>
+        <translation>Der Grafiktreiber kann keine Bilder von %1 x %2 Pixeln zeichnen. Wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
+        <translation>Ein Bild von %1 x %2 Pixeln ist mehr, als diese Version fasst (%3 Millionen im Ganzen). Nichts wurde gezeichnet. Wählen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
+        <translation>Zum Zeichnen reicht der Speicher nicht: Der Grafiktreiber braucht 512 MB Adressraum, und eine gesetzte Grenze (ulimit -v) lässt weniger. Nichts wurde gezeichnet. Heben Sie die Grenze an.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
+        <translation>Der Ordner „%1“ kann nicht angelegt werden. Nichts wurde geschrieben. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds frames of a video already. Nothing was written. Choose another.</source>
+        <translation>Der Ordner „%1“ enthält schon Bilder eines Videos. Nichts wurde geschrieben. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
+        <translation>Video beendet: Datenträger voll. %1 s (%2 Bilder) sind gespeichert und vollständig in „%3“.</translation>
     </message>
 </context>
 <context>

@@ -216,204 +216,16 @@
         <translation>छोड़ दें</translation>
     </message>
     <message>
-        <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: ऐसी कोई फ़ाइल नहीं है। नाम और फ़ोल्डर जाँचें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: this account may not read it. Change its permissions, or copy it.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इस खाते को अनुमति नहीं है। अनुमति बदलें या फ़ाइल की प्रति बनाएँ।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह फ़ोल्डर है। इसकी कोई फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह खाली है (0 बाइट)। इसे फिर से कॉपी या निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 बिंदु हैं, कोई भी परिमित नहीं। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its header has no end (%2). Copy or export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसके शीर्ष का अंत नहीं है (%2)। इसे फिर से कॉपी या निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। %4 पूरे बिंदु खोलें या दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: सिस्टम ने पढ़ना रोक दिया, संभवतः स्मृति की कमी से। दूसरे प्रोग्राम बंद करें या पहले स्कैन को विरल करें।</translation>
-    </message>
-    <message>
-        <source>This needs about %1; %2 are free. Nothing was made. Choose cells of at least %3 (%4), or close other programs.</source>
-        <translation>इसके लिए लगभग %1 चाहिए; %2 खाली है। कुछ नहीं बनाया गया। कम से कम %3 के खाने चुनें (%4), या दूसरे प्रोग्राम बंद करें।</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: %2. Check the folder, its permissions and the free space.</source>
-        <translation>%1 लिखी नहीं जा सकती: %2। फ़ोल्डर, उसकी अनुमति और खाली जगह जाँचें।</translation>
-    </message>
-    <message>
-        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>रिकॉर्डिंग रुकी: डिस्क भर गई। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
-        <translation>वीडियो रुका: डिस्क भर गई। %1 s (%2 फ़्रेम) &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is %2; this version reads %3. Convert it to one of these, or choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण %3 पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
         <source>batlow</source>
         <translation>Batlow</translation>
-    </message>
-    <message>
-        <source>%1 has %2 cells, but the map is %3 mm: it is not a raster of the whole map, and was not used. Cut it to the outline of the map.</source>
-        <translation>%1 में %2 सेल हैं, पर मानचित्र %3 mm का है: यह पूरे मानचित्र का ग्रिड नहीं है और काम में नहीं लिया गया। इसे मानचित्र की बाहरी सीमा तक काटें।</translation>
-    </message>
-    <message>
-        <source>%1 holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
-        <translation>%1 में 0 से 1 के बाहर के मान हैं, जैसे %2, और यह काम में नहीं लिया गया। मान बदलें: जहाँ जगह ठोस है वहाँ 1, जहाँ सबसे नरम है वहाँ 0।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its points have no %2 coordinate. Export it with x, y and z.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसके बिंदुओं में %2 निर्देशांक नहीं है। इसे x, y और z के साथ निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds no rows of numbers. Choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसमें संख्याओं की पंक्तियाँ नहीं हैं। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it has 0 points. Choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसमें 0 बिंदु हैं। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds 0 triangles. Choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसमें 0 त्रिभुज हैं। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its header promises no vertices. Choose a file with points.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसका शीर्ष कोई बिंदु नहीं बताता। बिंदुओं वाली फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its header names no format. Export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसका शीर्ष कोई प्रारूप नहीं बताता। इसे फिर से निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह LAS फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह E57 फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is shorter than the header of an STL file. Copy or export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह STL फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its points cannot be decoded. The file is damaged; export it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसके बिंदु पढ़े नहीं जा सके। फ़ाइल क्षतिग्रस्त है; इसे फिर से निर्यात करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it became shorter while it was read, or its disk failed. Try again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: पढ़ते समय यह छोटा हो गया, या इसकी डिस्क विफल हुई। फिर कोशिश करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it was changed while it was read. Try again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: पढ़ते समय यह बदल गया। फिर कोशिश करें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is a colour picture, not a height raster. Choose the raster with one band of heights.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह रंगीन चित्र है, ऊँचाई रास्टर नहीं। ऊँचाइयों के एक बैंड वाला रास्टर चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: its pixels are measured in degrees. Reproject it to metres, for example %2</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसके पिक्सेल डिग्री में हैं। इसे मीटर में बदलें, जैसे %2</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it is not a whole zip file. Copy or download it again.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह पूरी zip फ़ाइल नहीं है। इसे फिर से कॉपी या डाउनलोड करें।</translation>
-    </message>
-    <message>
-        <source>The project %1 is damaged (line %2). Nothing was changed. Choose another file.</source>
-        <translation>परियोजना %1 क्षतिग्रस्त है (पंक्ति %2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>The project %1 is damaged (a part is missing or has another form). Nothing was changed. Choose another file.</source>
-        <translation>परियोजना %1 क्षतिग्रस्त है (कोई भाग नहीं है या उसका रूप अलग है)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>The project %1 is damaged (%2). Nothing was changed. Choose another file.</source>
-        <translation>परियोजना %1 क्षतिग्रस्त है (%2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
-        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
-        <translation>%1 relievo की परियोजना नहीं है। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
         <translation>स्कैन ग्रिड के किसी खाने पर नहीं पड़ा। कुछ नहीं बना। दूसरा दृश्य चुनें।</translation>
     </message>
     <message>
-        <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
-        <translation>%1 लिखा नहीं जा सकता (%2)। जो वहाँ था वह वैसा ही है। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
-    </message>
-    <message>
-        <source>The package %1 could not be written (%2). Nothing was left behind. Choose another folder or free some space.</source>
-        <translation>पैकेज %1 लिखा नहीं जा सका (%2)। कुछ पीछे नहीं छूटा। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
-    </message>
-    <message>
         <source>length of the cut</source>
         <translation>काट की लंबाई</translation>
-    </message>
-    <message>
-        <source>The outline crosses itself, so that it has no inside. Choose its corners in order.</source>
-        <translation>रूपरेखा स्वयं को काटती है, इसलिए उसका कोई भीतर नहीं है। कोने क्रम से चुनें।</translation>
-    </message>
-    <message>
-        <source>The corners lie on one line, so that there is no area among them. Choose others.</source>
-        <translation>कोने एक ही रेखा पर हैं, उनके बीच कोई क्षेत्र नहीं है। दूसरे चुनें।</translation>
-    </message>
-    <message>
-        <source>The plane does not cut the surface. Choose another plane.</source>
-        <translation>समतल सतह को नहीं काटता। दूसरा समतल चुनें।</translation>
-    </message>
-    <message>
-        <source>Two places, one above the other, give no plane. Choose another.</source>
-        <translation>एक के ऊपर एक दो जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
-    </message>
-    <message>
-        <source>Three places on one line give no plane. Choose another.</source>
-        <translation>एक रेखा पर तीन जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: what has this name is no regular file. It was left as it is. Choose another name.</source>
-        <translation>%1 लिखी नहीं जा सकती: इस नाम पर जो है वह साधारण फ़ाइल नहीं है। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: it is read-only. It was left as it is. Choose another name.</source>
-        <translation>%1 लिखी नहीं जा सकती: फ़ाइल केवल पढ़ने के लिए है। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot write %1: its symbolic links lead in a circle. It was left as it is. Choose another name.</source>
-        <translation>%1 लिखी नहीं जा सकती: उसके प्रतीकात्मक लिंक एक चक्र बनाते हैं। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
-    </message>
-    <message>
-        <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
-        <translation>चित्र बनाने के लिए मेमोरी पर्याप्त नहीं है: ग्राफ़िक्स ड्राइवर को 512 MB पता-स्थान चाहिए, और लगाई गई सीमा (ulimit -v) कम छोड़ती है। कुछ नहीं बनाया गया। सीमा बढ़ाएँ।</translation>
     </message>
     <message>
         <source>Video</source>
@@ -424,192 +236,8 @@
         <translation>ऊँचाइयाँ पढ़ना</translation>
     </message>
     <message>
-        <source>A figure&apos;s name ends in .png, .tif, .pdf or .svg; &apos;%1&apos; does not. Nothing was drawn.</source>
-        <translation>चित्र का नाम .png, .tif, .pdf या .svg पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
-    </message>
-    <message>
-        <source>The name of a figure&apos;s heights ends in .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
-        <translation>चित्र की ऊँचाइयों का नाम .tif पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
-    </message>
-    <message>
-        <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
-        <translation>चित्र की दो फ़ाइलों का नाम &apos;%1&apos; होगा। कुछ नहीं बनाया गया। उनमें से एक को दूसरा नाम दें।</translation>
-    </message>
-    <message>
-        <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
-        <translation>तस्वीर &apos;%1&apos; लिखी नहीं जा सकती (%2)। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
-    </message>
-    <message>
-        <source>Cannot write the picture &apos;%1&apos;. Choose another folder or free some space.</source>
-        <translation>तस्वीर &apos;%1&apos; लिखी नहीं जा सकती। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
-    </message>
-    <message>
-        <source>The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 mm. Nothing was drawn. Choose one among them.</source>
-        <translation>शून्य लंबन का तल, %1 mm, यहाँ की ऊँचाइयों %2 से %3 mm से बहुत दूर है। कुछ नहीं बनाया गया। उनके बीच का कोई चुनें।</translation>
-    </message>
-    <message>
-        <source>The colours&apos; upper end must lie above their lower end.</source>
-        <translation>रंगों का ऊपरी छोर निचले छोर से ऊपर होना चाहिए।</translation>
-    </message>
-    <message>
-        <source>There is nothing of the object in this region. Choose another.</source>
-        <translation>इस विंडो में वस्तु का कुछ नहीं है। दूसरी चुनें।</translation>
-    </message>
-    <message>
-        <source>Level %1 has more than %2 samples across this region. Choose a coarser level.</source>
-        <translation>स्तर %1 में इस विंडो के आर-पार %2 से अधिक नमूने हैं। मोटा स्तर चुनें।</translation>
-    </message>
-    <message>
-        <source>This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller scale or width.</source>
-        <translation>यह चित्र %1 x %2 mm बड़ा होगा। कुछ नहीं बनाया गया। छोटा पैमाना या कम चौड़ाई चुनें।</translation>
-    </message>
-    <message>
-        <source>The graphics driver returned a black picture. Try a smaller one.</source>
-        <translation>ग्राफ़िक्स ड्राइवर ने काली तस्वीर दी। छोटी आज़माएँ।</translation>
-    </message>
-    <message>
-        <source>The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size.</source>
-        <translation>ग्राफ़िक्स ड्राइवर %1 x %2 पिक्सेल की तस्वीरें नहीं बना सकता। छोटा आकार चुनें।</translation>
-    </message>
-    <message>
-        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>रिकॉर्डिंग रुकी: HDF5 लिख नहीं सका। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
-        <translation>रिकॉर्डिंग रुकी: %1। %2 नमूने &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: %2। दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; may be incomplete.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; को अभी कोई दूसरा प्रोग्राम लिख रहा है। कुछ भी रिकॉर्ड नहीं हुआ। दूसरा नाम चुनें, या पहले दूसरी रिकॉर्डिंग समाप्त करें।</translation>
-    </message>
-    <message>
-        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
-        <translation>रिकॉर्डिंग पूरी है, पर उसका नाम &quot;%1&quot; नहीं रखा जा सकता: %2। वह &quot;%3&quot; में है।</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; cannot be read.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; पढ़ी नहीं जा सकती।</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; cannot be read as a log of this version.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; इस संस्करण की रिकॉर्डिंग के रूप में पढ़ी नहीं जा सकती।</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं: इसमें &quot;%2&quot; नहीं है।</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; की एक पंक्ति पढ़ी नहीं जा सकती: क्रमांक %2।</translation>
-    </message>
-    <message>
-        <source>The log &quot;%1&quot; has no rows.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; में कोई पंक्ति नहीं है।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not there. Nothing was packed. Relink it, or take it out of the project.</source>
-        <translation>&apos;%1&apos; वहाँ नहीं है। कुछ पैक नहीं हुआ। इसे फिर से जोड़ें, या परियोजना से निकालें।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. Relink it, or take it out of the project.</source>
-        <translation>&apos;%1&apos; तब से बदल गई है (जाँच-योग अलग है)। कुछ पैक नहीं हुआ। इसे फिर से जोड़ें, या परियोजना से निकालें।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not there. Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
-        <translation>&apos;%1&apos; वहाँ नहीं है। कुछ पैक नहीं हुआ। &apos;%2&apos; को दोहराने के लिए यह चाहिए: इसे वापस रखें, या रिकॉर्डिंग निकालें।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
-        <translation>&apos;%1&apos; तब से बदल गई है (जाँच-योग अलग है)। कुछ पैक नहीं हुआ। &apos;%2&apos; को दोहराने के लिए यह चाहिए: इसे वापस रखें, या रिकॉर्डिंग निकालें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: the picture is damaged. Nothing was restored.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: तस्वीर क्षतिग्रस्त है। कुछ वापस नहीं लाया गया।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसमें relievo का जो भाग है वह कटा हुआ है। कुछ वापस नहीं लाया गया।</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
-        <translation>फ़ोल्डर &quot;%1&quot; बनाया नहीं जा सकता। कुछ नहीं लिखा गया। दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; holds frames of a video already. Nothing was written. Choose another.</source>
-        <translation>फ़ोल्डर &quot;%1&quot; में पहले से किसी वीडियो के फ़्रेम हैं। कुछ नहीं लिखा गया। दूसरा चुनें।</translation>
-    </message>
-    <message>
-        <source>This would be more than a million frames. Choose a part of the recording.</source>
-        <translation>ये दस लाख से अधिक फ़्रेम होंगे। रिकॉर्डिंग का एक भाग चुनें।</translation>
-    </message>
-    <message>
-        <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
-        <translation>आउटपुट &apos;%1&apos; स्वयं स्कैन है। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
-    </message>
-    <message>
-        <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
-        <translation>&apos;%1&apos; का तल सतह को नहीं काटता। दूसरा तल चुनें।</translation>
-    </message>
-    <message>
-        <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
-        <translation>%1 x %2 पिक्सेल का चित्र इस संस्करण की क्षमता (कुल %3 मिलियन) से अधिक है। कुछ नहीं बनाया गया। छोटा चित्र चुनें।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; नहीं लिखी जा सकती: डिस्क भरी है। कुछ नहीं रखा गया। जगह खाली करें या दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
-        <translation>रिकॉर्डिंग का फ़ोल्डर &quot;%1&quot; नहीं बनाया जा सकता। कुछ रिकॉर्ड नहीं हो रहा। दूसरा चुनें।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
-        <translation>&quot;%1&quot; relievo की रिकॉर्डिंग नहीं है। उसकी रिकॉर्ड की हुई .csv या .h5 फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
-        <translation>%1 s और %2 s के बीच कुछ नहीं है: रिकॉर्डिंग %3 s लंबी है। कुछ नहीं बनाया गया।</translation>
-    </message>
-    <message>
-        <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
-        <translation>%1 s और %2 s के बीच कुछ नहीं है: कैमरा पथ %3 s लंबा है। कुछ नहीं बनाया गया।</translation>
-    </message>
-    <message>
         <source>Colours</source>
         <translation>रंग</translation>
-    </message>
-    <message>
-        <source>The shading of a scan&apos;s own colours must lie between 0 and 1.</source>
-        <translation>स्कैन के अपने रंगों का छायांकन 0 और 1 के बीच होना चाहिए।</translation>
-    </message>
-    <message>
-        <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
-        <translation>उभार-चित्र “प्राकृतिक रंग” नहीं बनाया जा सकता: इस सतह में रंग नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
-    </message>
-    <message>
-        <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
-        <translation>उभार-चित्र “तीव्रता” नहीं बनाया जा सकता: इस सतह में तीव्रताएँ नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds the colours of a map&apos;s cells, not heights. Open the map beside it.</source>
-        <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं के रंग हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
-    </message>
-    <message>
-        <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
-        <translation>%1: हर ऊँचाई वही है जो &quot;कोई नहीं&quot; के लिए है, इसलिए कोई सतह नहीं है। कुछ नहीं बनाया गया। दूसरा --nodata चुनें।</translation>
-    </message>
-    <message>
-        <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
-        <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं की तीव्रताएँ हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
     </message>
     <message>
         <source>preparing</source>
@@ -4981,6 +4609,10 @@
         <translation>पैकेज लिखे जाने पर relievo बंद होगा</translation>
     </message>
     <message>
+        <source>relievo closes when the video is saved; Escape stops both</source>
+        <translation>वीडियो सहेजे जाने पर relievo बंद होगा; Escape दोनों को रोकता है</translation>
+    </message>
+    <message>
         <source>relievo closes when the map is written</source>
         <translation>मानचित्र लिखे जाने पर relievo बंद होगा</translation>
     </message>
@@ -5214,6 +4846,821 @@
     <message>
         <source>F after one place: the contour at its height; after two: an upright cut through both. Three places: the plane through them.</source>
         <translation>एक जगह के बाद F: उसकी ऊँचाई की समोच्च रेखा; दो के बाद: दोनों से होकर खड़ी काट। तीन जगहें: उनसे होकर समतल।</translation>
+    </message>
+</context>
+<context>
+    <name>relievo::Message</name>
+    <message>
+        <source>Cancelled. Nothing was changed.</source>
+        <translation>रद्द किया गया। कुछ नहीं बदला गया।</translation>
+    </message>
+    <message>
+        <source>what has this name is no regular file</source>
+        <translation>इस नाम की चीज़ सामान्य फ़ाइल नहीं है</translation>
+    </message>
+    <message>
+        <source>it is read-only</source>
+        <translation>यह केवल पढ़ने के लिए है</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle</source>
+        <translation>इसके प्रतीकात्मक लिंक चक्र में जाते हैं</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. It was left as it is. Choose another name.</source>
+        <translation>%1 लिखी नहीं जा सकती: %2। उसे वैसा ही छोड़ा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is the scan itself. Nothing was written. Choose another name.</source>
+        <translation>आउटपुट &apos;%1&apos; स्वयं स्कैन है। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>The output &apos;%1&apos; is %2. Nothing was written. Choose another name.</source>
+        <translation>आउटपुट &apos;%1&apos; एक इनपुट भी है (%2)। कुछ नहीं लिखा गया। दूसरा नाम चुनें।</translation>
+    </message>
+    <message>
+        <source>Two of the outputs would be &apos;%1&apos;. Nothing was written. Give one of them another name.</source>
+        <translation>दो आउटपुट का नाम &apos;%1&apos; होगा। कुछ नहीं लिखा गया। उनमें से एक को दूसरा नाम दें।</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2. Check the folder, its permissions and the free space.</source>
+        <translation>%1 लिखी नहीं जा सकती: %2। फ़ोल्डर, उसकी अनुमति और खाली जगह जाँचें।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read to its end.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; अंत तक नहीं पढ़ी जा सकती।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; cannot be read as a log of this version.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; इस संस्करण की रिकॉर्डिंग के रूप में पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has a row that cannot be read: number %2.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; की एक पंक्ति पढ़ी नहीं जा सकती: क्रमांक %2।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has other columns than this version&apos;s: it has no &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ इस संस्करण के स्तंभों से अलग हैं: इसमें &quot;%2&quot; नहीं है।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has no rows.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; में कोई पंक्ति नहीं है।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; has columns of two lengths.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; के स्तंभ दो अलग लंबाइयों के हैं।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no recording of relievo. Choose a .csv or .h5 file that it recorded.</source>
+        <translation>&quot;%1&quot; relievo की रिकॉर्डिंग नहीं है। उसकी रिकॉर्ड की हुई .csv या .h5 फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read as HDF5.</source>
+        <translation>&quot;%1&quot; HDF5 के रूप में नहीं पढ़ी जा सकती।</translation>
+    </message>
+    <message>
+        <source>HDF5 refused a part of the file.</source>
+        <translation>HDF5 ने फ़ाइल का एक भाग अस्वीकार किया।</translation>
+    </message>
+    <message>
+        <source>HDF5 could not write.</source>
+        <translation>HDF5 लिख नहीं सका।</translation>
+    </message>
+    <message>
+        <source>The folder %1 for automatic copies cannot be written (%2). Save by hand, or free some space.</source>
+        <translation>अपने-आप बनने वाली प्रतियों का फ़ोल्डर %1 लिखा नहीं जा सकता (%2)। स्वयं सहेजें, या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s width in mm must be %1 to %2. Nothing was drawn.</source>
+        <translation>चित्र की चौड़ाई (mm में) %1 से %2 तक होना चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s dots per inch must be %1 to %2. Nothing was drawn.</source>
+        <translation>चित्र के प्रति इंच बिंदु %1 से %2 तक होना चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s text size in points must be %1 to %2. Nothing was drawn.</source>
+        <translation>चित्र के पाठ का आकार (पॉइंट में) %1 से %2 तक होना चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s angle between the eyes in degrees must be %1 to %2. Nothing was drawn.</source>
+        <translation>चित्र में आँखों के बीच का कोण (डिग्री में) %1 से %2 तक होना चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>A scale of 1:N needs an N above 0. Nothing was drawn.</source>
+        <translation>पैमाने 1:N में N शून्य से बड़ा होना चाहिए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>An anaglyph needs its background: without paper the eyes would see different pages. Choose one of the two.</source>
+        <translation>एनाग्लिफ़ को अपनी पृष्ठभूमि चाहिए: काग़ज़ के बिना आँखें अलग-अलग पृष्ठ देखेंगी। दोनों में से एक चुनें।</translation>
+    </message>
+    <message>
+        <source>Two eyes&apos; pictures fill a figure of their own: they need the layout &apos;detail&apos;. Choose it, or an anaglyph.</source>
+        <translation>दो आँखों की तस्वीरें अपना अलग चित्र भरती हैं: उन्हें &apos;detail&apos; विन्यास चाहिए। उसे चुनें, या एनाग्लिफ़।</translation>
+    </message>
+    <message>
+        <source>One eye&apos;s picture of two needs the layout &apos;detail&apos; and the stereo &apos;sidebyside&apos; or &apos;overunder&apos;. Choose both eyes, or these.</source>
+        <translation>दो में से एक आँख की तस्वीर को &apos;detail&apos; विन्यास और &apos;sidebyside&apos; या &apos;overunder&apos; स्टीरियो चाहिए। दोनों आँखें चुनें, या ये।</translation>
+    </message>
+    <message>
+        <source>A figure with plots needs a recording. Choose one, CSV or HDF5.</source>
+        <translation>आरेख वाले चित्र को रिकॉर्डिंग चाहिए। CSV या HDF5 में से एक चुनें।</translation>
+    </message>
+    <message>
+        <source>The package %1 could not be written (%2). Nothing was left behind. Choose another folder or free some space.</source>
+        <translation>पैकेज %1 लिखा नहीं जा सका (%2)। कुछ पीछे नहीं छूटा। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>&apos;%1&apos; वहाँ नहीं है। कुछ पैक नहीं हुआ। इसे फिर से जोड़ें, या परियोजना से निकालें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. Relink it, or take it out of the project.</source>
+        <translation>&apos;%1&apos; तब से बदल गई है (जाँच-योग अलग है)। कुछ पैक नहीं हुआ। इसे फिर से जोड़ें, या परियोजना से निकालें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not there. Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>&apos;%1&apos; वहाँ नहीं है। कुछ पैक नहीं हुआ। &apos;%2&apos; को दोहराने के लिए यह चाहिए: इसे वापस रखें, या रिकॉर्डिंग निकालें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since (checksum differs). Nothing was packed. It is needed to repeat &apos;%2&apos;: put it back, or take the recording out.</source>
+        <translation>&apos;%1&apos; तब से बदल गई है (जाँच-योग अलग है)। कुछ पैक नहीं हुआ। &apos;%2&apos; को दोहराने के लिए यह चाहिए: इसे वापस रखें, या रिकॉर्डिंग निकालें।</translation>
+    </message>
+    <message>
+        <source>%1 would unpack to %2 bytes, more than %3 times its own size. Nothing was unpacked. Ask whoever made it for another.</source>
+        <translation>%1 खुलने पर %2 बाइट हो जाएगा, अपने आकार के %3 गुने से अधिक। कुछ नहीं खोला गया। बनाने वाले से दूसरा माँगें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is not a whole zip file. Copy or download it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह पूरी zip फ़ाइल नहीं है। इसे फिर से कॉपी या डाउनलोड करें।</translation>
+    </message>
+    <message>
+        <source>%1 holds no %2 of relievo.</source>
+        <translation>%1 में relievo की %2 नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 holds no %2 of relievo, so that nothing can be checked. Choose a package for citation.</source>
+        <translation>%1 में relievo की %2 नहीं है, इसलिए कुछ जाँचा नहीं जा सकता। उद्धरण वाला पैकेज चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 names a file outside of itself (&apos;%2&apos;). Nothing was unpacked.</source>
+        <translation>%1 अपने से बाहर की फ़ाइल (&apos;%2&apos;) का नाम लेता है। कुछ नहीं खोला गया।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be unpacked; is the disk full?</source>
+        <translation>&apos;%1&apos; खोली नहीं जा सकती; क्या डिस्क भरी है?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; of %2 is damaged.</source>
+        <translation>%2 की &apos;%1&apos; क्षतिग्रस्त है।</translation>
+    </message>
+    <message>
+        <source>%1 is not a project of relievo. Nothing was changed. Choose another file.</source>
+        <translation>%1 relievo की परियोजना नहीं है। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 was written by another relievo (schema %2; this one reads %3). Nothing was changed. Use that version, or choose another file.</source>
+        <translation>परियोजना %1 किसी दूसरे relievo की है (स्कीमा %2; यह %3 पढ़ता है)। कुछ नहीं बदला गया। वह संस्करण उपयोग करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (line %2). Nothing was changed. Choose another file.</source>
+        <translation>परियोजना %1 क्षतिग्रस्त है (पंक्ति %2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (a part is missing or has another form). Nothing was changed. Choose another file.</source>
+        <translation>परियोजना %1 क्षतिग्रस्त है (कोई भाग नहीं है या उसका रूप अलग है)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>The project %1 is damaged (%2). Nothing was changed. Choose another file.</source>
+        <translation>परियोजना %1 क्षतिग्रस्त है (%2)। कुछ नहीं बदला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 was made from &apos;%2&apos;, which is not there (E501). Nothing was made. Give its place as FILE.</source>
+        <translation>%1 &apos;%2&apos; से बना था, जो वहाँ नहीं है (E501)। कुछ नहीं बना। उसकी जगह फ़ाइल के रूप में दें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; goes back in time in row %2. It is not replayed.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; पंक्ति %2 में समय में पीछे जाती है। यह फिर से नहीं चलाई जाती।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the picture is damaged. Nothing was restored.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: तस्वीर क्षतिग्रस्त है। कुछ वापस नहीं लाया गया।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it says of how it was made is damaged. Nothing was compared.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह कैसे बनी, इसका विवरण क्षतिग्रस्त है। कुछ मिलाया नहीं गया।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें relievo का जो भाग है वह कटा हुआ है। कुछ वापस नहीं लाया गया।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2, beyond what it may be.</source>
+        <translation>&apos;%1&apos; %2 है, जो सीमा से बाहर है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is beyond what it may be.</source>
+        <translation>&apos;%1&apos; सीमा से बाहर है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a whole number.</source>
+        <translation>&apos;%1&apos; पूर्ण संख्या नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has not %2 numbers.</source>
+        <translation>&apos;%1&apos; में %2 संख्याएँ नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>It is nested too deep.</source>
+        <translation>यह बहुत गहराई तक भीतर-भीतर है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a checksum.</source>
+        <translation>&apos;%1&apos; जाँच-योग नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a file&apos;s name.</source>
+        <translation>&apos;%1&apos; फ़ाइल का नाम नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a known &apos;%2&apos;.</source>
+        <translation>&apos;%1&apos; &apos;%2&apos; का ज्ञात मान नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no size.</source>
+        <translation>&apos;%1&apos; का कोई आकार नहीं है।</translation>
+    </message>
+    <message>
+        <source>a place of a picture has not 3 numbers.</source>
+        <translation>तस्वीर की एक जगह में 3 संख्याएँ नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no colour.</source>
+        <translation>&apos;%1&apos; रंग नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not an object.</source>
+        <translation>&apos;%1&apos; ऑब्जेक्ट नहीं है।</translation>
+    </message>
+    <message>
+        <source>There is no &apos;%1&apos; in it.</source>
+        <translation>इसमें &apos;%1&apos; नहीं है।</translation>
+    </message>
+    <message>
+        <source>It is of schema %1; this version reads up to %2.</source>
+        <translation>यह स्कीमा %1 का है; यह संस्करण %2 तक पढ़ता है।</translation>
+    </message>
+    <message>
+        <source>There is no &apos;relievo_view&apos; of schema 1 in it.</source>
+        <translation>इसमें स्कीमा 1 का &apos;relievo_view&apos; नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 holds no state that this version can read: it is damaged. Nothing was changed.</source>
+        <translation>%1 में ऐसी स्थिति नहीं है जिसे यह संस्करण पढ़ सके: वह क्षतिग्रस्त है। कुछ नहीं बदला गया।</translation>
+    </message>
+    <message>
+        <source>%1 holds no state that this version can read: a part is missing or has another form. Nothing was changed.</source>
+        <translation>%1 में ऐसी स्थिति नहीं है जिसे यह संस्करण पढ़ सके: कोई भाग नहीं है या उसका रूप अलग है। कुछ नहीं बदला गया।</translation>
+    </message>
+    <message>
+        <source>%1 holds no state that this version can read. %2 Nothing was changed.</source>
+        <translation>%1 में ऐसी स्थिति नहीं है जिसे यह संस्करण पढ़ सके। %2 कुछ नहीं बदला गया।</translation>
+    </message>
+    <message>
+        <source>This text is not a view of relievo (it is damaged, or a part is missing). The view was not changed. Copy a view again.</source>
+        <translation>यह पाठ relievo का दृश्य नहीं है (यह क्षतिग्रस्त है, या कोई भाग नहीं है)। दृश्य नहीं बदला गया। दृश्य फिर से कॉपी करें।</translation>
+    </message>
+    <message>
+        <source>This text is not a view of relievo (%1). The view was not changed. Copy a view again.</source>
+        <translation>यह पाठ relievo का दृश्य नहीं है (%1)। दृश्य नहीं बदला गया। दृश्य फिर से कॉपी करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is missing or not a file. Its checksum was not made.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह नहीं है या फ़ाइल नहीं है। इसका जाँच-योग नहीं बना।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 to its end. Its checksum was not made.</source>
+        <translation>%1 अंत तक नहीं पढ़ी जा सकती। इसका जाँच-योग नहीं बना।</translation>
+    </message>
+    <message>
+        <source>%1 was not seen from the top, so heights are no z of the file. Nothing was written. Choose --view top or view millimetres.</source>
+        <translation>%1 ऊपर से नहीं देखी गई, इसलिए ऊँचाइयाँ फ़ाइल का z नहीं हैं। कुछ नहीं लिखा गया। --view top या दृश्य के मिलीमीटर चुनें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has %2 x %3 cells, but the map is %4 x %5 mm: it is not a raster of the whole map, and was not used. Cut it to the outline of the map.</source>
+        <translation>&apos;%1&apos; में %2 x %3 कोशिकाएँ हैं, पर मानचित्र %4 x %5 mm है: यह पूरे मानचित्र का रास्टर नहीं है और काम में नहीं लिया गया। इसे मानचित्र की रूपरेखा तक काटें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds values outside 0 to 1, such as %2, and was not used. Scale them: 1 where the ground is firm, 0 where it is softest.</source>
+        <translation>&apos;%1&apos; में 0 से 1 के बाहर के मान हैं, जैसे %2, और यह काम में नहीं लिया गया। उन्हें मापें: 1 जहाँ ज़मीन कठोर है, 0 जहाँ वह सबसे नरम है।</translation>
+    </message>
+    <message>
+        <source>%1: a mesh&apos;s triangles cannot be read in blocks. Nothing was made. Leave out --memory, or save it without faces.</source>
+        <translation>%1: जाल के त्रिभुज खंडों में नहीं पढ़े जा सकते। कुछ नहीं बना। --memory छोड़ें, या इसे फलकों के बिना सहेजें।</translation>
+    </message>
+    <message>
+        <source>%1: only LAS, LAZ and binary PLY clouds and rasters are read in blocks. Nothing was made. Convert it to LAS, or leave out --memory.</source>
+        <translation>%1: खंडों में केवल LAS, LAZ और बाइनरी PLY के बिंदु-समूह और रास्टर पढ़े जाते हैं। कुछ नहीं बना। इसे LAS में बदलें, या --memory छोड़ें।</translation>
+    </message>
+    <message>
+        <source>%1: none of its points that were looked at is finite. Nothing was made.</source>
+        <translation>%1: देखे गए बिंदुओं में से कोई परिमित नहीं है। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>Maps by tiles are made by the cpu engine. Nothing was made.</source>
+        <translation>टाइलों वाले मानचित्र cpu इंजन बनाता है। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A raster is a height map already and is seen from the top only.</source>
+        <translation>रास्टर पहले से ऊँचाई-मानचित्र है और केवल ऊपर से देखा जाता है।</translation>
+    </message>
+    <message>
+        <source>A map of %1 x %2 cells needs at least %3 MB of memory when made by tiles; %4 MB are allowed. Nothing was made. Allow more with --memory, or choose larger cells.</source>
+        <translation>%1 x %2 कोशिकाओं के मानचित्र को टाइलों से बनाने में कम से कम %3 MB मेमोरी चाहिए; %4 MB की अनुमति है। कुछ नहीं बना। --memory से अधिक दें, या बड़ी कोशिकाएँ चुनें।</translation>
+    </message>
+    <message>
+        <source>There is no level %1.</source>
+        <translation>स्तर %1 नहीं है।</translation>
+    </message>
+    <message>
+        <source>This needs about %1; %2 are free. Nothing was made. Choose cells of at least %3 (%4), or close other programs.</source>
+        <translation>इसके लिए लगभग %1 चाहिए; %2 खाली है। कुछ नहीं बनाया गया। कम से कम %3 के खाने चुनें (%4), या दूसरे प्रोग्राम बंद करें।</translation>
+    </message>
+    <message>
+        <source>%1: every height is the one that stands for none, so there is no surface. Nothing was made. Choose another --nodata.</source>
+        <translation>%1: हर ऊँचाई वही है जो &quot;कोई नहीं&quot; के लिए है, इसलिए कोई सतह नहीं है। कुछ नहीं बनाया गया। दूसरा --nodata चुनें।</translation>
+    </message>
+    <message>
+        <source>%1: no point is left to make a surface from. Nothing was made. Choose another --nodata.</source>
+        <translation>%1: सतह बनाने के लिए कोई बिंदु नहीं बचा। कुछ नहीं बना। दूसरा --nodata चुनें।</translation>
+    </message>
+    <message>
+        <source>%1: seen from here all points lie on one spot, so there is no surface. Nothing was made. Choose another view or another file.</source>
+        <translation>%1: यहाँ से देखने पर सभी बिंदु एक ही जगह हैं, इसलिए कोई सतह नहीं है। कुछ नहीं बना। दूसरा दृश्य या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Give the number of cells or their spacing, not both.</source>
+        <translation>कोशिकाओं की संख्या या उनकी दूरी दें, दोनों नहीं।</translation>
+    </message>
+    <message>
+        <source>The spacing must be above 0 mm.</source>
+        <translation>दूरी 0 mm से अधिक होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>The grid needs at least 2 cells across.</source>
+        <translation>ग्रिड में कम से कम 2 कोशिकाएँ आर-पार चाहिए।</translation>
+    </message>
+    <message>
+        <source>A grid of %1 x %2 cells is larger than this version can hold (16384 x 16384). Choose fewer cells.</source>
+        <translation>%1 x %2 कोशिकाओं का ग्रिड इस संस्करण की क्षमता (16384 x 16384) से बड़ा है। कम कोशिकाएँ चुनें।</translation>
+    </message>
+    <message>
+        <source>Rules other than front are for point clouds in the cpu engine. Nothing was made.</source>
+        <translation>front के अलावा दूसरे नियम cpu इंजन में बिंदु-समूहों के लिए हैं। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;natural&apos; cannot be drawn: this surface has no colours. Choose another, for example &apos;lit&apos;.</source>
+        <translation>उभार-चित्र “प्राकृतिक रंग” नहीं बनाया जा सकता: इस सतह में रंग नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
+    </message>
+    <message>
+        <source>The relief image &apos;intensity&apos; cannot be drawn: this surface has no intensities. Choose another, for example &apos;lit&apos;.</source>
+        <translation>उभार-चित्र “तीव्रता” नहीं बनाया जा सकता: इस सतह में तीव्रताएँ नहीं हैं। कोई दूसरा चुनें, जैसे प्रकाशित पत्थर।</translation>
+    </message>
+    <message>
+        <source>An angle needs three different points.</source>
+        <translation>कोण को तीन अलग बिंदु चाहिए।</translation>
+    </message>
+    <message>
+        <source>The profile&apos;s line is not on the object.</source>
+        <translation>परिच्छेद की रेखा वस्तु पर नहीं है।</translation>
+    </message>
+    <message>
+        <source>The outline crosses itself, so that it has no inside. Choose its corners in order.</source>
+        <translation>रूपरेखा स्वयं को काटती है, इसलिए उसका कोई भीतर नहीं है। कोने क्रम से चुनें।</translation>
+    </message>
+    <message>
+        <source>The corners lie on one line, so that there is no area among them. Choose others.</source>
+        <translation>कोने एक ही रेखा पर हैं, उनके बीच कोई क्षेत्र नहीं है। दूसरे चुनें।</translation>
+    </message>
+    <message>
+        <source>The plane does not cut the surface. Choose another plane.</source>
+        <translation>समतल सतह को नहीं काटता। दूसरा समतल चुनें।</translation>
+    </message>
+    <message>
+        <source>The plane of &apos;%1&apos; does not cut the surface. Choose another plane.</source>
+        <translation>&apos;%1&apos; का तल सतह को नहीं काटता। दूसरा तल चुनें।</translation>
+    </message>
+    <message>
+        <source>A measurement of kind %1 needs %2 places.</source>
+        <translation>%1 प्रकार के माप को %2 जगहें चाहिए।</translation>
+    </message>
+    <message>
+        <source>There is no surface at x %1, y %2 mm. Choose a place on the object.</source>
+        <translation>x %1, y %2 mm पर कोई सतह नहीं है। वस्तु पर कोई जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>A profile needs at least two places.</source>
+        <translation>परिच्छेद को कम से कम दो जगहें चाहिए।</translation>
+    </message>
+    <message>
+        <source>The plane cuts this map in more than %1 points. Choose another plane, or make a map with coarser cells.</source>
+        <translation>तल इस मानचित्र को %1 से अधिक बिंदुओं में काटता है। दूसरा तल चुनें, या मोटी कोशिकाओं वाला मानचित्र बनाएँ।</translation>
+    </message>
+    <message>
+        <source>A section&apos;s plane goes through one, two or three places.</source>
+        <translation>काट का तल एक, दो या तीन जगहों से गुज़रता है।</translation>
+    </message>
+    <message>
+        <source>Two places, one above the other, give no plane. Choose another.</source>
+        <translation>एक के ऊपर एक दो जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
+    </message>
+    <message>
+        <source>Three places on one line give no plane. Choose another.</source>
+        <translation>एक रेखा पर तीन जगहें समतल नहीं बनातीं। दूसरी चुनें।</translation>
+    </message>
+    <message>
+        <source>A section needs a plane with a direction and a distance.</source>
+        <translation>काट को दिशा और दूरी वाला तल चाहिए।</translation>
+    </message>
+    <message>
+        <source>The shading of a scan&apos;s own colours must lie between 0 and 1.</source>
+        <translation>स्कैन के अपने रंगों का छायांकन 0 और 1 के बीच होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>The colours&apos; upper end must lie above their lower end.</source>
+        <translation>रंगों का ऊपरी छोर निचले छोर से ऊपर होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>A light needs a direction and a height of 0 to 90 degrees.</source>
+        <translation>प्रकाश को दिशा और 0 से 90 डिग्री की ऊँचाई चाहिए।</translation>
+    </message>
+    <message>
+        <source>The radius of a relief image must be 0 (automatic) or more millimetres.</source>
+        <translation>उभार-चित्र की त्रिज्या 0 (अपने-आप) या अधिक मिलीमीटर होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>This surface has no colours of its own. Choose another relief image.</source>
+        <translation>इस सतह के अपने रंग नहीं हैं। दूसरा उभार-चित्र चुनें।</translation>
+    </message>
+    <message>
+        <source>This surface has no intensities of its own. Choose another relief image.</source>
+        <translation>इस सतह की अपनी तीव्रताएँ नहीं हैं। दूसरा उभार-चित्र चुनें।</translation>
+    </message>
+    <message>
+        <source>Two pictures of one size are needed for an anaglyph.</source>
+        <translation>एनाग्लिफ़ के लिए एक ही आकार की दो तस्वीरें चाहिए।</translation>
+    </message>
+    <message>
+        <source>The plane of zero parallax, %1 mm, lies far from the heights here, %2 to %3 mm. Nothing was drawn. Choose one among them.</source>
+        <translation>शून्य लंबन का तल, %1 mm, यहाँ की ऊँचाइयों %2 से %3 mm से बहुत दूर है। कुछ नहीं बनाया गया। उनके बीच का कोई चुनें।</translation>
+    </message>
+    <message>
+        <source>There is no level %1; this map has levels 0 to %2. Choose one of them.</source>
+        <translation>स्तर %1 नहीं है; इस मानचित्र में स्तर 0 से %2 हैं। उनमें से एक चुनें।</translation>
+    </message>
+    <message>
+        <source>A region needs a position and a width and height above 0, in millimetres. Nothing was changed.</source>
+        <translation>विंडो को स्थान और 0 से अधिक चौड़ाई व ऊँचाई मिलीमीटर में चाहिए। कुछ नहीं बदला गया।</translation>
+    </message>
+    <message>
+        <source>The region names a level that the pyramid does not have.</source>
+        <translation>विंडो ऐसे स्तर का नाम लेती है जो पिरामिड में नहीं है।</translation>
+    </message>
+    <message>
+        <source>A region needs a finite position and a side above 0 mm.</source>
+        <translation>विंडो को परिमित स्थान और 0 mm से बड़ी भुजा चाहिए।</translation>
+    </message>
+    <message>
+        <source>The height gain must be a finite number above 0; 1 is true to scale.</source>
+        <translation>ऊँचाई गुणक 0 से बड़ी परिमित संख्या होना चाहिए; 1 असली पैमाना है।</translation>
+    </message>
+    <message>
+        <source>The pyramid&apos;s factor M must be from 1.1 to 8. Nothing was made; 2 is the paper&apos;s.</source>
+        <translation>पिरामिड का गुणक M 1.1 से 8 तक होना चाहिए। कुछ नहीं बना; लेख का मान 2 है।</translation>
+    </message>
+    <message>
+        <source>The pyramid&apos;s factor M is so near to 1 that its levels do not fit into memory. Nothing was made; choose a larger one.</source>
+        <translation>पिरामिड का गुणक M 1 के इतना पास है कि उसके स्तर मेमोरी में नहीं समाते। कुछ नहीं बना; बड़ा गुणक चुनें।</translation>
+    </message>
+    <message>
+        <source>The camera path &quot;%1&quot; needs at least two key views. Nothing was made.</source>
+        <translation>कैमरा पथ &quot;%1&quot; को कम से कम दो मुख्य दृश्य चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>The camera path &quot;%1&quot; cannot be followed: key view %2 is not later than the one before it.</source>
+        <translation>कैमरा पथ &quot;%1&quot; पर चला नहीं जा सकता: मुख्य दृश्य %2 पिछले के बाद का नहीं है।</translation>
+    </message>
+    <message>
+        <source>The camera path &quot;%1&quot; cannot be followed: key view %2 has no size or no place.</source>
+        <translation>कैमरा पथ &quot;%1&quot; पर चला नहीं जा सकता: मुख्य दृश्य %2 का आकार या स्थान नहीं है।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s width in pixels must be %1 to %2. Nothing was made.</source>
+        <translation>वीडियो की चौड़ाई (पिक्सेल में) %1 से %2 तक होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s height in pixels must be %1 to %2. Nothing was made.</source>
+        <translation>वीडियो की ऊँचाई (पिक्सेल में) %1 से %2 तक होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s frames per second must be %1 to %2. Nothing was made.</source>
+        <translation>वीडियो के प्रति सेकंड फ़्रेम %1 से %2 तक होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s speed must be %1 to %2. Nothing was made.</source>
+        <translation>वीडियो की गति %1 से %2 तक होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s angle between the eyes in degrees must be %1 to %2. Nothing was made.</source>
+        <translation>वीडियो में आँखों के बीच का कोण (डिग्री में) %1 से %2 तक होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s width and height must be even. Nothing was made.</source>
+        <translation>वीडियो की चौड़ाई और ऊँचाई सम संख्याएँ होनी चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s stereo must be grey, half or dubois. Nothing was made.</source>
+        <translation>वीडियो का स्टीरियो grey, half या dubois होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>The profile talk halves the colours&apos; size, which mixes the two eyes of an anaglyph. Choose the profile anaglyph or archive. Nothing was made.</source>
+        <translation>प्रोफ़ाइल talk रंगों का आकार आधा करती है, जिससे एनाग्लिफ़ की दोनों आँखें मिल जाती हैं। प्रोफ़ाइल anaglyph या archive चुनें। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>A video needs a recording or a camera path. Nothing was made.</source>
+        <translation>वीडियो को रिकॉर्डिंग या कैमरा पथ चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the recording is %3 s long. Nothing was made.</source>
+        <translation>%1 s और %2 s के बीच कुछ नहीं है: रिकॉर्डिंग %3 s लंबी है। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>There is nothing between %1 s and %2 s: the camera path is %3 s long. Nothing was made.</source>
+        <translation>%1 s और %2 s के बीच कुछ नहीं है: कैमरा पथ %3 s लंबा है। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>This would be more than a million frames. Choose a part of the recording.</source>
+        <translation>ये दस लाख से अधिक फ़्रेम होंगे। रिकॉर्डिंग का एक भाग चुनें।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: डिस्क भर गई। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: HDF5 लिख नहीं सका। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: %1। %2 नमूने &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; नहीं लिखी जा सकती: डिस्क भरी है। कुछ नहीं रखा गया। जगह खाली करें या दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: HDF5 refuses it. Choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: HDF5 मना करता है। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: %2। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete: %2.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है: %2।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; को अभी कोई दूसरा प्रोग्राम लिख रहा है। कुछ भी रिकॉर्ड नहीं हुआ। दूसरा नाम चुनें, या पहले दूसरी रिकॉर्डिंग समाप्त करें।</translation>
+    </message>
+    <message>
+        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
+        <translation>रिकॉर्डिंग पूरी है, पर उसका नाम &quot;%1&quot; नहीं रखा जा सकता: %2। वह &quot;%3&quot; में है।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर &quot;%1&quot; नहीं बनाया जा सकता। कुछ रिकॉर्ड नहीं हो रहा। दूसरा चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: ऐसी कोई फ़ाइल नहीं है। नाम और फ़ोल्डर जाँचें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: this account may not read it. Change its permissions, or copy it.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इस खाते को अनुमति नहीं है। अनुमति बदलें या फ़ाइल की प्रति बनाएँ।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its links lead in a circle. Choose the file itself.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके लिंक चक्र में जाते हैं। स्वयं फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: %2। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %2.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: %2।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a folder. Choose one of the files in it.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह फ़ोल्डर है। इसकी कोई फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a pipe or device, not a file. Save the scan to a file first.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह पाइप या उपकरण है, फ़ाइल नहीं। पहले स्कैन को फ़ाइल में सहेजें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is empty (0 bytes). Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह खाली है (0 बाइट)। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is %2; this version reads PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid. Convert it to one of these, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह %2 है; यह संस्करण PLY, PCD, OBJ, STL, 3DS, LAS, LAZ, E57, PTX, XYZ/ASC/PTS/CSV text and rasters as GeoTIFF, TIFF, PNG or ESRI ASCII grid पढ़ता है। इसे इनमें से किसी में बदलें या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 as a scan: it is %2. Open it as a raster.</source>
+        <translation>%1 को स्कैन के रूप में नहीं पढ़ा जा सकता: यह %2 है। इसे रास्टर के रूप में खोलें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 bytes, more than the %3 that such a file may have. Nothing was loaded.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 बाइट हैं, ऐसी फ़ाइल के लिए अनुमत %3 से अधिक। कुछ नहीं लोड किया गया।</translation>
+    </message>
+    <message>
+        <source>Cannot write %1 (%2). What was there is as before. Choose another folder or free some space.</source>
+        <translation>%1 लिखा नहीं जा सकता (%2)। जो वहाँ था वह वैसा ही है। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header has no end (%2). Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके शीर्ष का अंत नहीं है (%2)। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। %4 पूरे बिंदु खोलें या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 बिंदु हैं, कोई भी परिमित नहीं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: सिस्टम ने पढ़ना रोक दिया, संभवतः स्मृति की कमी से। दूसरे प्रोग्राम बंद करें या पहले स्कैन को विरल करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its points have no %2 coordinate. Export it with x, y and z.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके बिंदुओं में %2 निर्देशांक नहीं है। इसे x, y और z के साथ निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds no rows of numbers. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें संख्याओं की पंक्तियाँ नहीं हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has 0 points. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें 0 बिंदु हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds 0 triangles. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें 0 त्रिभुज हैं। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header promises no vertices. Choose a file with points.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसका शीर्ष कोई बिंदु नहीं बताता। बिंदुओं वाली फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its header names no format. Export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसका शीर्ष कोई प्रारूप नहीं बताता। इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of a LAS file. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह LAS फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an E57 file. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह E57 फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is shorter than the header of an STL file. Copy or export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह STL फ़ाइल के शीर्ष से भी छोटा है। इसे फिर से कॉपी या निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its points cannot be decoded. The file is damaged; export it again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके बिंदु पढ़े नहीं जा सके। फ़ाइल क्षतिग्रस्त है; इसे फिर से निर्यात करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it became shorter while it was read, or its disk failed. Try again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: पढ़ते समय यह छोटा हो गया, या इसकी डिस्क विफल हुई। फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it was changed while it was read. Try again.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: पढ़ते समय यह बदल गया। फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is a colour picture, not a height raster. Choose the raster with one band of heights.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह रंगीन चित्र है, ऊँचाई रास्टर नहीं। ऊँचाइयों के एक बैंड वाला रास्टर चुनें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its pixels are measured in degrees. Reproject it to metres, for example gdalwarp -t_srs EPSG:UTM-ZONE.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसके पिक्सेल डिग्री में हैं। इसे मीटर में बदलें, जैसे gdalwarp -t_srs EPSG:UTM-ZONE.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the colours of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं के रंग हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds the intensities of a map&apos;s cells, not heights. Open the map beside it.</source>
+        <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं की तीव्रताएँ हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no recording of &apos;%2&apos; but of another file (checksum differs, E501). Nothing was drawn. Choose a recording of this one.</source>
+        <translation>&apos;%1&apos; &apos;%2&apos; की नहीं, किसी दूसरी फ़ाइल की रिकॉर्डिंग है (जाँच-योग अलग है, E501)। कुछ नहीं बनाया गया। इसी की रिकॉर्डिंग चुनें।</translation>
+    </message>
+    <message>
+        <source>A figure&apos;s name ends in .png, .tif, .pdf or .svg; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>चित्र का नाम .png, .tif, .pdf या .svg पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>The name of a figure&apos;s heights ends in .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>चित्र की ऊँचाइयों का नाम .tif पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>Two of the figure&apos;s files would be &apos;%1&apos;. Nothing was drawn. Give one of them another name.</source>
+        <translation>चित्र की दो फ़ाइलों का नाम &apos;%1&apos; होगा। कुछ नहीं बनाया गया। उनमें से एक को दूसरा नाम दें।</translation>
+    </message>
+    <message>
+        <source>This figure would be %1 x %2 mm large. Nothing was drawn. Choose a smaller scale or width.</source>
+        <translation>यह चित्र %1 x %2 mm बड़ा होगा। कुछ नहीं बनाया गया। छोटा पैमाना या कम चौड़ाई चुनें।</translation>
+    </message>
+    <message>
+        <source>This figure would be %1 x %2 mm small, and at least 20 mm wide it must be. Nothing was drawn. Choose a larger scale, 1:N with a smaller N.</source>
+        <translation>यह चित्र केवल %1 x %2 mm का होगा, पर कम से कम 20 mm चौड़ा होना चाहिए। कुछ नहीं बनाया गया। बड़ा पैमाना चुनें, छोटे N वाला 1:N।</translation>
+    </message>
+    <message>
+        <source>Numbers of %1 points leave no room for plots on %2 mm. Nothing was drawn. Choose a smaller text or a larger width.</source>
+        <translation>%1 पॉइंट की संख्याएँ %2 mm पर आरेख के लिए जगह नहीं छोड़तीं। कुछ नहीं बनाया गया। छोटा पाठ या अधिक चौड़ाई चुनें।</translation>
+    </message>
+    <message>
+        <source>There is nothing of the object in this region. Choose another.</source>
+        <translation>इस विंडो में वस्तु का कुछ नहीं है। दूसरी चुनें।</translation>
+    </message>
+    <message>
+        <source>Level %1 has more than %2 samples across this region. Choose a coarser level.</source>
+        <translation>स्तर %1 में इस विंडो के आर-पार %2 से अधिक नमूने हैं। मोटा स्तर चुनें।</translation>
+    </message>
+    <message>
+        <source>There is no surface along this line.</source>
+        <translation>इस रेखा के साथ कोई सतह नहीं है।</translation>
+    </message>
+    <message>
+        <source>This is a picture of the %1, which only the window can draw. Nothing was drawn. Open it with relievo to get its state back.</source>
+        <translation>यह %1 की तस्वीर है, जिसे केवल खिड़की बना सकती है। कुछ नहीं बनाया गया। उसकी स्थिति वापस पाने के लिए उसे relievo से खोलें।</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos; (%2). Choose another folder or free some space.</source>
+        <translation>तस्वीर &apos;%1&apos; लिखी नहीं जा सकती (%2)। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture &apos;%1&apos;. Choose another folder or free some space.</source>
+        <translation>तस्वीर &apos;%1&apos; लिखी नहीं जा सकती। दूसरा फ़ोल्डर चुनें या जगह खाली करें।</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned a black picture. Try a smaller one.</source>
+        <translation>ग्राफ़िक्स ड्राइवर ने काली तस्वीर दी। छोटी आज़माएँ।</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw pictures of %1 x %2 pixels. Choose a smaller size.</source>
+        <translation>ग्राफ़िक्स ड्राइवर %1 x %2 पिक्सेल की तस्वीरें नहीं बना सकता। छोटा आकार चुनें।</translation>
+    </message>
+    <message>
+        <source>A picture of %1 x %2 pixels is more than this version can hold, %3 million in all. Nothing was drawn. Choose a smaller one.</source>
+        <translation>%1 x %2 पिक्सेल का चित्र इस संस्करण की क्षमता (कुल %3 मिलियन) से अधिक है। कुछ नहीं बनाया गया। छोटा चित्र चुनें।</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw: the graphics driver needs 512 MB of address space, and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.</source>
+        <translation>चित्र बनाने के लिए मेमोरी पर्याप्त नहीं है: ग्राफ़िक्स ड्राइवर को 512 MB पता-स्थान चाहिए, और लगाई गई सीमा (ulimit -v) कम छोड़ती है। कुछ नहीं बनाया गया। सीमा बढ़ाएँ।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
+        <translation>फ़ोल्डर &quot;%1&quot; बनाया नहीं जा सकता। कुछ नहीं लिखा गया। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; holds frames of a video already. Nothing was written. Choose another.</source>
+        <translation>फ़ोल्डर &quot;%1&quot; में पहले से किसी वीडियो के फ़्रेम हैं। कुछ नहीं लिखा गया। दूसरा चुनें।</translation>
+    </message>
+    <message>
+        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
+        <translation>वीडियो रुका: डिस्क भर गई। %1 s (%2 फ़्रेम) &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
     </message>
 </context>
 <context>

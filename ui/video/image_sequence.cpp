@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <system_error>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "ui/video/video_file.h"
 #include "ui/video/video_formats.h"
 #include "ui/vtk/picture_file.h"
@@ -29,12 +29,10 @@ class ImageSequence : public VideoFile {
     std::error_code error;
     made_ = fs::create_directories(folder_, error);
     if (error || !fs::is_directory(folder_, error)) {
-      throw WriteError("The folder \"" + folder_.string() +
-                       "\" cannot be made. Nothing was written. Choose another place.");
+      throw failure<MessageId::video_folder_not_made>(folder_);
     }
     if (fs::exists(frameName(folder_, 1), error)) {
-      throw WriteError("The folder \"" + folder_.string() +
-                       "\" holds frames of a video already. Nothing was written. Choose another.");
+      throw failure<MessageId::video_folder_taken>(folder_);
     }
     text_ = {{"Title", format.title},
              {"Software", std::string("relievo ") + RELIEVO_VERSION_STRING},

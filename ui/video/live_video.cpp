@@ -36,6 +36,7 @@ struct LiveVideo::Impl {
   void run(const std::stop_token& stop) {
     const Task task{stop, {}};
     std::string error, code;
+    std::shared_ptr<const Message> message;
     try {
       pack(task);
     } catch (const Cancelled&) {
@@ -43,12 +44,14 @@ struct LiveVideo::Impl {
     } catch (const Error& failure) {
       error = failure.what();
       code = failure.code;
+      message = failure.message;
     }
     file.reset();  // Whatever is left of it goes or stays before the end is told.
     const std::lock_guard lock(mutex);
     report.ended = true;
     report.error = std::move(error);
     report.code = std::move(code);
+    report.message = std::move(message);
   }
 
   void pack(const Task& task) {

@@ -36,8 +36,9 @@ class LiveVideo {
     std::uint64_t frames = 0;   ///< Packed.
     std::uint64_t dropped = 0;  ///< Not taken because packing was behind.
     bool ended = false;
-    std::string error;  ///< Empty: all is saved.
-    std::string code;   ///< Of the error: "E401"; or empty.
+    std::string error;                       ///< Empty: all is saved.
+    std::string code;                        ///< Of the error: "E401"; or empty.
+    std::shared_ptr<const Message> message;  ///< The error, for the window's language; or none.
   };
   Report report() const;
 

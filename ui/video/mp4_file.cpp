@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/io/spawn.h"
 #include "ui/video/mp4_boxes.h"
@@ -236,9 +236,14 @@ class Mp4File : public VideoFile {
       out_.reset();
       part_.commit();
       is_part_kept_ = true;
-      saved = numberText(std::round(10 * static_cast<double>(frames_) / fps_) / 10) + " s (" +
-              std::to_string(frames_) + " frames) are saved and complete in \"" + file_.string() +
-              "\".";
+      const double length_s = static_cast<double>(frames_) / fps_;
+      if (error_number == ENOSPC) {
+        throw failure<MessageId::video_stopped_disk_full>(
+            NumberArgument{.value = length_s, .digits = 1, .form = NumberArgument::Form::trimmed},
+            frames_, file_);
+      }
+      saved = numberText(std::round(10 * length_s) / 10) + " s (" + std::to_string(frames_) +
+              " frames) are saved and complete in \"" + file_.string() + "\".";
     }
     throw WriteError("Video stopped: " + why + ". " + saved, "E401");
   }

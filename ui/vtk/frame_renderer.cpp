@@ -6,7 +6,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "ui/vtk/gl_session.h"
 
 namespace relievo {
@@ -23,8 +23,7 @@ struct FrameRenderer::Impl {
 
 FrameRenderer::FrameRenderer(int width_px, int height_px) : impl_(std::make_unique<Impl>()) {
   if (std::max(width_px, height_px) > impl_->window.sizeLimitPx()) {
-    throw GraphicsError("The graphics driver cannot draw pictures of " + std::to_string(width_px) +
-                        " x " + std::to_string(height_px) + " pixels. Choose a smaller size.");
+    throw failure<MessageId::driver_size_limit>(width_px, height_px);
   }
   impl_->image = {width_px, height_px,
                   std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width_px) *
@@ -51,7 +50,7 @@ const RgbaImage& FrameRenderer::draw(const Task& task) {
   const auto row_bytes = 4 * static_cast<std::size_t>(image.width);
   const unsigned char* const drawn = impl_->pixels->GetPointer(0);
   if (!anythingDrawn({drawn, row_bytes * static_cast<std::size_t>(image.height)})) {
-    throw GraphicsError("The graphics driver returned a black picture. Try a smaller one.");
+    throw failure<MessageId::black_picture>();
   }
   for (int row = 0; row < image.height; ++row) {
     const unsigned char* const from =

@@ -10,7 +10,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/relief/stereo.h"
 #include "ui/vtk/gl_session.h"
 
@@ -54,9 +54,7 @@ void requireRoomForDriver() {
   void* const room =
       mmap(nullptr, kDriverBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (room == MAP_FAILED) {
-    throw GraphicsError(
-        "There is not enough memory to draw: the graphics driver needs 512 MB of address space, "
-        "and a limit that was set (ulimit -v) leaves less. Nothing was drawn. Raise the limit.");
+    throw failure<MessageId::no_memory_to_draw>();
   }
   munmap(room, kDriverBytes);
   had_room = true;
@@ -91,10 +89,7 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
   const int width = options.width, height = options.height;
   if (width < 1 || height < 1) throw ArgumentError("A picture needs a width and a height above 0.");
   if (static_cast<double>(width) * height > kMostPixels) {
-    throw ArgumentError("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
-                        " pixels is more than this version can hold, " +
-                        std::to_string(static_cast<int>(kMostPixels / 1e6)) +
-                        " million in all. Nothing was drawn. Choose a smaller one.");
+    throw failure<MessageId::picture_too_large>(width, height, static_cast<int>(kMostPixels / 1e6));
   }
   OffscreenWindow window;
   const int side = std::min(options.tile_px, window.sizeLimitPx());

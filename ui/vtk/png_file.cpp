@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "ui/vtk/offscreen.h"
 #include "ui/vtk/picture_file.h"
@@ -104,8 +104,7 @@ void writeRows(const OutputFile& place, const PngShape& shape,
   const bool encoded = opened && encode(out, shape, rows.data(), entries);
   const bool closed = opened && std::fclose(out) == 0;
   if (!encoded || !closed) {
-    throw WriteError("Cannot write the picture '" + file.string() + "' (" + std::strerror(errno) +
-                     "). Choose another folder or free some space.");
+    throw failure<MessageId::picture_not_written_for>(file, std::strerror(errno));
   }
   replaced.commit();
 }

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <memory>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "ui/vtk/picture_file.h"
 
@@ -87,10 +87,8 @@ void writeRows(const OutputFile& place, const TiffShape& shape, const std::uint8
     good = good && TIFFFlush(tiff.get()) == 1;
   }
   if (!good) {
-    const std::string reason =
-        errno == 0 ? std::string() : std::string(" (") + std::strerror(errno) + ")";
-    throw WriteError("Cannot write the picture '" + file.string() + "'" + reason +
-                     ". Choose another folder or free some space.");
+    if (errno == 0) throw failure<MessageId::picture_not_written>(file);
+    throw failure<MessageId::picture_not_written_for>(file, std::strerror(errno));
   }
   replaced.commit();
 }

@@ -250,7 +250,7 @@ fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places)
   } catch (const CannotWrite& cannot) {
     refuse(cannot.reason);
   } catch (const NotReplaceable& refused) {
-    refuse(refused.why);
+    refuse(englishText(refused.why));
   }
   return target;
 }

@@ -192,16 +192,27 @@ constexpr std::array kSteadySpeeds{5.0, 20.0, 40.0};
 // Exact, the Falcon's in and out and sideways, the virtual hand's.
 constexpr std::array kCounts{0.0, 0.028, 0.048, 0.0635};
 
-std::vector<SurfacePreset> rubbingPresets() {
+/// The presets that know friction, which the paper's does not, and rougher ground on the spring
+/// that `relievo touch` has without a preset.
+std::vector<SurfacePreset> rubbingFeels() {
   std::vector<SurfacePreset> all(kSurfacePresets.begin(), kSurfacePresets.end());
-  // The paper's knows no friction.
   std::erase_if(all, [](const auto& one) { return one.feel.proxy != ProxyKind::converged; });
+  for (const auto& [id, friction] :
+       {std::pair{"friction 0.4", 0.4}, std::pair{"friction 0.6", 0.6},
+        std::pair{"friction 0.8", 0.8}, std::pair{"friction 1", 1.0}}) {
+    all.push_back({id,
+                   {.stiffness_by_detail = false,
+                    .stiffness_n_per_mm = 0.5,
+                    .friction = friction,
+                    .fields = {},
+                    .transient = {}}});
+  }
   return all;
 }
 
 TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
   const double kDiagonal = std::atan(1.0);
-  for (const SurfacePreset& preset : rubbingPresets()) {
+  for (const SurfacePreset& preset : rubbingFeels()) {
     for (const double step_mm : kCounts) {
       for (const double mm_per_s : kSteadySpeeds) {
         for (const double turn :
@@ -216,13 +227,13 @@ TEST(Friction, ASteadyHandFeelsNoRippleFromTheCountsOfItsEncoders) {
   }
 }
 
-/// A proxy towed on a line of its own length r follows a corner as a tractrix: its pull is turned
-/// by 2 atan(exp(-s / r)) from the new way after s. The longer line may lag by kMostTurnMm of
-/// spring.
-TEST(Friction, AHandThatTurnsACornerIsFollowedAndOneThatTurnsBackIsPulledStraight) {
+/// A proxy towed on a line of length l follows a corner as a tractrix: its pull is turned by
+/// 2 atan(exp(-s / l)) from the new way after s. It turns no sooner than on its own length r, and
+/// no later than on the line that it trails on.
+void followsACorner(double deep_mm, double mu) {
   const auto space = flat(SurfaceKind::gated);
-  const double mm_per_cell = space->deviceMmPerCell(), deep = 2.5 / mm_per_cell, mu = 0.15;
-  const ProxyOptions options = rubbing(0.2, mu);
+  const double mm_per_cell = space->deviceMmPerCell(), deep = deep_mm / mm_per_cell;
+  const ProxyOptions options = rubbing(4 * mu / 3, mu);
   ProxyState state = proxyPlace(*space, {60, 60, 1});
   GridPoint hip{60, 60, -deep};
   const auto move = [&](double x, double y) {
@@ -230,27 +241,36 @@ TEST(Friction, AHandThatTurnsACornerIsFollowedAndOneThatTurnsBackIsPulledStraigh
     state = proxyTick(*space, state, hip, options);
     return mm_per_cell * (hip - state.position);
   };
-  constexpr double kStepMm = 0.02, r = 2.5 * 0.15;
+  constexpr double kStepMm = 0.02;
+  const double r = deep_mm * mu;
   for (int n = 0; n < 500; ++n) move(kStepMm, 0);
-  double most = 0, last = 0;
-  for (int n = 1; n <= 250; ++n) {
-    const GridPoint pull = move(0, kStepMm);
-    const double turned = 2 * std::atan(std::exp(-n * kStepMm / r));
-    last = std::abs(pull.x - r * std::sin(turned));
-    most = std::max(most, last);
+  const double line = std::max(kTrailMm, (1 + kTrailShare) * r);
+  const int way = static_cast<int>(7 * line / kStepMm);
+  double pull = 0;
+  for (int n = 1; n <= way; ++n) {
+    const auto turned = [&](double length) {
+      return r * std::sin(2 * std::atan(std::exp(-n * kStepMm / length)));
+    };
+    pull = move(0, kStepMm).x;
+    EXPECT_GE(pull, std::min(turned(r), turned(line)) - 0.02) << n;
+    EXPECT_LE(pull, std::max(turned(r), turned(line)) + 0.02) << n;
   }
-  EXPECT_LE(most, 0.2) << "of what it lags, its own way is turned as well";
-  EXPECT_LE(last, 0.01);
+  EXPECT_LE(pull, 0.01);
   double aside = 0;
   for (int n = 0; n < 250; ++n) aside = std::max(aside, std::abs(move(0, -kStepMm).x));
   EXPECT_LE(aside, 0.01) << "back";
+}
+
+TEST(Friction, AHandThatTurnsACornerIsFollowedAndOneThatTurnsBackIsPulledStraight) {
+  followsACorner(2.5, 0.15);
+  followsACorner(4, 0.45);
 }
 
 /// On a slope the counts change the depth as well, whatever rubs: a spring of 0.8 N/mm swings by
 /// 0.05 N. Friction may add no more than on the flat.
 TEST(Friction, NorDoesOneThatGoesUpOrDownASlope) {
   double worst = 0;
-  for (const SurfacePreset& preset : rubbingPresets()) {
+  for (const SurfacePreset& preset : rubbingFeels()) {
     SurfaceFeel smooth = preset.feel;
     smooth.friction = 0;
     for (const double step_mm : kCounts) {

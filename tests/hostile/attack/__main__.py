@@ -3,7 +3,7 @@
 """Attacks the command line: mutated files, kills, full disks, changed recordings, bad options.
 
 python3 tests/hostile/attack RELIEVO GOOD_FILES [--seed N] [--files 5000] [--kills 500] [--disks 10]
-[--changes 1000] [--options] [--only NAME] [--table TABLE.md]
+[--changes 1000] [--options] [--mixed] [--only NAME] [--table TABLE.md]
 
 RELIEVO is the program, GOOD_FILES the one that writes a good file of every format
 (build/release/tests/hostile_good_files). What is not asked for is not done. Every fault is printed
@@ -18,6 +18,7 @@ import tempfile
 import changes
 import disks
 import kills
+import mixed
 import mutated
 import options
 from bed import Bed, Table, clear
@@ -33,6 +34,7 @@ def arguments():
     for name in ("files", "kills", "disks", "changes"):
         parser.add_argument("--" + name, type=int, default=0)
     parser.add_argument("--options", action="store_true")
+    parser.add_argument("--mixed", action="store_true")
     parser.add_argument("--only", help="cases of kills and disks, or the verb of options")
     parser.add_argument("--table", help="also writes the table there")
     return parser.parse_args()
@@ -54,6 +56,8 @@ def main():
             options.attack(bed, asked.jobs, table, asked.only)
         if asked.changes:
             changes.attack(bed, asked.seed, asked.changes, asked.jobs, table)
+        if asked.mixed:
+            mixed.attack(bed, table, asked.only)
         if asked.kills:
             kills.attack(bed, asked.seed, asked.kills, asked.jobs, table, asked.only)
         if mounts:

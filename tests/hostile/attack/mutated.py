@@ -42,7 +42,8 @@ OTHER_VERBS = {
                 ["convert", "{}", "out.xyz"]],
     "map.origin.tif": [["measure", "map.tif", "--point", "30,30", "--report", "json"]],
     "map.colour.tif": [["convert", "map.tif", "out.ply"]],
-    "map.count.tif": [["measure", "map.tif", "--point", "30,30", "--report", "json"]],
+    "map.count.tif": [["measure", "map.tif", "--point", "30,30", "--report", "json"],
+                      ["info", "map.tif", "--with", "{}", "--report", "json"]],
 }
 
 

@@ -25,6 +25,8 @@ FAULTS = {
                                  ["--kills", "12", "--only", "convert .asc"]),
     "notices no change": ("case \"$*\" in *--verify*|*verify*) echo '{}' > \"$answer\"; code=0;; esac",
                           ["--changes", "12"]),
+    "takes files of two sets for one": ("[ $1 = info ] && code=0 && : > \"$words\"",
+                                        ["--mixed", "--only", "figure pdf"]),
     "takes any number": ("[ $1 = measure ] && [ $code = 1 ] && echo '{}' && code=0",
                          ["--options", "--only", "measure"]),
 }

@@ -424,13 +424,13 @@ TEST_F(FigureTest, TheEyesFilesKeepToTheScale) {
 TEST_F(FigureTest, HeightsInSixteenBitsAreTheReliefsHeights) {
   project_.figure.dpi = 100;
   project_.region = {.x_mm = 60, .y_mm = 30, .side_mm = 30, .level = {0}};
-  writeHeightsTiff(*surface_, project_, folder_ / "h.tif");
+  writeHeightsTiff(*surface_, project_, folder_ / "h.tif", folder_ / "h.png");
   const RasterMap back = readRaster(folder_ / "h.tif");
   const auto [low, high] = std::minmax_element(back.values.begin(), back.values.end());
   // All of it lies on the plateau: one height.
   EXPECT_EQ(*low, *high);
   project_.region = {.x_mm = 40, .y_mm = 30, .side_mm = 30, .level = {0}};
-  writeHeightsTiff(*surface_, project_, folder_ / "h.tif");
+  writeHeightsTiff(*surface_, project_, folder_ / "h.tif", folder_ / "h.png");
   const RasterMap step = readRaster(folder_ / "h.tif");
   EXPECT_EQ(*std::min_element(step.values.begin(), step.values.end()), 1);
   EXPECT_EQ(*std::max_element(step.values.begin(), step.values.end()), 65535);
@@ -468,8 +468,8 @@ TEST_F(FigureTest, OfAMapByTilesIsThatOfTheMapInMemory) {
   project_.region.level = {0};
   EXPECT_EQ(drawFigure(both.tiled, project_).image.rgba,
             drawFigure(both.whole, project_).image.rgba);
-  writeHeightsTiff(both.tiled, project_, folder_ / "tiled.tif");
-  writeHeightsTiff(both.whole, project_, folder_ / "whole.tif");
+  writeHeightsTiff(both.tiled, project_, folder_ / "tiled.tif", folder_ / "figure.png");
+  writeHeightsTiff(both.whole, project_, folder_ / "whole.tif", folder_ / "figure.png");
   EXPECT_EQ(readRaster(folder_ / "tiled.tif").values, readRaster(folder_ / "whole.tif").values);
 }
 

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace relievo {
+
+/// Which sentence of the catalogue; the names are in core/message/catalogue.h.
+enum class MessageId : std::uint16_t;
+
+struct Message;
+
+/// How many of something: a whole number.
+struct CountArgument {
+  template <std::integral Whole>
+  CountArgument(Whole whole) : value(static_cast<std::int64_t>(whole)) {}
+  /// A number that people compare: English sets its thousands apart ("1 204").
+  template <std::integral Whole>
+  static CountArgument grouped(Whole whole) {
+    CountArgument count(whole);
+    count.is_grouped = true;
+    return count;
+  }
+  std::int64_t value;
+  bool is_grouped = false;
+};
+
+enum class MessageUnit : std::uint8_t { none, millimetre, second, gigabyte, percent, gram, newton };
+
+/// " mm", " GB"; nothing for `none`. The same in every language.
+std::string_view unitText(MessageUnit unit);
+
+/// A measured number, with as many digits as are worth reading.
+struct NumberArgument {
+  enum class Form : std::uint8_t {
+    fixed,        ///< `digits` behind the point.
+    significant,  ///< `digits` in all, as few as are needed.
+    trimmed       ///< As `fixed`, without zeros at the end.
+  };
+  double value = 0;
+  int digits = 0;
+  Form form = Form::fixed;
+  MessageUnit unit = MessageUnit::none;
+};
+
+/// A file or folder, its bytes as the file system has them.
+struct PathArgument {
+  PathArgument(const std::filesystem::path& path) : bytes(path.native()) {}
+  std::string bytes;
+};
+
+/// What somebody called something, a file's content, a word of the command line: never translated.
+struct NameArgument {
+  NameArgument(std::string_view name) : text(name) {}
+  NameArgument(std::string name) : text(std::move(name)) {}
+  NameArgument(const char* name) : text(name) {}
+  std::string text;
+};
+
+/// What the system or a library says, in its own words; and sentences that are not yet in the
+/// catalogue.
+struct TextArgument {
+  TextArgument(std::string_view words) : text(words) {}
+  TextArgument(std::string words) : text(std::move(words)) {}
+  TextArgument(const char* words) : text(words) {}
+  std::string text;
+};
+
+/// Messages of the catalogue within another: a cause, or a list of words ("left, right").
+struct WordsArgument {
+  WordsArgument(Message one);
+  WordsArgument(std::vector<Message> list);
+  /// A sentence in brackets or after a colon: shown without its full stop.
+  static WordsArgument clause(Message sentence);
+  std::vector<Message> list;
+  bool is_clause = false;
+};
+
+using MessageArgument = std::variant<CountArgument, NumberArgument, PathArgument, NameArgument,
+                                     TextArgument, WordsArgument>;
+
+/// A sentence of the catalogue and what stands at its places. Made by `said` (catalogue.h), which
+/// takes exactly the arguments that the sentence has. A value: it crosses threads and, as bytes,
+/// processes.
+struct Message {
+  MessageId id{};
+  std::vector<MessageArgument> arguments;
+};
+
+/// The sentence for terminals, reports and logs. [any thread]
+std::string englishText(const Message& message);
+/// The same for one argument.
+std::string englishText(const MessageArgument& argument);
+/// "E101", or nothing. It is that of a message within, if this one has none.
+std::string codeOf(const Message& message);
+
+/// The places %1 to %9 of a sentence, taken by `part(number)`; one pass, so that a part may itself
+/// contain "%1". `Text` is std::string or QString.
+template <class Text, class Part>
+Text filledSentence(const Text& sentence, const Part& part) {
+  Text text;
+  const auto size = sentence.size();
+  for (decltype(sentence.size()) i = 0; i < size; ++i) {
+    const bool is_place =
+        sentence[i] == '%' && i + 1 < size && sentence[i + 1] >= '1' && sentence[i + 1] <= '9';
+    if (!is_place) {
+      text += sentence[i];
+      continue;
+    }
+    int number = 1;
+    while (sentence[i + 1] != static_cast<char>('0' + number)) ++number;
+    text += part(number);
+    ++i;
+  }
+  return text;
+}
+
+/// For the way between two processes of one build. [any thread]
+std::string messageBytes(const Message& message);
+/// @return nothing if the bytes are not exactly a message that `said` could have made
+std::optional<Message> messageFromBytes(std::string_view bytes);
+
+}  // namespace relievo

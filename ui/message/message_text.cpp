@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ui/message/message_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include "core/message/catalogue.h"
+
+namespace relievo {
+namespace {
+
+QString textOf(const CountArgument& count) {
+  // Of bytes and points, which are never below 0.
+  if (count.is_grouped) return QLocale().toString(static_cast<qulonglong>(count.value));
+  return QString::number(count.value);
+}
+
+QString textOf(const NumberArgument& number) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  const char form = number.form == NumberArgument::Form::significant ? 'g' : 'f';
+  QString digits = locale.toString(number.value, form, number.digits);
+  if (number.form == NumberArgument::Form::trimmed && digits.contains(locale.decimalPoint())) {
+    while (digits.endsWith(locale.zeroDigit())) digits.chop(1);
+    if (digits.endsWith(locale.decimalPoint())) digits.chop(1);
+  }
+  const std::string_view unit = unitText(number.unit);
+  return digits + QString::fromUtf8(unit.data(), static_cast<int>(unit.size()));
+}
+
+QString textOf(const PathArgument& path) {
+  return QString::fromStdString(path.bytes);
+}
+
+QString textOf(const NameArgument& name) {
+  return QString::fromStdString(name.text);
+}
+
+QString textOf(const TextArgument& text) {
+  return QString::fromStdString(text.text);
+}
+
+QString textOf(const WordsArgument& words) {
+  QStringList list;
+  for (const Message& word : words.list) list << messageText(word);
+  QString text = list.join(QStringLiteral(", "));
+  // A full stop in Latin and in Devanagari.
+  if (words.is_clause && (text.endsWith('.') || text.endsWith(QChar(0x0964)))) text.chop(1);
+  return text;
+}
+
+QString filled(const char* sentence, const Message& message) {
+  return filledSentence(QCoreApplication::translate(kMessageContext, sentence), [&](int number) {
+    return std::visit([](const auto& part) { return textOf(part); },
+                      message.arguments.at(static_cast<std::size_t>(number) - 1));
+  });
+}
+
+}  // namespace
+
+QString messageText(const Message& message) {
+  // Words of others; they have no translation.
+  if (message.id == MessageId::quoted) return QString::fromStdString(englishText(message));
+  return filled(rowOf(message.id).screen, message);
+}
+
+QString spokenMessage(const Message& message) {
+  const MessageRow& row = rowOf(message.id);
+  return filled(row.spoken[0] == '\0' ? row.screen : row.spoken, message);
+}
+
+}  // namespace relievo
