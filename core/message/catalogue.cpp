@@ -33,7 +33,27 @@ consteval bool hasNoOtherPlaces(std::string_view sentence, std::size_t arguments
   return true;
 }
 
+/// Forms of number are "{N|...|...}" of a count.
+consteval bool hasItsForms(std::string_view sentence, std::span<const std::size_t> types) {
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    if (sentence[i] == '}') return false;
+    if (sentence[i] != '{') continue;
+    const std::size_t end = sentence.find('}', i);
+    if (end == std::string_view::npos || end < i + 5) return false;
+    const std::string_view inner = sentence.substr(i + 1, end - i - 1);
+    const std::size_t place = static_cast<std::size_t>(inner[0] - '1');
+    if (place >= types.size() || types[place] != typeOfArgument<CountArgument>()) return false;
+    if (inner[1] != '|' || std::count(inner.begin(), inner.end(), '|') != 2) return false;
+    if (inner.find('{') != std::string_view::npos) return false;
+    i = end;
+  }
+  return true;
+}
+
 #define RELIEVO_MESSAGE_ROW(id, kind, code, screen, spoken, ...)                       \
+  static_assert(hasItsForms(screen, FormOfMessage<MessageId::id>::kTypes) &&           \
+                    hasItsForms(spoken, FormOfMessage<MessageId::id>::kTypes),         \
+                "a form of number of " #id " is none of a count");                     \
   static_assert(hasItsPlaces(screen, FormOfMessage<MessageId::id>::kTypes.size()),     \
                 "the sentence of " #id " and its arguments do not fit");               \
   static_assert(hasNoOtherPlaces(spoken, FormOfMessage<MessageId::id>::kTypes.size()), \

@@ -42,10 +42,19 @@ std::string textOf(const TextArgument& text) {
 }
 
 std::string textOf(const WordsArgument& words) {
+  if (words.form == WordsArgument::Form::sentences) return englishText(words.list);
   std::string text;
   for (const Message& word : words.list) text += (text.empty() ? "" : ", ") + englishText(word);
-  if (words.is_clause && text.ends_with('.')) text.pop_back();
+  if (words.form == WordsArgument::Form::clause && text.ends_with('.')) text.pop_back();
   return text;
+}
+
+std::string filled(const char* sentence, const Message& message) {
+  const std::string chosen =
+      withForms(std::string(sentence), [&](int place) { return isOne(message, place); });
+  return filledSentence(chosen, [&](int place) {
+    return englishText(message.arguments.at(static_cast<std::size_t>(place) - 1));
+  });
 }
 
 }  // namespace
@@ -56,8 +65,20 @@ WordsArgument::WordsArgument(std::vector<Message> words) : list(std::move(words)
 
 WordsArgument WordsArgument::clause(Message sentence) {
   WordsArgument words(std::move(sentence));
-  words.is_clause = true;
+  words.form = Form::clause;
   return words;
+}
+
+WordsArgument WordsArgument::sentences(std::vector<Message> sentences) {
+  WordsArgument words(std::move(sentences));
+  words.form = Form::sentences;
+  return words;
+}
+
+bool isOne(const Message& message, int place, bool zero_is_one) {
+  const auto* const count =
+      std::get_if<CountArgument>(&message.arguments.at(static_cast<std::size_t>(place) - 1));
+  return count != nullptr && (count->value == 1 || (zero_is_one && count->value == 0));
 }
 
 std::string_view unitText(MessageUnit unit) {
@@ -70,9 +91,20 @@ std::string englishText(const MessageArgument& argument) {
 }
 
 std::string englishText(const Message& message) {
-  return filledSentence(std::string(rowOf(message.id).screen), [&](int number) {
-    return englishText(message.arguments.at(static_cast<std::size_t>(number) - 1));
-  });
+  return filled(rowOf(message.id).screen, message);
+}
+
+std::string englishText(const std::vector<Message>& sentences) {
+  std::string text;
+  for (const Message& sentence : sentences) {
+    text += (text.empty() ? "" : " ") + englishText(sentence);
+  }
+  return text;
+}
+
+std::string englishSpoken(const Message& message) {
+  const MessageRow& row = rowOf(message.id);
+  return filled(row.spoken[0] == '\0' ? row.screen : row.spoken, message);
 }
 
 std::string codeOf(const Message& message) {

@@ -76,12 +76,17 @@ struct TextArgument {
 
 /// Messages of the catalogue within another: a cause, or a list of words ("left, right").
 struct WordsArgument {
+  enum class Form : std::uint8_t {
+    list,      ///< A comma between two.
+    clause,    ///< In brackets or after a colon: without its full stop.
+    sentences  ///< One after the other.
+  };
   WordsArgument(Message one);
   WordsArgument(std::vector<Message> list);
-  /// A sentence in brackets or after a colon: shown without its full stop.
   static WordsArgument clause(Message sentence);
+  static WordsArgument sentences(std::vector<Message> sentences);
   std::vector<Message> list;
-  bool is_clause = false;
+  Form form = Form::list;
 };
 
 using MessageArgument = std::variant<CountArgument, NumberArgument, PathArgument, NameArgument,
@@ -97,10 +102,50 @@ struct Message {
 
 /// The sentence for terminals, reports and logs. [any thread]
 std::string englishText(const Message& message);
-/// The same for one argument.
+/// The same for one argument, and for sentences one after the other.
 std::string englishText(const MessageArgument& argument);
+std::string englishText(const std::vector<Message>& sentences);
+/// For ears: the shorter sentence where the catalogue has one.
+std::string englishSpoken(const Message& message);
 /// "E101", or nothing. It is that of a message within, if this one has none.
 std::string codeOf(const Message& message);
+
+/// Which of 1 to 9 a character is; 0: none. `Character` is char or QChar.
+template <class Character>
+int placeNumber(Character character) {
+  for (int number = 1; number <= 9; ++number) {
+    if (character == static_cast<char>('0' + number)) return number;
+  }
+  return 0;
+}
+
+/// Forms of number: of "{2|one point|%2 points}" the first part where `is_one(2)`, else the second.
+/// Called before the places are filled, so that no name is taken for one.
+template <class Text, class IsOne>
+Text withForms(const Text& sentence, const IsOne& is_one) {
+  Text text;
+  const auto size = sentence.size();
+  for (decltype(sentence.size()) i = 0; i < size; ++i) {
+    const int number = sentence[i] == '{' && i + 2 < size ? placeNumber(sentence[i + 1]) : 0;
+    if (number == 0 || sentence[i + 2] != '|') {
+      text += sentence[i];
+      continue;
+    }
+    const bool takes_first = is_one(number);
+    bool in_first = true;
+    for (i += 3; i < size && sentence[i] != '}'; ++i) {
+      if (in_first && sentence[i] == '|') {
+        in_first = false;
+      } else if (in_first == takes_first) {
+        text += sentence[i];
+      }
+    }
+  }
+  return text;
+}
+
+/// Whether the argument at a place is a count of 1; in some languages 0 has the form of 1.
+bool isOne(const Message& message, int place, bool zero_is_one = false);
 
 /// The places %1 to %9 of a sentence, taken by `part(number)`; one pass, so that a part may itself
 /// contain "%1". `Text` is std::string or QString.
@@ -109,14 +154,11 @@ Text filledSentence(const Text& sentence, const Part& part) {
   Text text;
   const auto size = sentence.size();
   for (decltype(sentence.size()) i = 0; i < size; ++i) {
-    const bool is_place =
-        sentence[i] == '%' && i + 1 < size && sentence[i + 1] >= '1' && sentence[i + 1] <= '9';
-    if (!is_place) {
+    const int number = sentence[i] == '%' && i + 1 < size ? placeNumber(sentence[i + 1]) : 0;
+    if (number == 0) {
       text += sentence[i];
       continue;
     }
-    int number = 1;
-    while (sentence[i + 1] != static_cast<char>('0' + number)) ++number;
     text += part(number);
     ++i;
   }

@@ -46,7 +46,7 @@ void putArgument(std::string& bytes, const TextArgument& text) {
 }
 
 void putArgument(std::string& bytes, const WordsArgument& words) {
-  put(bytes, static_cast<std::uint8_t>(words.is_clause));
+  put(bytes, static_cast<std::uint8_t>(words.form));
   put(bytes, static_cast<std::uint8_t>(words.list.size()));
   for (const Message& word : words.list) putMessage(bytes, word);
 }
@@ -123,7 +123,7 @@ class Bytes {
     if (type == typeOfArgument<NameArgument>()) return NameArgument(text());
     if (type == typeOfArgument<TextArgument>()) return TextArgument(text());
     WordsArgument words{std::vector<Message>()};
-    words.is_clause = below<std::uint8_t>(2) == 1;
+    words.form = static_cast<WordsArgument::Form>(below<std::uint8_t>(3));
     for (int left = value<std::uint8_t>(); ok_ && left > 0; --left) {
       words.list.push_back(message(depth + 1));
     }

@@ -44,14 +44,22 @@ QString textOf(const TextArgument& text) {
 QString textOf(const WordsArgument& words) {
   QStringList list;
   for (const Message& word : words.list) list << messageText(word);
-  QString text = list.join(QStringLiteral(", "));
+  const bool sentences = words.form == WordsArgument::Form::sentences;
+  QString text = list.join(sentences ? QStringLiteral(" ") : QStringLiteral(", "));
+  const bool is_clause = words.form == WordsArgument::Form::clause;
   // A full stop in Latin and in Devanagari.
-  if (words.is_clause && (text.endsWith('.') || text.endsWith(QChar(0x0964)))) text.chop(1);
+  if (is_clause && (text.endsWith('.') || text.endsWith(QChar(0x0964)))) text.chop(1);
   return text;
 }
 
 QString filled(const char* sentence, const Message& message) {
-  return filledSentence(QCoreApplication::translate(kMessageContext, sentence), [&](int number) {
+  const QString translated = QCoreApplication::translate(kMessageContext, sentence);
+  // Nothing has the form of one in Hindi; what is not translated counts as English does.
+  const bool zero_is_one =
+      QLocale().language() == QLocale::Hindi && translated != QString::fromUtf8(sentence);
+  const QString chosen =
+      withForms(translated, [&](int place) { return isOne(message, place, zero_is_one); });
+  return filledSentence(chosen, [&](int number) {
     return std::visit([](const auto& part) { return textOf(part); },
                       message.arguments.at(static_cast<std::size_t>(number) - 1));
   });
@@ -63,6 +71,10 @@ QString messageText(const Message& message) {
   // Words of others; they have no translation.
   if (message.id == MessageId::quoted) return QString::fromStdString(englishText(message));
   return filled(rowOf(message.id).screen, message);
+}
+
+QString messageText(const std::vector<Message>& sentences) {
+  return textOf(WordsArgument::sentences(sentences));
 }
 
 QString spokenMessage(const Message& message) {

@@ -11,6 +11,8 @@ namespace relievo {
 /// numbers as the locale writes them, names and the system's own words as they are. A sentence
 /// without translation is shown in English. [any thread]
 QString messageText(const Message& message);
+/// Sentences one after the other.
+QString messageText(const std::vector<Message>& sentences);
 /// The same for ears: the shorter sentence where the catalogue has one.
 QString spokenMessage(const Message& message);
 

@@ -220,10 +220,6 @@
         <translation>Batlow</translation>
     </message>
     <message>
-        <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
-        <translation>Der Scan traf keine Zelle des Rasters. Nichts wurde gemacht. Wählen Sie eine andere Ansicht.</translation>
-    </message>
-    <message>
         <source>length of the cut</source>
         <translation>Länge des Schnitts</translation>
     </message>
@@ -246,70 +242,6 @@
     <message>
         <source>Writing the scan</source>
         <translation>Scan wird geschrieben</translation>
-    </message>
-    <message>
-        <source>The reference.</source>
-        <translation>Die Referenz.</translation>
-    </message>
-    <message>
-        <source>As stored.</source>
-        <translation>Wie gespeichert.</translation>
-    </message>
-    <message>
-        <source>The pose that was found before was used.</source>
-        <translation>Die vorher gefundene Lage wurde verwendet.</translation>
-    </message>
-    <message>
-        <source>%1 rms over %2 in common.</source>
-        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche.</translation>
-    </message>
-    <message>
-        <source>%1 rms over %2 in common. Weak %3: about %4.</source>
-        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche. Schwach gehalten %3: etwa %4.</translation>
-    </message>
-    <message>
-        <source>%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies as it was placed by hand.</source>
-        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche. Nichts in der Form hält ihn %3: dort liegt er, wie er von Hand gelegt wurde.</translation>
-    </message>
-    <message>
-        <source>%1 was left out: Not aligned: %2.</source>
-        <translation>%1 wurde weggelassen: nicht ausgerichtet: %2.</translation>
-    </message>
-    <message>
-        <source>Not aligned: %1.</source>
-        <translation>Nicht ausgerichtet: %1.</translation>
-    </message>
-    <message>
-        <source>%1 states no classes; all its points stay.</source>
-        <translation>%1 nennt keine Klassen; alle seine Punkte bleiben.</translation>
-    </message>
-    <message>
-        <source>%1 states no pulses with several returns; all its points stay.</source>
-        <translation>%1 nennt keine Pulse mit mehreren Echos; alle seine Punkte bleiben.</translation>
-    </message>
-    <message>
-        <source>%1 states no intensities; all its points stay.</source>
-        <translation>%1 nennt keine Intensitäten; alle seine Punkte bleiben.</translation>
-    </message>
-    <message>
-        <source>No point is left after all steps. Nothing was written. Take a step out, or widen its limits.</source>
-        <translation>Nach allen Schritten ist kein Punkt übrig. Nichts wurde geschrieben. Nehmen Sie einen Schritt heraus oder weiten Sie seine Grenzen.</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
-        <translation>&apos;%1&apos; hat sich seit dem Lesen geändert. Nichts wurde geschrieben. Schließen Sie den Dialog und öffnen Sie die Datei neu.</translation>
-    </message>
-    <message>
-        <source>%1: %2 picked pairs; three or more are needed. Nothing was aligned.</source>
-        <translation>%1: %2 gewählte Paare; drei oder mehr sind nötig. Nichts wurde ausgerichtet.</translation>
-    </message>
-    <message>
-        <source>%1: the picked places lie nearly in one line, which leaves open how the scan is turned about it. Nothing was aligned; pick one more place well beside that line.</source>
-        <translation>%1: Die gewählten Stellen liegen fast auf einer Geraden; wie der Scan um sie gedreht ist, bleibt offen. Nichts wurde ausgerichtet; eine weitere Stelle deutlich neben dieser Geraden wählen.</translation>
-    </message>
-    <message>
-        <source>%1: the picked places are not equally far from each other on the two scans. Nothing was aligned; look whether the pairs are in the same order and the scans in the same unit.</source>
-        <translation>%1: Die gewählten Stellen sind auf den beiden Scans nicht gleich weit voneinander entfernt. Nichts wurde ausgerichtet; prüfen, ob die Paare in derselben Reihenfolge und die Scans in derselben Einheit sind.</translation>
     </message>
 </context>
 <context>
@@ -4773,14 +4705,6 @@
         <translation>Wird gelesen …</translation>
     </message>
     <message>
-        <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
-        <translation>%1 wird noch gelesen. Nichts wurde gespeichert. Speichern Sie erneut, sobald die Liste den Wert zeigt.</translation>
-    </message>
-    <message>
-        <source>Select a profile or a section in the list first.</source>
-        <translation>Wählen Sie zuerst ein Profil oder einen Schnitt in der Liste.</translation>
-    </message>
-    <message>
         <source>Section</source>
         <translation>Schnitt</translation>
     </message>
@@ -5051,12 +4975,12 @@
         <translation>%1 kann nicht gelesen werden: Das Bild ist beschädigt. Nichts wurde wiederhergestellt.</translation>
     </message>
     <message>
-        <source>Cannot read %1: what it says of how it was made is damaged. Nothing was compared.</source>
-        <translation>%1 kann nicht gelesen werden: Was die Datei über ihre Entstehung sagt, ist beschädigt. Nichts wurde verglichen.</translation>
-    </message>
-    <message>
         <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
         <translation>%1 kann nicht gelesen werden: Was die Datei von relievo mitbringt, ist abgeschnitten. Nichts wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it says of how it was made is damaged. Nothing was compared.</source>
+        <translation>%1 kann nicht gelesen werden: Was die Datei über ihre Entstehung sagt, ist beschädigt. Nichts wurde verglichen.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, beyond what it may be.</source>
@@ -5071,8 +4995,8 @@
         <translation>„%1“ ist keine ganze Zahl.</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has not %2 numbers.</source>
-        <translation>„%1“ hat nicht %2 Zahlen.</translation>
+        <source>&apos;%1&apos; has not {2|%2 number|%2 numbers}.</source>
+        <translation>„%1“ hat nicht {2|%2 Zahl|%2 Zahlen}.</translation>
     </message>
     <message>
         <source>It is nested too deep.</source>
@@ -5407,50 +5331,6 @@
         <translation>Das wären mehr als eine Million Bilder. Wählen Sie einen Teil der Aufzeichnung.</translation>
     </message>
     <message>
-        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>Aufnahme beendet: Datenträger voll. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
-    </message>
-    <message>
-        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>Aufnahme beendet: HDF5 konnte nicht schreiben. %1 Abtastwerte sind gespeichert und vollständig in „%2“.</translation>
-    </message>
-    <message>
-        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
-        <translation>Aufnahme beendet: %1. %2 Abtastwerte sind gespeichert und vollständig in „%3“.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
-        <translation>Die Aufnahme „%1“ kann nicht geschrieben werden: Der Datenträger ist voll. Nichts wurde behalten. Schaffen Sie Platz oder wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: HDF5 refuses it. Choose another place.</source>
-        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: HDF5 verweigert es. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
-        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; may be incomplete.</source>
-        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; may be incomplete: %2.</source>
-        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig: %2.</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
-        <translation>Die Aufzeichnung &quot;%1&quot; wird gerade von einem anderen Programm geschrieben. Es wurde nichts aufgezeichnet. Wählen Sie einen anderen Namen, oder beenden Sie die andere zuerst.</translation>
-    </message>
-    <message>
-        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
-        <translation>Die Aufzeichnung ist vollständig, kann aber nicht &quot;%1&quot; heißen: %2. Sie liegt in &quot;%3&quot;.</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
-        <translation>Der Ordner „%1“ für Aufnahmen kann nicht angelegt werden. Nichts wird aufgenommen. Wählen Sie einen anderen.</translation>
-    </message>
-    <message>
         <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
         <translation>%1 kann nicht gelesen werden: Es gibt keine solche Datei. Prüfen Sie Name und Ordner.</translation>
     </message>
@@ -5503,16 +5383,16 @@
         <translation>%1 kann nicht gelesen werden: Der Dateikopf hat kein Ende (%2). Kopieren oder exportieren Sie die Datei erneut.</translation>
     </message>
     <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+        <source>Cannot read %1: header promises {2|%2 point|%2 points}, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht {2|%2 Punkt|%2 Punkte}, die Datei endet bei %3. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
     </message>
     <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht %2 Punkte, die Datei endet bei %3. Nichts wurde geladen. Laden Sie die %4 vollständigen Punkte oder wählen Sie eine andere Datei.</translation>
+        <source>Cannot read %1: header promises {2|%2 point|%2 points}, file ends at %3. Nothing was loaded. Load the {4|%4 complete point|%4 complete points}, or choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Der Dateikopf verspricht {2|%2 Punkt|%2 Punkte}, die Datei endet bei %3. Nichts wurde geladen. Laden Sie {4|den %4 vollständigen Punkt|die %4 vollständigen Punkte}, oder wählen Sie eine andere Datei.</translation>
     </message>
     <message>
-        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei hat %2 Punkte, keiner ist endlich. Wählen Sie eine andere Datei.</translation>
+        <source>Cannot read %1: it has {2|%2 point|%2 points}, none finite. Choose another file.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat {2|%2 Punkt, der nicht endlich ist|%2 Punkte, keiner ist endlich}. Wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
@@ -5583,6 +5463,1594 @@
         <translation>%1 kann nicht gelesen werden: Die Datei enthält die Intensitäten der Zellen einer Karte, keine Höhen. Öffnen Sie die Karte daneben.</translation>
     </message>
     <message>
+        <source>%1: &apos;%2&apos; is not a number from -1e12 to 1e12.</source>
+        <translation>%1: „%2“ ist keine Zahl von -1e12 bis 1e12.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a whole number.</source>
+        <translation>%1: %2 ist keine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is none of %3.</source>
+        <translation>%1: „%2“ ist keines von %3.</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is neither %3 nor %4.</source>
+        <translation>%1: „%2“ ist weder %3 noch %4.</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3.</source>
+        <translation>%1 muss zwischen %2 und %3 liegen.</translation>
+    </message>
+    <message>
+        <source>%1 needs {2|%2 number|%2 numbers} separated by commas, not &apos;%3&apos;.</source>
+        <translation>%1 braucht {2|%2 Zahl|%2 Zahlen} mit Kommas dazwischen, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 needs %2. Nothing was made. Give that as well, or leave %1 out.</source>
+        <translation>%1 braucht %2. Nichts wurde gemacht. Geben Sie das auch an, oder lassen Sie %1 weg.</translation>
+    </message>
+    <message>
+        <source>--parts: &apos;%1&apos; is no list of scan numbers from 1, such as 1,3.</source>
+        <translation>--parts: „%1“ ist keine Liste von Nummern der Scans ab 1, wie 1,3.</translation>
+    </message>
+    <message>
+        <source>--holes: the largest area must not be below 0.</source>
+        <translation>--holes: Die größte Fläche darf nicht unter 0 liegen.</translation>
+    </message>
+    <message>
+        <source>--cells must be at least 2.</source>
+        <translation>--cells muss mindestens 2 sein.</translation>
+    </message>
+    <message>
+        <source>--spacing must be above 0 mm.</source>
+        <translation>--spacing muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>Give --cells or --spacing, not both.</source>
+        <translation>Geben Sie --cells oder --spacing an, nicht beide.</translation>
+    </message>
+    <message>
+        <source>--factor must be from 1.1 to 8.</source>
+        <translation>--factor muss zwischen 1.1 und 8 liegen.</translation>
+    </message>
+    <message>
+        <source>--memory must be a number of megabytes above 0.</source>
+        <translation>--memory muss eine Zahl von Megabytes über 0 sein.</translation>
+    </message>
+    <message>
+        <source>--memory must be from 64 MB to 1000000000 MB.</source>
+        <translation>--memory muss zwischen 64 MB und 1000000000 MB liegen.</translation>
+    </message>
+    <message>
+        <source>--light: the elevation must be between 0 and 90 degrees.</source>
+        <translation>--light: Die Höhe muss zwischen 0 und 90 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>--radius: it must be 0 (automatic) or more millimetres.</source>
+        <translation>--radius: Er muss 0 (automatisch) oder mehr Millimeter sein.</translation>
+    </message>
+    <message>
+        <source>--shading: it must be between 0, as photographed, and 1.</source>
+        <translation>--shading: Sie muss zwischen 0, wie fotografiert, und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>--quality is for maps that are made in memory. Leave out --memory.</source>
+        <translation>--quality ist für Karten, die im Speicher gemacht werden. Lassen Sie --memory weg.</translation>
+    </message>
+    <message>
+        <source>--scale: &apos;%1&apos; is not of the form 1:N. Nothing was drawn.</source>
+        <translation>--scale: „%1“ hat nicht die Form 1:N. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>--scale: the width follows from it. Leave out --width-mm, or --scale.</source>
+        <translation>--scale: Die Breite folgt daraus. Lassen Sie --width-mm weg, oder --scale.</translation>
+    </message>
+    <message>
+        <source>--measure: &apos;%1&apos; is not of the form NAME:KIND:X,Y;X,Y.</source>
+        <translation>--measure: „%1“ hat nicht die Form NAME:KIND:X,Y;X,Y.</translation>
+    </message>
+    <message>
+        <source>--measure: &apos;%1&apos; has two planes.</source>
+        <translation>--measure: „%1“ hat zwei Ebenen.</translation>
+    </message>
+    <message>
+        <source>Give one of --from-image and --project. Nothing was drawn.</source>
+        <translation>Geben Sie eines von --from-image und --project an. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Give FILE, --project or --from-image. Nothing was drawn.</source>
+        <translation>Geben Sie FILE, --project oder --from-image an. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>--%1: the image says this already. Leave it out, or leave out --from-image. Nothing was drawn.</source>
+        <translation>--%1: Das Bild sagt das schon. Lassen Sie es weg, oder lassen Sie --from-image weg. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>--%1: the project says this already. Leave it out, or leave out --project. Nothing was drawn.</source>
+        <translation>--%1: Das Projekt sagt das schon. Lassen Sie es weg, oder lassen Sie --project weg. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 shows no region that relievo could draw again. Nothing was made. Choose a picture or log as relievo wrote it; other programs may drop what is inside.</source>
+        <translation>%1 zeigt keinen Ausschnitt, den relievo noch einmal zeichnen könnte. Nichts wurde gemacht. Wählen Sie ein Bild oder eine Aufzeichnung, wie relievo sie schrieb; andere Programme werfen manchmal weg, was darin ist.</translation>
+    </message>
+    <message>
+        <source>The map of &apos;%1&apos; has no level %2. Nothing was drawn.</source>
+        <translation>Die Karte von „%1“ hat keine Ebene %2. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>--pixels: of two pictures in one file each has %1 to %2. Nothing was drawn.</source>
+        <translation>--pixels: Von zwei Bildern in einer Datei hat jedes %1 bis %2. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name ends in .png or .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>Der Name eines Bildes endet auf .png oder .tif; „%1“ tut das nicht. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not one of its words.</source>
+        <translation>%1: „%2“ ist keines seiner Wörter.</translation>
+    </message>
+    <message>
+        <source>--size must be WIDTHxHEIGHT, like 1280x720.</source>
+        <translation>--size muss BREITExHÖHE sein, wie 1280x720.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; does not say how its map was made; an older version wrote it. Nothing was made. Replay it in the window on the open map.</source>
+        <translation>Die Aufzeichnung „%1“ sagt nicht, wie ihre Karte gemacht wurde; eine ältere Version schrieb sie. Nichts wurde gemacht. Spielen Sie sie im Fenster auf der geöffneten Karte ab.</translation>
+    </message>
+    <message>
+        <source>--frame: there {1|is %1 frame|are %1 frames}, counted from 0. Nothing was drawn.</source>
+        <translation>--frame: Es gibt {1|%1 Bild|%1 Bilder}, ab 0 gezählt. Nichts wurde gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The project &quot;%1&quot; has no camera path. Nothing was made. Add key views in the window.</source>
+        <translation>Das Projekt „%1“ hat keinen Kameraweg. Nichts wurde gemacht. Fügen Sie im Fenster Kamerapunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>Give a recording, or a project with --path. Nothing was made.</source>
+        <translation>Geben Sie eine Aufzeichnung an, oder ein Projekt mit --path. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>--classes: a class is from 0 to 255.</source>
+        <translation>--classes: Eine Klasse geht von 0 bis 255.</translation>
+    </message>
+    <message>
+        <source>--sparse needs two or three numbers separated by commas, not &apos;%1&apos;.</source>
+        <translation>--sparse braucht zwei oder drei Zahlen mit Kommas dazwischen, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>--reference: scans are counted from 1.</source>
+        <translation>--reference: Scans werden ab 1 gezählt.</translation>
+    </message>
+    <message>
+        <source>--reference needs more than one FILE.</source>
+        <translation>--reference braucht mehr als ein FILE.</translation>
+    </message>
+    <message>
+        <source>--seed belongs to --align and --base. Give one, or leave it out.</source>
+        <translation>--seed gehört zu --align und --base. Geben Sie eines an, oder lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe says what is done. Leave one of them out.</source>
+        <translation>%1: Das Rezept sagt, was getan wird. Lassen Sie eines von beiden weg.</translation>
+    </message>
+    <message>
+        <source>The reference is scan %1, but there {2|is|are} only %2.</source>
+        <translation>Die Referenz ist Scan %1, aber es gibt nur %2.</translation>
+    </message>
+    <message>
+        <source>There is no FILE to prepare. Nothing was done.</source>
+        <translation>Es gibt kein FILE zum Aufbereiten. Nichts wurde getan.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3. Nothing was done. Its first line is %4; then one pair a line.</source>
+        <translation>%1, Zeile %2: %3. Nichts wurde getan. Die erste Zeile ist %4; dann ein Paar je Zeile.</translation>
+    </message>
+    <message>
+        <source>-o: &apos;%1&apos; is no .ply. Nothing was done.</source>
+        <translation>-o: „%1“ ist keine .ply-Datei. Nichts wurde getan.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs &apos;%2&apos;, which the package does not hold. Nothing outside of it was read. Ask whoever made it for a whole one.</source>
+        <translation>„%1“ braucht „%2“, was das Paket nicht enthält. Nichts außerhalb davon wurde gelesen. Bitten Sie den Ersteller um ein vollständiges.</translation>
+    </message>
+    <message>
+        <source>The package does not hold its input, so that nothing can be replayed. Give the file with --input; its checksum is %1.</source>
+        <translation>Das Paket enthält seine Eingabe nicht, so dass nichts wiederholt werden kann. Geben Sie die Datei mit --input an; ihre Prüfsumme ist %1.</translation>
+    </message>
+    <message>
+        <source>No folder to unpack the package can be made. Set TMPDIR to another one.</source>
+        <translation>Zum Auspacken des Pakets kann kein Ordner gemacht werden. Setzen Sie TMPDIR auf einen anderen.</translation>
+    </message>
+    <message>
+        <source>--output is for a single recording; a package is only checked. Nothing was replayed. Leave it out.</source>
+        <translation>--output ist für eine einzelne Aufzeichnung; ein Paket wird nur geprüft. Nichts wurde wiederholt. Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; lacks its last lines: the program or the computer ended while it recorded, or the disk was full. It cannot be verified. Show it with Record &gt; Replay, or make a video.</source>
+        <translation>Der Aufzeichnung „%1“ fehlen die letzten Zeilen: Das Programm oder der Computer endete während der Aufnahme, oder der Datenträger war voll. Sie kann nicht geprüft werden. Zeigen Sie sie mit Aufzeichnen &gt; Abspielen, oder machen Sie ein Video.</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; does not say what made it; only logs of touch, record and the window can be replayed.</source>
+        <translation>Die Aufzeichnung „%1“ sagt nicht, was sie gemacht hat; nur Aufzeichnungen von touch, record und dem Fenster können wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>The log was made by a command that this version does not understand: %1.</source>
+        <translation>Die Aufzeichnung wurde von einem Befehl gemacht, den diese Version nicht versteht: %1.</translation>
+    </message>
+    <message>
+        <source>Window %1 is not what was touched: its depth map cannot be made again as it was. Nothing was replayed.</source>
+        <translation>Ausschnitt %1 ist nicht, was ertastet wurde: Seine Tiefenkarte kann nicht wieder so gemacht werden, wie sie war. Nichts wurde wiederholt.</translation>
+    </message>
+    <message>
+        <source>The map of the recording has no level %1. Nothing was replayed.</source>
+        <translation>Die Karte der Aufzeichnung hat keine Ebene %1. Nichts wurde wiederholt.</translation>
+    </message>
+    <message>
+        <source>The recording does not say how one of its maps was made. Nothing was replayed.</source>
+        <translation>Die Aufzeichnung sagt nicht, wie eine ihrer Karten gemacht wurde. Nichts wurde wiederholt.</translation>
+    </message>
+    <message>
+        <source>The recording does not say where its raster of firm ground is. Nothing was replayed.</source>
+        <translation>Die Aufzeichnung sagt nicht, wo ihr Raster des festen Grundes ist. Nichts wurde wiederholt.</translation>
+    </message>
+    <message>
+        <source>project new needs -o PROJECT.json.</source>
+        <translation>project new braucht -o PROJECT.json.</translation>
+    </message>
+    <message>
+        <source>project package needs -o PACKAGE.zip.</source>
+        <translation>project package braucht -o PACKAGE.zip.</translation>
+    </message>
+    <message>
+        <source>%1 shows no region, so that no project can be made from it. Choose a picture or log that relievo wrote.</source>
+        <translation>%1 zeigt keinen Ausschnitt, so dass kein Projekt daraus gemacht werden kann. Wählen Sie ein Bild oder eine Aufzeichnung, die relievo schrieb.</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of %2, and %3 shows another file. No project was written. Leave it out.</source>
+        <translation>%1 ist eine Aufzeichnung von %2, und %3 zeigt eine andere Datei. Kein Projekt wurde geschrieben. Lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to project %2, not to %3. Nothing was done. Leave it out.</source>
+        <translation>%1 gehört zu project %2, nicht zu %3. Nichts wurde getan. Lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>--relief: lit stone has no values. Choose another, or &apos;relievo render&apos;.</source>
+        <translation>--relief: Beleuchteter Stein hat keine Werte. Wählen Sie ein anderes, oder &apos;relievo render&apos;.</translation>
+    </message>
+    <message>
+        <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>
+        <translation>--relief: „%1“ hat keine Werte des Reliefs. Wählen Sie ein anderes, oder &apos;relievo render&apos;; Farben werden ohne --relief neben eine Karte geschrieben.</translation>
+    </message>
+    <message>
+        <source>--relief: its values go into .tif or .asc, not into &apos;%1&apos;.</source>
+        <translation>--relief: Seine Werte gehen in .tif oder .asc, nicht in „%1“.</translation>
+    </message>
+    <message>
+        <source>--relief paints the whole map. Leave out --level and --region.</source>
+        <translation>--relief malt die ganze Karte. Lassen Sie --level und --region weg.</translation>
+    </message>
+    <message>
+        <source>%1: its ending is none of .tif, .asc, .vti, .ply, .xyz, .stl and .glb.</source>
+        <translation>%1: Die Endung ist keine von .tif, .asc, .vti, .ply, .xyz, .stl und .glb.</translation>
+    </message>
+    <message>
+        <source>--light and --radius belong to --relief. Give it, or leave them out.</source>
+        <translation>--light und --radius gehören zu --relief. Geben Sie es an, oder lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>%1 needs x and y of {2|%2 place|%2 places}, not &apos;%3&apos;.</source>
+        <translation>%1 braucht x und y von {2|%2 Stelle|%2 Stellen}, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 needs x and y of at least {2|%2 place|%2 places}, not &apos;%3&apos;.</source>
+        <translation>%1 braucht x und y von mindestens {2|%2 Stelle|%2 Stellen}, nicht „%3“.</translation>
+    </message>
+    <message>
+        <source>There is nothing to measure. Give --point, --distance, --depth, --angle, --profile, --area or --section.</source>
+        <translation>Es gibt nichts zu messen. Geben Sie --point, --distance, --depth, --angle, --profile, --area oder --section an.</translation>
+    </message>
+    <message>
+        <source>%1 is for one --%2; there are more.</source>
+        <translation>%1 ist für ein --%2; es gibt mehr.</translation>
+    </message>
+    <message>
+        <source>%1 needs a --%2.</source>
+        <translation>%1 braucht ein --%2.</translation>
+    </message>
+    <message>
+        <source>%1: the file&apos;s name must end with %2, not &apos;%3&apos;. Nothing was written.</source>
+        <translation>%1: Der Name der Datei muss auf %2 enden, nicht „%3“. Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is nothing to plot: the stroke has no ticks.</source>
+        <translation>Es gibt nichts zu zeichnen: Der Strich hat keine Takte.</translation>
+    </message>
+    <message>
+        <source>--stiffness must be above 0 N/mm.</source>
+        <translation>--stiffness muss über 0 N/mm liegen.</translation>
+    </message>
+    <message>
+        <source>--level-stiffness must be above 0 N/mm at every level.</source>
+        <translation>--level-stiffness muss auf jeder Ebene über 0 N/mm liegen.</translation>
+    </message>
+    <message>
+        <source>--stiffness is one for all levels. Nothing was touched. Leave it out, or --level-stiffness.</source>
+        <translation>--stiffness ist eine für alle Ebenen. Nichts wurde ertastet. Lassen Sie sie weg, oder --level-stiffness.</translation>
+    </message>
+    <message>
+        <source>--friction: the paper&apos;s proxies know no friction; use --proxy converged.</source>
+        <translation>--friction: Die Proxys des Aufsatzes kennen keine Reibung; verwenden Sie --proxy converged.</translation>
+    </message>
+    <message>
+        <source>--friction must be 0 to %1, the static coefficient not below the dynamic one.</source>
+        <translation>--friction muss 0 bis %1 sein, der Haftbeiwert nicht unter dem Gleitbeiwert.</translation>
+    </message>
+    <message>
+        <source>--device: a stroke cannot move &apos;%1&apos;, which a person holds. Use virtual, or record without a stroke.</source>
+        <translation>--device: Ein Strich kann „%1“ nicht bewegen, das jemand hält. Verwenden Sie virtual, oder zeichnen Sie ohne Strich auf.</translation>
+    </message>
+    <message>
+        <source>--seconds must be above 0 and at most 86400.</source>
+        <translation>--seconds muss über 0 und höchstens 86400 sein.</translation>
+    </message>
+    <message>
+        <source>--safety off is for a simulated hand, and a person holds the device &apos;%1&apos;. Nothing was recorded. Leave it out, or record with --device virtual.</source>
+        <translation>--safety off ist für eine simulierte Hand, und das Gerät „%1“ hält jemand. Nichts wurde aufgezeichnet. Lassen Sie es weg, oder zeichnen Sie mit --device virtual auf.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2). Nothing was installed. Add --accept if you trust it.</source>
+        <translation>„%1“ hat die Form eines Startabbilds, aber niemand kennt dieses (sha256 %2). Nichts wurde installiert. Fügen Sie --accept hinzu, wenn Sie ihm trauen.</translation>
+    </message>
+    <message>
+        <source>--device: &apos;%1&apos; names no Falcon. Nothing was tried. Use an id of &apos;relievo devices&apos;.</source>
+        <translation>--device: „%1“ nennt keinen Falcon. Nichts wurde versucht. Verwenden Sie eine Kennung aus &apos;relievo devices&apos;.</translation>
+    </message>
+    <message>
+        <source>The input ended before Enter said that the weight hangs. The old setting is kept. Run it at a terminal.</source>
+        <translation>Die Eingabe endete, bevor Enter sagte, dass das Gewicht hängt. Die alte Einstellung bleibt. Führen Sie es an einem Terminal aus.</translation>
+    </message>
+    <message>
+        <source>The computer goes to sleep; the forces are off and this has ended. Begin again when it is awake.</source>
+        <translation>Der Computer geht schlafen; die Kräfte sind aus, und dies ist beendet. Beginnen Sie noch einmal, wenn er wach ist.</translation>
+    </message>
+    <message>
+        <source>The computer goes to sleep; the forces are off and this has ended. The old setting is kept. Begin again when it is awake.</source>
+        <translation>Der Computer geht schlafen; die Kräfte sind aus, und dies ist beendet. Die alte Einstellung bleibt. Beginnen Sie noch einmal, wenn er wach ist.</translation>
+    </message>
+    <message>
+        <source>%1 names &apos;%2&apos;, which lies outside of its folder and is not, by a checksum, what it was made from. It was not read, and nothing was made. %3 --outside-files allow reads it all the same.</source>
+        <translation>%1 nennt „%2“, was außerhalb des eigenen Ordners liegt und nach der Prüfsumme nicht das ist, woraus es gemacht wurde. Es wurde nicht gelesen, und nichts wurde gemacht. %3 --outside-files allow liest es trotzdem.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the file that %2 was made from (checksum differs, E501). Nothing was made. Give the right one as FILE, or --changed-input to use this one.</source>
+        <translation>„%1“ ist nicht die Datei, aus der %2 gemacht wurde (Prüfsumme verschieden, E501). Nichts wurde gemacht. Geben Sie die richtige als FILE an, oder --changed-input, um diese zu verwenden.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the file that %2 was made for (checksum differs, E501). Nothing was done. Give the file by its name to use it all the same.</source>
+        <translation>„%1“ ist nicht die Datei, für die %2 gemacht wurde (Prüfsumme verschieden, E501). Nichts wurde getan. Geben Sie die Datei mit ihrem Namen an, um sie trotzdem zu verwenden.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the raster of firm ground that was felt (checksum differs, E501). Nothing was replayed. Put the right one back, there or beside the recording.</source>
+        <translation>„%1“ ist nicht das Raster des festen Grundes, das ertastet wurde (Prüfsumme verschieden, E501). Nichts wurde wiederholt. Legen Sie das richtige zurück, dorthin oder neben die Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: disk full. {1|%1 sample is|%1 samples are} saved and complete in &quot;%2&quot;.</source>
+        <translation>Aufnahme beendet: Datenträger voll. {1|%1 Abtastwert ist|%1 Abtastwerte sind} gespeichert und vollständig in „%2“.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: HDF5 could not write. {1|%1 sample is|%1 samples are} saved and complete in &quot;%2&quot;.</source>
+        <translation>Aufnahme beendet: HDF5 konnte nicht schreiben. {1|%1 Abtastwert ist|%1 Abtastwerte sind} gespeichert und vollständig in „%2“.</translation>
+    </message>
+    <message>
+        <source>Recording stopped: %1. {2|%2 sample is|%2 samples are} saved and complete in &quot;%3&quot;.</source>
+        <translation>Aufnahme beendet: %1. {2|%2 Abtastwert ist|%2 Abtastwerte sind} gespeichert und vollständig in „%3“.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
+        <translation>Die Aufnahme „%1“ kann nicht geschrieben werden: Der Datenträger ist voll. Nichts wurde behalten. Schaffen Sie Platz oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: HDF5 refuses it. Choose another place.</source>
+        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: HDF5 verweigert es. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>Die Aufzeichnung „%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete.</source>
+        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete: %2.</source>
+        <translation>Die Aufzeichnung „%1“ ist vielleicht unvollständig: %2.</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
+        <translation>Die Aufzeichnung &quot;%1&quot; wird gerade von einem anderen Programm geschrieben. Es wurde nichts aufgezeichnet. Wählen Sie einen anderen Namen, oder beenden Sie die andere zuerst.</translation>
+    </message>
+    <message>
+        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
+        <translation>Die Aufzeichnung ist vollständig, kann aber nicht &quot;%1&quot; heißen: %2. Sie liegt in &quot;%3&quot;.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
+        <translation>Der Ordner „%1“ für Aufnahmen kann nicht angelegt werden. Nichts wird aufgenommen. Wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>kein Fehler</translation>
+    </message>
+    <message>
+        <source>the device did not answer in time</source>
+        <translation>das Gerät hat nicht rechtzeitig geantwortet</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>das Gerät wurde getrennt</translation>
+    </message>
+    <message>
+        <source>the device sent something unreadable</source>
+        <translation>das Gerät hat Unlesbares gesendet</translation>
+    </message>
+    <message>
+        <source>the device is too hot</source>
+        <translation>das Gerät ist zu heiß</translation>
+    </message>
+    <message>
+        <source>the device reported an impossible position</source>
+        <translation>das Gerät meldet eine unmögliche Position</translation>
+    </message>
+    <message>
+        <source>the device is not ready yet</source>
+        <translation>das Gerät ist noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>base plane</source>
+        <translation>Grundebene</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>steil</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außerhalb</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>Finer detail</source>
+        <translation>Feineres Detail</translation>
+    </message>
+    <message>
+        <source>Coarser detail</source>
+        <translation>Gröberes Detail</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>Ganzes Objekt</translation>
+    </message>
+    <message>
+        <source>Detail and scale</source>
+        <translation>Detail und Maßstab</translation>
+    </message>
+    <message>
+        <source>Where am I</source>
+        <translation>Wo bin ich</translation>
+    </message>
+    <message>
+        <source>Where am I, in full</source>
+        <translation>Wo bin ich, ausführlich</translation>
+    </message>
+    <message>
+        <source>Forces on or off</source>
+        <translation>Kräfte ein oder aus</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>Kräfte aus</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>Verschoben</translation>
+    </message>
+    <message>
+        <source>Back to the old window</source>
+        <translation>Zurück zum alten Ausschnitt</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>Nächster Ort</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>Voriger Ort</translation>
+    </message>
+    <message>
+        <source>Beacon</source>
+        <translation>Leuchtfeuer</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Introduction</source>
+        <translation>Einführung</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
+    </message>
+    <message>
+        <source>The Falcon is not in use.</source>
+        <translation>Der Falcon wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose the mouse as the device.</source>
+        <translation>Falcon getrennt. Kräfte aus. Ansicht und Aufzeichnung gehen weiter. Stecken Sie ihn wieder an oder wählen Sie die Maus als Gerät.</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces are off.</source>
+        <translation>Falcon getrennt. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
+        <translation>Falcon abgezogen. Kräfte aus. Ansicht und Aufnahme laufen weiter. Stecken Sie ihn wieder ein. Es gibt noch %1; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>Es ist kein Falcon angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>Es ist kein Falcon angeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>%1 wurde gewählt und ist nicht angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
+    </message>
+    <message>
+        <source>The chosen Falcon is not plugged in.</source>
+        <translation>Der gewählte Falcon ist nicht angeschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
+        <translation>%1 wurde gewählt und ist nicht angeschlossen. Da ist %2; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
+        <translation>Mehrere Falcons sind angeschlossen: %1. Keiner wird benutzt, bis Sie einen wählen.</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in. Choose one.</source>
+        <translation>Mehrere Falcons sind angeschlossen. Wählen Sie einen.</translation>
+    </message>
+    <message>
+        <source>A Falcon is plugged in but this account may not use it. Install the rule that the device set-up shows and &apos;relievo devices rule&apos; prints, once (needs an administrator), then replug.</source>
+        <translation>Ein Falcon ist angeschlossen, aber dieses Konto darf ihn nicht benutzen. Installieren Sie einmal die Regel, die „Gerät einrichten“ zeigt und „relievo devices rule“ ausgibt (dazu braucht es einen Verwalter), und stecken Sie ihn neu an.</translation>
+    </message>
+    <message>
+        <source>Falcon found, but not allowed. Ask staff.</source>
+        <translation>Falcon gefunden, aber nicht erlaubt. Fragen Sie das Personal.</translation>
+    </message>
+    <message>
+        <source>Another program is using the Falcon. Close it, then try again.</source>
+        <translation>Ein anderes Programm benutzt den Falcon. Schließen Sie es und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon is busy.</source>
+        <translation>Der Falcon ist besetzt.</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened: %1. Replug it, or try another port.</source>
+        <translation>Der Falcon konnte nicht geöffnet werden: %1. Stecken Sie ihn neu an oder versuchen Sie einen anderen Anschluss.</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened.</source>
+        <translation>Der Falcon konnte nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>USB cannot be used</source>
+        <translation>USB ist nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>Asking the Falcon whether it is ready.</source>
+        <translation>Der Falcon wird gefragt, ob er bereit ist.</translation>
+    </message>
+    <message>
+        <source>Falcon found.</source>
+        <translation>Falcon gefunden.</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware file.</source>
+        <translation>Der Falcon braucht seine Firmware-Datei.</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
+        <translation>Der Falcon wird gestartet – Versuch %1 von %2. Das ist normal.</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon.</source>
+        <translation>Der Falcon wird gestartet.</translation>
+    </message>
+    <message>
+        <source>Still starting.</source>
+        <translation>Startet noch.</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon failed {1|%1 time|%1 times}, although it is plugged in. Forces are off; it is tried again every 10 seconds. Plug it straight into the computer, if you can with another cable, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Die Verbindung zum Falcon ist %1-mal gescheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; alle 10 Sekunden wird es noch einmal versucht. Stecken Sie ihn direkt am Computer ein, möglichst mit einem anderen Kabel, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off.</source>
+        <translation>Der Falcon antwortet nicht. Kräfte sind aus.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after {1|%1 attempt|%1 attempts}; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Der Falcon ist nach {1|%1 Versuch|%1 Versuchen} nicht gestartet; er wird jetzt in Ruhe gelassen. Prüfen Sie sein Netzteil und stecken Sie ihn direkt am Rechner an, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start. You can continue with the mouse.</source>
+        <translation>Der Falcon ist nicht gestartet. Sie können mit der Maus weitermachen.</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after {1|%1 attempt|%1 attempts}; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry. (%2)</source>
+        <translation>Der Falcon ist nach {1|%1 Versuch|%1 Versuchen} nicht gestartet; er wird jetzt in Ruhe gelassen. Prüfen Sie sein Netzteil und stecken Sie ihn direkt am Rechner an, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal. (%2)</translation>
+    </message>
+    <message>
+        <source>its boot loader did not answer</source>
+        <translation>sein Startprogramm hat nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>it did not lock on to the baud rate</source>
+        <translation>er hat sich nicht auf die Baudrate eingestellt</translation>
+    </message>
+    <message>
+        <source>it echoed wrongly after byte %1 of %2</source>
+        <translation>nach Byte %1 von %2 kam ein falsches Echo</translation>
+    </message>
+    <message>
+        <source>it did not run after loading</source>
+        <translation>er lief nach dem Laden nicht</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1.</source>
+        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein. Es fehlen noch die Arme: %1.</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in.</source>
+        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein.</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1. It takes long: pull straight out, push straight in, as far as it goes; do not twist.</source>
+        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein. Es fehlen noch die Arme: %1. Es dauert lange: gerade herausziehen, gerade hineindrücken, so weit es geht; nicht drehen.</translation>
+    </message>
+    <message>
+        <source>Straight out, straight in; do not twist the grip.</source>
+        <translation>Gerade heraus, gerade hinein; den Griff nicht drehen.</translation>
+    </message>
+    <message>
+        <source>All three arms have found their place. Pull the grip fully out once more.</source>
+        <translation>Alle drei Arme haben ihren Ort gefunden. Ziehen Sie den Griff noch einmal ganz heraus.</translation>
+    </message>
+    <message>
+        <source>Pull the grip fully out.</source>
+        <translation>Ziehen Sie den Griff ganz heraus.</translation>
+    </message>
+    <message>
+        <source>Falcon ready.</source>
+        <translation>Falcon bereit.</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
+        <translation>Die Verbindung zum Falcon scheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; er wird neu geöffnet – %1 von %2.</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off; trying to wake it.</source>
+        <translation>Der Falcon antwortet nicht. Die Kräfte sind aus; es wird versucht, ihn zu wecken.</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>Minus</translation>
+    </message>
+    <message>
+        <source>USB cannot be used: %1.</source>
+        <translation>USB ist nicht benutzbar: %1.</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s thread could not be started: %1.</source>
+        <translation>Der Thread des Falcon konnte nicht gestartet werden: %1.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
+        <translation>„%1“ benennt keinen Falcon. Schreiben Sie falcon:SERIAL, falcon:SERIAL@PORT oder falcon:@PORT, wie &apos;relievo devices&apos; sie auflistet, oder falcon für den einzigen.</translation>
+    </message>
+    <message>
+        <source>There is no mouse device named &quot;%1&quot;.</source>
+        <translation>Es gibt kein Mausgerät namens „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;%1&quot;. This build knows: %2.</source>
+        <translation>Es gibt kein Gerät „%1“. Dieses Programm kennt: %2.</translation>
+    </message>
+    <message>
+        <source>HID devices cannot be used on this system.</source>
+        <translation>HID-Geräte können auf diesem System nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>There is no virtual hand &quot;%1&quot;. Known: %2.</source>
+        <translation>Es gibt keine virtuelle Hand „%1“. Bekannt: %2.</translation>
+    </message>
+    <message>
+        <source>The virtual hand&apos;s delay is {1|%1 tick|%1 ticks}; 0, 1 and 2 are possible.</source>
+        <translation>Die Verzögerung der virtuellen Hand ist {1|%1 Takt|%1 Takte}; 0, 1 und 2 sind möglich.</translation>
+    </message>
+    <message>
+        <source>A scripted device needs at least one reading.</source>
+        <translation>Ein Gerät nach Vorschrift braucht mindestens eine Ablesung.</translation>
+    </message>
+    <message>
+        <source>The test ended early: %1. %2</source>
+        <translation>Der Selbsttest endete vorzeitig: %1. %2</translation>
+    </message>
+    <message>
+        <source>Rate: %1 answers per second (%2 are needed).</source>
+        <translation>Rate: %1 Antworten je Sekunde (%2 sind nötig).</translation>
+    </message>
+    <message>
+        <source>Line: {1|%1 damaged answer|%1 damaged answers}, {2|%2 stall|%2 stalls}, {3|%3 overrun|%3 overruns}.</source>
+        <translation>Leitung: {1|%1 beschädigte Antwort|%1 beschädigte Antworten}, {2|%2 Stockung|%2 Stockungen}, {3|%3 Überlauf|%3 Überläufe}.</translation>
+    </message>
+    <message>
+        <source>Times from answer to answer: up to 0.8 ms %1, up to 1.0 ms %2, up to 1.2 ms %3, up to 2.0 ms %4, up to 5.0 ms %5, up to 20.0 ms %6, up to 100.0 ms %7, above 100.0 ms %8; the longest %9 ms.</source>
+        <translation>Zeiten von Antwort zu Antwort: bis 0.8 ms %1, bis 1.0 ms %2, bis 1.2 ms %3, bis 2.0 ms %4, bis 5.0 ms %5, bis 20.0 ms %6, bis 100.0 ms %7, über 100.0 ms %8; die längste %9 ms.</translation>
+    </message>
+    <message>
+        <source>From question to answer: %1 ms on average, %2 ms at worst.</source>
+        <translation>Von der Frage zur Antwort: %1 ms im Mittel, %2 ms höchstens.</translation>
+    </message>
+    <message>
+        <source>Lights: red, green and blue were shown one after the other.</source>
+        <translation>Lichter: Rot, Grün und Blau wurden nacheinander gezeigt.</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm.</source>
+        <translation>Stöße von 0.5 N bewegten die Hand: nach rechts %1 mm, nach links %2 mm, nach oben %3 mm, nach unten %4 mm, nach vorn %5 mm, nach hinten %6 mm.</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.</source>
+        <translation>Stöße von 0.5 N bewegten die Hand: nach rechts %1 mm, nach links %2 mm, nach oben %3 mm, nach unten %4 mm, nach vorn %5 mm, nach hinten %6 mm; eine Hand, die festhält, bewegt sich weniger.</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the Falcon&apos;s power supply, hold the grip loosely or let go of it, and test again.</source>
+        <translation>Stöße von 0.5 N bewegten die Hand nach rechts um %1 mm, links %2 mm, oben %3 mm, unten %4 mm, außen %5 mm, innen %6 mm; die Motoren haben nichts bewegt. Prüfen Sie das Netzteil des Falcon, halten Sie den Griff locker oder lassen Sie ihn los und prüfen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Buttons: all four work.</source>
+        <translation>Knöpfe: Alle vier funktionieren.</translation>
+    </message>
+    <message>
+        <source>Buttons that were not pressed: %1.</source>
+        <translation>Knöpfe, die nicht gedrückt wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Encoder of the %1 arm: moved by {2|%2 count|%2 counts}.</source>
+        <translation>Encoder des Arms %1: um {2|%2 Zählschritt|%2 Zählschritte} bewegt.</translation>
+    </message>
+    <message>
+        <source>Measuring how evenly the Falcon answers.</source>
+        <translation>Gemessen wird, wie gleichmäßig der Falcon antwortet.</translation>
+    </message>
+    <message>
+        <source>Watch the lights: red, green, blue.</source>
+        <translation>Achten Sie auf die Lichter: rot, grün, blau.</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely: six small nudges of half a newton.</source>
+        <translation>Halten Sie den Griff locker: sechs kleine Stöße von einem halben Newton.</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons.</source>
+        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe.</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
+        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe. Es fehlen noch: %1.</translation>
+    </message>
+    <message>
+        <source>The self test passed.</source>
+        <translation>Der Selbsttest ist bestanden.</translation>
+    </message>
+    <message>
+        <source>The self test found something wrong.</source>
+        <translation>Der Selbsttest hat einen Fehler gefunden.</translation>
+    </message>
+    <message>
+        <source>The weight must be 20 to 300 grams.</source>
+        <translation>Das Gewicht muss 20 bis 300 Gramm betragen.</translation>
+    </message>
+    <message>
+        <source>Take your hand off the grip. The Falcon holds it in place.</source>
+        <translation>Nehmen Sie die Hand vom Griff. Der Falcon hält ihn an seinem Ort.</translation>
+    </message>
+    <message>
+        <source>Hang the weight on the grip, let it come to rest, then press Continue.</source>
+        <translation>Hängen Sie das Gewicht an den Griff, lassen Sie es zur Ruhe kommen und drücken Sie dann „Weiter“.</translation>
+    </message>
+    <message>
+        <source>Holding the weight. Do not touch it.</source>
+        <translation>Das Gewicht wird gehalten. Berühren Sie es nicht.</translation>
+    </message>
+    <message>
+        <source>The force is calibrated.</source>
+        <translation>Die Kraft ist kalibriert.</translation>
+    </message>
+    <message>
+        <source>The calibration ended: %1. The old setting is kept.</source>
+        <translation>Die Kalibrierung endete: %1. Die alte Einstellung bleibt.</translation>
+    </message>
+    <message>
+        <source>the grip did not come to rest</source>
+        <translation>der Griff ist nicht zur Ruhe gekommen</translation>
+    </message>
+    <message>
+        <source>the Falcon or this computer was interrupted too often to measure a force</source>
+        <translation>der Falcon oder dieser Rechner wurde zu oft unterbrochen, um eine Kraft zu messen</translation>
+    </message>
+    <message>
+        <source>the weight seemed to be %1 g, which no Falcon&apos;s motors explain (is it the right one, and hanging free?)</source>
+        <translation>das Gewicht schien %1 g zu haben, was die Motoren keines Falcon erklären (ist es das richtige, und hängt es frei?)</translation>
+    </message>
+    <message>
+        <source>The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL&apos;s library is whole and allows SHA-256.</source>
+        <translation>Die Prüfsumme der Firmware konnte nicht berechnet werden. Nichts wurde geladen. Prüfen Sie, ob die Bibliothek von OpenSSL heil ist und SHA-256 erlaubt.</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was loaded. Check its name.</source>
+        <translation>Es gibt keine Datei „%1“. Nichts wurde geladen. Prüfen Sie ihren Namen.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2. Nothing was loaded. Check its permissions and its folder&apos;s.</source>
+        <translation>„%1“ kann nicht gelesen werden: %2. Nichts wurde geladen. Prüfen Sie die Rechte der Datei und ihres Ordners.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a regular file; it was not read as Falcon firmware. Name the file itself, such as nvent_firmware.bin.</source>
+        <translation>„%1“ ist keine gewöhnliche Datei und wurde nicht als Falcon-Firmware gelesen. Nennen Sie die Datei selbst, etwa nvent_firmware.bin.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: it has more than %2 bytes. Nothing was loaded. Choose another file.</source>
+        <translation>„%1“ ist keine Falcon-Firmware: Die Datei hat mehr als %2 Bytes. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read to its end. Nothing was loaded. Copy it to another disk, or choose another file.</source>
+        <translation>„%1“ konnte nicht bis zum Ende gelesen werden. Nichts wurde geladen. Kopieren Sie die Datei auf einen anderen Datenträger oder wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: %2. Nothing was loaded. Choose another file.</source>
+        <translation>„%1“ ist keine Falcon-Firmware: %2. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>it has {1|%1 byte|%1 bytes}; 2048 to 65536 are possible</source>
+        <translation>sie hat {1|%1 Byte|%1 Bytes}; möglich sind 2048 bis 65536</translation>
+    </message>
+    <message>
+        <source>its length is odd</source>
+        <translation>ihre Länge ist ungerade</translation>
+    </message>
+    <message>
+        <source>it does not begin with AA 08</source>
+        <translation>sie beginnt nicht mit AA 08</translation>
+    </message>
+    <message>
+        <source>it ends before its entry point</source>
+        <translation>sie endet vor ihrem Einsprung</translation>
+    </message>
+    <message>
+        <source>it ends in block %1</source>
+        <translation>sie endet in Block %1</translation>
+    </message>
+    <message>
+        <source>{1|%1 byte follows|%1 bytes follow} its last block</source>
+        <translation>auf ihren letzten Block {1|folgt %1 Byte|folgen %1 Bytes}</translation>
+    </message>
+    <message>
+        <source>it has no blocks</source>
+        <translation>sie hat keine Blöcke</translation>
+    </message>
+    <message>
+        <source>%1 (recommended)</source>
+        <translation>%1 (empfohlen)</translation>
+    </message>
+    <message>
+        <source>the setting Falcon firmware (Preferences &gt; Device)</source>
+        <translation>die Einstellung Falcon-Firmware (Einstellungen &gt; Gerät)</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; that %2 names does not exist. Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>Die Falcon-Firmware „%1“ gibt es nicht; genannt wird sie durch: %2. Nichts wurde geladen. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; that %2 names has no Falcon firmware (such as nvent_firmware.bin). Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>Der Ordner „%1“ enthält keine Falcon-Firmware (etwa nvent_firmware.bin); genannt wird er durch: %2. Nichts wurde geladen. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
+    </message>
+    <message>
+        <source>%1 It is what %2 names. Correct %2, or clear it to search the usual places.</source>
+        <translation>%1 Genannt wird sie durch: %2. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
+    </message>
+    <message>
+        <source>The Falcon is connected but has no firmware loaded. relievo cannot include Novint&apos;s firmware. Run &apos;relievo devices firmware FILE&apos; with the file nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched: %1.</source>
+        <translation>Der Falcon ist angeschlossen, aber keine Firmware ist geladen. relievo darf Novints Firmware nicht mitbringen. Rufen Sie „relievo devices firmware FILE“ mit der Datei nvent_firmware.bin (8492 Bytes) aus Ihrer Novint-Software oder libnifalcon auf, oder setzen Sie RELIEVO_FALCON_FIRMWARE. Durchsucht wurden: %1.</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2); it was not loaded. If you trust it, run &apos;relievo devices firmware FILE --accept&apos; once.</source>
+        <translation>Die Falcon-Firmware „%1“ hat die Form eines Startabbilds, aber niemand kennt es (sha256 %2); sie wurde nicht geladen. Wenn Sie ihr vertrauen, rufen Sie einmal „relievo devices firmware FILE --accept“ auf.</translation>
+    </message>
+    <message>
+        <source>The firmware could not be copied to &quot;%1&quot;: %2. Nothing was changed. Check the folder and the disk&apos;s room.</source>
+        <translation>Die Firmware konnte nicht nach „%1“ kopiert werden: %2. Nichts wurde geändert. Prüfen Sie den Ordner und den freien Platz.</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
+        <translation>Die Einstellungen des Falcon konnten nicht nach „%1“ geschrieben werden. Sie gelten, bis das Programm endet. Prüfen Sie die Rechte des Ordners.</translation>
+    </message>
+    <message>
+        <source>The haptic loop needs a device.</source>
+        <translation>Die haptische Schleife braucht ein Gerät.</translation>
+    </message>
+    <message>
+        <source>A device that a person holds never gets the bare spring.</source>
+        <translation>Ein Gerät, das jemand hält, bekommt nie die bloße Feder.</translation>
+    </message>
+    <message>
+        <source>The haptic loop&apos;s period must be above 0 ns.</source>
+        <translation>Die Periode der haptischen Schleife muss über 0 ns liegen.</translation>
+    </message>
+    <message>
+        <source>The window has %1 samples; the haptic space holds exactly 200 x 200.</source>
+        <translation>Der Ausschnitt hat %1 Abtastwerte; der haptische Raum hält genau 200 x 200.</translation>
+    </message>
+    <message>
+        <source>The window has a height that is not a finite number; nothing can be felt.</source>
+        <translation>Der Ausschnitt hat eine Höhe, die keine endliche Zahl ist; nichts ist zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The window&apos;s side is %1 mm; it must be greater than 0.</source>
+        <translation>Die Seite des Ausschnitts ist %1 mm; sie muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>A map of firmness must hold 200 x 200 numbers from 0 to 1.</source>
+        <translation>Eine Karte der Festigkeit muss 200 x 200 Zahlen von 0 bis 1 enthalten.</translation>
+    </message>
+    <message>
+        <source>A texture has %1 heights; exactly 400 x 400 finite ones are needed.</source>
+        <translation>Eine Textur hat %1 Höhen; genau 400 x 400 endliche sind nötig.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be replayed: %1.</source>
+        <translation>Diese Aufzeichnung kann nicht wiederholt werden: %1.</translation>
+    </message>
+    <message>
+        <source>This recording cannot be replayed: samples were dropped before tick %1.</source>
+        <translation>Diese Aufzeichnung kann nicht wiederholt werden: Vor Takt %1 gingen Abtastwerte verloren.</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; cannot be read.</source>
+        <translation>Der Strich „%1“ kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; cannot be read to its end.</source>
+        <translation>Der Strich „%1“ kann nicht bis zum Ende gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; does not start with the line %2.</source>
+        <translation>Der Strich „%1“ beginnt nicht mit der Zeile %2.</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; row %2 %3.</source>
+        <translation>Der Strich „%1“, Zeile %2: %3.</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; row %2 is not later than the row before it; times must increase.</source>
+        <translation>Der Strich „%1“, Zeile %2 ist nicht später als die Zeile davor; die Zeiten müssen wachsen.</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; has no rows.</source>
+        <translation>Der Strich „%1“ hat keine Zeilen.</translation>
+    </message>
+    <message>
+        <source>The stroke lasts %1 s; are its times in seconds?</source>
+        <translation>Der Strich dauert %1 s; sind seine Zeiten in Sekunden?</translation>
+    </message>
+    <message>
+        <source>A stroke needs at least one point.</source>
+        <translation>Ein Strich braucht mindestens einen Punkt.</translation>
+    </message>
+    <message>
+        <source>The stiffness must be a finite number of N/mm above 0.</source>
+        <translation>Die Steifigkeit muss eine endliche Zahl von N/mm über 0 sein.</translation>
+    </message>
+    <message>
+        <source>The damping must be a finite number of N s/mm, 0 or above.</source>
+        <translation>Die Dämpfung muss eine endliche Zahl von N s/mm sein, 0 oder mehr.</translation>
+    </message>
+    <message>
+        <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
+        <translation>Der Scan traf keine Zelle des Rasters. Nichts wurde gemacht. Wählen Sie eine andere Ansicht.</translation>
+    </message>
+    <message>
+        <source>A free view needs its rotation.</source>
+        <translation>Eine freie Ansicht braucht ihre Drehung.</translation>
+    </message>
+    <message>
+        <source>There is no view &apos;%1&apos;. Choose front, back, left, right, top, bottom, auto, fit or axes.</source>
+        <translation>Es gibt keine Ansicht „%1“. Wählen Sie front, back, left, right, top, bottom, auto, fit oder axes.</translation>
+    </message>
+    <message>
+        <source>A view is turned by finite numbers of degrees.</source>
+        <translation>Eine Ansicht wird um endliche Gradzahlen gedreht.</translation>
+    </message>
+    <message>
+        <source>A point is not finite.</source>
+        <translation>Ein Punkt ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>At least one neighbour must be asked for.</source>
+        <translation>Es muss nach mindestens einem Nachbarn gefragt werden.</translation>
+    </message>
+    <message>
+        <source>%1 is no recipe that this version can read. %2 Nothing was done.</source>
+        <translation>%1 ist kein Rezept, das diese Version lesen kann. %2 Nichts wurde getan.</translation>
+    </message>
+    <message>
+        <source>Line %1 of it is not JSON.</source>
+        <translation>Seine Zeile %1 ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>A number in it is too large.</source>
+        <translation>Eine Zahl darin ist zu groß.</translation>
+    </message>
+    <message>
+        <source>There is no &apos;%1&apos; where one belongs.</source>
+        <translation>Wo „%1“ hingehört, ist keines.</translation>
+    </message>
+    <message>
+        <source>A part of it is missing or has another form.</source>
+        <translation>Ein Teil davon fehlt oder hat eine andere Form.</translation>
+    </message>
+    <message>
+        <source>A part of it is no object.</source>
+        <translation>Ein Teil davon ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a key that is known there.</source>
+        <translation>„%1“ ist dort kein bekannter Schlüssel.</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0 to 4294967295.</source>
+        <translation>%1 ist keine ganze Zahl von 0 bis 4294967295.</translation>
+    </message>
+    <message>
+        <source>A list of it has not %1 numbers.</source>
+        <translation>Eine Liste davon hat nicht %1 Zahlen.</translation>
+    </message>
+    <message>
+        <source>%1 is none of the six standard views.</source>
+        <translation>%1 ist keine der sechs Standardansichten.</translation>
+    </message>
+    <message>
+        <source>&apos;keep&apos; is neither inside nor outside.</source>
+        <translation>„keep“ ist weder inside noch outside.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no list of at most %2 entries.</source>
+        <translation>„%1“ ist keine Liste von höchstens %2 Einträgen.</translation>
+    </message>
+    <message>
+        <source>A class is from 0 to 255.</source>
+        <translation>Eine Klasse geht von 0 bis 255.</translation>
+    </message>
+    <message>
+        <source>&apos;keep&apos; is none of first, last and single.</source>
+        <translation>„keep“ ist keines von first, last und single.</translation>
+    </message>
+    <message>
+        <source>&apos;method&apos; is none of stored, points and auto.</source>
+        <translation>„method“ ist keines von stored, points und auto.</translation>
+    </message>
+    <message>
+        <source>A step is no object.</source>
+        <translation>Ein Schritt ist kein Objekt.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no step that is known.</source>
+        <translation>„%1“ ist kein bekannter Schritt.</translation>
+    </message>
+    <message>
+        <source>&apos;unit&apos; is none of mm, cm, m, in, ft and us-ft.</source>
+        <translation>„unit“ ist keines von mm, cm, m, in, ft und us-ft.</translation>
+    </message>
+    <message>
+        <source>&apos;parts&apos; are not numbers of a file&apos;s scans, from 1.</source>
+        <translation>„parts“ sind keine Nummern der Scans einer Datei, ab 1.</translation>
+    </message>
+    <message>
+        <source>Its schema is %1; this version reads 1.</source>
+        <translation>Sein Schema ist %1; diese Version liest 1.</translation>
+    </message>
+    <message>
+        <source>The recipe names %1 scans; at most %2 can be prepared at once.</source>
+        <translation>Das Rezept nennt %1 Scans; höchstens %2 können auf einmal aufbereitet werden.</translation>
+    </message>
+    <message>
+        <source>The recipe has %1 steps; at most %2 can be done at once.</source>
+        <translation>Das Rezept hat %1 Schritte; höchstens %2 können auf einmal getan werden.</translation>
+    </message>
+    <message>
+        <source>The recipe aligns its scans twice. Leave one step out.</source>
+        <translation>Das Rezept richtet seine Scans zweimal aus. Lassen Sie einen Schritt weg.</translation>
+    </message>
+    <message>
+        <source>The recipe is for {1|%1 scan|%1 scans}, but there are %2. Nothing was done.</source>
+        <translation>Das Rezept ist für {1|%1 Scan|%1 Scans}, aber es sind %2. Nichts wurde getan.</translation>
+    </message>
+    <message>
+        <source>The recipe has poses for {1|%1 scan|%1 scans}, but there are %2. Nothing was done. Give the scans that it was made for.</source>
+        <translation>Das Rezept hat Lagen für {1|%1 Scan|%1 Scans}, aber es sind %2. Nichts wurde getan. Geben Sie die Scans an, für die es gemacht wurde.</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the box ends before it begins; its first corner must be the lower one</source>
+        <translation>der Quader endet, bevor er beginnt; seine erste Ecke muss die untere sein</translation>
+    </message>
+    <message>
+        <source>the outline has {1|%1 corner|%1 corners}; it takes 3 to %2</source>
+        <translation>der Umriss hat {1|%1 Ecke|%1 Ecken}; er braucht 3 bis %2</translation>
+    </message>
+    <message>
+        <source>the highest intensity is below the lowest</source>
+        <translation>die höchste Intensität liegt unter der niedrigsten</translation>
+    </message>
+    <message>
+        <source>&apos;reference&apos; is beyond the scans there can be</source>
+        <translation>„reference“ liegt jenseits der möglichen Scans</translation>
+    </message>
+    <message>
+        <source>it has more than %1 pairs</source>
+        <translation>er hat mehr als %1 Paare</translation>
+    </message>
+    <message>
+        <source>a pair names a scan beyond those there can be</source>
+        <translation>ein Paar nennt einen Scan jenseits der möglichen</translation>
+    </message>
+    <message>
+        <source>it has more poses than there can be scans</source>
+        <translation>er hat mehr Lagen, als es Scans geben kann</translation>
+    </message>
+    <message>
+        <source>a pose is no rotation and translation</source>
+        <translation>eine Lage ist keine Drehung und Verschiebung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2; it takes %3 to %4</source>
+        <translation>„%1“ ist %2; möglich ist %3 bis %4</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not finite; it takes %2 to %3</source>
+        <translation>„%1“ ist nicht endlich; möglich ist %2 bis %3</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 mm</source>
+        <translation>„%1“ muss über 0 mm liegen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no rotation: 9 numbers, rows of length 1 at right angles, right-handed</source>
+        <translation>„%1“ ist keine Drehung: 9 Zahlen, Zeilen der Länge 1 im rechten Winkel, rechtshändig</translation>
+    </message>
+    <message>
+        <source>The scans are not all in one unit: %1 is in %2, %3 in %4. Nothing was done. Give --unit if it is the same for all.</source>
+        <translation>Die Scans haben nicht alle dieselbe Einheit: %1 hat %2, %3 hat %4. Nichts wurde getan. Geben Sie --unit an, wenn sie für alle gleich ist.</translation>
+    </message>
+    <message>
+        <source>none that it states</source>
+        <translation>keine angegebene</translation>
+    </message>
+    <message>
+        <source>The files hold more than %1 scans together. Nothing was done. Prepare fewer at once.</source>
+        <translation>Die Dateien enthalten zusammen mehr als %1 Scans. Nichts wurde getan. Bereiten Sie weniger auf einmal auf.</translation>
+    </message>
+    <message>
+        <source>No point is left after all steps. Nothing was written. Take a step out, or widen its limits.</source>
+        <translation>Nach allen Schritten ist kein Punkt übrig. Nichts wurde geschrieben. Nehmen Sie einen Schritt heraus oder weiten Sie seine Grenzen.</translation>
+    </message>
+    <message>
+        <source>The scan is more than 2 097 152 times as long as the distance it should be thinned to. Nothing was thinned; choose a larger distance, or crop the scan first.</source>
+        <translation>Der Scan ist mehr als 2 097 152-mal so lang wie der Abstand, auf den er ausgedünnt werden soll. Nichts wurde ausgedünnt; wählen Sie einen größeren Abstand, oder schneiden Sie den Scan vorher zu.</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the steps take more than %1 s of processor time. Nothing was changed. Thin the scans out first.</source>
+        <translation>Die Scans können nicht aufbereitet werden: Die Schritte brauchen mehr als %1 s Rechenzeit. Nichts wurde geändert. Dünnen Sie die Scans vorher aus.</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the system stopped the work, probably for lack of memory. Nothing was changed. Close other programs, or thin the scans out first.</source>
+        <translation>Die Scans können nicht aufbereitet werden: Das System hat die Arbeit beendet, wahrscheinlich aus Speichermangel. Nichts wurde geändert. Schließen Sie andere Programme, oder dünnen Sie die Scans vorher aus.</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the program that does it broke down. Nothing was changed. Leave out one step after the other to find the one.</source>
+        <translation>Die Scans können nicht aufbereitet werden: Das Programm, das es tut, ist zusammengebrochen. Nichts wurde geändert. Lassen Sie einen Schritt nach dem anderen weg, um den schuldigen zu finden.</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the program that does it broke down (&quot;%1&quot;). Nothing was changed. Leave out one step after the other to find the one.</source>
+        <translation>Die Scans können nicht aufbereitet werden: Das Programm, das es tut, ist zusammengebrochen („%1“). Nichts wurde geändert. Lassen Sie einen Schritt nach dem anderen weg, um den schuldigen zu finden.</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the system gives no memory for them. Nothing was changed. Close other programs and try again.</source>
+        <translation>Die Scans können nicht aufbereitet werden: Das System gibt keinen Speicher für sie. Nichts wurde geändert. Schließen Sie andere Programme, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: a step needs more than %1 MB of memory. Nothing was changed. Crop or thin them first, or allow more (--memory).</source>
+        <translation>Die Scans können nicht aufbereitet werden: Ein Schritt braucht mehr als %1 MB Speicher. Nichts wurde geändert. Schneiden Sie sie vorher zu, dünnen Sie sie aus, oder erlauben Sie mehr (--memory).</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: a library gave up (%1). Nothing was changed.</source>
+        <translation>Die Scans können nicht aufbereitet werden: Eine Bibliothek gab auf (%1). Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>The scans did not arrive whole. Nothing was changed. Try again.</source>
+        <translation>Die Scans kamen nicht ganz an. Nichts wurde geändert. Versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The scan cannot be passed on: %1. Nothing was done. Close other programs and try again.</source>
+        <translation>Der Scan kann nicht weitergegeben werden: %1. Nichts wurde getan. Schließen Sie andere Programme, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Aligning needs two scans or more, one of them the reference. Nothing was aligned.</source>
+        <translation>Zum Ausrichten braucht es zwei oder mehr Scans, einen davon als Referenz. Nichts wurde ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>A picked pair names scan %1; there are %2, counted from 1. Nothing was aligned.</source>
+        <translation>Ein gewähltes Paar nennt Scan %1; es gibt %2, ab 1 gezählt. Nichts wurde ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>A picked pair names scan %1, which is the reference; there are %2, counted from 1. Nothing was aligned.</source>
+        <translation>Ein gewähltes Paar nennt Scan %1, der die Referenz ist; es gibt %2, ab 1 gezählt. Nichts wurde ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>%1 has another unit than %2. Nothing was aligned; only scans of one unit can be.</source>
+        <translation>%1 hat eine andere Einheit als %2. Nichts wurde ausgerichtet; nur Scans derselben Einheit können es.</translation>
+    </message>
+    <message>
+        <source>%1: {2|%2 different point|%2 different points}; aligning needs %3 in every scan. Nothing was aligned; leave this scan out.</source>
+        <translation>%1: {2|%2 Punkt|%2 verschiedene Punkte}; zum Ausrichten braucht jeder Scan %3. Nichts wurde ausgerichtet; lassen Sie diesen Scan weg.</translation>
+    </message>
+    <message>
+        <source>%1: its points stand too far apart to be a surface. Nothing was aligned; leave this scan out.</source>
+        <translation>%1: Seine Punkte stehen zu weit auseinander für eine Fläche. Nichts wurde ausgerichtet; lassen Sie diesen Scan weg.</translation>
+    </message>
+    <message>
+        <source>%1: {2|%2 picked pair|%2 picked pairs}; three or more are needed. Nothing was aligned.</source>
+        <translation>%1: {2|%2 gewähltes Paar|%2 gewählte Paare}; drei oder mehr sind nötig. Nichts wurde ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>%1: the picked places lie nearly in one line, which leaves open how the scan is turned about it. Nothing was aligned; pick one more place well beside that line.</source>
+        <translation>%1: Die gewählten Stellen liegen fast auf einer Geraden; wie der Scan um sie gedreht ist, bleibt offen. Nichts wurde ausgerichtet; eine weitere Stelle deutlich neben dieser Geraden wählen.</translation>
+    </message>
+    <message>
+        <source>%1: the picked places are not equally far from each other on the two scans. Nothing was aligned; look whether the pairs are in the same order and the scans in the same unit.</source>
+        <translation>%1: Die gewählten Stellen sind auf den beiden Scans nicht gleich weit voneinander entfernt. Nichts wurde ausgerichtet; prüfen, ob die Paare in derselben Reihenfolge und die Scans in derselben Einheit sind.</translation>
+    </message>
+    <message>
+        <source>%1 states no classes; all its points stay.</source>
+        <translation>%1 nennt keine Klassen; alle seine Punkte bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 states no pulses with several returns; all its points stay.</source>
+        <translation>%1 nennt keine Pulse mit mehreren Echos; alle seine Punkte bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 states no intensities; all its points stay.</source>
+        <translation>%1 nennt keine Intensitäten; alle seine Punkte bleiben.</translation>
+    </message>
+    <message>
+        <source>the joined scans</source>
+        <translation>den verbundenen Scans</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>less than 0.1 %</source>
+        <translation>weniger als 0,1 %</translation>
+    </message>
+    <message>
+        <source>All points of %1 are one place, which has no spacing.</source>
+        <translation>Alle Punkte von %1 sind eine Stelle, die keinen Punktabstand hat.</translation>
+    </message>
+    <message>
+        <source>{1|%1 point has|%1 points have} no normal: too few neighbours.</source>
+        <translation>{1|%1 Punkt hat|%1 Punkte haben} keine Normale: zu wenige Nachbarn.</translation>
+    </message>
+    <message>
+        <source>%1 of the points of %2 were left out; those are more than strays. Look at the result.</source>
+        <translation>%1 der Punkte von %2 wurden weggelassen; das sind mehr als Streupunkte. Sehen Sie sich das Ergebnis an.</translation>
+    </message>
+    <message>
+        <source>No three points of %1 span a plane; they stay as they are.</source>
+        <translation>Keine drei Punkte von %1 spannen eine Ebene auf; sie bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>One plane holds %1 of the points of %2.</source>
+        <translation>Auf einer Ebene liegen %1 der Punkte von %2.</translation>
+    </message>
+    <message>
+        <source>One plane holds %1 of the points of %2; that is hardly a base. Look at the result.</source>
+        <translation>Auf einer Ebene liegen %1 der Punkte von %2; das ist kaum eine Grundfläche. Sehen Sie sich das Ergebnis an.</translation>
+    </message>
+    <message>
+        <source>This program aligns no scans. They stay where their files have them; give their poses in a recipe, or leave the step out.</source>
+        <translation>Dieses Programm richtet keine Scans aus. Sie bleiben, wo ihre Dateien sie haben; geben Sie ihre Lagen in einem Rezept an, oder lassen Sie den Schritt weg.</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2</source>
+        <translation>%1 wurde weggelassen: %2</translation>
+    </message>
+    <message>
+        <source>The reference.</source>
+        <translation>Die Referenz.</translation>
+    </message>
+    <message>
+        <source>As stored.</source>
+        <translation>Wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>The pose that was found before was used.</source>
+        <translation>Die vorher gefundene Lage wurde verwendet.</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common.</source>
+        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche.</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Weak %3: about %4.</source>
+        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche. Schwach gehalten %3: etwa %4.</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies as it was placed by hand.</source>
+        <translation>%1 mittlerer Abstand (rms) über %2 gemeinsamer Fläche. Nichts in der Form hält ihn %3: dort liegt er, wie er von Hand gelegt wurde.</translation>
+    </message>
+    <message>
+        <source>Not aligned: %1.</source>
+        <translation>Nicht ausgerichtet: %1.</translation>
+    </message>
+    <message>
+        <source>hardly anything of it lies on the others</source>
+        <translation>kaum etwas davon liegt auf den anderen</translation>
+    </message>
+    <message>
+        <source>only %1 of it lies on the others</source>
+        <translation>nur %1 davon liegen auf den anderen</translation>
+    </message>
+    <message>
+        <source>it touches the others, but does not lie on them</source>
+        <translation>er berührt die anderen, liegt aber nicht auf ihnen</translation>
+    </message>
+    <message>
+        <source>nothing in its shape says where it belongs %1</source>
+        <translation>nichts in seiner Form sagt, wohin er %1 gehört</translation>
+    </message>
+    <message>
+        <source>no place was found where it fits</source>
+        <translation>keine Stelle wurde gefunden, an der er passt</translation>
+    </message>
+    <message>
+        <source>it meets none of the others</source>
+        <translation>er trifft keinen der anderen</translation>
+    </message>
+    <message>
+        <source>By itself it lies elsewhere on %1 than by way of the others; look at this pair.</source>
+        <translation>Für sich allein liegt er auf %1 anderswo als über die anderen; sehen Sie sich dieses Paar an.</translation>
+    </message>
+    <message>
+        <source>turning about %1</source>
+        <translation>bei Drehung um %1</translation>
+    </message>
+    <message>
+        <source>along %1</source>
+        <translation>entlang %1</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>The map&apos;s holes are too many to count. Nothing was made.</source>
+        <translation>Die Karte hat zu viele Löcher, um sie zu zählen. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>The map&apos;s empty areas are so ragged that they alone take more than the memory allowed. Nothing was made. Allow more memory, or choose larger cells.</source>
+        <translation>Die leeren Flächen der Karte sind so zerklüftet, dass sie allein mehr als den erlaubten Speicher brauchen. Nichts wurde gemacht. Erlauben Sie mehr Speicher, oder wählen Sie größere Zellen.</translation>
+    </message>
+    <message>
+        <source>Membranes over holes need the whole map in memory. Nothing was made. Choose another treatment of holes, or leave out --memory.</source>
+        <translation>Membranen über Löchern brauchen die ganze Karte im Speicher. Nichts wurde gemacht. Wählen Sie eine andere Behandlung der Löcher, oder lassen Sie --memory weg.</translation>
+    </message>
+    <message>
+        <source>The pyramid&apos;s factor M must be from 1.1 to 8.</source>
+        <translation>Der Faktor M der Pyramide muss zwischen 1,1 und 8 liegen.</translation>
+    </message>
+    <message>
+        <source>Points and heights that do not fit into memory cannot be kept in %1: %2. Nothing was made. Free some space there, write the result to another disk, or allow more memory.</source>
+        <translation>Punkte und Höhen, die nicht in den Speicher passen, können nicht in %1 gehalten werden: %2. Nichts wurde gemacht. Schaffen Sie dort Platz, schreiben Sie das Ergebnis auf einen anderen Datenträger, oder erlauben Sie mehr Speicher.</translation>
+    </message>
+    <message>
+        <source>The region names a level that the map does not have.</source>
+        <translation>Der Ausschnitt nennt eine Ebene, die die Karte nicht hat.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 as a tiled map: %2. Make the levels again with relievo pyramid --memory.</source>
+        <translation>%1 kann nicht als Karte in Kacheln gelesen werden: %2. Machen Sie die Ebenen neu mit relievo pyramid --memory.</translation>
+    </message>
+    <message>
+        <source>it has another number of bands</source>
+        <translation>sie hat eine andere Zahl von Bändern</translation>
+    </message>
+    <message>
+        <source>it is compressed</source>
+        <translation>sie ist komprimiert</translation>
+    </message>
+    <message>
+        <source>its bands are mixed</source>
+        <translation>ihre Bänder sind gemischt</translation>
+    </message>
+    <message>
+        <source>its tiles have another size</source>
+        <translation>ihre Kacheln haben eine andere Größe</translation>
+    </message>
+    <message>
+        <source>its cells are of another type</source>
+        <translation>ihre Zellen sind von anderer Art</translation>
+    </message>
+    <message>
+        <source>its bytes are in another order</source>
+        <translation>ihre Bytes haben eine andere Reihenfolge</translation>
+    </message>
+    <message>
+        <source>it is no readable GeoTIFF</source>
+        <translation>sie ist kein lesbares GeoTIFF</translation>
+    </message>
+    <message>
+        <source>a tile is missing</source>
+        <translation>eine Kachel fehlt</translation>
+    </message>
+    <message>
+        <source>it became shorter while it was read, or its disk failed</source>
+        <translation>sie wurde beim Lesen kürzer, oder ihr Datenträger versagte</translation>
+    </message>
+    <message>
+        <source>its entry %1 is missing or makes no sense</source>
+        <translation>ihr Eintrag %1 fehlt oder ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>a height is not finite</source>
+        <translation>eine Höhe ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a code is none of an origin</source>
+        <translation>ein Code steht für keine Herkunft</translation>
+    </message>
+    <message>
+        <source>its number of levels or its factor makes no sense</source>
+        <translation>ihre Zahl der Ebenen oder ihr Faktor ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its spacing is not above 0</source>
+        <translation>ihr Abstand liegt nicht über 0</translation>
+    </message>
+    <message>
+        <source>it belongs to another map</source>
+        <translation>sie gehört zu einer anderen Karte</translation>
+    </message>
+    <message>
+        <source>its size is not that of the level</source>
+        <translation>ihre Größe ist nicht die der Ebene</translation>
+    </message>
+    <message>
+        <source>its lowest height is above its highest</source>
+        <translation>ihre niedrigste Höhe liegt über der höchsten</translation>
+    </message>
+    <message>
+        <source>its number of cells of one origin makes no sense</source>
+        <translation>ihre Zahl der Zellen einer Herkunft ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its cells by origin are not all its cells</source>
+        <translation>ihre Zellen nach Herkunft sind nicht alle ihre Zellen</translation>
+    </message>
+    <message>
+        <source>it is a level of another map</source>
+        <translation>sie ist eine Ebene einer anderen Karte</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is no recording of &apos;%2&apos; but of another file (checksum differs, E501). Nothing was drawn. Choose a recording of this one.</source>
         <translation>„%1“ ist keine Aufzeichnung von „%2“, sondern von einer anderen Datei (andere Prüfsumme, E501). Nichts wurde gezeichnet. Wählen Sie eine Aufzeichnung von dieser.</translation>
     </message>
@@ -5651,6 +7119,58 @@
         <translation>Zum Zeichnen reicht der Speicher nicht: Der Grafiktreiber braucht 512 MB Adressraum, und eine gesetzte Grenze (ulimit -v) lässt weniger. Nichts wurde gezeichnet. Heben Sie die Grenze an.</translation>
     </message>
     <message>
+        <source>There is no display to draw with. Set DISPLAY, or start the program on a desktop or under xvfb-run.</source>
+        <translation>Es gibt keine Anzeige zum Zeichnen. Setzen Sie DISPLAY, oder starten Sie das Programm auf einer Arbeitsfläche oder mit xvfb-run.</translation>
+    </message>
+    <message>
+        <source>Cannot make a pipe to start Xvfb. Close other programs and try again.</source>
+        <translation>Für den Start von Xvfb kann keine Pipe gemacht werden. Schließen Sie andere Programme, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is no display, and Xvfb did not start. Install the package xvfb, or run this on a desktop.</source>
+        <translation>Es gibt keine Anzeige, und Xvfb ist nicht gestartet. Installieren Sie das Paket xvfb, oder führen Sie dies auf einer Arbeitsfläche aus.</translation>
+    </message>
+    <message>
+        <source>A picture needs a width and a height above 0.</source>
+        <translation>Ein Bild braucht eine Breite und eine Höhe über 0.</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned a black picture of %1 x %2 pixels. Try a smaller one.</source>
+        <translation>Der Grafiktreiber gab ein schwarzes Bild von %1 x %2 Pixeln zurück. Versuchen Sie ein kleineres.</translation>
+    </message>
+    <message>
+        <source>A PNG text entry&apos;s name has 1 to 79 characters, not &apos;%1&apos;.</source>
+        <translation>Der Name eines Texteintrags in PNG hat 1 bis 79 Zeichen, nicht „%1“.</translation>
+    </message>
+    <message>
+        <source>There is no picture to write to &apos;%1&apos;.</source>
+        <translation>Es gibt kein Bild, das nach „%1“ geschrieben werden könnte.</translation>
+    </message>
+    <message>
+        <source>A surface to draw needs one height and at most one origin and colour per sample.</source>
+        <translation>Eine Fläche zum Zeichnen braucht je Abtastwert eine Höhe und höchstens eine Herkunft und Farbe.</translation>
+    </message>
+    <message>
+        <source>A surface to draw needs at least 2 x 2 samples and a spacing above 0.</source>
+        <translation>Eine Fläche zum Zeichnen braucht mindestens 2 x 2 Abtastwerte und einen Abstand über 0.</translation>
+    </message>
+    <message>
+        <source>The graphics driver does not say how exact its depth buffer is. Use the CPU engine instead.</source>
+        <translation>Der Grafiktreiber sagt nicht, wie genau sein Tiefenpuffer ist. Verwenden Sie stattdessen den Rechenweg „cpu“.</translation>
+    </message>
+    <message>
+        <source>A depth map needs at least one sample and a spacing above 0.</source>
+        <translation>Eine Tiefenkarte braucht mindestens einen Abtastwert und einen Abstand über 0.</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned an empty depth buffer. Use the CPU engine instead.</source>
+        <translation>Der Grafiktreiber gab einen leeren Tiefenpuffer zurück. Verwenden Sie stattdessen den Rechenweg „cpu“.</translation>
+    </message>
+    <message>
+        <source>A camera needs a rectangle with a width and a height above 0.</source>
+        <translation>Eine Kamera braucht ein Rechteck mit einer Breite und einer Höhe über 0.</translation>
+    </message>
+    <message>
         <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
         <translation>Der Ordner „%1“ kann nicht angelegt werden. Nichts wurde geschrieben. Wählen Sie einen anderen Ort.</translation>
     </message>
@@ -5659,8 +7179,68 @@
         <translation>Der Ordner „%1“ enthält schon Bilder eines Videos. Nichts wurde geschrieben. Wählen Sie einen anderen.</translation>
     </message>
     <message>
-        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
-        <translation>Video beendet: Datenträger voll. %1 s (%2 Bilder) sind gespeichert und vollständig in „%3“.</translation>
+        <source>Video stopped: disk full. %1 s ({2|%2 frame|%2 frames}) are saved and complete in &quot;%3&quot;.</source>
+        <translation>Video beendet: Datenträger voll. %1 s ({2|%2 Bild|%2 Bilder}) sind gespeichert und vollständig in „%3“.</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed, which packs videos. Nothing was written. Install the package ffmpeg, or choose the profile images: a folder of pictures.</source>
+        <translation>Das Programm ffmpeg, das Videos packt, ist nicht installiert. Nichts wurde geschrieben. Installieren Sie das Paket ffmpeg, oder wählen Sie das Profil images: einen Ordner mit Bildern.</translation>
+    </message>
+    <message>
+        <source>The video &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>Das Video „%1“ kann nicht geschrieben werden: %2. Wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>The encoder cannot be reached: %1.</source>
+        <translation>Der Encoder ist nicht zu erreichen: %1.</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not pack the video. Nothing was kept. Choose another size or profile.</source>
+        <translation>ffmpeg konnte das Video nicht packen. Nichts wurde behalten. Wählen Sie eine andere Größe oder ein anderes Profil.</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not pack the video (&quot;%1&quot;). Nothing was kept. Choose another size or profile.</source>
+        <translation>ffmpeg konnte das Video nicht packen („%1“). Nichts wurde behalten. Wählen Sie eine andere Größe oder ein anderes Profil.</translation>
+    </message>
+    <message>
+        <source>A video&apos;s name must end in .mp4. Nothing was made.</source>
+        <translation>Der Name eines Videos muss auf .mp4 enden. Nichts wurde gemacht.</translation>
+    </message>
+    <message>
+        <source>Video stopped: %1. %2 s ({3|%3 frame|%3 frames}) are saved and complete in &quot;%4&quot;.</source>
+        <translation>Video beendet: %1. %2 s ({3|%3 Bild|%3 Bilder}) sind gespeichert und vollständig in „%4“.</translation>
+    </message>
+    <message>
+        <source>Video stopped: %1. Nothing of it could be kept.</source>
+        <translation>Video beendet: %1. Nichts davon konnte behalten werden.</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>Datenträger voll</translation>
+    </message>
+    <message>
+        <source>Video stopped: %1 {2|%2 frame is|%2 frames are} saved and complete in &quot;%3&quot;.</source>
+        <translation>Video beendet: %1 {2|%2 Bild ist|%2 Bilder sind} gespeichert und vollständig in „%3“.</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of %2, another file. Nothing was packed. Leave it out.</source>
+        <translation>%1 ist eine Aufzeichnung von %2, einer anderen Datei. Nichts wurde eingepackt. Lassen Sie sie weg.</translation>
+    </message>
+    <message>
+        <source>No map is open that the raster could lie on.</source>
+        <translation>Es ist keine Karte geöffnet, auf der das Raster liegen könnte.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
+        <translation>&apos;%1&apos; hat sich seit dem Lesen geändert. Nichts wurde geschrieben. Schließen Sie den Dialog und öffnen Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
+        <translation>%1 wird noch gelesen. Nichts wurde gespeichert. Speichern Sie erneut, sobald die Liste den Wert zeigt.</translation>
+    </message>
+    <message>
+        <source>Select a profile or a section in the list first.</source>
+        <translation>Wählen Sie zuerst ein Profil oder einen Schnitt in der Liste.</translation>
     </message>
 </context>
 <context>
@@ -7015,561 +8595,6 @@
     <message>
         <source>%1 panel</source>
         <translation>Feld %1</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SpokenWords</name>
-    <message>
-        <source>Finer detail</source>
-        <translation>Feineres Detail</translation>
-    </message>
-    <message>
-        <source>Coarser detail</source>
-        <translation>Gröberes Detail</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>Ganzes Objekt</translation>
-    </message>
-    <message>
-        <source>Detail and scale</source>
-        <translation>Detail und Maßstab</translation>
-    </message>
-    <message>
-        <source>Where am I</source>
-        <translation>Wo bin ich</translation>
-    </message>
-    <message>
-        <source>Where am I, in full</source>
-        <translation>Wo bin ich, ausführlich</translation>
-    </message>
-    <message>
-        <source>Forces on or off</source>
-        <translation>Kräfte ein oder aus</translation>
-    </message>
-    <message>
-        <source>Move mode</source>
-        <translation>Verschieben</translation>
-    </message>
-    <message>
-        <source>Moved</source>
-        <translation>Verschoben</translation>
-    </message>
-    <message>
-        <source>Back to the old window</source>
-        <translation>Zurück zum alten Ausschnitt</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>Oben</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>Unten</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>Nächster Ort</translation>
-    </message>
-    <message>
-        <source>Previous place</source>
-        <translation>Voriger Ort</translation>
-    </message>
-    <message>
-        <source>Beacon</source>
-        <translation>Leuchtfeuer</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>Introduction</source>
-        <translation>Einführung</translation>
-    </message>
-    <message>
-        <source>the device did not answer in time</source>
-        <translation>das Gerät hat nicht rechtzeitig geantwortet</translation>
-    </message>
-    <message>
-        <source>the device was unplugged</source>
-        <translation>das Gerät wurde getrennt</translation>
-    </message>
-    <message>
-        <source>the device sent something unreadable</source>
-        <translation>das Gerät hat Unlesbares gesendet</translation>
-    </message>
-    <message>
-        <source>the device is too hot</source>
-        <translation>das Gerät ist zu heiß</translation>
-    </message>
-    <message>
-        <source>the device reported an impossible position</source>
-        <translation>das Gerät meldet eine unmögliche Position</translation>
-    </message>
-    <message>
-        <source>the device is not ready yet</source>
-        <translation>das Gerät ist noch nicht bereit</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>interpoliert</translation>
-    </message>
-    <message>
-        <source>base plane</source>
-        <translation>Grundebene</translation>
-    </message>
-    <message>
-        <source>steep</source>
-        <translation>steil</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außerhalb</translation>
-    </message>
-    <message>
-        <source>The Falcon is not in use.</source>
-        <translation>Der Falcon wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>No Falcon is plugged in.</source>
-        <translation>Es ist kein Falcon angeschlossen.</translation>
-    </message>
-    <message>
-        <source>Falcon unplugged. Forces are off.</source>
-        <translation>Falcon getrennt. Kräfte sind aus.</translation>
-    </message>
-    <message>
-        <source>Falcon found, but not allowed. Ask staff.</source>
-        <translation>Falcon gefunden, aber nicht erlaubt. Fragen Sie das Personal.</translation>
-    </message>
-    <message>
-        <source>The Falcon is busy.</source>
-        <translation>Der Falcon ist besetzt.</translation>
-    </message>
-    <message>
-        <source>The Falcon could not be opened.</source>
-        <translation>Der Falcon konnte nicht geöffnet werden.</translation>
-    </message>
-    <message>
-        <source>Falcon found.</source>
-        <translation>Falcon gefunden.</translation>
-    </message>
-    <message>
-        <source>The Falcon needs its firmware file.</source>
-        <translation>Der Falcon braucht seine Firmware-Datei.</translation>
-    </message>
-    <message>
-        <source>Starting the Falcon.</source>
-        <translation>Der Falcon wird gestartet.</translation>
-    </message>
-    <message>
-        <source>Still starting.</source>
-        <translation>Startet noch.</translation>
-    </message>
-    <message>
-        <source>The Falcon did not start. You can continue with the mouse.</source>
-        <translation>Der Falcon ist nicht gestartet. Sie können mit der Maus weitermachen.</translation>
-    </message>
-    <message>
-        <source>Please pull the grip fully out, then push it fully in.</source>
-        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein.</translation>
-    </message>
-    <message>
-        <source>Straight out, straight in; do not twist the grip.</source>
-        <translation>Gerade heraus, gerade hinein; den Griff nicht drehen.</translation>
-    </message>
-    <message>
-        <source>Pull the grip fully out.</source>
-        <translation>Ziehen Sie den Griff ganz heraus.</translation>
-    </message>
-    <message>
-        <source>Falcon ready.</source>
-        <translation>Falcon bereit.</translation>
-    </message>
-    <message>
-        <source>The Falcon does not answer. Forces are off.</source>
-        <translation>Der Falcon antwortet nicht. Kräfte sind aus.</translation>
-    </message>
-    <message>
-        <source>Forces off</source>
-        <translation>Kräfte aus</translation>
-    </message>
-    <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>Plus: feiner; lang: Detail und Maßstab. Minus: gröber; lang: ganzes Objekt. Vorwärts: verschieben; lang: Leuchtfeuer. Mitte: wo bin ich; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Plus: nächster Ort. Minus: voriger Ort. Vorwärts: fertig. Mitte: zurück; lang: Kräfte aus oder an. Plus und Minus zwei Sekunden: Hilfe; fünf: Einführung.</translation>
-    </message>
-    <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>Ein Knopf. Drücken: Ich biete an: wo bin ich, feiner, gröber, verschieben, Kräfte. Noch einmal drücken nimmt, was ich zuletzt gesagt habe. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
-        <translation>Verschieben. Drücken Sie den Griff zur Seite, um dorthin zu gehen. Drücken: Ich biete an: fertig, nächster Ort, voriger Ort, zurück, Kräfte. Noch einmal drücken nimmt es. Anderthalb Sekunden halten: Kräfte aus.</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>plus</source>
-        <translation>Plus</translation>
-    </message>
-    <message>
-        <source>forward</source>
-        <translation>Vorwärts</translation>
-    </message>
-    <message>
-        <source>centre</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>minus</source>
-        <translation>Minus</translation>
-    </message>
-    <message>
-        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose the mouse as the device.</source>
-        <translation>Falcon getrennt. Kräfte aus. Ansicht und Aufzeichnung gehen weiter. Stecken Sie ihn wieder an oder wählen Sie die Maus als Gerät.</translation>
-    </message>
-    <message>
-        <source>No Falcon is plugged in. Plug in its power supply, then its USB cable.</source>
-        <translation>Es ist kein Falcon angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
-    </message>
-    <message>
-        <source>A Falcon is plugged in but this account may not use it. Install the rule that the device set-up shows and &apos;relievo devices rule&apos; prints, once (needs an administrator), then replug.</source>
-        <translation>Ein Falcon ist angeschlossen, aber dieses Konto darf ihn nicht benutzen. Installieren Sie einmal die Regel, die „Gerät einrichten“ zeigt und „relievo devices rule“ ausgibt (dazu braucht es einen Verwalter), und stecken Sie ihn neu an.</translation>
-    </message>
-    <message>
-        <source>Another program is using the Falcon. Close it, then try again.</source>
-        <translation>Ein anderes Programm benutzt den Falcon. Schließen Sie es und versuchen Sie es noch einmal.</translation>
-    </message>
-    <message>
-        <source>USB cannot be used</source>
-        <translation>USB ist nicht benutzbar</translation>
-    </message>
-    <message>
-        <source>Asking the Falcon whether it is ready.</source>
-        <translation>Der Falcon wird gefragt, ob er bereit ist.</translation>
-    </message>
-    <message>
-        <source>its boot loader did not answer</source>
-        <translation>sein Startprogramm hat nicht geantwortet</translation>
-    </message>
-    <message>
-        <source>it did not lock on to the baud rate</source>
-        <translation>er hat sich nicht auf die Baudrate eingestellt</translation>
-    </message>
-    <message>
-        <source>it did not run after loading</source>
-        <translation>er lief nach dem Laden nicht</translation>
-    </message>
-    <message>
-        <source>All three arms have found their place. Pull the grip fully out once more.</source>
-        <translation>Alle drei Arme haben ihren Ort gefunden. Ziehen Sie den Griff noch einmal ganz heraus.</translation>
-    </message>
-    <message>
-        <source>The Falcon does not answer. Forces are off; trying to wake it.</source>
-        <translation>Der Falcon antwortet nicht. Die Kräfte sind aus; es wird versucht, ihn zu wecken.</translation>
-    </message>
-    <message>
-        <source>Measuring how evenly the Falcon answers.</source>
-        <translation>Gemessen wird, wie gleichmäßig der Falcon antwortet.</translation>
-    </message>
-    <message>
-        <source>Watch the lights: red, green, blue.</source>
-        <translation>Achten Sie auf die Lichter: rot, grün, blau.</translation>
-    </message>
-    <message>
-        <source>Hold the grip loosely: six small nudges of half a newton.</source>
-        <translation>Halten Sie den Griff locker: sechs kleine Stöße von einem halben Newton.</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons.</source>
-        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe.</translation>
-    </message>
-    <message>
-        <source>The self test passed.</source>
-        <translation>Der Selbsttest ist bestanden.</translation>
-    </message>
-    <message>
-        <source>The self test found something wrong.</source>
-        <translation>Der Selbsttest hat einen Fehler gefunden.</translation>
-    </message>
-    <message>
-        <source>Lights: red, green and blue were shown one after the other.</source>
-        <translation>Lichter: Rot, Grün und Blau wurden nacheinander gezeigt.</translation>
-    </message>
-    <message>
-        <source>Buttons: all four work.</source>
-        <translation>Knöpfe: Alle vier funktionieren.</translation>
-    </message>
-    <message>
-        <source>The weight must be 20 to 300 grams.</source>
-        <translation>Das Gewicht muss 20 bis 300 Gramm betragen.</translation>
-    </message>
-    <message>
-        <source>Take your hand off the grip. The Falcon holds it in place.</source>
-        <translation>Nehmen Sie die Hand vom Griff. Der Falcon hält ihn an seinem Ort.</translation>
-    </message>
-    <message>
-        <source>Hang the weight on the grip, let it come to rest, then press Continue.</source>
-        <translation>Hängen Sie das Gewicht an den Griff, lassen Sie es zur Ruhe kommen und drücken Sie dann „Weiter“.</translation>
-    </message>
-    <message>
-        <source>Holding the weight. Do not touch it.</source>
-        <translation>Das Gewicht wird gehalten. Berühren Sie es nicht.</translation>
-    </message>
-    <message>
-        <source>The force is calibrated.</source>
-        <translation>Die Kraft ist kalibriert.</translation>
-    </message>
-    <message>
-        <source>the grip did not come to rest</source>
-        <translation>der Griff ist nicht zur Ruhe gekommen</translation>
-    </message>
-    <message>
-        <source>the Falcon or this computer was interrupted too often to measure a force</source>
-        <translation>der Falcon oder dieser Rechner wurde zu oft unterbrochen, um eine Kraft zu messen</translation>
-    </message>
-    <message>
-        <source>the setting Falcon firmware (Preferences &gt; Device)</source>
-        <translation>die Einstellung Falcon-Firmware (Einstellungen &gt; Gerät)</translation>
-    </message>
-    <message>
-        <source>The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL&apos;s library is whole and allows SHA-256.</source>
-        <translation>Die Prüfsumme der Firmware konnte nicht berechnet werden. Nichts wurde geladen. Prüfen Sie, ob die Bibliothek von OpenSSL heil ist und SHA-256 erlaubt.</translation>
-    </message>
-    <message>
-        <source>what has this name is no regular file</source>
-        <translation>was so heißt, ist keine gewöhnliche Datei</translation>
-    </message>
-    <message>
-        <source>it is read-only</source>
-        <translation>sie ist schreibgeschützt</translation>
-    </message>
-    <message>
-        <source>its symbolic links lead in a circle</source>
-        <translation>ihre symbolischen Verknüpfungen führen im Kreis</translation>
-    </message>
-    <message>
-        <source>its length is odd</source>
-        <translation>ihre Länge ist ungerade</translation>
-    </message>
-    <message>
-        <source>it does not begin with AA 08</source>
-        <translation>sie beginnt nicht mit AA 08</translation>
-    </message>
-    <message>
-        <source>The Falcon could not be opened: %1. Replug it, or try another port.</source>
-        <translation>Der Falcon konnte nicht geöffnet werden: %1. Stecken Sie ihn neu an oder versuchen Sie einen anderen Anschluss.</translation>
-    </message>
-    <message>
-        <source>USB cannot be used: %1.</source>
-        <translation>USB ist nicht benutzbar: %1.</translation>
-    </message>
-    <message>
-        <source>The Falcon&apos;s thread could not be started: %1</source>
-        <translation>Der Thread des Falcon konnte nicht gestartet werden: %1</translation>
-    </message>
-    <message>
-        <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
-        <translation>Der Falcon wird gestartet – Versuch %1 von %2. Das ist normal.</translation>
-    </message>
-    <message>
-        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry.</source>
-        <translation>Der Falcon ist nach %1 Versuchen nicht gestartet; er wird jetzt in Ruhe gelassen. Prüfen Sie sein Netzteil und stecken Sie ihn direkt am Rechner an, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal.</translation>
-    </message>
-    <message>
-        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry. (%2)</source>
-        <translation>Der Falcon ist nach %1 Versuchen nicht gestartet; er wird jetzt in Ruhe gelassen. Prüfen Sie sein Netzteil und stecken Sie ihn direkt am Rechner an, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal. (%2)</translation>
-    </message>
-    <message>
-        <source>it echoed wrongly after byte %1 of %2</source>
-        <translation>nach Byte %1 von %2 kam ein falsches Echo</translation>
-    </message>
-    <message>
-        <source>Please pull the grip fully out, then push it fully in. Still missing: %1.</source>
-        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein. Es fehlen noch die Arme: %1.</translation>
-    </message>
-    <message>
-        <source>Please pull the grip fully out, then push it fully in. Still missing: %1. It takes long: pull straight out, push straight in, as far as it goes; do not twist.</source>
-        <translation>Bitte ziehen Sie den Griff ganz heraus und drücken Sie ihn dann ganz hinein. Es fehlen noch die Arme: %1. Es dauert lange: gerade herausziehen, gerade hineindrücken, so weit es geht; nicht drehen.</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
-        <translation>Bewegen Sie den Griff rundherum und drücken Sie jeden der vier Knöpfe. Es fehlen noch: %1.</translation>
-    </message>
-    <message>
-        <source>The test ended early: %1. %2</source>
-        <translation>Der Selbsttest endete vorzeitig: %1. %2</translation>
-    </message>
-    <message>
-        <source>Rate: %1 answers per second (%2 are needed).</source>
-        <translation>Rate: %1 Antworten je Sekunde (%2 sind nötig).</translation>
-    </message>
-    <message>
-        <source>Line: %1 damaged answers, %2 stalls, %3 overruns.</source>
-        <translation>Leitung: %1 beschädigte Antworten, %2 Stockungen, %3 Überläufe.</translation>
-    </message>
-    <message>
-        <source>Times from answer to answer: up to 0.8 ms %1, up to 1.0 ms %2, up to 1.2 ms %3, up to 2.0 ms %4, up to 5.0 ms %5, up to 20.0 ms %6, up to 100.0 ms %7, above 100.0 ms %8; the longest %9 ms.</source>
-        <translation>Zeiten von Antwort zu Antwort: bis 0.8 ms %1, bis 1.0 ms %2, bis 1.2 ms %3, bis 2.0 ms %4, bis 5.0 ms %5, bis 20.0 ms %6, bis 100.0 ms %7, über 100.0 ms %8; die längste %9 ms.</translation>
-    </message>
-    <message>
-        <source>From question to answer: %1 ms on average, %2 ms at worst.</source>
-        <translation>Von der Frage zur Antwort: %1 ms im Mittel, %2 ms höchstens.</translation>
-    </message>
-    <message>
-        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm.</source>
-        <translation>Stöße von 0.5 N bewegten die Hand: nach rechts %1 mm, nach links %2 mm, nach oben %3 mm, nach unten %4 mm, nach vorn %5 mm, nach hinten %6 mm.</translation>
-    </message>
-    <message>
-        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.</source>
-        <translation>Stöße von 0.5 N bewegten die Hand: nach rechts %1 mm, nach links %2 mm, nach oben %3 mm, nach unten %4 mm, nach vorn %5 mm, nach hinten %6 mm; eine Hand, die festhält, bewegt sich weniger.</translation>
-    </message>
-    <message>
-        <source>Buttons that were not pressed: %1.</source>
-        <translation>Knöpfe, die nicht gedrückt wurden: %1.</translation>
-    </message>
-    <message>
-        <source>Encoder of the %1 arm: moved by %2 counts.</source>
-        <translation>Encoder des Arms %1: um %2 Zählschritte bewegt.</translation>
-    </message>
-    <message>
-        <source>The calibration ended: %1. The old setting is kept.</source>
-        <translation>Die Kalibrierung endete: %1. Die alte Einstellung bleibt.</translation>
-    </message>
-    <message>
-        <source>the weight seemed to be %1 g, which no Falcon&apos;s motors explain (is it the right one, and hanging free?)</source>
-        <translation>das Gewicht schien %1 g zu haben, was die Motoren keines Falcon erklären (ist es das richtige, und hängt es frei?)</translation>
-    </message>
-    <message>
-        <source>%1 (recommended)</source>
-        <translation>%1 (empfohlen)</translation>
-    </message>
-    <message>
-        <source>There is no file &quot;%1&quot;. Nothing was loaded. Check its name.</source>
-        <translation>Es gibt keine Datei „%1“. Nichts wurde geladen. Prüfen Sie ihren Namen.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be read: %2. Nothing was loaded. Check its permissions and its folder&apos;s.</source>
-        <translation>„%1“ kann nicht gelesen werden: %2. Nichts wurde geladen. Prüfen Sie die Rechte der Datei und ihres Ordners.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a regular file; it was not read as Falcon firmware. Name the file itself, such as nvent_firmware.bin.</source>
-        <translation>„%1“ ist keine gewöhnliche Datei und wurde nicht als Falcon-Firmware gelesen. Nennen Sie die Datei selbst, etwa nvent_firmware.bin.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no Falcon firmware: it has more than %2 bytes. Nothing was loaded. Choose another file.</source>
-        <translation>„%1“ ist keine Falcon-Firmware: Die Datei hat mehr als %2 Bytes. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be read to its end. Nothing was loaded. Copy it to another disk, or choose another file.</source>
-        <translation>„%1“ konnte nicht bis zum Ende gelesen werden. Nichts wurde geladen. Kopieren Sie die Datei auf einen anderen Datenträger oder wählen Sie eine andere.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no Falcon firmware: %2. Nothing was loaded. Choose another file.</source>
-        <translation>„%1“ ist keine Falcon-Firmware: %2. Nichts wurde geladen. Wählen Sie eine andere Datei.</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes; 2048 to 65536 are possible</source>
-        <translation>sie hat %1 Bytes; möglich sind 2048 bis 65536</translation>
-    </message>
-    <message>
-        <source>it ends in block %1</source>
-        <translation>sie endet in Block %1</translation>
-    </message>
-    <message>
-        <source>%1 bytes follow its last block</source>
-        <translation>auf ihren letzten Block folgen %1 Bytes</translation>
-    </message>
-    <message>
-        <source>The Falcon firmware &quot;%1&quot; that %2 names does not exist. Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
-        <translation>Die Falcon-Firmware „%1“ gibt es nicht; genannt wird sie durch: %2. Nichts wurde geladen. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; that %2 names has no Falcon firmware (such as nvent_firmware.bin). Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
-        <translation>Der Ordner „%1“ enthält keine Falcon-Firmware (etwa nvent_firmware.bin); genannt wird er durch: %2. Nichts wurde geladen. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
-    </message>
-    <message>
-        <source>%1 It is what %2 names. Correct %2, or clear it to search the usual places.</source>
-        <translation>%1 Genannt wird sie durch: %2. Berichtigen Sie: %2, oder leeren Sie das, um an den üblichen Orten zu suchen.</translation>
-    </message>
-    <message>
-        <source>The Falcon is connected but has no firmware loaded. relievo cannot include Novint&apos;s firmware. Run &apos;relievo devices firmware FILE&apos; with the file nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched: %1.</source>
-        <translation>Der Falcon ist angeschlossen, aber keine Firmware ist geladen. relievo darf Novints Firmware nicht mitbringen. Rufen Sie „relievo devices firmware FILE“ mit der Datei nvent_firmware.bin (8492 Bytes) aus Ihrer Novint-Software oder libnifalcon auf, oder setzen Sie RELIEVO_FALCON_FIRMWARE. Durchsucht wurden: %1.</translation>
-    </message>
-    <message>
-        <source>The Falcon firmware &quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2); it was not loaded. If you trust it, run &apos;relievo devices firmware FILE --accept&apos; once.</source>
-        <translation>Die Falcon-Firmware „%1“ hat die Form eines Startabbilds, aber niemand kennt es (sha256 %2); sie wurde nicht geladen. Wenn Sie ihr vertrauen, rufen Sie einmal „relievo devices firmware FILE --accept“ auf.</translation>
-    </message>
-    <message>
-        <source>The firmware could not be copied to &quot;%1&quot;: %2. Nothing was changed. Check the folder and the disk&apos;s room.</source>
-        <translation>Die Firmware konnte nicht nach „%1“ kopiert werden: %2. Nichts wurde geändert. Prüfen Sie den Ordner und den freien Platz.</translation>
-    </message>
-    <message>
-        <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
-        <translation>Die Einstellungen des Falcon konnten nicht nach „%1“ geschrieben werden. Sie gelten, bis das Programm endet. Prüfen Sie die Rechte des Ordners.</translation>
-    </message>
-    <message>
-        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the Falcon&apos;s power supply, hold the grip loosely or let go of it, and test again.</source>
-        <translation>Stöße von 0.5 N bewegten die Hand nach rechts um %1 mm, links %2 mm, oben %3 mm, unten %4 mm, außen %5 mm, innen %6 mm; die Motoren haben nichts bewegt. Prüfen Sie das Netzteil des Falcon, halten Sie den Griff locker oder lassen Sie ihn los und prüfen Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>The connection to the Falcon failed %1 times, although it is plugged in. Forces are off; it is tried again every 10 seconds. Plug it straight into the computer, if you can with another cable, or choose Touch &gt; Device set-up &gt; Retry.</source>
-        <translation>Die Verbindung zum Falcon ist %1-mal gescheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; alle 10 Sekunden wird es noch einmal versucht. Stecken Sie ihn direkt am Computer ein, möglichst mit einem anderen Kabel, oder wählen Sie Fühlen &gt; Gerät einrichten &gt; Noch einmal.</translation>
-    </message>
-    <message>
-        <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
-        <translation>Die Verbindung zum Falcon scheitert, obwohl er eingesteckt ist. Die Kräfte sind aus; er wird neu geöffnet – %1 von %2.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
-        <translation>„%1“ benennt keinen Falcon. Schreiben Sie falcon:SERIAL, falcon:SERIAL@PORT oder falcon:@PORT, wie &apos;relievo devices&apos; sie auflistet, oder falcon für den einzigen.</translation>
-    </message>
-    <message>
-        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
-        <translation>Falcon abgezogen. Kräfte aus. Ansicht und Aufnahme laufen weiter. Stecken Sie ihn wieder ein. Es gibt noch %1; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
-    </message>
-    <message>
-        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
-        <translation>%1 wurde gewählt und ist nicht angeschlossen. Schließen Sie sein Netzteil an, dann sein USB-Kabel.</translation>
-    </message>
-    <message>
-        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
-        <translation>%1 wurde gewählt und ist nicht angeschlossen. Da ist %2; er wird nicht an seiner Stelle benutzt, solange Sie ihn nicht wählen.</translation>
-    </message>
-    <message>
-        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
-        <translation>Mehrere Falcons sind angeschlossen: %1. Keiner wird benutzt, bis Sie einen wählen.</translation>
-    </message>
-    <message>
-        <source>The chosen Falcon is not plugged in.</source>
-        <translation>Der gewählte Falcon ist nicht angeschlossen.</translation>
-    </message>
-    <message>
-        <source>Several Falcons are plugged in. Choose one.</source>
-        <translation>Mehrere Falcons sind angeschlossen. Wählen Sie einen.</translation>
     </message>
 </context>
 <context>

@@ -220,10 +220,6 @@
         <translation>Batlow</translation>
     </message>
     <message>
-        <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
-        <translation>स्कैन ग्रिड के किसी खाने पर नहीं पड़ा। कुछ नहीं बना। दूसरा दृश्य चुनें।</translation>
-    </message>
-    <message>
         <source>length of the cut</source>
         <translation>काट की लंबाई</translation>
     </message>
@@ -246,70 +242,6 @@
     <message>
         <source>Writing the scan</source>
         <translation>स्कैन लिखा जा रहा है</translation>
-    </message>
-    <message>
-        <source>The reference.</source>
-        <translation>संदर्भ।</translation>
-    </message>
-    <message>
-        <source>As stored.</source>
-        <translation>जैसा सहेजा गया।</translation>
-    </message>
-    <message>
-        <source>The pose that was found before was used.</source>
-        <translation>पहले मिली स्थिति काम में ली गई।</translation>
-    </message>
-    <message>
-        <source>%1 rms over %2 in common.</source>
-        <translation>%2 साझा सतह पर %1 rms।</translation>
-    </message>
-    <message>
-        <source>%1 rms over %2 in common. Weak %3: about %4.</source>
-        <translation>%2 साझा सतह पर %1 rms। कमज़ोर पकड़ %3: लगभग %4।</translation>
-    </message>
-    <message>
-        <source>%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies as it was placed by hand.</source>
-        <translation>%2 साझा सतह पर %1 rms। आकृति में कुछ भी इसे %3 नहीं रोकता: वहाँ यह वैसे ही है जैसे हाथ से रखा गया।</translation>
-    </message>
-    <message>
-        <source>%1 was left out: Not aligned: %2.</source>
-        <translation>%1 छोड़ा गया: संरेखित नहीं हुआ: %2।</translation>
-    </message>
-    <message>
-        <source>Not aligned: %1.</source>
-        <translation>संरेखित नहीं हुआ: %1।</translation>
-    </message>
-    <message>
-        <source>%1 states no classes; all its points stay.</source>
-        <translation>%1 में वर्ग नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
-    </message>
-    <message>
-        <source>%1 states no pulses with several returns; all its points stay.</source>
-        <translation>%1 में कई वापसियों वाले स्पंद नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
-    </message>
-    <message>
-        <source>%1 states no intensities; all its points stay.</source>
-        <translation>%1 में तीव्रता नहीं दी गई; इसके सभी बिंदु रहते हैं।</translation>
-    </message>
-    <message>
-        <source>No point is left after all steps. Nothing was written. Take a step out, or widen its limits.</source>
-        <translation>सभी चरणों के बाद कोई बिंदु नहीं बचा। कुछ नहीं लिखा गया। कोई चरण हटाएँ या उसकी सीमाएँ बढ़ाएँ।</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
-        <translation>&apos;%1&apos; पढ़े जाने के बाद बदल गई है। कुछ नहीं लिखा गया। संवाद बंद करें और फ़ाइल फिर खोलें।</translation>
-    </message>
-    <message>
-        <source>%1: %2 picked pairs; three or more are needed. Nothing was aligned.</source>
-        <translation>%1: %2 चुने हुए जोड़े; तीन या अधिक चाहिए। कुछ संरेखित नहीं हुआ।</translation>
-    </message>
-    <message>
-        <source>%1: the picked places lie nearly in one line, which leaves open how the scan is turned about it. Nothing was aligned; pick one more place well beside that line.</source>
-        <translation>%1: चुनी हुई जगहें लगभग एक रेखा में हैं, इसलिए स्कैन उसके चारों ओर कैसे घूमा है यह खुला रहता है। कुछ संरेखित नहीं हुआ; उस रेखा से काफ़ी हटकर एक और जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>%1: the picked places are not equally far from each other on the two scans. Nothing was aligned; look whether the pairs are in the same order and the scans in the same unit.</source>
-        <translation>%1: चुनी हुई जगहें दोनों स्कैन पर एक-दूसरे से समान दूरी पर नहीं हैं। कुछ संरेखित नहीं हुआ; देखें कि जोड़े एक ही क्रम में और स्कैन एक ही इकाई में हैं या नहीं।</translation>
     </message>
 </context>
 <context>
@@ -4773,14 +4705,6 @@
         <translation>पढ़ा जा रहा है…</translation>
     </message>
     <message>
-        <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
-        <translation>%1 अभी पढ़ा जा रहा है। कुछ सहेजा नहीं गया। सूची में इसका मान दिखने पर फिर सहेजें।</translation>
-    </message>
-    <message>
-        <source>Select a profile or a section in the list first.</source>
-        <translation>पहले सूची में एक प्रोफ़ाइल या काट चुनें।</translation>
-    </message>
-    <message>
         <source>Section</source>
         <translation>काट</translation>
     </message>
@@ -5051,12 +4975,12 @@
         <translation>%1 पढ़ी नहीं जा सकती: तस्वीर क्षतिग्रस्त है। कुछ वापस नहीं लाया गया।</translation>
     </message>
     <message>
-        <source>Cannot read %1: what it says of how it was made is damaged. Nothing was compared.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: यह कैसे बनी, इसका विवरण क्षतिग्रस्त है। कुछ मिलाया नहीं गया।</translation>
-    </message>
-    <message>
         <source>Cannot read %1: what it carries of relievo is cut off. Nothing was restored.</source>
         <translation>%1 पढ़ी नहीं जा सकती: इसमें relievo का जो भाग है वह कटा हुआ है। कुछ वापस नहीं लाया गया।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: what it says of how it was made is damaged. Nothing was compared.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: यह कैसे बनी, इसका विवरण क्षतिग्रस्त है। कुछ मिलाया नहीं गया।</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is %2, beyond what it may be.</source>
@@ -5071,8 +4995,8 @@
         <translation>&apos;%1&apos; पूर्ण संख्या नहीं है।</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; has not %2 numbers.</source>
-        <translation>&apos;%1&apos; में %2 संख्याएँ नहीं हैं।</translation>
+        <source>&apos;%1&apos; has not {2|%2 number|%2 numbers}.</source>
+        <translation>&apos;%1&apos; में {2|%2 संख्या नहीं है|%2 संख्याएँ नहीं हैं}।</translation>
     </message>
     <message>
         <source>It is nested too deep.</source>
@@ -5407,50 +5331,6 @@
         <translation>ये दस लाख से अधिक फ़्रेम होंगे। रिकॉर्डिंग का एक भाग चुनें।</translation>
     </message>
     <message>
-        <source>Recording stopped: disk full. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>रिकॉर्डिंग रुकी: डिस्क भर गई। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>Recording stopped: HDF5 could not write. %1 samples are saved and complete in &quot;%2&quot;.</source>
-        <translation>रिकॉर्डिंग रुकी: HDF5 लिख नहीं सका। %1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>Recording stopped: %1. %2 samples are saved and complete in &quot;%3&quot;.</source>
-        <translation>रिकॉर्डिंग रुकी: %1। %2 नमूने &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; नहीं लिखी जा सकती: डिस्क भरी है। कुछ नहीं रखा गया। जगह खाली करें या दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: HDF5 refuses it. Choose another place.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: HDF5 मना करता है। दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: %2। दूसरी जगह चुनें।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; may be incomplete.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; may be incomplete: %2.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है: %2।</translation>
-    </message>
-    <message>
-        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
-        <translation>रिकॉर्डिंग &quot;%1&quot; को अभी कोई दूसरा प्रोग्राम लिख रहा है। कुछ भी रिकॉर्ड नहीं हुआ। दूसरा नाम चुनें, या पहले दूसरी रिकॉर्डिंग समाप्त करें।</translation>
-    </message>
-    <message>
-        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
-        <translation>रिकॉर्डिंग पूरी है, पर उसका नाम &quot;%1&quot; नहीं रखा जा सकता: %2। वह &quot;%3&quot; में है।</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
-        <translation>रिकॉर्डिंग का फ़ोल्डर &quot;%1&quot; नहीं बनाया जा सकता। कुछ रिकॉर्ड नहीं हो रहा। दूसरा चुनें।</translation>
-    </message>
-    <message>
         <source>Cannot read %1: there is no such file. Check the name and the folder.</source>
         <translation>%1 पढ़ी नहीं जा सकती: ऐसी कोई फ़ाइल नहीं है। नाम और फ़ोल्डर जाँचें।</translation>
     </message>
@@ -5503,16 +5383,16 @@
         <translation>%1 पढ़ी नहीं जा सकती: इसके शीर्ष का अंत नहीं है (%2)। इसे फिर से कॉपी या निर्यात करें।</translation>
     </message>
     <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Choose another file.</source>
+        <source>Cannot read %1: header promises {2|%2 point|%2 points}, file ends at %3. Nothing was loaded. Choose another file.</source>
         <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
-        <source>Cannot read %1: header promises %2 points, file ends at %3. Nothing was loaded. Load the %4 complete points, or choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। %4 पूरे बिंदु खोलें या दूसरी फ़ाइल चुनें।</translation>
+        <source>Cannot read %1: header promises {2|%2 point|%2 points}, file ends at %3. Nothing was loaded. Load the {4|%4 complete point|%4 complete points}, or choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: शीर्ष %2 बिंदु बताता है, फ़ाइल %3 पर समाप्त होती है। कुछ नहीं खोला गया। {4|%4 पूरा बिंदु|%4 पूरे बिंदु} खोलें या दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
-        <source>Cannot read %1: it has %2 points, none finite. Choose another file.</source>
-        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 बिंदु हैं, कोई भी परिमित नहीं। दूसरी फ़ाइल चुनें।</translation>
+        <source>Cannot read %1: it has {2|%2 point|%2 points}, none finite. Choose another file.</source>
+        <translation>%1 पढ़ी नहीं जा सकती: इसमें %2 बिंदु {2|है, वह परिमित नहीं|हैं, कोई भी परिमित नहीं}। दूसरी फ़ाइल चुनें।</translation>
     </message>
     <message>
         <source>Cannot read %1: the system stopped the import, probably for lack of memory. Close other programs, or thin the scan out first.</source>
@@ -5583,6 +5463,1594 @@
         <translation>%1 पढ़ा नहीं जा सकता: इसमें मानचित्र की कोशिकाओं की तीव्रताएँ हैं, ऊँचाइयाँ नहीं। इसके साथ वाला मानचित्र खोलें।</translation>
     </message>
     <message>
+        <source>%1: &apos;%2&apos; is not a number from -1e12 to 1e12.</source>
+        <translation>%1: &apos;%2&apos; -1e12 से 1e12 तक की संख्या नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a whole number.</source>
+        <translation>%1: %2 पूर्ण संख्या नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is none of %3.</source>
+        <translation>%1: &apos;%2&apos; इनमें से कोई नहीं है: %3।</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is neither %3 nor %4.</source>
+        <translation>%1: &apos;%2&apos; न %3 है न %4।</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3.</source>
+        <translation>%1 %2 से %3 तक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>%1 needs {2|%2 number|%2 numbers} separated by commas, not &apos;%3&apos;.</source>
+        <translation>%1 को अल्पविराम से अलग {2|%2 संख्या|%2 संख्याएँ} चाहिए, &apos;%3&apos; नहीं।</translation>
+    </message>
+    <message>
+        <source>%1 needs %2. Nothing was made. Give that as well, or leave %1 out.</source>
+        <translation>%1 को %2 चाहिए। कुछ नहीं बना। वह भी दें, या %1 छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>--parts: &apos;%1&apos; is no list of scan numbers from 1, such as 1,3.</source>
+        <translation>--parts: &apos;%1&apos; स्कैनों के क्रमांकों की सूची, 1 से, जैसे 1,3, नहीं है।</translation>
+    </message>
+    <message>
+        <source>--holes: the largest area must not be below 0.</source>
+        <translation>--holes: सबसे बड़ा क्षेत्र 0 से कम नहीं होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--cells must be at least 2.</source>
+        <translation>--cells कम से कम 2 होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--spacing must be above 0 mm.</source>
+        <translation>--spacing 0 mm से अधिक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>Give --cells or --spacing, not both.</source>
+        <translation>--cells या --spacing दें, दोनों नहीं।</translation>
+    </message>
+    <message>
+        <source>--factor must be from 1.1 to 8.</source>
+        <translation>--factor 1.1 से 8 तक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--memory must be a number of megabytes above 0.</source>
+        <translation>--memory 0 से अधिक मेगाबाइट की संख्या होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>--memory must be from 64 MB to 1000000000 MB.</source>
+        <translation>--memory 64 MB से 1000000000 MB तक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--light: the elevation must be between 0 and 90 degrees.</source>
+        <translation>--light: ऊँचाई 0 और 90 अंश के बीच होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>--radius: it must be 0 (automatic) or more millimetres.</source>
+        <translation>--radius: यह 0 (स्वचालित) या अधिक मिलीमीटर होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--shading: it must be between 0, as photographed, and 1.</source>
+        <translation>--shading: यह 0, जैसा फ़ोटो में, और 1 के बीच होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--quality is for maps that are made in memory. Leave out --memory.</source>
+        <translation>--quality स्मृति में बनने वाले मानचित्रों के लिए है। --memory छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>--scale: &apos;%1&apos; is not of the form 1:N. Nothing was drawn.</source>
+        <translation>--scale: &apos;%1&apos; का रूप 1:N नहीं है। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>--scale: the width follows from it. Leave out --width-mm, or --scale.</source>
+        <translation>--scale: चौड़ाई इसी से निकलती है। --width-mm छोड़ दें, या --scale।</translation>
+    </message>
+    <message>
+        <source>--measure: &apos;%1&apos; is not of the form NAME:KIND:X,Y;X,Y.</source>
+        <translation>--measure: &apos;%1&apos; का रूप NAME:KIND:X,Y;X,Y नहीं है।</translation>
+    </message>
+    <message>
+        <source>--measure: &apos;%1&apos; has two planes.</source>
+        <translation>--measure: &apos;%1&apos; में दो तल हैं।</translation>
+    </message>
+    <message>
+        <source>Give one of --from-image and --project. Nothing was drawn.</source>
+        <translation>--from-image और --project में से एक दें। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>Give FILE, --project or --from-image. Nothing was drawn.</source>
+        <translation>FILE, --project या --from-image दें। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>--%1: the image says this already. Leave it out, or leave out --from-image. Nothing was drawn.</source>
+        <translation>--%1: चित्र यह पहले से बताता है। इसे छोड़ दें, या --from-image छोड़ दें। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>--%1: the project says this already. Leave it out, or leave out --project. Nothing was drawn.</source>
+        <translation>--%1: परियोजना यह पहले से बताती है। इसे छोड़ दें, या --project छोड़ दें। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>%1 shows no region that relievo could draw again. Nothing was made. Choose a picture or log as relievo wrote it; other programs may drop what is inside.</source>
+        <translation>%1 कोई ऐसा क्षेत्र नहीं दिखाता जिसे relievo फिर बना सके। कुछ नहीं बना। ऐसा चित्र या लॉग चुनें जैसा relievo ने लिखा; दूसरे प्रोग्राम अंदर की जानकारी हटा सकते हैं।</translation>
+    </message>
+    <message>
+        <source>The map of &apos;%1&apos; has no level %2. Nothing was drawn.</source>
+        <translation>&apos;%1&apos; के मानचित्र में स्तर %2 नहीं है। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>--pixels: of two pictures in one file each has %1 to %2. Nothing was drawn.</source>
+        <translation>--pixels: एक फ़ाइल के दो चित्रों में हर एक के %1 से %2 होते हैं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name ends in .png or .tif; &apos;%1&apos; does not. Nothing was drawn.</source>
+        <translation>चित्र का नाम .png या .tif पर समाप्त होता है; &apos;%1&apos; नहीं। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not one of its words.</source>
+        <translation>%1: &apos;%2&apos; इसके शब्दों में से नहीं है।</translation>
+    </message>
+    <message>
+        <source>--size must be WIDTHxHEIGHT, like 1280x720.</source>
+        <translation>--size चौड़ाईxऊँचाई होना चाहिए, जैसे 1280x720।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; does not say how its map was made; an older version wrote it. Nothing was made. Replay it in the window on the open map.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; नहीं बताती कि उसका मानचित्र कैसे बना; उसे पुराने संस्करण ने लिखा। कुछ नहीं बना। उसे खिड़की में खुले मानचित्र पर चलाएँ।</translation>
+    </message>
+    <message>
+        <source>--frame: there {1|is %1 frame|are %1 frames}, counted from 0. Nothing was drawn.</source>
+        <translation>--frame: %1 फ़्रेम हैं, 0 से गिने हुए। कुछ नहीं बनाया गया।</translation>
+    </message>
+    <message>
+        <source>The project &quot;%1&quot; has no camera path. Nothing was made. Add key views in the window.</source>
+        <translation>परियोजना &quot;%1&quot; में कैमरा पथ नहीं है। कुछ नहीं बना। खिड़की में मुख्य दृश्य जोड़ें।</translation>
+    </message>
+    <message>
+        <source>Give a recording, or a project with --path. Nothing was made.</source>
+        <translation>रिकॉर्डिंग दें, या --path के साथ परियोजना। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>--classes: a class is from 0 to 255.</source>
+        <translation>--classes: वर्ग 0 से 255 तक होता है।</translation>
+    </message>
+    <message>
+        <source>--sparse needs two or three numbers separated by commas, not &apos;%1&apos;.</source>
+        <translation>--sparse को अल्पविराम से अलग दो या तीन संख्याएँ चाहिए, &apos;%1&apos; नहीं।</translation>
+    </message>
+    <message>
+        <source>--reference: scans are counted from 1.</source>
+        <translation>--reference: स्कैन 1 से गिने जाते हैं।</translation>
+    </message>
+    <message>
+        <source>--reference needs more than one FILE.</source>
+        <translation>--reference को एक से अधिक FILE चाहिए।</translation>
+    </message>
+    <message>
+        <source>--seed belongs to --align and --base. Give one, or leave it out.</source>
+        <translation>--seed --align और --base के लिए है। एक दें, या इसे छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1: the recipe says what is done. Leave one of them out.</source>
+        <translation>%1: विधि बताती है कि क्या होगा। दोनों में से एक छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>The reference is scan %1, but there {2|is|are} only %2.</source>
+        <translation>संदर्भ स्कैन %1 है, पर केवल %2 {2|है|हैं}।</translation>
+    </message>
+    <message>
+        <source>There is no FILE to prepare. Nothing was done.</source>
+        <translation>तैयार करने के लिए कोई FILE नहीं है। कुछ नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3. Nothing was done. Its first line is %4; then one pair a line.</source>
+        <translation>%1, पंक्ति %2: %3। कुछ नहीं किया गया। पहली पंक्ति %4 है; फिर हर पंक्ति में एक जोड़ा।</translation>
+    </message>
+    <message>
+        <source>-o: &apos;%1&apos; is no .ply. Nothing was done.</source>
+        <translation>-o: &apos;%1&apos; .ply नहीं है। कुछ नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs &apos;%2&apos;, which the package does not hold. Nothing outside of it was read. Ask whoever made it for a whole one.</source>
+        <translation>&apos;%1&apos; को &apos;%2&apos; चाहिए, जो पैकेज में नहीं है। उसके बाहर कुछ नहीं पढ़ा गया। बनाने वाले से पूरा माँगें।</translation>
+    </message>
+    <message>
+        <source>The package does not hold its input, so that nothing can be replayed. Give the file with --input; its checksum is %1.</source>
+        <translation>पैकेज में उसका इनपुट नहीं है, इसलिए कुछ दोहराया नहीं जा सकता। फ़ाइल --input से दें; उसका चेकसम %1 है।</translation>
+    </message>
+    <message>
+        <source>No folder to unpack the package can be made. Set TMPDIR to another one.</source>
+        <translation>पैकेज खोलने के लिए फ़ोल्डर नहीं बन सकता। TMPDIR दूसरा रखें।</translation>
+    </message>
+    <message>
+        <source>--output is for a single recording; a package is only checked. Nothing was replayed. Leave it out.</source>
+        <translation>--output एक अकेली रिकॉर्डिंग के लिए है; पैकेज केवल जाँचा जाता है। कुछ नहीं दोहराया गया। इसे छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; lacks its last lines: the program or the computer ended while it recorded, or the disk was full. It cannot be verified. Show it with Record &gt; Replay, or make a video.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; में अंतिम पंक्तियाँ नहीं हैं: रिकॉर्ड करते समय प्रोग्राम या कंप्यूटर बंद हुआ, या डिस्क भर गई। उसे जाँचा नहीं जा सकता। उसे रिकॉर्ड &gt; दोबारा चलाएँ से दिखाएँ, या वीडियो बनाएँ।</translation>
+    </message>
+    <message>
+        <source>The log &quot;%1&quot; does not say what made it; only logs of touch, record and the window can be replayed.</source>
+        <translation>लॉग &quot;%1&quot; नहीं बताता कि वह किससे बना; केवल touch, record और खिड़की के लॉग दोहराए जा सकते हैं।</translation>
+    </message>
+    <message>
+        <source>The log was made by a command that this version does not understand: %1.</source>
+        <translation>लॉग ऐसे आदेश से बना जिसे यह संस्करण नहीं समझता: %1।</translation>
+    </message>
+    <message>
+        <source>Window %1 is not what was touched: its depth map cannot be made again as it was. Nothing was replayed.</source>
+        <translation>खिड़की %1 वह नहीं है जिसे छुआ गया: उसका गहराई मानचित्र वैसा फिर नहीं बन सकता। कुछ नहीं दोहराया गया।</translation>
+    </message>
+    <message>
+        <source>The map of the recording has no level %1. Nothing was replayed.</source>
+        <translation>रिकॉर्डिंग के मानचित्र में स्तर %1 नहीं है। कुछ नहीं दोहराया गया।</translation>
+    </message>
+    <message>
+        <source>The recording does not say how one of its maps was made. Nothing was replayed.</source>
+        <translation>रिकॉर्डिंग नहीं बताती कि उसका एक मानचित्र कैसे बना। कुछ नहीं दोहराया गया।</translation>
+    </message>
+    <message>
+        <source>The recording does not say where its raster of firm ground is. Nothing was replayed.</source>
+        <translation>रिकॉर्डिंग नहीं बताती कि उसका दृढ़ ज़मीन का रास्टर कहाँ है। कुछ नहीं दोहराया गया।</translation>
+    </message>
+    <message>
+        <source>project new needs -o PROJECT.json.</source>
+        <translation>project new को -o PROJECT.json चाहिए।</translation>
+    </message>
+    <message>
+        <source>project package needs -o PACKAGE.zip.</source>
+        <translation>project package को -o PACKAGE.zip चाहिए।</translation>
+    </message>
+    <message>
+        <source>%1 shows no region, so that no project can be made from it. Choose a picture or log that relievo wrote.</source>
+        <translation>%1 कोई क्षेत्र नहीं दिखाता, इसलिए उससे परियोजना नहीं बन सकती। relievo का लिखा चित्र या लॉग चुनें।</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of %2, and %3 shows another file. No project was written. Leave it out.</source>
+        <translation>%1 %2 की रिकॉर्डिंग है, और %3 दूसरी फ़ाइल दिखाता है। कोई परियोजना नहीं लिखी गई। इसे छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1 belongs to project %2, not to %3. Nothing was done. Leave it out.</source>
+        <translation>%1 project %2 के लिए है, %3 के लिए नहीं। कुछ नहीं किया गया। इसे छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>--relief: lit stone has no values. Choose another, or &apos;relievo render&apos;.</source>
+        <translation>--relief: प्रकाशित पत्थर के मान नहीं होते। दूसरा चुनें, या &apos;relievo render&apos;।</translation>
+    </message>
+    <message>
+        <source>--relief: &apos;%1&apos; has no values of the relief. Choose another, or &apos;relievo render&apos;; colours are written beside a map without --relief.</source>
+        <translation>--relief: &apos;%1&apos; में उभार के मान नहीं हैं। दूसरा चुनें, या &apos;relievo render&apos;; --relief के बिना रंग मानचित्र के साथ लिखे जाते हैं।</translation>
+    </message>
+    <message>
+        <source>--relief: its values go into .tif or .asc, not into &apos;%1&apos;.</source>
+        <translation>--relief: इसके मान .tif या .asc में जाते हैं, &apos;%1&apos; में नहीं।</translation>
+    </message>
+    <message>
+        <source>--relief paints the whole map. Leave out --level and --region.</source>
+        <translation>--relief पूरा मानचित्र रंगता है। --level और --region छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1: its ending is none of .tif, .asc, .vti, .ply, .xyz, .stl and .glb.</source>
+        <translation>%1: इसका अंत .tif, .asc, .vti, .ply, .xyz, .stl और .glb में से नहीं है।</translation>
+    </message>
+    <message>
+        <source>--light and --radius belong to --relief. Give it, or leave them out.</source>
+        <translation>--light और --radius --relief के लिए हैं। उसे दें, या इन्हें छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1 needs x and y of {2|%2 place|%2 places}, not &apos;%3&apos;.</source>
+        <translation>%1 को {2|%2 जगह|%2 जगहों} के x और y चाहिए, &apos;%3&apos; नहीं।</translation>
+    </message>
+    <message>
+        <source>%1 needs x and y of at least {2|%2 place|%2 places}, not &apos;%3&apos;.</source>
+        <translation>%1 को कम से कम {2|%2 जगह|%2 जगहों} के x और y चाहिए, &apos;%3&apos; नहीं।</translation>
+    </message>
+    <message>
+        <source>There is nothing to measure. Give --point, --distance, --depth, --angle, --profile, --area or --section.</source>
+        <translation>मापने को कुछ नहीं है। --point, --distance, --depth, --angle, --profile, --area या --section दें।</translation>
+    </message>
+    <message>
+        <source>%1 is for one --%2; there are more.</source>
+        <translation>%1 एक --%2 के लिए है; अधिक हैं।</translation>
+    </message>
+    <message>
+        <source>%1 needs a --%2.</source>
+        <translation>%1 को --%2 चाहिए।</translation>
+    </message>
+    <message>
+        <source>%1: the file&apos;s name must end with %2, not &apos;%3&apos;. Nothing was written.</source>
+        <translation>%1: फ़ाइल का नाम %2 पर समाप्त होना चाहिए, &apos;%3&apos; नहीं। कुछ नहीं लिखा गया।</translation>
+    </message>
+    <message>
+        <source>There is nothing to plot: the stroke has no ticks.</source>
+        <translation>बनाने को कुछ नहीं है: रेखा में कोई ताल नहीं है।</translation>
+    </message>
+    <message>
+        <source>--stiffness must be above 0 N/mm.</source>
+        <translation>--stiffness 0 N/mm से अधिक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--level-stiffness must be above 0 N/mm at every level.</source>
+        <translation>--level-stiffness हर स्तर पर 0 N/mm से अधिक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--stiffness is one for all levels. Nothing was touched. Leave it out, or --level-stiffness.</source>
+        <translation>--stiffness सभी स्तरों के लिए एक है। कुछ नहीं छुआ गया। इसे छोड़ दें, या --level-stiffness।</translation>
+    </message>
+    <message>
+        <source>--friction: the paper&apos;s proxies know no friction; use --proxy converged.</source>
+        <translation>--friction: लेख के प्रॉक्सी घर्षण नहीं जानते; --proxy converged काम में लें।</translation>
+    </message>
+    <message>
+        <source>--friction must be 0 to %1, the static coefficient not below the dynamic one.</source>
+        <translation>--friction 0 से %1 तक होना चाहिए, स्थैतिक गुणांक गतिक से कम नहीं।</translation>
+    </message>
+    <message>
+        <source>--device: a stroke cannot move &apos;%1&apos;, which a person holds. Use virtual, or record without a stroke.</source>
+        <translation>--device: रेखा &apos;%1&apos; को नहीं चला सकती, जिसे कोई पकड़े है। virtual काम में लें, या बिना रेखा के रिकॉर्ड करें।</translation>
+    </message>
+    <message>
+        <source>--seconds must be above 0 and at most 86400.</source>
+        <translation>--seconds 0 से अधिक और अधिकतम 86400 होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>--safety off is for a simulated hand, and a person holds the device &apos;%1&apos;. Nothing was recorded. Leave it out, or record with --device virtual.</source>
+        <translation>--safety off कृत्रिम हाथ के लिए है, और उपकरण &apos;%1&apos; को कोई पकड़े है। कुछ रिकॉर्ड नहीं हुआ। इसे छोड़ दें, या --device virtual से रिकॉर्ड करें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2). Nothing was installed. Add --accept if you trust it.</source>
+        <translation>&quot;%1&quot; का रूप बूट छवि का है, पर इसे कोई नहीं जानता (sha256 %2)। कुछ नहीं लगाया गया। भरोसा हो तो --accept जोड़ें।</translation>
+    </message>
+    <message>
+        <source>--device: &apos;%1&apos; names no Falcon. Nothing was tried. Use an id of &apos;relievo devices&apos;.</source>
+        <translation>--device: &apos;%1&apos; किसी Falcon का नाम नहीं है। कुछ नहीं आज़माया गया। &apos;relievo devices&apos; की कोई पहचान काम में लें।</translation>
+    </message>
+    <message>
+        <source>The input ended before Enter said that the weight hangs. The old setting is kept. Run it at a terminal.</source>
+        <translation>Enter के यह बताने से पहले कि भार लटका है, इनपुट समाप्त हो गया। पुरानी सेटिंग रहती है। इसे टर्मिनल पर चलाएँ।</translation>
+    </message>
+    <message>
+        <source>The computer goes to sleep; the forces are off and this has ended. Begin again when it is awake.</source>
+        <translation>कंप्यूटर सोने जा रहा है; बल बंद हैं और यह समाप्त हुआ। उसके जागने पर फिर शुरू करें।</translation>
+    </message>
+    <message>
+        <source>The computer goes to sleep; the forces are off and this has ended. The old setting is kept. Begin again when it is awake.</source>
+        <translation>कंप्यूटर सोने जा रहा है; बल बंद हैं और यह समाप्त हुआ। पुरानी सेटिंग रहती है। उसके जागने पर फिर शुरू करें।</translation>
+    </message>
+    <message>
+        <source>%1 names &apos;%2&apos;, which lies outside of its folder and is not, by a checksum, what it was made from. It was not read, and nothing was made. %3 --outside-files allow reads it all the same.</source>
+        <translation>%1 &apos;%2&apos; का नाम लेता है, जो उसके फ़ोल्डर के बाहर है और चेकसम से वह नहीं है जिससे यह बना। उसे नहीं पढ़ा गया, और कुछ नहीं बना। %3 --outside-files allow उसे फिर भी पढ़ता है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the file that %2 was made from (checksum differs, E501). Nothing was made. Give the right one as FILE, or --changed-input to use this one.</source>
+        <translation>&apos;%1&apos; वह फ़ाइल नहीं है जिससे %2 बना (चेकसम अलग, E501)। कुछ नहीं बना। सही फ़ाइल FILE से दें, या इसे काम में लेने के लिए --changed-input।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the file that %2 was made for (checksum differs, E501). Nothing was done. Give the file by its name to use it all the same.</source>
+        <translation>&apos;%1&apos; वह फ़ाइल नहीं है जिसके लिए %2 बना (चेकसम अलग, E501)। कुछ नहीं किया गया। इसे फिर भी काम में लेने के लिए फ़ाइल का नाम दें।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not the raster of firm ground that was felt (checksum differs, E501). Nothing was replayed. Put the right one back, there or beside the recording.</source>
+        <translation>&apos;%1&apos; दृढ़ ज़मीन का वह रास्टर नहीं है जिसे छुआ गया (चेकसम अलग, E501)। कुछ नहीं दोहराया गया। सही रास्टर वहाँ या रिकॉर्डिंग के पास रखें।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: disk full. {1|%1 sample is|%1 samples are} saved and complete in &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: डिस्क भर गई। {1|%1 नमूना &quot;%2&quot; में सहेजा गया और पूरा है|%1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं}।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: HDF5 could not write. {1|%1 sample is|%1 samples are} saved and complete in &quot;%2&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: HDF5 लिख नहीं सका। {1|%1 नमूना &quot;%2&quot; में सहेजा गया और पूरा है|%1 नमूने &quot;%2&quot; में सहेजे गए और पूरे हैं}।</translation>
+    </message>
+    <message>
+        <source>Recording stopped: %1. {2|%2 sample is|%2 samples are} saved and complete in &quot;%3&quot;.</source>
+        <translation>रिकॉर्डिंग रुकी: %1। {2|%2 नमूना &quot;%3&quot; में सहेजा गया और पूरा है|%2 नमूने &quot;%3&quot; में सहेजे गए और पूरे हैं}।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: disk full. Nothing was kept. Free some space or choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; नहीं लिखी जा सकती: डिस्क भरी है। कुछ नहीं रखा गया। जगह खाली करें या दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: HDF5 refuses it. Choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: HDF5 मना करता है। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; लिखी नहीं जा सकती: %2। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; may be incomplete: %2.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; शायद अधूरी है: %2।</translation>
+    </message>
+    <message>
+        <source>The recording &quot;%1&quot; is being written by another program. Nothing was recorded. Choose another name, or end the other one first.</source>
+        <translation>रिकॉर्डिंग &quot;%1&quot; को अभी कोई दूसरा प्रोग्राम लिख रहा है। कुछ भी रिकॉर्ड नहीं हुआ। दूसरा नाम चुनें, या पहले दूसरी रिकॉर्डिंग समाप्त करें।</translation>
+    </message>
+    <message>
+        <source>The recording is whole, but it cannot be called &quot;%1&quot;: %2. It is in &quot;%3&quot;.</source>
+        <translation>रिकॉर्डिंग पूरी है, पर उसका नाम &quot;%1&quot; नहीं रखा जा सकता: %2। वह &quot;%3&quot; में है।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; for recordings cannot be made. Nothing is recorded. Choose another one.</source>
+        <translation>रिकॉर्डिंग का फ़ोल्डर &quot;%1&quot; नहीं बनाया जा सकता। कुछ रिकॉर्ड नहीं हो रहा। दूसरा चुनें।</translation>
+    </message>
+    <message>
+        <source>no fault</source>
+        <translation>कोई गड़बड़ी नहीं</translation>
+    </message>
+    <message>
+        <source>the device did not answer in time</source>
+        <translation>उपकरण ने समय पर उत्तर नहीं दिया</translation>
+    </message>
+    <message>
+        <source>the device was unplugged</source>
+        <translation>उपकरण निकाल दिया गया</translation>
+    </message>
+    <message>
+        <source>the device sent something unreadable</source>
+        <translation>उपकरण ने अपठनीय कुछ भेजा</translation>
+    </message>
+    <message>
+        <source>the device is too hot</source>
+        <translation>उपकरण बहुत गर्म है</translation>
+    </message>
+    <message>
+        <source>the device reported an impossible position</source>
+        <translation>उपकरण ने असंभव स्थिति बताई</translation>
+    </message>
+    <message>
+        <source>the device is not ready yet</source>
+        <translation>उपकरण अभी तैयार नहीं है</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>मापा हुआ</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>प्रक्षेपित</translation>
+    </message>
+    <message>
+        <source>base plane</source>
+        <translation>आधार तल</translation>
+    </message>
+    <message>
+        <source>steep</source>
+        <translation>खड़ा</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>बाहर</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>कुछ नहीं</translation>
+    </message>
+    <message>
+        <source>Finer detail</source>
+        <translation>बारीक विवरण</translation>
+    </message>
+    <message>
+        <source>Coarser detail</source>
+        <translation>मोटा विवरण</translation>
+    </message>
+    <message>
+        <source>Whole object</source>
+        <translation>पूरी वस्तु</translation>
+    </message>
+    <message>
+        <source>Detail and scale</source>
+        <translation>विवरण और पैमाना</translation>
+    </message>
+    <message>
+        <source>Where am I</source>
+        <translation>मैं कहाँ हूँ</translation>
+    </message>
+    <message>
+        <source>Where am I, in full</source>
+        <translation>मैं कहाँ हूँ, पूरा</translation>
+    </message>
+    <message>
+        <source>Forces on or off</source>
+        <translation>बल चालू या बंद</translation>
+    </message>
+    <message>
+        <source>Forces off</source>
+        <translation>बल बंद</translation>
+    </message>
+    <message>
+        <source>Move mode</source>
+        <translation>खिसकाने की विधा</translation>
+    </message>
+    <message>
+        <source>Moved</source>
+        <translation>खिसकाया</translation>
+    </message>
+    <message>
+        <source>Back to the old window</source>
+        <translation>पुरानी विंडो पर वापस</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>बाएँ</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>दाएँ</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>ऊपर</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>नीचे</translation>
+    </message>
+    <message>
+        <source>Next place</source>
+        <translation>अगला स्थान</translation>
+    </message>
+    <message>
+        <source>Previous place</source>
+        <translation>पिछला स्थान</translation>
+    </message>
+    <message>
+        <source>Beacon</source>
+        <translation>संकेतक</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>सहायता</translation>
+    </message>
+    <message>
+        <source>Introduction</source>
+        <translation>परिचय</translation>
+    </message>
+    <message>
+        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
+    </message>
+    <message>
+        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
+        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
+    </message>
+    <message>
+        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
+        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
+    </message>
+    <message>
+        <source>The Falcon is not in use.</source>
+        <translation>Falcon उपयोग में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose the mouse as the device.</source>
+        <translation>Falcon निकाल दिया गया। बल बंद। दृश्य और रिकॉर्डिंग चलते रहते हैं। उसे फिर जोड़ें, या उपकरण के रूप में माउस चुनें।</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces are off.</source>
+        <translation>Falcon निकाल दिया गया। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
+        <translation>Falcon निकाल दिया गया। बल बंद। दृश्य और रिकॉर्डिंग चलती रहती हैं। उसे फिर लगाएँ। %1 भी लगा है, पर जब तक आप उसे न चुनें वह उसकी जगह काम में नहीं लिया जाता।</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>कोई Falcon नहीं लगा है। पहले उसकी बिजली की आपूर्ति जोड़ें, फिर उसका USB केबल।</translation>
+    </message>
+    <message>
+        <source>No Falcon is plugged in.</source>
+        <translation>कोई Falcon नहीं लगा है।</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
+        <translation>%1 चुना गया था और लगा नहीं है। पहले उसका पावर अडैप्टर लगाएँ, फिर उसकी USB केबल।</translation>
+    </message>
+    <message>
+        <source>The chosen Falcon is not plugged in.</source>
+        <translation>चुना हुआ Falcon लगा नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
+        <translation>%1 चुना गया था और लगा नहीं है। %2 लगा है, पर जब तक आप उसे न चुनें वह उसकी जगह काम में नहीं लिया जाता।</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
+        <translation>कई Falcon लगे हैं: %1। जब तक आप एक न चुनें कोई काम में नहीं लिया जाता।</translation>
+    </message>
+    <message>
+        <source>Several Falcons are plugged in. Choose one.</source>
+        <translation>कई Falcon लगे हैं। एक चुनें।</translation>
+    </message>
+    <message>
+        <source>A Falcon is plugged in but this account may not use it. Install the rule that the device set-up shows and &apos;relievo devices rule&apos; prints, once (needs an administrator), then replug.</source>
+        <translation>एक Falcon लगा है, पर इस खाते को उसके उपयोग की अनुमति नहीं है। उपकरण की तैयारी जो नियम दिखाती है और &apos;relievo devices rule&apos; जो छापता है, उसे एक बार स्थापित करें (प्रशासक चाहिए), फिर दोबारा जोड़ें।</translation>
+    </message>
+    <message>
+        <source>Falcon found, but not allowed. Ask staff.</source>
+        <translation>Falcon मिला, पर अनुमति नहीं है। कर्मचारियों से पूछें।</translation>
+    </message>
+    <message>
+        <source>Another program is using the Falcon. Close it, then try again.</source>
+        <translation>कोई दूसरा प्रोग्राम Falcon का उपयोग कर रहा है। उसे बंद करें, फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>The Falcon is busy.</source>
+        <translation>Falcon व्यस्त है।</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened: %1. Replug it, or try another port.</source>
+        <translation>Falcon खोला नहीं जा सका: %1। उसे दोबारा जोड़ें, या दूसरा पोर्ट आज़माएँ।</translation>
+    </message>
+    <message>
+        <source>The Falcon could not be opened.</source>
+        <translation>Falcon खोला नहीं जा सका।</translation>
+    </message>
+    <message>
+        <source>USB cannot be used</source>
+        <translation>USB का उपयोग नहीं हो सकता</translation>
+    </message>
+    <message>
+        <source>Asking the Falcon whether it is ready.</source>
+        <translation>Falcon से पूछा जा रहा है कि वह तैयार है या नहीं।</translation>
+    </message>
+    <message>
+        <source>Falcon found.</source>
+        <translation>Falcon मिला।</translation>
+    </message>
+    <message>
+        <source>The Falcon needs its firmware file.</source>
+        <translation>Falcon को उसकी फ़र्मवेयर फ़ाइल चाहिए।</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
+        <translation>Falcon शुरू हो रहा है – प्रयास %2 में से %1। यह सामान्य है।</translation>
+    </message>
+    <message>
+        <source>Starting the Falcon.</source>
+        <translation>Falcon शुरू हो रहा है।</translation>
+    </message>
+    <message>
+        <source>Still starting.</source>
+        <translation>अब भी शुरू हो रहा है।</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon failed {1|%1 time|%1 times}, although it is plugged in. Forces are off; it is tried again every 10 seconds. Plug it straight into the computer, if you can with another cable, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Falcon जुड़ा है, फिर भी उससे संपर्क %1 बार विफल हुआ। बल बंद हैं; हर 10 सेकंड में फिर कोशिश होती है। इसे सीधे कंप्यूटर में लगाएँ, हो सके तो दूसरी केबल से, या स्पर्श &gt; डिवाइस सेटअप &gt; फिर कोशिश चुनें।</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off.</source>
+        <translation>Falcon उत्तर नहीं देता। बल बंद हैं।</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after {1|%1 attempt|%1 attempts}; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry.</source>
+        <translation>Falcon {1|%1 प्रयास|%1 प्रयासों} के बाद भी शुरू नहीं हुआ; अब उसे छोड़ दिया गया है। उसकी बिजली की आपूर्ति जाँचें और उसे सीधे कंप्यूटर से जोड़ें, या स्पर्श &gt; उपकरण की तैयारी &gt; फिर कोशिश चुनें।</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start. You can continue with the mouse.</source>
+        <translation>Falcon शुरू नहीं हुआ। आप माउस से आगे बढ़ सकते हैं।</translation>
+    </message>
+    <message>
+        <source>The Falcon did not start after {1|%1 attempt|%1 attempts}; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry. (%2)</source>
+        <translation>Falcon {1|%1 प्रयास|%1 प्रयासों} के बाद भी शुरू नहीं हुआ; अब उसे छोड़ दिया गया है। उसकी बिजली की आपूर्ति जाँचें और उसे सीधे कंप्यूटर से जोड़ें, या स्पर्श &gt; उपकरण की तैयारी &gt; फिर कोशिश चुनें। (%2)</translation>
+    </message>
+    <message>
+        <source>its boot loader did not answer</source>
+        <translation>उसके बूट लोडर ने उत्तर नहीं दिया</translation>
+    </message>
+    <message>
+        <source>it did not lock on to the baud rate</source>
+        <translation>वह बॉड दर नहीं पकड़ सका</translation>
+    </message>
+    <message>
+        <source>it echoed wrongly after byte %1 of %2</source>
+        <translation>%2 में से बाइट %1 के बाद उसकी प्रतिध्वनि गलत थी</translation>
+    </message>
+    <message>
+        <source>it did not run after loading</source>
+        <translation>लोड होने के बाद वह नहीं चला</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1.</source>
+        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें। ये भुजाएँ अभी नहीं मिलीं: %1।</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in.</source>
+        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें।</translation>
+    </message>
+    <message>
+        <source>Please pull the grip fully out, then push it fully in. Still missing: %1. It takes long: pull straight out, push straight in, as far as it goes; do not twist.</source>
+        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें। ये भुजाएँ अभी नहीं मिलीं: %1। इसमें देर लग रही है: सीधा बाहर खींचें, सीधा अंदर धकेलें, जहाँ तक जाए; घुमाएँ नहीं।</translation>
+    </message>
+    <message>
+        <source>Straight out, straight in; do not twist the grip.</source>
+        <translation>सीधा बाहर, सीधा अंदर; ग्रिप को न घुमाएँ।</translation>
+    </message>
+    <message>
+        <source>All three arms have found their place. Pull the grip fully out once more.</source>
+        <translation>तीनों भुजाओं को उनकी जगह मिल गई। ग्रिप को एक बार और पूरा बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>Pull the grip fully out.</source>
+        <translation>ग्रिप को पूरा बाहर खींचें।</translation>
+    </message>
+    <message>
+        <source>Falcon ready.</source>
+        <translation>Falcon तैयार है।</translation>
+    </message>
+    <message>
+        <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
+        <translation>Falcon जुड़ा है, फिर भी उससे संपर्क विफल हो रहा है। बल बंद हैं; इसे फिर से खोला जा रहा है – %2 में से %1।</translation>
+    </message>
+    <message>
+        <source>The Falcon does not answer. Forces are off; trying to wake it.</source>
+        <translation>Falcon उत्तर नहीं देता। बल बंद हैं; उसे जगाने की कोशिश हो रही है।</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>ऊपरी</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>दाईं</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>बाईं</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>प्लस</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <translation>आगे</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>बीच</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>माइनस</translation>
+    </message>
+    <message>
+        <source>USB cannot be used: %1.</source>
+        <translation>USB का उपयोग नहीं हो सकता: %1।</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s thread could not be started: %1.</source>
+        <translation>Falcon का थ्रेड शुरू नहीं हो सका: %1।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
+        <translation>&quot;%1&quot; किसी Falcon का नाम नहीं है। falcon:SERIAL, falcon:SERIAL@PORT या falcon:@PORT लिखें, जैसा &apos;relievo devices&apos; बताता है, या एकमात्र के लिए falcon।</translation>
+    </message>
+    <message>
+        <source>There is no mouse device named &quot;%1&quot;.</source>
+        <translation>&quot;%1&quot; नाम का कोई माउस उपकरण नहीं है।</translation>
+    </message>
+    <message>
+        <source>There is no device &quot;%1&quot;. This build knows: %2.</source>
+        <translation>&quot;%1&quot; नाम का कोई उपकरण नहीं है। यह प्रोग्राम जानता है: %2।</translation>
+    </message>
+    <message>
+        <source>HID devices cannot be used on this system.</source>
+        <translation>इस सिस्टम पर HID उपकरण काम में नहीं लिए जा सकते।</translation>
+    </message>
+    <message>
+        <source>There is no virtual hand &quot;%1&quot;. Known: %2.</source>
+        <translation>&quot;%1&quot; नाम का कोई आभासी हाथ नहीं है। जाने हुए: %2।</translation>
+    </message>
+    <message>
+        <source>The virtual hand&apos;s delay is {1|%1 tick|%1 ticks}; 0, 1 and 2 are possible.</source>
+        <translation>आभासी हाथ की देरी %1 ताल है; 0, 1 और 2 संभव हैं।</translation>
+    </message>
+    <message>
+        <source>A scripted device needs at least one reading.</source>
+        <translation>लिपिबद्ध उपकरण को कम से कम एक पाठ्यांक चाहिए।</translation>
+    </message>
+    <message>
+        <source>The test ended early: %1. %2</source>
+        <translation>जाँच समय से पहले रुक गई: %1। %2</translation>
+    </message>
+    <message>
+        <source>Rate: %1 answers per second (%2 are needed).</source>
+        <translation>दर: प्रति सेकंड %1 उत्तर (%2 चाहिए)।</translation>
+    </message>
+    <message>
+        <source>Line: {1|%1 damaged answer|%1 damaged answers}, {2|%2 stall|%2 stalls}, {3|%3 overrun|%3 overruns}.</source>
+        <translation>लाइन: %1 क्षतिग्रस्त उत्तर, {2|%2 रुकावट|%2 रुकावटें}, %3 अतिप्रवाह।</translation>
+    </message>
+    <message>
+        <source>Times from answer to answer: up to 0.8 ms %1, up to 1.0 ms %2, up to 1.2 ms %3, up to 2.0 ms %4, up to 5.0 ms %5, up to 20.0 ms %6, up to 100.0 ms %7, above 100.0 ms %8; the longest %9 ms.</source>
+        <translation>उत्तर से उत्तर तक का समय: 0.8 ms तक %1, 1.0 ms तक %2, 1.2 ms तक %3, 2.0 ms तक %4, 5.0 ms तक %5, 20.0 ms तक %6, 100.0 ms तक %7, 100.0 ms से ऊपर %8; सबसे लंबा %9 ms।</translation>
+    </message>
+    <message>
+        <source>From question to answer: %1 ms on average, %2 ms at worst.</source>
+        <translation>प्रश्न से उत्तर तक: औसतन %1 ms, अधिकतम %2 ms।</translation>
+    </message>
+    <message>
+        <source>Lights: red, green and blue were shown one after the other.</source>
+        <translation>बत्तियाँ: लाल, हरी और नीली एक के बाद एक दिखाई गईं।</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm.</source>
+        <translation>0.5 N के धक्कों से हाथ इतना हिला: दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, अंदर %6 mm।</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.</source>
+        <translation>0.5 N के धक्कों से हाथ इतना हिला: दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, अंदर %6 mm; कसकर पकड़ा हाथ कम हिलता है।</translation>
+    </message>
+    <message>
+        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the Falcon&apos;s power supply, hold the grip loosely or let go of it, and test again.</source>
+        <translation>0.5 N के धक्कों से हाथ दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, भीतर %6 mm हिला; मोटरों ने कुछ नहीं हिलाया। Falcon की बिजली जाँचें, ग्रिप को ढीला पकड़ें या छोड़ दें, और फिर से जाँचें।</translation>
+    </message>
+    <message>
+        <source>Buttons: all four work.</source>
+        <translation>बटन: चारों काम करते हैं।</translation>
+    </message>
+    <message>
+        <source>Buttons that were not pressed: %1.</source>
+        <translation>बटन जो नहीं दबाए गए: %1।</translation>
+    </message>
+    <message>
+        <source>Encoder of the %1 arm: moved by {2|%2 count|%2 counts}.</source>
+        <translation>%1 भुजा का एनकोडर: %2 गणना चला।</translation>
+    </message>
+    <message>
+        <source>Measuring how evenly the Falcon answers.</source>
+        <translation>मापा जा रहा है कि Falcon कितनी नियमितता से उत्तर देता है।</translation>
+    </message>
+    <message>
+        <source>Watch the lights: red, green, blue.</source>
+        <translation>बत्तियाँ देखें: लाल, हरी, नीली।</translation>
+    </message>
+    <message>
+        <source>Hold the grip loosely: six small nudges of half a newton.</source>
+        <translation>ग्रिप को ढीला पकड़ें: आधे न्यूटन के छह छोटे धक्के।</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons.</source>
+        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
+        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ। अभी बाकी: %1।</translation>
+    </message>
+    <message>
+        <source>The self test passed.</source>
+        <translation>स्व-जाँच सफल रही।</translation>
+    </message>
+    <message>
+        <source>The self test found something wrong.</source>
+        <translation>स्व-जाँच में कुछ गड़बड़ मिली।</translation>
+    </message>
+    <message>
+        <source>The weight must be 20 to 300 grams.</source>
+        <translation>भार 20 से 300 ग्राम होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>Take your hand off the grip. The Falcon holds it in place.</source>
+        <translation>ग्रिप से हाथ हटाएँ। Falcon उसे उसकी जगह पर रोके रखता है।</translation>
+    </message>
+    <message>
+        <source>Hang the weight on the grip, let it come to rest, then press Continue.</source>
+        <translation>भार को ग्रिप पर लटकाएँ, उसे स्थिर होने दें, फिर “जारी रखें” दबाएँ।</translation>
+    </message>
+    <message>
+        <source>Holding the weight. Do not touch it.</source>
+        <translation>भार को थामा जा रहा है। उसे न छुएँ।</translation>
+    </message>
+    <message>
+        <source>The force is calibrated.</source>
+        <translation>बल का अंशांकन हो गया।</translation>
+    </message>
+    <message>
+        <source>The calibration ended: %1. The old setting is kept.</source>
+        <translation>अंशांकन रुक गया: %1। पुरानी सेटिंग बनी रहती है।</translation>
+    </message>
+    <message>
+        <source>the grip did not come to rest</source>
+        <translation>ग्रिप स्थिर नहीं हुई</translation>
+    </message>
+    <message>
+        <source>the Falcon or this computer was interrupted too often to measure a force</source>
+        <translation>Falcon या यह कंप्यूटर इतनी बार रुका कि बल मापा नहीं जा सका</translation>
+    </message>
+    <message>
+        <source>the weight seemed to be %1 g, which no Falcon&apos;s motors explain (is it the right one, and hanging free?)</source>
+        <translation>भार %1 g जान पड़ा, जो किसी Falcon की मोटरों से संभव नहीं (क्या वही भार है, और खुला लटका है?)</translation>
+    </message>
+    <message>
+        <source>The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL&apos;s library is whole and allows SHA-256.</source>
+        <translation>फ़र्मवेयर का हैश नहीं निकाला जा सका। कुछ नहीं लोड हुआ। जाँचें कि OpenSSL की लाइब्रेरी पूरी है और SHA-256 की अनुमति देती है।</translation>
+    </message>
+    <message>
+        <source>There is no file &quot;%1&quot;. Nothing was loaded. Check its name.</source>
+        <translation>फ़ाइल &quot;%1&quot; नहीं है। कुछ नहीं लोड हुआ। उसका नाम जाँचें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read: %2. Nothing was loaded. Check its permissions and its folder&apos;s.</source>
+        <translation>&quot;%1&quot; पढ़ी नहीं जा सकती: %2। कुछ नहीं लोड हुआ। उसकी और उसके फ़ोल्डर की अनुमति जाँचें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a regular file; it was not read as Falcon firmware. Name the file itself, such as nvent_firmware.bin.</source>
+        <translation>&quot;%1&quot; साधारण फ़ाइल नहीं है; उसे Falcon फ़र्मवेयर के रूप में नहीं पढ़ा गया। फ़ाइल का ही नाम दें, जैसे nvent_firmware.bin।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: it has more than %2 bytes. Nothing was loaded. Choose another file.</source>
+        <translation>&quot;%1&quot; Falcon फ़र्मवेयर नहीं है: इसमें %2 से अधिक बाइट हैं। कुछ नहीं लोड हुआ। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; could not be read to its end. Nothing was loaded. Copy it to another disk, or choose another file.</source>
+        <translation>&quot;%1&quot; अंत तक पढ़ी नहीं जा सकी। कुछ नहीं लोड हुआ। उसे दूसरी डिस्क पर कॉपी करें, या दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no Falcon firmware: %2. Nothing was loaded. Choose another file.</source>
+        <translation>&quot;%1&quot; Falcon फ़र्मवेयर नहीं है: %2। कुछ नहीं लोड हुआ। दूसरी फ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>it has {1|%1 byte|%1 bytes}; 2048 to 65536 are possible</source>
+        <translation>इसमें %1 बाइट हैं; 2048 से 65536 संभव हैं</translation>
+    </message>
+    <message>
+        <source>its length is odd</source>
+        <translation>इसकी लंबाई विषम है</translation>
+    </message>
+    <message>
+        <source>it does not begin with AA 08</source>
+        <translation>यह AA 08 से शुरू नहीं होती</translation>
+    </message>
+    <message>
+        <source>it ends before its entry point</source>
+        <translation>यह अपने प्रवेश बिंदु से पहले समाप्त होती है</translation>
+    </message>
+    <message>
+        <source>it ends in block %1</source>
+        <translation>यह खंड %1 में समाप्त होती है</translation>
+    </message>
+    <message>
+        <source>{1|%1 byte follows|%1 bytes follow} its last block</source>
+        <translation>इसके अंतिम खंड के बाद %1 बाइट हैं</translation>
+    </message>
+    <message>
+        <source>it has no blocks</source>
+        <translation>इसमें कोई खंड नहीं है</translation>
+    </message>
+    <message>
+        <source>%1 (recommended)</source>
+        <translation>%1 (अनुशंसित)</translation>
+    </message>
+    <message>
+        <source>the setting Falcon firmware (Preferences &gt; Device)</source>
+        <translation>सेटिंग Falcon फ़र्मवेयर (वरीयताएँ &gt; उपकरण)</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; that %2 names does not exist. Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>Falcon फ़र्मवेयर &quot;%1&quot; नहीं है; उसका नाम यहाँ है: %2। कुछ नहीं लोड हुआ। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
+    </message>
+    <message>
+        <source>The folder &quot;%1&quot; that %2 names has no Falcon firmware (such as nvent_firmware.bin). Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
+        <translation>फ़ोल्डर &quot;%1&quot; में Falcon फ़र्मवेयर (जैसे nvent_firmware.bin) नहीं है; उसका नाम यहाँ है: %2। कुछ नहीं लोड हुआ। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
+    </message>
+    <message>
+        <source>%1 It is what %2 names. Correct %2, or clear it to search the usual places.</source>
+        <translation>%1 उसका नाम यहाँ है: %2। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
+    </message>
+    <message>
+        <source>The Falcon is connected but has no firmware loaded. relievo cannot include Novint&apos;s firmware. Run &apos;relievo devices firmware FILE&apos; with the file nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched: %1.</source>
+        <translation>Falcon जुड़ा है पर उसमें फ़र्मवेयर लोड नहीं है। relievo में Novint का फ़र्मवेयर शामिल नहीं किया जा सकता। अपने Novint सॉफ़्टवेयर या libnifalcon की फ़ाइल nvent_firmware.bin (8492 बाइट) के साथ &apos;relievo devices firmware FILE&apos; चलाएँ, या RELIEVO_FALCON_FIRMWARE रखें। खोजी गई जगहें: %1।</translation>
+    </message>
+    <message>
+        <source>The Falcon firmware &quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2); it was not loaded. If you trust it, run &apos;relievo devices firmware FILE --accept&apos; once.</source>
+        <translation>Falcon फ़र्मवेयर &quot;%1&quot; बूट इमेज के रूप का है, पर इसे कोई नहीं जानता (sha256 %2); उसे लोड नहीं किया गया। यदि आपको उस पर भरोसा है, तो एक बार &apos;relievo devices firmware FILE --accept&apos; चलाएँ।</translation>
+    </message>
+    <message>
+        <source>The firmware could not be copied to &quot;%1&quot;: %2. Nothing was changed. Check the folder and the disk&apos;s room.</source>
+        <translation>फ़र्मवेयर की प्रति &quot;%1&quot; में नहीं बन सकी: %2। कुछ नहीं बदला। फ़ोल्डर और डिस्क की खाली जगह जाँचें।</translation>
+    </message>
+    <message>
+        <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
+        <translation>Falcon की सेटिंग &quot;%1&quot; में लिखी नहीं जा सकीं। वे प्रोग्राम के बंद होने तक लागू हैं। फ़ोल्डर की अनुमति जाँचें।</translation>
+    </message>
+    <message>
+        <source>The haptic loop needs a device.</source>
+        <translation>हैप्टिक लूप को उपकरण चाहिए।</translation>
+    </message>
+    <message>
+        <source>A device that a person holds never gets the bare spring.</source>
+        <translation>जिस उपकरण को कोई पकड़े हो उसे कोरी स्प्रिंग कभी नहीं मिलती।</translation>
+    </message>
+    <message>
+        <source>The haptic loop&apos;s period must be above 0 ns.</source>
+        <translation>हैप्टिक लूप की अवधि 0 ns से अधिक होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>The window has %1 samples; the haptic space holds exactly 200 x 200.</source>
+        <translation>खिड़की में %1 नमूने हैं; हैप्टिक स्थान में ठीक 200 x 200 आते हैं।</translation>
+    </message>
+    <message>
+        <source>The window has a height that is not a finite number; nothing can be felt.</source>
+        <translation>खिड़की में एक ऊँचाई परिमित संख्या नहीं है; कुछ महसूस नहीं हो सकता।</translation>
+    </message>
+    <message>
+        <source>The window&apos;s side is %1 mm; it must be greater than 0.</source>
+        <translation>खिड़की की भुजा %1 mm है; वह 0 से अधिक होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>A map of firmness must hold 200 x 200 numbers from 0 to 1.</source>
+        <translation>दृढ़ता के मानचित्र में 0 से 1 तक की 200 x 200 संख्याएँ होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>A texture has %1 heights; exactly 400 x 400 finite ones are needed.</source>
+        <translation>एक बनावट में %1 ऊँचाइयाँ हैं; ठीक 400 x 400 परिमित चाहिए।</translation>
+    </message>
+    <message>
+        <source>This recording cannot be replayed: %1.</source>
+        <translation>यह रिकॉर्डिंग दोहराई नहीं जा सकती: %1।</translation>
+    </message>
+    <message>
+        <source>This recording cannot be replayed: samples were dropped before tick %1.</source>
+        <translation>यह रिकॉर्डिंग दोहराई नहीं जा सकती: ताल %1 से पहले नमूने छूट गए।</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; cannot be read.</source>
+        <translation>रेखा &quot;%1&quot; पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; cannot be read to its end.</source>
+        <translation>रेखा &quot;%1&quot; अंत तक पढ़ी नहीं जा सकती।</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; does not start with the line %2.</source>
+        <translation>रेखा &quot;%1&quot; पंक्ति %2 से शुरू नहीं होती।</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; row %2 %3.</source>
+        <translation>रेखा &quot;%1&quot; पंक्ति %2: %3।</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; row %2 is not later than the row before it; times must increase.</source>
+        <translation>रेखा &quot;%1&quot; पंक्ति %2 पिछली पंक्ति के बाद की नहीं है; समय बढ़ने चाहिए।</translation>
+    </message>
+    <message>
+        <source>The stroke &quot;%1&quot; has no rows.</source>
+        <translation>रेखा &quot;%1&quot; में कोई पंक्ति नहीं है।</translation>
+    </message>
+    <message>
+        <source>The stroke lasts %1 s; are its times in seconds?</source>
+        <translation>रेखा %1 s चलती है; क्या इसके समय सेकंड में हैं?</translation>
+    </message>
+    <message>
+        <source>A stroke needs at least one point.</source>
+        <translation>रेखा को कम से कम एक बिंदु चाहिए।</translation>
+    </message>
+    <message>
+        <source>The stiffness must be a finite number of N/mm above 0.</source>
+        <translation>कठोरता 0 से अधिक N/mm की परिमित संख्या होनी चाहिए।</translation>
+    </message>
+    <message>
+        <source>The damping must be a finite number of N s/mm, 0 or above.</source>
+        <translation>अवमंदन 0 या अधिक N s/mm की परिमित संख्या होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>No cell of the grid was hit by the scan. Nothing was made. Choose another view.</source>
+        <translation>स्कैन ग्रिड के किसी खाने पर नहीं पड़ा। कुछ नहीं बना। दूसरा दृश्य चुनें।</translation>
+    </message>
+    <message>
+        <source>A free view needs its rotation.</source>
+        <translation>मुक्त दृश्य को उसका घुमाव चाहिए।</translation>
+    </message>
+    <message>
+        <source>There is no view &apos;%1&apos;. Choose front, back, left, right, top, bottom, auto, fit or axes.</source>
+        <translation>&apos;%1&apos; नाम का कोई दृश्य नहीं है। front, back, left, right, top, bottom, auto, fit या axes चुनें।</translation>
+    </message>
+    <message>
+        <source>A view is turned by finite numbers of degrees.</source>
+        <translation>दृश्य को परिमित अंशों से घुमाया जाता है।</translation>
+    </message>
+    <message>
+        <source>A point is not finite.</source>
+        <translation>एक बिंदु परिमित नहीं है।</translation>
+    </message>
+    <message>
+        <source>At least one neighbour must be asked for.</source>
+        <translation>कम से कम एक पड़ोसी माँगना होगा।</translation>
+    </message>
+    <message>
+        <source>%1 is no recipe that this version can read. %2 Nothing was done.</source>
+        <translation>%1 ऐसी विधि नहीं है जिसे यह संस्करण पढ़ सके। %2 कुछ नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>Line %1 of it is not JSON.</source>
+        <translation>इसकी पंक्ति %1 JSON नहीं है।</translation>
+    </message>
+    <message>
+        <source>A number in it is too large.</source>
+        <translation>इसमें एक संख्या बहुत बड़ी है।</translation>
+    </message>
+    <message>
+        <source>There is no &apos;%1&apos; where one belongs.</source>
+        <translation>जहाँ &apos;%1&apos; होना चाहिए वहाँ वह नहीं है।</translation>
+    </message>
+    <message>
+        <source>A part of it is missing or has another form.</source>
+        <translation>इसका एक भाग नहीं है या उसका रूप दूसरा है।</translation>
+    </message>
+    <message>
+        <source>A part of it is no object.</source>
+        <translation>इसका एक भाग ऑब्जेक्ट नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a key that is known there.</source>
+        <translation>&apos;%1&apos; वहाँ कोई जानी हुई कुंजी नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 is not a number.</source>
+        <translation>%1 संख्या नहीं है।</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number from 0 to 4294967295.</source>
+        <translation>%1 0 से 4294967295 तक की पूर्ण संख्या नहीं है।</translation>
+    </message>
+    <message>
+        <source>A list of it has not %1 numbers.</source>
+        <translation>इसकी एक सूची में %1 संख्याएँ नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>%1 is none of the six standard views.</source>
+        <translation>%1 छह मानक दृश्यों में से नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;keep&apos; is neither inside nor outside.</source>
+        <translation>&apos;keep&apos; न inside है न outside।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no list of at most %2 entries.</source>
+        <translation>&apos;%1&apos; अधिक से अधिक %2 प्रविष्टियों की सूची नहीं है।</translation>
+    </message>
+    <message>
+        <source>A class is from 0 to 255.</source>
+        <translation>वर्ग 0 से 255 तक होता है।</translation>
+    </message>
+    <message>
+        <source>&apos;keep&apos; is none of first, last and single.</source>
+        <translation>&apos;keep&apos; first, last और single में से कोई नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;method&apos; is none of stored, points and auto.</source>
+        <translation>&apos;method&apos; stored, points और auto में से कोई नहीं है।</translation>
+    </message>
+    <message>
+        <source>A step is no object.</source>
+        <translation>एक चरण ऑब्जेक्ट नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no step that is known.</source>
+        <translation>&apos;%1&apos; कोई जाना हुआ चरण नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;unit&apos; is none of mm, cm, m, in, ft and us-ft.</source>
+        <translation>&apos;unit&apos; mm, cm, m, in, ft और us-ft में से कोई नहीं है।</translation>
+    </message>
+    <message>
+        <source>&apos;parts&apos; are not numbers of a file&apos;s scans, from 1.</source>
+        <translation>&apos;parts&apos; फ़ाइल के स्कैनों के क्रमांक, 1 से, नहीं हैं।</translation>
+    </message>
+    <message>
+        <source>Its schema is %1; this version reads 1.</source>
+        <translation>इसका स्कीमा %1 है; यह संस्करण 1 पढ़ता है।</translation>
+    </message>
+    <message>
+        <source>The recipe names %1 scans; at most %2 can be prepared at once.</source>
+        <translation>विधि में %1 स्कैन हैं; एक साथ अधिक से अधिक %2 तैयार किए जा सकते हैं।</translation>
+    </message>
+    <message>
+        <source>The recipe has %1 steps; at most %2 can be done at once.</source>
+        <translation>विधि में %1 चरण हैं; एक साथ अधिक से अधिक %2 किए जा सकते हैं।</translation>
+    </message>
+    <message>
+        <source>The recipe aligns its scans twice. Leave one step out.</source>
+        <translation>विधि अपने स्कैनों को दो बार संरेखित करती है। एक चरण छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>The recipe is for {1|%1 scan|%1 scans}, but there are %2. Nothing was done.</source>
+        <translation>विधि %1 स्कैनों के लिए है, पर %2 हैं। कुछ नहीं किया गया।</translation>
+    </message>
+    <message>
+        <source>The recipe has poses for {1|%1 scan|%1 scans}, but there are %2. Nothing was done. Give the scans that it was made for.</source>
+        <translation>विधि में %1 स्कैनों की स्थितियाँ हैं, पर %2 हैं। कुछ नहीं किया गया। वही स्कैन दें जिनके लिए यह बनी थी।</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2।</translation>
+    </message>
+    <message>
+        <source>Step %1 (%2)</source>
+        <translation>चरण %1 (%2)</translation>
+    </message>
+    <message>
+        <source>the box ends before it begins; its first corner must be the lower one</source>
+        <translation>डिब्बा शुरू होने से पहले समाप्त होता है; उसका पहला कोना नीचे वाला होना चाहिए</translation>
+    </message>
+    <message>
+        <source>the outline has {1|%1 corner|%1 corners}; it takes 3 to %2</source>
+        <translation>रूपरेखा में {1|%1 कोना है|%1 कोने हैं}; 3 से %2 चाहिए</translation>
+    </message>
+    <message>
+        <source>the highest intensity is below the lowest</source>
+        <translation>सबसे ऊँची तीव्रता सबसे नीची से कम है</translation>
+    </message>
+    <message>
+        <source>&apos;reference&apos; is beyond the scans there can be</source>
+        <translation>&apos;reference&apos; संभव स्कैनों से परे है</translation>
+    </message>
+    <message>
+        <source>it has more than %1 pairs</source>
+        <translation>इसमें %1 से अधिक जोड़े हैं</translation>
+    </message>
+    <message>
+        <source>a pair names a scan beyond those there can be</source>
+        <translation>एक जोड़ा संभव स्कैनों से परे का स्कैन बताता है</translation>
+    </message>
+    <message>
+        <source>it has more poses than there can be scans</source>
+        <translation>इसमें संभव स्कैनों से अधिक स्थितियाँ हैं</translation>
+    </message>
+    <message>
+        <source>a pose is no rotation and translation</source>
+        <translation>एक स्थिति घुमाव और खिसकाव नहीं है</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is %2; it takes %3 to %4</source>
+        <translation>&apos;%1&apos; %2 है; %3 से %4 तक हो सकता है</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not finite; it takes %2 to %3</source>
+        <translation>&apos;%1&apos; परिमित नहीं है; %2 से %3 तक हो सकता है</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be above 0 mm</source>
+        <translation>&apos;%1&apos; 0 mm से अधिक होना चाहिए</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no rotation: 9 numbers, rows of length 1 at right angles, right-handed</source>
+        <translation>&apos;%1&apos; घुमाव नहीं है: 9 संख्याएँ, लंबाई 1 की समकोण पंक्तियाँ, दक्षिणावर्ती</translation>
+    </message>
+    <message>
+        <source>The scans are not all in one unit: %1 is in %2, %3 in %4. Nothing was done. Give --unit if it is the same for all.</source>
+        <translation>स्कैन सब एक इकाई में नहीं हैं: %1 की इकाई %2 है, %3 की %4। कुछ नहीं किया गया। सबकी एक ही हो तो --unit दें।</translation>
+    </message>
+    <message>
+        <source>none that it states</source>
+        <translation>कोई बताई हुई नहीं</translation>
+    </message>
+    <message>
+        <source>The files hold more than %1 scans together. Nothing was done. Prepare fewer at once.</source>
+        <translation>फ़ाइलों में कुल %1 से अधिक स्कैन हैं। कुछ नहीं किया गया। एक साथ कम तैयार करें।</translation>
+    </message>
+    <message>
+        <source>No point is left after all steps. Nothing was written. Take a step out, or widen its limits.</source>
+        <translation>सभी चरणों के बाद कोई बिंदु नहीं बचा। कुछ नहीं लिखा गया। कोई चरण हटाएँ या उसकी सीमाएँ बढ़ाएँ।</translation>
+    </message>
+    <message>
+        <source>The scan is more than 2 097 152 times as long as the distance it should be thinned to. Nothing was thinned; choose a larger distance, or crop the scan first.</source>
+        <translation>स्कैन उस दूरी से 2 097 152 गुना से भी लंबा है जिस तक उसे विरल करना था। कुछ विरल नहीं हुआ; बड़ी दूरी चुनें, या पहले स्कैन काटें।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the steps take more than %1 s of processor time. Nothing was changed. Thin the scans out first.</source>
+        <translation>स्कैन तैयार नहीं हो सकते: चरणों को %1 s से अधिक प्रोसेसर समय चाहिए। कुछ नहीं बदला। पहले स्कैनों को विरल करें।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the system stopped the work, probably for lack of memory. Nothing was changed. Close other programs, or thin the scans out first.</source>
+        <translation>स्कैन तैयार नहीं हो सकते: सिस्टम ने काम रोक दिया, शायद स्मृति की कमी से। कुछ नहीं बदला। दूसरे प्रोग्राम बंद करें, या पहले स्कैनों को विरल करें।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the program that does it broke down. Nothing was changed. Leave out one step after the other to find the one.</source>
+        <translation>स्कैन तैयार नहीं हो सकते: यह काम करने वाला प्रोग्राम टूट गया। कुछ नहीं बदला। दोषी चरण खोजने के लिए एक-एक करके चरण छोड़ें।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the program that does it broke down (&quot;%1&quot;). Nothing was changed. Leave out one step after the other to find the one.</source>
+        <translation>स्कैन तैयार नहीं हो सकते: यह काम करने वाला प्रोग्राम टूट गया (&quot;%1&quot;)। कुछ नहीं बदला। दोषी चरण खोजने के लिए एक-एक करके चरण छोड़ें।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: the system gives no memory for them. Nothing was changed. Close other programs and try again.</source>
+        <translation>स्कैन तैयार नहीं हो सकते: सिस्टम उनके लिए स्मृति नहीं देता। कुछ नहीं बदला। दूसरे प्रोग्राम बंद करें और फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: a step needs more than %1 MB of memory. Nothing was changed. Crop or thin them first, or allow more (--memory).</source>
+        <translation>स्कैन तैयार नहीं हो सकते: एक चरण को %1 MB से अधिक स्मृति चाहिए। कुछ नहीं बदला। पहले उन्हें काटें या विरल करें, या अधिक की अनुमति दें (--memory)।</translation>
+    </message>
+    <message>
+        <source>The scans cannot be prepared: a library gave up (%1). Nothing was changed.</source>
+        <translation>स्कैन तैयार नहीं हो सकते: एक लाइब्रेरी ने हार मान ली (%1)। कुछ नहीं बदला।</translation>
+    </message>
+    <message>
+        <source>The scans did not arrive whole. Nothing was changed. Try again.</source>
+        <translation>स्कैन पूरे नहीं पहुँचे। कुछ नहीं बदला। फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>The scan cannot be passed on: %1. Nothing was done. Close other programs and try again.</source>
+        <translation>स्कैन आगे नहीं दिया जा सकता: %1। कुछ नहीं किया गया। दूसरे प्रोग्राम बंद करें और फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>Aligning needs two scans or more, one of them the reference. Nothing was aligned.</source>
+        <translation>संरेखण को दो या अधिक स्कैन चाहिए, उनमें एक संदर्भ। कुछ संरेखित नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>A picked pair names scan %1; there are %2, counted from 1. Nothing was aligned.</source>
+        <translation>एक चुना हुआ जोड़ा स्कैन %1 बताता है; %2 हैं, 1 से गिने हुए। कुछ संरेखित नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>A picked pair names scan %1, which is the reference; there are %2, counted from 1. Nothing was aligned.</source>
+        <translation>एक चुना हुआ जोड़ा स्कैन %1 बताता है, जो संदर्भ है; %2 हैं, 1 से गिने हुए। कुछ संरेखित नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>%1 has another unit than %2. Nothing was aligned; only scans of one unit can be.</source>
+        <translation>%1 की इकाई %2 से अलग है। कुछ संरेखित नहीं हुआ; केवल एक इकाई के स्कैन हो सकते हैं।</translation>
+    </message>
+    <message>
+        <source>%1: {2|%2 different point|%2 different points}; aligning needs %3 in every scan. Nothing was aligned; leave this scan out.</source>
+        <translation>%1: %2 अलग बिंदु; संरेखण को हर स्कैन में %3 चाहिए। कुछ संरेखित नहीं हुआ; यह स्कैन छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1: its points stand too far apart to be a surface. Nothing was aligned; leave this scan out.</source>
+        <translation>%1: इसके बिंदु सतह होने के लिए बहुत दूर-दूर हैं। कुछ संरेखित नहीं हुआ; यह स्कैन छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1: {2|%2 picked pair|%2 picked pairs}; three or more are needed. Nothing was aligned.</source>
+        <translation>%1: {2|%2 चुना हुआ जोड़ा|%2 चुने हुए जोड़े}; तीन या अधिक चाहिए। कुछ संरेखित नहीं हुआ।</translation>
+    </message>
+    <message>
+        <source>%1: the picked places lie nearly in one line, which leaves open how the scan is turned about it. Nothing was aligned; pick one more place well beside that line.</source>
+        <translation>%1: चुनी हुई जगहें लगभग एक रेखा में हैं, इसलिए स्कैन उसके चारों ओर कैसे घूमा है यह खुला रहता है। कुछ संरेखित नहीं हुआ; उस रेखा से काफ़ी हटकर एक और जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>%1: the picked places are not equally far from each other on the two scans. Nothing was aligned; look whether the pairs are in the same order and the scans in the same unit.</source>
+        <translation>%1: चुनी हुई जगहें दोनों स्कैन पर एक-दूसरे से समान दूरी पर नहीं हैं। कुछ संरेखित नहीं हुआ; देखें कि जोड़े एक ही क्रम में और स्कैन एक ही इकाई में हैं या नहीं।</translation>
+    </message>
+    <message>
+        <source>%1 states no classes; all its points stay.</source>
+        <translation>%1 में वर्ग नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 states no pulses with several returns; all its points stay.</source>
+        <translation>%1 में कई वापसियों वाले स्पंद नहीं दिए गए; इसके सभी बिंदु रहते हैं।</translation>
+    </message>
+    <message>
+        <source>%1 states no intensities; all its points stay.</source>
+        <translation>%1 में तीव्रता नहीं दी गई; इसके सभी बिंदु रहते हैं।</translation>
+    </message>
+    <message>
+        <source>the joined scans</source>
+        <translation>जोड़े गए स्कैनों</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>less than 0.1 %</source>
+        <translation>0.1 % से कम</translation>
+    </message>
+    <message>
+        <source>All points of %1 are one place, which has no spacing.</source>
+        <translation>%1 के सभी बिंदु एक ही जगह हैं, जिसकी कोई दूरी नहीं होती।</translation>
+    </message>
+    <message>
+        <source>{1|%1 point has|%1 points have} no normal: too few neighbours.</source>
+        <translation>{1|%1 बिंदु का|%1 बिंदुओं का} अभिलंब नहीं है: पड़ोसी बहुत कम हैं।</translation>
+    </message>
+    <message>
+        <source>%1 of the points of %2 were left out; those are more than strays. Look at the result.</source>
+        <translation>%2 के %1 बिंदु छोड़े गए; ये भटके बिंदुओं से अधिक हैं। परिणाम देखें।</translation>
+    </message>
+    <message>
+        <source>No three points of %1 span a plane; they stay as they are.</source>
+        <translation>%1 के कोई तीन बिंदु तल नहीं बनाते; वे जैसे हैं वैसे रहते हैं।</translation>
+    </message>
+    <message>
+        <source>One plane holds %1 of the points of %2.</source>
+        <translation>एक तल पर %2 के %1 बिंदु हैं।</translation>
+    </message>
+    <message>
+        <source>One plane holds %1 of the points of %2; that is hardly a base. Look at the result.</source>
+        <translation>एक तल पर %2 के %1 बिंदु हैं; यह शायद ही आधार है। परिणाम देखें।</translation>
+    </message>
+    <message>
+        <source>This program aligns no scans. They stay where their files have them; give their poses in a recipe, or leave the step out.</source>
+        <translation>यह प्रोग्राम स्कैन संरेखित नहीं करता। वे वहीं रहते हैं जहाँ उनकी फ़ाइलें उन्हें रखती हैं; उनकी स्थितियाँ विधि में दें, या यह चरण छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>%1 was left out: %2</source>
+        <translation>%1 छोड़ा गया: %2</translation>
+    </message>
+    <message>
+        <source>The reference.</source>
+        <translation>संदर्भ।</translation>
+    </message>
+    <message>
+        <source>As stored.</source>
+        <translation>जैसा सहेजा गया।</translation>
+    </message>
+    <message>
+        <source>The pose that was found before was used.</source>
+        <translation>पहले मिली स्थिति काम में ली गई।</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common.</source>
+        <translation>%2 साझा सतह पर %1 rms।</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Weak %3: about %4.</source>
+        <translation>%2 साझा सतह पर %1 rms। कमज़ोर पकड़ %3: लगभग %4।</translation>
+    </message>
+    <message>
+        <source>%1 rms over %2 in common. Nothing in the shape holds it %3: there it lies as it was placed by hand.</source>
+        <translation>%2 साझा सतह पर %1 rms। आकृति में कुछ भी इसे %3 नहीं रोकता: वहाँ यह वैसे ही है जैसे हाथ से रखा गया।</translation>
+    </message>
+    <message>
+        <source>Not aligned: %1.</source>
+        <translation>संरेखित नहीं हुआ: %1।</translation>
+    </message>
+    <message>
+        <source>hardly anything of it lies on the others</source>
+        <translation>इसका शायद ही कुछ दूसरों पर है</translation>
+    </message>
+    <message>
+        <source>only %1 of it lies on the others</source>
+        <translation>इसका केवल %1 दूसरों पर है</translation>
+    </message>
+    <message>
+        <source>it touches the others, but does not lie on them</source>
+        <translation>यह दूसरों को छूता है, पर उन पर नहीं है</translation>
+    </message>
+    <message>
+        <source>nothing in its shape says where it belongs %1</source>
+        <translation>इसकी आकृति में कुछ नहीं बताता कि %1 यह कहाँ है</translation>
+    </message>
+    <message>
+        <source>no place was found where it fits</source>
+        <translation>कोई जगह नहीं मिली जहाँ यह बैठे</translation>
+    </message>
+    <message>
+        <source>it meets none of the others</source>
+        <translation>यह दूसरों में से किसी से नहीं मिलता</translation>
+    </message>
+    <message>
+        <source>By itself it lies elsewhere on %1 than by way of the others; look at this pair.</source>
+        <translation>अकेले में यह %1 पर दूसरों के रास्ते से अलग जगह है; इस जोड़े को देखें।</translation>
+    </message>
+    <message>
+        <source>turning about %1</source>
+        <translation>%1 के चारों ओर घूमने में</translation>
+    </message>
+    <message>
+        <source>along %1</source>
+        <translation>%1 की दिशा में</translation>
+    </message>
+    <message>
+        <source>(%1, %2, %3)</source>
+        <translation>(%1, %2, %3)</translation>
+    </message>
+    <message>
+        <source>The map&apos;s holes are too many to count. Nothing was made.</source>
+        <translation>मानचित्र में इतने छेद हैं कि गिने नहीं जा सकते। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>The map&apos;s empty areas are so ragged that they alone take more than the memory allowed. Nothing was made. Allow more memory, or choose larger cells.</source>
+        <translation>मानचित्र के खाली क्षेत्र इतने कटे-फटे हैं कि वे अकेले ही अनुमत स्मृति से अधिक लेते हैं। कुछ नहीं बना। अधिक स्मृति की अनुमति दें, या बड़े खाने चुनें।</translation>
+    </message>
+    <message>
+        <source>Membranes over holes need the whole map in memory. Nothing was made. Choose another treatment of holes, or leave out --memory.</source>
+        <translation>छेदों पर झिल्लियों के लिए पूरा मानचित्र स्मृति में चाहिए। कुछ नहीं बना। छेदों के लिए दूसरा उपाय चुनें, या --memory छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>The pyramid&apos;s factor M must be from 1.1 to 8.</source>
+        <translation>पिरामिड का गुणक M 1.1 से 8 तक होना चाहिए।</translation>
+    </message>
+    <message>
+        <source>Points and heights that do not fit into memory cannot be kept in %1: %2. Nothing was made. Free some space there, write the result to another disk, or allow more memory.</source>
+        <translation>जो बिंदु और ऊँचाइयाँ स्मृति में नहीं आतीं, वे %1 में नहीं रखी जा सकतीं: %2। कुछ नहीं बना। वहाँ जगह खाली करें, परिणाम दूसरी डिस्क पर लिखें, या अधिक स्मृति की अनुमति दें।</translation>
+    </message>
+    <message>
+        <source>The region names a level that the map does not have.</source>
+        <translation>क्षेत्र ऐसा स्तर बताता है जो मानचित्र में नहीं है।</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 as a tiled map: %2. Make the levels again with relievo pyramid --memory.</source>
+        <translation>%1 टाइलों वाले मानचित्र के रूप में नहीं पढ़ा जा सकता: %2। स्तर relievo pyramid --memory से फिर बनाएँ।</translation>
+    </message>
+    <message>
+        <source>it has another number of bands</source>
+        <translation>इसमें बैंडों की संख्या दूसरी है</translation>
+    </message>
+    <message>
+        <source>it is compressed</source>
+        <translation>यह संपीड़ित है</translation>
+    </message>
+    <message>
+        <source>its bands are mixed</source>
+        <translation>इसके बैंड मिले हुए हैं</translation>
+    </message>
+    <message>
+        <source>its tiles have another size</source>
+        <translation>इसकी टाइलों का आकार दूसरा है</translation>
+    </message>
+    <message>
+        <source>its cells are of another type</source>
+        <translation>इसके खाने दूसरे प्रकार के हैं</translation>
+    </message>
+    <message>
+        <source>its bytes are in another order</source>
+        <translation>इसके बाइट दूसरे क्रम में हैं</translation>
+    </message>
+    <message>
+        <source>it is no readable GeoTIFF</source>
+        <translation>यह पढ़ा जा सकने वाला GeoTIFF नहीं है</translation>
+    </message>
+    <message>
+        <source>a tile is missing</source>
+        <translation>एक टाइल नहीं है</translation>
+    </message>
+    <message>
+        <source>it became shorter while it was read, or its disk failed</source>
+        <translation>यह पढ़ते समय छोटी हो गई, या इसकी डिस्क विफल हुई</translation>
+    </message>
+    <message>
+        <source>its entry %1 is missing or makes no sense</source>
+        <translation>इसकी प्रविष्टि %1 नहीं है या निरर्थक है</translation>
+    </message>
+    <message>
+        <source>a height is not finite</source>
+        <translation>एक ऊँचाई परिमित नहीं है</translation>
+    </message>
+    <message>
+        <source>a code is none of an origin</source>
+        <translation>एक कोड किसी उद्गम का नहीं है</translation>
+    </message>
+    <message>
+        <source>its number of levels or its factor makes no sense</source>
+        <translation>इसके स्तरों की संख्या या गुणक निरर्थक है</translation>
+    </message>
+    <message>
+        <source>its spacing is not above 0</source>
+        <translation>इसकी दूरी 0 से अधिक नहीं है</translation>
+    </message>
+    <message>
+        <source>it belongs to another map</source>
+        <translation>यह दूसरे मानचित्र की है</translation>
+    </message>
+    <message>
+        <source>its size is not that of the level</source>
+        <translation>इसका आकार स्तर का नहीं है</translation>
+    </message>
+    <message>
+        <source>its lowest height is above its highest</source>
+        <translation>इसकी सबसे कम ऊँचाई सबसे अधिक से ऊपर है</translation>
+    </message>
+    <message>
+        <source>its number of cells of one origin makes no sense</source>
+        <translation>एक उद्गम के खानों की संख्या निरर्थक है</translation>
+    </message>
+    <message>
+        <source>its cells by origin are not all its cells</source>
+        <translation>उद्गम के अनुसार इसके खाने सारे खाने नहीं हैं</translation>
+    </message>
+    <message>
+        <source>it is a level of another map</source>
+        <translation>यह दूसरे मानचित्र का एक स्तर है</translation>
+    </message>
+    <message>
         <source>&apos;%1&apos; is no recording of &apos;%2&apos; but of another file (checksum differs, E501). Nothing was drawn. Choose a recording of this one.</source>
         <translation>&apos;%1&apos; &apos;%2&apos; की नहीं, किसी दूसरी फ़ाइल की रिकॉर्डिंग है (जाँच-योग अलग है, E501)। कुछ नहीं बनाया गया। इसी की रिकॉर्डिंग चुनें।</translation>
     </message>
@@ -5651,6 +7119,58 @@
         <translation>चित्र बनाने के लिए मेमोरी पर्याप्त नहीं है: ग्राफ़िक्स ड्राइवर को 512 MB पता-स्थान चाहिए, और लगाई गई सीमा (ulimit -v) कम छोड़ती है। कुछ नहीं बनाया गया। सीमा बढ़ाएँ।</translation>
     </message>
     <message>
+        <source>There is no display to draw with. Set DISPLAY, or start the program on a desktop or under xvfb-run.</source>
+        <translation>चित्र बनाने के लिए कोई डिस्प्ले नहीं है। DISPLAY सेट करें, या प्रोग्राम को डेस्कटॉप पर या xvfb-run से चलाएँ।</translation>
+    </message>
+    <message>
+        <source>Cannot make a pipe to start Xvfb. Close other programs and try again.</source>
+        <translation>Xvfb शुरू करने के लिए पाइप नहीं बन सकता। दूसरे प्रोग्राम बंद करें और फिर कोशिश करें।</translation>
+    </message>
+    <message>
+        <source>There is no display, and Xvfb did not start. Install the package xvfb, or run this on a desktop.</source>
+        <translation>कोई डिस्प्ले नहीं है, और Xvfb शुरू नहीं हुआ। पैकेज xvfb लगाएँ, या इसे डेस्कटॉप पर चलाएँ।</translation>
+    </message>
+    <message>
+        <source>A picture needs a width and a height above 0.</source>
+        <translation>चित्र को 0 से अधिक चौड़ाई और ऊँचाई चाहिए।</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned a black picture of %1 x %2 pixels. Try a smaller one.</source>
+        <translation>ग्राफ़िक्स ड्राइवर ने %1 x %2 पिक्सेल का काला चित्र लौटाया। छोटा आज़माएँ।</translation>
+    </message>
+    <message>
+        <source>A PNG text entry&apos;s name has 1 to 79 characters, not &apos;%1&apos;.</source>
+        <translation>PNG की पाठ-प्रविष्टि के नाम में 1 से 79 अक्षर होते हैं, &apos;%1&apos; नहीं।</translation>
+    </message>
+    <message>
+        <source>There is no picture to write to &apos;%1&apos;.</source>
+        <translation>&apos;%1&apos; में लिखने के लिए कोई चित्र नहीं है।</translation>
+    </message>
+    <message>
+        <source>A surface to draw needs one height and at most one origin and colour per sample.</source>
+        <translation>बनाने की सतह को हर नमूने पर एक ऊँचाई और अधिक से अधिक एक उद्गम और रंग चाहिए।</translation>
+    </message>
+    <message>
+        <source>A surface to draw needs at least 2 x 2 samples and a spacing above 0.</source>
+        <translation>बनाने की सतह को कम से कम 2 x 2 नमूने और 0 से अधिक दूरी चाहिए।</translation>
+    </message>
+    <message>
+        <source>The graphics driver does not say how exact its depth buffer is. Use the CPU engine instead.</source>
+        <translation>ग्राफ़िक्स ड्राइवर नहीं बताता कि उसका गहराई बफ़र कितना सटीक है। इसके बदले CPU इंजन काम में लें।</translation>
+    </message>
+    <message>
+        <source>A depth map needs at least one sample and a spacing above 0.</source>
+        <translation>गहराई मानचित्र को कम से कम एक नमूना और 0 से अधिक दूरी चाहिए।</translation>
+    </message>
+    <message>
+        <source>The graphics driver returned an empty depth buffer. Use the CPU engine instead.</source>
+        <translation>ग्राफ़िक्स ड्राइवर ने खाली गहराई बफ़र लौटाया। इसके बदले CPU इंजन काम में लें।</translation>
+    </message>
+    <message>
+        <source>A camera needs a rectangle with a width and a height above 0.</source>
+        <translation>कैमरे को 0 से अधिक चौड़ाई और ऊँचाई का आयत चाहिए।</translation>
+    </message>
+    <message>
         <source>The folder &quot;%1&quot; cannot be made. Nothing was written. Choose another place.</source>
         <translation>फ़ोल्डर &quot;%1&quot; बनाया नहीं जा सकता। कुछ नहीं लिखा गया। दूसरी जगह चुनें।</translation>
     </message>
@@ -5659,8 +7179,68 @@
         <translation>फ़ोल्डर &quot;%1&quot; में पहले से किसी वीडियो के फ़्रेम हैं। कुछ नहीं लिखा गया। दूसरा चुनें।</translation>
     </message>
     <message>
-        <source>Video stopped: disk full. %1 s (%2 frames) are saved and complete in &quot;%3&quot;.</source>
+        <source>Video stopped: disk full. %1 s ({2|%2 frame|%2 frames}) are saved and complete in &quot;%3&quot;.</source>
         <translation>वीडियो रुका: डिस्क भर गई। %1 s (%2 फ़्रेम) &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>The program ffmpeg is not installed, which packs videos. Nothing was written. Install the package ffmpeg, or choose the profile images: a folder of pictures.</source>
+        <translation>वीडियो पैक करने वाला प्रोग्राम ffmpeg लगा नहीं है। कुछ नहीं लिखा गया। पैकेज ffmpeg लगाएँ, या प्रोफ़ाइल images चुनें: चित्रों का फ़ोल्डर।</translation>
+    </message>
+    <message>
+        <source>The video &quot;%1&quot; cannot be written: %2. Choose another place.</source>
+        <translation>वीडियो &quot;%1&quot; लिखा नहीं जा सकता: %2। दूसरी जगह चुनें।</translation>
+    </message>
+    <message>
+        <source>The encoder cannot be reached: %1.</source>
+        <translation>एनकोडर तक पहुँचा नहीं जा सकता: %1।</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not pack the video. Nothing was kept. Choose another size or profile.</source>
+        <translation>ffmpeg वीडियो पैक नहीं कर सका। कुछ नहीं रखा गया। दूसरा आकार या प्रोफ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>ffmpeg could not pack the video (&quot;%1&quot;). Nothing was kept. Choose another size or profile.</source>
+        <translation>ffmpeg वीडियो पैक नहीं कर सका (&quot;%1&quot;)। कुछ नहीं रखा गया। दूसरा आकार या प्रोफ़ाइल चुनें।</translation>
+    </message>
+    <message>
+        <source>A video&apos;s name must end in .mp4. Nothing was made.</source>
+        <translation>वीडियो का नाम .mp4 पर समाप्त होना चाहिए। कुछ नहीं बना।</translation>
+    </message>
+    <message>
+        <source>Video stopped: %1. %2 s ({3|%3 frame|%3 frames}) are saved and complete in &quot;%4&quot;.</source>
+        <translation>वीडियो रुका: %1। %2 s (%3 फ़्रेम) &quot;%4&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>Video stopped: %1. Nothing of it could be kept.</source>
+        <translation>वीडियो रुका: %1। उसका कुछ भी नहीं रखा जा सका।</translation>
+    </message>
+    <message>
+        <source>disk full</source>
+        <translation>डिस्क भर गई</translation>
+    </message>
+    <message>
+        <source>Video stopped: %1 {2|%2 frame is|%2 frames are} saved and complete in &quot;%3&quot;.</source>
+        <translation>वीडियो रुका: %1 {2|%2 फ़्रेम|%2 फ़्रेम} &quot;%3&quot; में सहेजे गए और पूरे हैं।</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of %2, another file. Nothing was packed. Leave it out.</source>
+        <translation>%1 %2 की रिकॉर्डिंग है, जो दूसरी फ़ाइल है। कुछ पैक नहीं हुआ। इसे छोड़ दें।</translation>
+    </message>
+    <message>
+        <source>No map is open that the raster could lie on.</source>
+        <translation>कोई मानचित्र खुला नहीं है जिस पर रास्टर रखा जा सके।</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has changed since it was read. Nothing was written. Close the dialog and open the file again.</source>
+        <translation>&apos;%1&apos; पढ़े जाने के बाद बदल गई है। कुछ नहीं लिखा गया। संवाद बंद करें और फ़ाइल फिर खोलें।</translation>
+    </message>
+    <message>
+        <source>%1 is still being read. Nothing was saved. Save again when the list shows its value.</source>
+        <translation>%1 अभी पढ़ा जा रहा है। कुछ सहेजा नहीं गया। सूची में इसका मान दिखने पर फिर सहेजें।</translation>
+    </message>
+    <message>
+        <source>Select a profile or a section in the list first.</source>
+        <translation>पहले सूची में एक प्रोफ़ाइल या काट चुनें।</translation>
     </message>
 </context>
 <context>
@@ -7015,561 +8595,6 @@
     <message>
         <source>%1 panel</source>
         <translation>%1 पटल</translation>
-    </message>
-</context>
-<context>
-    <name>relievo::SpokenWords</name>
-    <message>
-        <source>Finer detail</source>
-        <translation>बारीक विवरण</translation>
-    </message>
-    <message>
-        <source>Coarser detail</source>
-        <translation>मोटा विवरण</translation>
-    </message>
-    <message>
-        <source>Whole object</source>
-        <translation>पूरी वस्तु</translation>
-    </message>
-    <message>
-        <source>Detail and scale</source>
-        <translation>विवरण और पैमाना</translation>
-    </message>
-    <message>
-        <source>Where am I</source>
-        <translation>मैं कहाँ हूँ</translation>
-    </message>
-    <message>
-        <source>Where am I, in full</source>
-        <translation>मैं कहाँ हूँ, पूरा</translation>
-    </message>
-    <message>
-        <source>Forces on or off</source>
-        <translation>बल चालू या बंद</translation>
-    </message>
-    <message>
-        <source>Move mode</source>
-        <translation>खिसकाने की विधा</translation>
-    </message>
-    <message>
-        <source>Moved</source>
-        <translation>खिसकाया</translation>
-    </message>
-    <message>
-        <source>Back to the old window</source>
-        <translation>पुरानी विंडो पर वापस</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>बाएँ</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>दाएँ</translation>
-    </message>
-    <message>
-        <source>Up</source>
-        <translation>ऊपर</translation>
-    </message>
-    <message>
-        <source>Down</source>
-        <translation>नीचे</translation>
-    </message>
-    <message>
-        <source>Next place</source>
-        <translation>अगला स्थान</translation>
-    </message>
-    <message>
-        <source>Previous place</source>
-        <translation>पिछला स्थान</translation>
-    </message>
-    <message>
-        <source>Beacon</source>
-        <translation>संकेतक</translation>
-    </message>
-    <message>
-        <source>Help</source>
-        <translation>सहायता</translation>
-    </message>
-    <message>
-        <source>Introduction</source>
-        <translation>परिचय</translation>
-    </message>
-    <message>
-        <source>the device did not answer in time</source>
-        <translation>उपकरण ने समय पर उत्तर नहीं दिया</translation>
-    </message>
-    <message>
-        <source>the device was unplugged</source>
-        <translation>उपकरण निकाल दिया गया</translation>
-    </message>
-    <message>
-        <source>the device sent something unreadable</source>
-        <translation>उपकरण ने अपठनीय कुछ भेजा</translation>
-    </message>
-    <message>
-        <source>the device is too hot</source>
-        <translation>उपकरण बहुत गर्म है</translation>
-    </message>
-    <message>
-        <source>the device reported an impossible position</source>
-        <translation>उपकरण ने असंभव स्थिति बताई</translation>
-    </message>
-    <message>
-        <source>the device is not ready yet</source>
-        <translation>उपकरण अभी तैयार नहीं है</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>प्रक्षेपित</translation>
-    </message>
-    <message>
-        <source>base plane</source>
-        <translation>आधार तल</translation>
-    </message>
-    <message>
-        <source>steep</source>
-        <translation>खड़ा</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>बाहर</translation>
-    </message>
-    <message>
-        <source>The Falcon is not in use.</source>
-        <translation>Falcon उपयोग में नहीं है।</translation>
-    </message>
-    <message>
-        <source>No Falcon is plugged in.</source>
-        <translation>कोई Falcon नहीं लगा है।</translation>
-    </message>
-    <message>
-        <source>Falcon unplugged. Forces are off.</source>
-        <translation>Falcon निकाल दिया गया। बल बंद हैं।</translation>
-    </message>
-    <message>
-        <source>Falcon found, but not allowed. Ask staff.</source>
-        <translation>Falcon मिला, पर अनुमति नहीं है। कर्मचारियों से पूछें।</translation>
-    </message>
-    <message>
-        <source>The Falcon is busy.</source>
-        <translation>Falcon व्यस्त है।</translation>
-    </message>
-    <message>
-        <source>The Falcon could not be opened.</source>
-        <translation>Falcon खोला नहीं जा सका।</translation>
-    </message>
-    <message>
-        <source>Falcon found.</source>
-        <translation>Falcon मिला।</translation>
-    </message>
-    <message>
-        <source>The Falcon needs its firmware file.</source>
-        <translation>Falcon को उसकी फ़र्मवेयर फ़ाइल चाहिए।</translation>
-    </message>
-    <message>
-        <source>Starting the Falcon.</source>
-        <translation>Falcon शुरू हो रहा है।</translation>
-    </message>
-    <message>
-        <source>Still starting.</source>
-        <translation>अब भी शुरू हो रहा है।</translation>
-    </message>
-    <message>
-        <source>The Falcon did not start. You can continue with the mouse.</source>
-        <translation>Falcon शुरू नहीं हुआ। आप माउस से आगे बढ़ सकते हैं।</translation>
-    </message>
-    <message>
-        <source>Please pull the grip fully out, then push it fully in.</source>
-        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें।</translation>
-    </message>
-    <message>
-        <source>Straight out, straight in; do not twist the grip.</source>
-        <translation>सीधा बाहर, सीधा अंदर; ग्रिप को न घुमाएँ।</translation>
-    </message>
-    <message>
-        <source>Pull the grip fully out.</source>
-        <translation>ग्रिप को पूरा बाहर खींचें।</translation>
-    </message>
-    <message>
-        <source>Falcon ready.</source>
-        <translation>Falcon तैयार है।</translation>
-    </message>
-    <message>
-        <source>The Falcon does not answer. Forces are off.</source>
-        <translation>Falcon उत्तर नहीं देता। बल बंद हैं।</translation>
-    </message>
-    <message>
-        <source>Forces off</source>
-        <translation>बल बंद</translation>
-    </message>
-    <message>
-        <source>Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>प्लस: बारीक; देर तक: विवरण और पैमाना। माइनस: मोटा; देर तक: पूरी वस्तु। आगे: खिसकाना; देर तक: संकेतक। बीच: मैं कहाँ हूँ; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two seconds: help; for five: introduction.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। प्लस: अगला स्थान। माइनस: पिछला स्थान। आगे: पूरा। बीच: वापस; देर तक: बल बंद या चालू। प्लस और माइनस दो सेकंड: सहायता; पाँच: परिचय।</translation>
-    </message>
-    <message>
-        <source>One button. Press: I offer where am I, finer, coarser, move, forces. Press again to take what I said last. Hold for a second and a half: forces off.</source>
-        <translation>एक बटन। दबाएँ: मैं बारी-बारी से बताता हूँ: मैं कहाँ हूँ, बारीक, मोटा, खिसकाना, बल। जो अंत में कहा गया उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
-        <source>Move mode. Push the grip to a side to go there. Press: I offer done, next place, previous place, back, forces. Press again to take it. Hold for a second and a half: forces off.</source>
-        <translation>खिसकाने की विधा। उधर जाने के लिए ग्रिप को एक ओर धकेलें। दबाएँ: मैं बारी-बारी से बताता हूँ: पूरा, अगला स्थान, पिछला स्थान, वापस, बल। उसे लेने के लिए फिर दबाएँ। डेढ़ सेकंड दबाए रखें: बल बंद।</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>ऊपरी</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>दाईं</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>बाईं</translation>
-    </message>
-    <message>
-        <source>plus</source>
-        <translation>प्लस</translation>
-    </message>
-    <message>
-        <source>forward</source>
-        <translation>आगे</translation>
-    </message>
-    <message>
-        <source>centre</source>
-        <translation>बीच</translation>
-    </message>
-    <message>
-        <source>minus</source>
-        <translation>माइनस</translation>
-    </message>
-    <message>
-        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again, or choose the mouse as the device.</source>
-        <translation>Falcon निकाल दिया गया। बल बंद। दृश्य और रिकॉर्डिंग चलते रहते हैं। उसे फिर जोड़ें, या उपकरण के रूप में माउस चुनें।</translation>
-    </message>
-    <message>
-        <source>No Falcon is plugged in. Plug in its power supply, then its USB cable.</source>
-        <translation>कोई Falcon नहीं लगा है। पहले उसकी बिजली की आपूर्ति जोड़ें, फिर उसका USB केबल।</translation>
-    </message>
-    <message>
-        <source>A Falcon is plugged in but this account may not use it. Install the rule that the device set-up shows and &apos;relievo devices rule&apos; prints, once (needs an administrator), then replug.</source>
-        <translation>एक Falcon लगा है, पर इस खाते को उसके उपयोग की अनुमति नहीं है। उपकरण की तैयारी जो नियम दिखाती है और &apos;relievo devices rule&apos; जो छापता है, उसे एक बार स्थापित करें (प्रशासक चाहिए), फिर दोबारा जोड़ें।</translation>
-    </message>
-    <message>
-        <source>Another program is using the Falcon. Close it, then try again.</source>
-        <translation>कोई दूसरा प्रोग्राम Falcon का उपयोग कर रहा है। उसे बंद करें, फिर कोशिश करें।</translation>
-    </message>
-    <message>
-        <source>USB cannot be used</source>
-        <translation>USB का उपयोग नहीं हो सकता</translation>
-    </message>
-    <message>
-        <source>Asking the Falcon whether it is ready.</source>
-        <translation>Falcon से पूछा जा रहा है कि वह तैयार है या नहीं।</translation>
-    </message>
-    <message>
-        <source>its boot loader did not answer</source>
-        <translation>उसके बूट लोडर ने उत्तर नहीं दिया</translation>
-    </message>
-    <message>
-        <source>it did not lock on to the baud rate</source>
-        <translation>वह बॉड दर नहीं पकड़ सका</translation>
-    </message>
-    <message>
-        <source>it did not run after loading</source>
-        <translation>लोड होने के बाद वह नहीं चला</translation>
-    </message>
-    <message>
-        <source>All three arms have found their place. Pull the grip fully out once more.</source>
-        <translation>तीनों भुजाओं को उनकी जगह मिल गई। ग्रिप को एक बार और पूरा बाहर खींचें।</translation>
-    </message>
-    <message>
-        <source>The Falcon does not answer. Forces are off; trying to wake it.</source>
-        <translation>Falcon उत्तर नहीं देता। बल बंद हैं; उसे जगाने की कोशिश हो रही है।</translation>
-    </message>
-    <message>
-        <source>Measuring how evenly the Falcon answers.</source>
-        <translation>मापा जा रहा है कि Falcon कितनी नियमितता से उत्तर देता है।</translation>
-    </message>
-    <message>
-        <source>Watch the lights: red, green, blue.</source>
-        <translation>बत्तियाँ देखें: लाल, हरी, नीली।</translation>
-    </message>
-    <message>
-        <source>Hold the grip loosely: six small nudges of half a newton.</source>
-        <translation>ग्रिप को ढीला पकड़ें: आधे न्यूटन के छह छोटे धक्के।</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons.</source>
-        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ।</translation>
-    </message>
-    <message>
-        <source>The self test passed.</source>
-        <translation>स्व-जाँच सफल रही।</translation>
-    </message>
-    <message>
-        <source>The self test found something wrong.</source>
-        <translation>स्व-जाँच में कुछ गड़बड़ मिली।</translation>
-    </message>
-    <message>
-        <source>Lights: red, green and blue were shown one after the other.</source>
-        <translation>बत्तियाँ: लाल, हरी और नीली एक के बाद एक दिखाई गईं।</translation>
-    </message>
-    <message>
-        <source>Buttons: all four work.</source>
-        <translation>बटन: चारों काम करते हैं।</translation>
-    </message>
-    <message>
-        <source>The weight must be 20 to 300 grams.</source>
-        <translation>भार 20 से 300 ग्राम होना चाहिए।</translation>
-    </message>
-    <message>
-        <source>Take your hand off the grip. The Falcon holds it in place.</source>
-        <translation>ग्रिप से हाथ हटाएँ। Falcon उसे उसकी जगह पर रोके रखता है।</translation>
-    </message>
-    <message>
-        <source>Hang the weight on the grip, let it come to rest, then press Continue.</source>
-        <translation>भार को ग्रिप पर लटकाएँ, उसे स्थिर होने दें, फिर “जारी रखें” दबाएँ।</translation>
-    </message>
-    <message>
-        <source>Holding the weight. Do not touch it.</source>
-        <translation>भार को थामा जा रहा है। उसे न छुएँ।</translation>
-    </message>
-    <message>
-        <source>The force is calibrated.</source>
-        <translation>बल का अंशांकन हो गया।</translation>
-    </message>
-    <message>
-        <source>the grip did not come to rest</source>
-        <translation>ग्रिप स्थिर नहीं हुई</translation>
-    </message>
-    <message>
-        <source>the Falcon or this computer was interrupted too often to measure a force</source>
-        <translation>Falcon या यह कंप्यूटर इतनी बार रुका कि बल मापा नहीं जा सका</translation>
-    </message>
-    <message>
-        <source>the setting Falcon firmware (Preferences &gt; Device)</source>
-        <translation>सेटिंग Falcon फ़र्मवेयर (वरीयताएँ &gt; उपकरण)</translation>
-    </message>
-    <message>
-        <source>The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL&apos;s library is whole and allows SHA-256.</source>
-        <translation>फ़र्मवेयर का हैश नहीं निकाला जा सका। कुछ नहीं लोड हुआ। जाँचें कि OpenSSL की लाइब्रेरी पूरी है और SHA-256 की अनुमति देती है।</translation>
-    </message>
-    <message>
-        <source>what has this name is no regular file</source>
-        <translation>इस नाम की चीज़ सामान्य फ़ाइल नहीं है</translation>
-    </message>
-    <message>
-        <source>it is read-only</source>
-        <translation>यह केवल पढ़ने के लिए है</translation>
-    </message>
-    <message>
-        <source>its symbolic links lead in a circle</source>
-        <translation>इसके प्रतीकात्मक लिंक चक्र में जाते हैं</translation>
-    </message>
-    <message>
-        <source>its length is odd</source>
-        <translation>इसकी लंबाई विषम है</translation>
-    </message>
-    <message>
-        <source>it does not begin with AA 08</source>
-        <translation>यह AA 08 से शुरू नहीं होती</translation>
-    </message>
-    <message>
-        <source>The Falcon could not be opened: %1. Replug it, or try another port.</source>
-        <translation>Falcon खोला नहीं जा सका: %1। उसे दोबारा जोड़ें, या दूसरा पोर्ट आज़माएँ।</translation>
-    </message>
-    <message>
-        <source>USB cannot be used: %1.</source>
-        <translation>USB का उपयोग नहीं हो सकता: %1।</translation>
-    </message>
-    <message>
-        <source>The Falcon&apos;s thread could not be started: %1</source>
-        <translation>Falcon का थ्रेड शुरू नहीं हो सका: %1</translation>
-    </message>
-    <message>
-        <source>Starting the Falcon – attempt %1 of %2. This is normal.</source>
-        <translation>Falcon शुरू हो रहा है – प्रयास %2 में से %1। यह सामान्य है।</translation>
-    </message>
-    <message>
-        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry.</source>
-        <translation>Falcon %1 प्रयासों के बाद भी शुरू नहीं हुआ; अब उसे छोड़ दिया गया है। उसकी बिजली की आपूर्ति जाँचें और उसे सीधे कंप्यूटर से जोड़ें, या स्पर्श &gt; उपकरण की तैयारी &gt; फिर कोशिश चुनें।</translation>
-    </message>
-    <message>
-        <source>The Falcon did not start after %1 attempts; it is left alone now. Check its power supply and plug it straight into the computer, or choose Touch &gt; Device set-up &gt; Retry. (%2)</source>
-        <translation>Falcon %1 प्रयासों के बाद भी शुरू नहीं हुआ; अब उसे छोड़ दिया गया है। उसकी बिजली की आपूर्ति जाँचें और उसे सीधे कंप्यूटर से जोड़ें, या स्पर्श &gt; उपकरण की तैयारी &gt; फिर कोशिश चुनें। (%2)</translation>
-    </message>
-    <message>
-        <source>it echoed wrongly after byte %1 of %2</source>
-        <translation>%2 में से बाइट %1 के बाद उसकी प्रतिध्वनि गलत थी</translation>
-    </message>
-    <message>
-        <source>Please pull the grip fully out, then push it fully in. Still missing: %1.</source>
-        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें। ये भुजाएँ अभी नहीं मिलीं: %1।</translation>
-    </message>
-    <message>
-        <source>Please pull the grip fully out, then push it fully in. Still missing: %1. It takes long: pull straight out, push straight in, as far as it goes; do not twist.</source>
-        <translation>कृपया ग्रिप को पूरा बाहर खींचें, फिर पूरा अंदर धकेलें। ये भुजाएँ अभी नहीं मिलीं: %1। इसमें देर लग रही है: सीधा बाहर खींचें, सीधा अंदर धकेलें, जहाँ तक जाए; घुमाएँ नहीं।</translation>
-    </message>
-    <message>
-        <source>Move the grip all round and press each of the four buttons. Still missing: %1.</source>
-        <translation>ग्रिप को चारों ओर घुमाएँ और चारों बटन दबाएँ। अभी बाकी: %1।</translation>
-    </message>
-    <message>
-        <source>The test ended early: %1. %2</source>
-        <translation>जाँच समय से पहले रुक गई: %1। %2</translation>
-    </message>
-    <message>
-        <source>Rate: %1 answers per second (%2 are needed).</source>
-        <translation>दर: प्रति सेकंड %1 उत्तर (%2 चाहिए)।</translation>
-    </message>
-    <message>
-        <source>Line: %1 damaged answers, %2 stalls, %3 overruns.</source>
-        <translation>लाइन: %1 क्षतिग्रस्त उत्तर, %2 रुकावटें, %3 अतिप्रवाह।</translation>
-    </message>
-    <message>
-        <source>Times from answer to answer: up to 0.8 ms %1, up to 1.0 ms %2, up to 1.2 ms %3, up to 2.0 ms %4, up to 5.0 ms %5, up to 20.0 ms %6, up to 100.0 ms %7, above 100.0 ms %8; the longest %9 ms.</source>
-        <translation>उत्तर से उत्तर तक का समय: 0.8 ms तक %1, 1.0 ms तक %2, 1.2 ms तक %3, 2.0 ms तक %4, 5.0 ms तक %5, 20.0 ms तक %6, 100.0 ms तक %7, 100.0 ms से ऊपर %8; सबसे लंबा %9 ms।</translation>
-    </message>
-    <message>
-        <source>From question to answer: %1 ms on average, %2 ms at worst.</source>
-        <translation>प्रश्न से उत्तर तक: औसतन %1 ms, अधिकतम %2 ms।</translation>
-    </message>
-    <message>
-        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm.</source>
-        <translation>0.5 N के धक्कों से हाथ इतना हिला: दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, अंदर %6 mm।</translation>
-    </message>
-    <message>
-        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; a hand that holds on moves less.</source>
-        <translation>0.5 N के धक्कों से हाथ इतना हिला: दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, अंदर %6 mm; कसकर पकड़ा हाथ कम हिलता है।</translation>
-    </message>
-    <message>
-        <source>Buttons that were not pressed: %1.</source>
-        <translation>बटन जो नहीं दबाए गए: %1।</translation>
-    </message>
-    <message>
-        <source>Encoder of the %1 arm: moved by %2 counts.</source>
-        <translation>%1 भुजा का एनकोडर: %2 गणना चला।</translation>
-    </message>
-    <message>
-        <source>The calibration ended: %1. The old setting is kept.</source>
-        <translation>अंशांकन रुक गया: %1। पुरानी सेटिंग बनी रहती है।</translation>
-    </message>
-    <message>
-        <source>the weight seemed to be %1 g, which no Falcon&apos;s motors explain (is it the right one, and hanging free?)</source>
-        <translation>भार %1 g जान पड़ा, जो किसी Falcon की मोटरों से संभव नहीं (क्या वही भार है, और खुला लटका है?)</translation>
-    </message>
-    <message>
-        <source>%1 (recommended)</source>
-        <translation>%1 (अनुशंसित)</translation>
-    </message>
-    <message>
-        <source>There is no file &quot;%1&quot;. Nothing was loaded. Check its name.</source>
-        <translation>फ़ाइल &quot;%1&quot; नहीं है। कुछ नहीं लोड हुआ। उसका नाम जाँचें।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; cannot be read: %2. Nothing was loaded. Check its permissions and its folder&apos;s.</source>
-        <translation>&quot;%1&quot; पढ़ी नहीं जा सकती: %2। कुछ नहीं लोड हुआ। उसकी और उसके फ़ोल्डर की अनुमति जाँचें।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not a regular file; it was not read as Falcon firmware. Name the file itself, such as nvent_firmware.bin.</source>
-        <translation>&quot;%1&quot; साधारण फ़ाइल नहीं है; उसे Falcon फ़र्मवेयर के रूप में नहीं पढ़ा गया। फ़ाइल का ही नाम दें, जैसे nvent_firmware.bin।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no Falcon firmware: it has more than %2 bytes. Nothing was loaded. Choose another file.</source>
-        <translation>&quot;%1&quot; Falcon फ़र्मवेयर नहीं है: इसमें %2 से अधिक बाइट हैं। कुछ नहीं लोड हुआ। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; could not be read to its end. Nothing was loaded. Copy it to another disk, or choose another file.</source>
-        <translation>&quot;%1&quot; अंत तक पढ़ी नहीं जा सकी। कुछ नहीं लोड हुआ। उसे दूसरी डिस्क पर कॉपी करें, या दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no Falcon firmware: %2. Nothing was loaded. Choose another file.</source>
-        <translation>&quot;%1&quot; Falcon फ़र्मवेयर नहीं है: %2। कुछ नहीं लोड हुआ। दूसरी फ़ाइल चुनें।</translation>
-    </message>
-    <message>
-        <source>it has %1 bytes; 2048 to 65536 are possible</source>
-        <translation>इसमें %1 बाइट हैं; 2048 से 65536 संभव हैं</translation>
-    </message>
-    <message>
-        <source>it ends in block %1</source>
-        <translation>यह खंड %1 में समाप्त होती है</translation>
-    </message>
-    <message>
-        <source>%1 bytes follow its last block</source>
-        <translation>इसके अंतिम खंड के बाद %1 बाइट हैं</translation>
-    </message>
-    <message>
-        <source>The Falcon firmware &quot;%1&quot; that %2 names does not exist. Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
-        <translation>Falcon फ़र्मवेयर &quot;%1&quot; नहीं है; उसका नाम यहाँ है: %2। कुछ नहीं लोड हुआ। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
-    </message>
-    <message>
-        <source>The folder &quot;%1&quot; that %2 names has no Falcon firmware (such as nvent_firmware.bin). Nothing was loaded. Correct %2, or clear it to search the usual places.</source>
-        <translation>फ़ोल्डर &quot;%1&quot; में Falcon फ़र्मवेयर (जैसे nvent_firmware.bin) नहीं है; उसका नाम यहाँ है: %2। कुछ नहीं लोड हुआ। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
-    </message>
-    <message>
-        <source>%1 It is what %2 names. Correct %2, or clear it to search the usual places.</source>
-        <translation>%1 उसका नाम यहाँ है: %2। ठीक करें: %2, या सामान्य जगहों में खोजने के लिए उसे खाली करें।</translation>
-    </message>
-    <message>
-        <source>The Falcon is connected but has no firmware loaded. relievo cannot include Novint&apos;s firmware. Run &apos;relievo devices firmware FILE&apos; with the file nvent_firmware.bin (8492 bytes) from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched: %1.</source>
-        <translation>Falcon जुड़ा है पर उसमें फ़र्मवेयर लोड नहीं है। relievo में Novint का फ़र्मवेयर शामिल नहीं किया जा सकता। अपने Novint सॉफ़्टवेयर या libnifalcon की फ़ाइल nvent_firmware.bin (8492 बाइट) के साथ &apos;relievo devices firmware FILE&apos; चलाएँ, या RELIEVO_FALCON_FIRMWARE रखें। खोजी गई जगहें: %1।</translation>
-    </message>
-    <message>
-        <source>The Falcon firmware &quot;%1&quot; has the form of a boot image, but nobody knows this one (sha256 %2); it was not loaded. If you trust it, run &apos;relievo devices firmware FILE --accept&apos; once.</source>
-        <translation>Falcon फ़र्मवेयर &quot;%1&quot; बूट इमेज के रूप का है, पर इसे कोई नहीं जानता (sha256 %2); उसे लोड नहीं किया गया। यदि आपको उस पर भरोसा है, तो एक बार &apos;relievo devices firmware FILE --accept&apos; चलाएँ।</translation>
-    </message>
-    <message>
-        <source>The firmware could not be copied to &quot;%1&quot;: %2. Nothing was changed. Check the folder and the disk&apos;s room.</source>
-        <translation>फ़र्मवेयर की प्रति &quot;%1&quot; में नहीं बन सकी: %2। कुछ नहीं बदला। फ़ोल्डर और डिस्क की खाली जगह जाँचें।</translation>
-    </message>
-    <message>
-        <source>The Falcon&apos;s settings could not be written to &quot;%1&quot;. They hold until the program ends. Check the folder&apos;s permissions.</source>
-        <translation>Falcon की सेटिंग &quot;%1&quot; में लिखी नहीं जा सकीं। वे प्रोग्राम के बंद होने तक लागू हैं। फ़ोल्डर की अनुमति जाँचें।</translation>
-    </message>
-    <message>
-        <source>Nudges of 0.5 N moved the hand by right %1 mm, left %2 mm, up %3 mm, down %4 mm, out %5 mm, in %6 mm; the motors moved nothing. Check the Falcon&apos;s power supply, hold the grip loosely or let go of it, and test again.</source>
-        <translation>0.5 N के धक्कों से हाथ दाएँ %1 mm, बाएँ %2 mm, ऊपर %3 mm, नीचे %4 mm, बाहर %5 mm, भीतर %6 mm हिला; मोटरों ने कुछ नहीं हिलाया। Falcon की बिजली जाँचें, ग्रिप को ढीला पकड़ें या छोड़ दें, और फिर से जाँचें।</translation>
-    </message>
-    <message>
-        <source>The connection to the Falcon failed %1 times, although it is plugged in. Forces are off; it is tried again every 10 seconds. Plug it straight into the computer, if you can with another cable, or choose Touch &gt; Device set-up &gt; Retry.</source>
-        <translation>Falcon जुड़ा है, फिर भी उससे संपर्क %1 बार विफल हुआ। बल बंद हैं; हर 10 सेकंड में फिर कोशिश होती है। इसे सीधे कंप्यूटर में लगाएँ, हो सके तो दूसरी केबल से, या स्पर्श &gt; डिवाइस सेटअप &gt; फिर कोशिश चुनें।</translation>
-    </message>
-    <message>
-        <source>The connection to the Falcon fails, although it is plugged in. Forces are off; it is opened anew – %1 of %2.</source>
-        <translation>Falcon जुड़ा है, फिर भी उससे संपर्क विफल हो रहा है। बल बंद हैं; इसे फिर से खोला जा रहा है – %2 में से %1।</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT as &apos;relievo devices&apos; lists them, or falcon for the only one.</source>
-        <translation>&quot;%1&quot; किसी Falcon का नाम नहीं है। falcon:SERIAL, falcon:SERIAL@PORT या falcon:@PORT लिखें, जैसा &apos;relievo devices&apos; बताता है, या एकमात्र के लिए falcon।</translation>
-    </message>
-    <message>
-        <source>Falcon unplugged. Forces off. View and recording go on. Plug it in again. There is also %1, which is not used in its place unless you choose it.</source>
-        <translation>Falcon निकाल दिया गया। बल बंद। दृश्य और रिकॉर्डिंग चलती रहती हैं। उसे फिर लगाएँ। %1 भी लगा है, पर जब तक आप उसे न चुनें वह उसकी जगह काम में नहीं लिया जाता।</translation>
-    </message>
-    <message>
-        <source>%1 was chosen and is not plugged in. Plug in its power supply, then its USB cable.</source>
-        <translation>%1 चुना गया था और लगा नहीं है। पहले उसका पावर अडैप्टर लगाएँ, फिर उसकी USB केबल।</translation>
-    </message>
-    <message>
-        <source>%1 was chosen and is not plugged in. There is %2, which is not used in its place unless you choose it.</source>
-        <translation>%1 चुना गया था और लगा नहीं है। %2 लगा है, पर जब तक आप उसे न चुनें वह उसकी जगह काम में नहीं लिया जाता।</translation>
-    </message>
-    <message>
-        <source>Several Falcons are plugged in: %1. None is used until you choose one.</source>
-        <translation>कई Falcon लगे हैं: %1। जब तक आप एक न चुनें कोई काम में नहीं लिया जाता।</translation>
-    </message>
-    <message>
-        <source>The chosen Falcon is not plugged in.</source>
-        <translation>चुना हुआ Falcon लगा नहीं है।</translation>
-    </message>
-    <message>
-        <source>Several Falcons are plugged in. Choose one.</source>
-        <translation>कई Falcon लगे हैं। एक चुनें।</translation>
     </message>
 </context>
 <context>

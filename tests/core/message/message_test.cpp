@@ -6,6 +6,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/base/failure.h"
 #include "core/base/task.h"
@@ -72,6 +73,37 @@ TEST(Message, ACauseIsSaidWithinAndInBracketsWithoutItsFullStop) {
             "another file.");
 }
 
+TEST(Message, CountsTakeTheFormOfTheirNumber) {
+  const auto text = [](std::int64_t samples) {
+    return englishText(said<MessageId::recording_stopped_disk_full>(samples, path("a.csv")));
+  };
+  EXPECT_EQ(text(1), "Recording stopped: disk full. 1 sample is saved and complete in \"a.csv\".");
+  for (const std::int64_t samples : {0, 2, 11, 21}) {
+    EXPECT_EQ(text(samples), "Recording stopped: disk full. " + std::to_string(samples) +
+                                 " samples are saved and complete in \"a.csv\".");
+  }
+}
+
+TEST(Message, BracesOfNamesAreNoForms) {
+  EXPECT_EQ(englishText(said<MessageId::recording_stopped>("{1|a|b}", 1, path("{2|c|d}"))),
+            "Recording stopped: {1|a|b}. 1 sample is saved and complete in \"{2|c|d}\".");
+  EXPECT_EQ(withForms(std::string("{x} {1| {"), [](int) { return true; }), "{x}  {");
+}
+
+TEST(Message, SentencesStandOneAfterTheOther) {
+  const std::vector<Message> two{said<MessageId::pose_of_reference>(),
+                                 said<MessageId::pose_as_stored>()};
+  EXPECT_EQ(englishText(two), "The reference. As stored.");
+  EXPECT_EQ(englishText(said<MessageId::scan_left_out>("a.ply", WordsArgument::sentences(two))),
+            "a.ply was left out: The reference. As stored.");
+}
+
+TEST(Message, ForEarsItIsTheShorterSentenceWhereThereIsOne) {
+  EXPECT_EQ(englishSpoken(said<MessageId::falcon_busy>()), "The Falcon is busy.");
+  EXPECT_EQ(englishSpoken(said<MessageId::not_a_zip>("a")),
+            englishText(said<MessageId::not_a_zip>("a")));
+}
+
 TEST(Message, AnErrorSaysItsSentenceItsCodeAndKeepsTheMessage) {
   const FileError error = failure<MessageId::packed_file_missing>(path("scan.ply"));
   EXPECT_STREQ(error.what(),
@@ -129,12 +161,14 @@ TEST(Message, OfBytesThatAreNoMessageIsNone) {
 }
 
 TEST(Catalogue, EveryMessageHasASentenceAndNoTwoAreTheSame) {
-  std::set<std::string> sentences;
+  std::set<std::pair<std::string, std::string>> sentences;
   std::size_t number = 0;
   for (const MessageRow& row : messageRows()) {
     EXPECT_EQ(static_cast<std::size_t>(row.id), number++) << row.name;
     EXPECT_NE(std::string(row.screen), "") << row.name;
-    EXPECT_TRUE(sentences.insert(row.screen).second) << row.name << ": " << row.screen;
+    // The same for the screen with other words for ears is another message.
+    EXPECT_TRUE(sentences.insert({row.screen, row.spoken}).second)
+        << row.name << ": " << row.screen;
   }
   EXPECT_GT(number, 90U);
 }

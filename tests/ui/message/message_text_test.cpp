@@ -11,7 +11,9 @@
 #include <QLocale>
 #include <QTranslator>
 #include <QXmlStreamReader>
+#include <regex>
 #include <set>
+#include <span>
 #include <string>
 
 #include "core/base/failure.h"
@@ -101,10 +103,63 @@ TEST_F(MessageTextTest, EverySentenceOfTheTableHasEveryLanguageAndNoOtherHas) {
 TEST_F(MessageTextTest, TranslationsHaveThePlacesOfTheirSentences) {
   for (const std::string language : {"de", "hi"}) {
     for (const auto& [source, translation] : translations(language)) {
-      EXPECT_EQ(placesOf(translation.toStdString()), placesOf(source))
-          << language << ": " << source;
+      for (const bool one : {true, false}) {
+        const auto form = [one](int) { return one; };
+        EXPECT_EQ(placesOf(withForms(translation.toStdString(), form)),
+                  placesOf(withForms(source, form)))
+            << language << ": " << source;
+      }
     }
   }
+}
+
+/// "{1|...|...}" of counts, and nothing that only looks like it.
+TEST_F(MessageTextTest, TranslationsHaveFormsOfNumberOfCountsAlone) {
+  std::map<std::string, std::span<const std::size_t>> types;
+  for (const MessageRow& row : messageRows()) types[row.screen] = row.arguments;
+  for (const std::string language : {"de", "hi"}) {
+    for (const auto& [source, translation] : translations(language)) {
+      std::string text = translation.toStdString();
+      static const std::regex kForm("\\{([1-9])\\|[^{}|]*\\|[^{}|]*\\}");
+      for (std::smatch form; std::regex_search(text, form, kForm); text = form.suffix()) {
+        const auto place = static_cast<std::size_t>(form.str(1)[0] - '1');
+        ASSERT_LT(place, types[source].size()) << language << ": " << source;
+        EXPECT_EQ(types[source][place], typeOfArgument<CountArgument>())
+            << language << ": " << source;
+      }
+      EXPECT_EQ(text.find_first_of("{}"), std::string::npos) << language << ": " << source;
+    }
+  }
+}
+
+TEST_F(MessageTextTest, CountsTakeTheFormOfTheirNumberInTheLanguage) {
+  const auto text = [](int samples) {
+    return messageText(said<MessageId::recording_stopped_disk_full>(samples, path("a.csv")));
+  };
+  {
+    const Language german("de");
+    QLocale::setDefault(QLocale(QLocale::German));
+    EXPECT_TRUE(text(1).contains("1 Abtastwert ist")) << text(1).toStdString();
+    EXPECT_TRUE(text(0).contains("0 Abtastwerte sind")) << text(0).toStdString();
+    EXPECT_TRUE(text(2).contains("2 Abtastwerte sind")) << text(2).toStdString();
+  }
+  const Language hindi("hi");
+  QLocale::setDefault(QLocale(QLocale::Hindi));
+  const QString one = QString::fromUtf8("नमूना"), more = QString::fromUtf8("नमूने");
+  EXPECT_TRUE(text(1).contains(one) && text(0).contains(one)) << text(0).toStdString();
+  EXPECT_TRUE(text(2).contains(more)) << text(2).toStdString();
+}
+
+TEST_F(MessageTextTest, ListsAndNestedWordsAreInTheLanguage) {
+  const Language german("de");
+  const Message missing = said<MessageId::falcon_homing>(
+      WordsArgument({said<MessageId::falcon_arm_top>(), said<MessageId::falcon_arm_left>()}));
+  const QString text = messageText(missing);
+  EXPECT_TRUE(text.contains(messageText(said<MessageId::falcon_arm_top>()) + ", " +
+                            messageText(said<MessageId::falcon_arm_left>())))
+      << text.toStdString();
+  EXPECT_FALSE(text.contains("left")) << text.toStdString();
+  EXPECT_NE(spokenMessage(missing), text);
 }
 
 TEST_F(MessageTextTest, IsEnglishWithoutATranslation) {
