@@ -369,7 +369,7 @@ void MainWindow::showBusy(bool busy) {
 }
 
 void MainWindow::showMessage(const QString& text) {
-  strip_->show(spokenError(text));  // A touch module passes on what core says.
+  strip_->show(text);
 }
 
 void MainWindow::showError(const QString& text, const QString& code) {

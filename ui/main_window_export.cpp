@@ -94,7 +94,7 @@ void MainWindow::exportMap(const MapExport& choice, const QString& file) {
         announce(tr("%1 is saved").arg(shownName(file)));
         QStringList left_out;
         for (const std::string& words : work->written.left_out) {
-          left_out << spokenError(QString::fromStdString(words));
+          left_out << QString::fromStdString(words);
         }
         if (!left_out.isEmpty()) strip_->show(left_out.join(' '));
         closeIfAwaited(left_out.isEmpty());

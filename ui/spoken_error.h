@@ -6,13 +6,12 @@
 
 namespace relievo {
 
-/// What core says is wrong, in the window's language where it is one of the frequent cases: no such
-/// file, no permission, empty, cut, unknown format, too little memory, full disk. Other sentences
-/// stay English, so that they can be searched for. [any thread]
-QString spokenError(const QString& english);
+/// What is wrong, in the window's language where the error carries a message of the catalogue
+/// (core/message); else in English, so that it can be searched for. [any thread]
 QString spokenError(const std::exception& error);
 /// The same for the screen, with the catalogue's code at its end if there is one: "... (E401)".
-QString shownError(const QString& english, const QString& code);
 QString shownError(const std::exception& error);
+/// Of words that are in the window's language already.
+QString shownError(const QString& text, const QString& code);
 
 }  // namespace relievo

@@ -12,7 +12,7 @@
 #include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/import.h"
 #include "core/io/lines.h"
 #include "core/io/text_file.h"
@@ -28,7 +28,8 @@ constexpr const char* kPairsHeader = "scan,x,y,z,ref_x,ref_y,ref_z";
 
 int wholeNumber(const std::string& option, double value) {
   if (value != std::floor(value) || std::abs(value) > 1e9) {
-    throw ArgumentError(option + ": " + std::to_string(value) + " is not a whole number.");
+    throw failure<MessageId::option_no_whole_number>(option,
+                                                     NumberArgument{.value = value, .digits = 6});
   }
   return static_cast<int>(value);
 }
@@ -49,7 +50,7 @@ Classes classesOf(const std::string& text) {
   Classes step;
   for (const double number : anyNumbers("--classes", text)) {
     const int kept = wholeNumber("--classes", number);
-    if (kept < 0 || kept > 255) throw ArgumentError("--classes: a class is from 0 to 255.");
+    if (kept < 0 || kept > 255) throw failure<MessageId::option_classes>();
     step.keep.push_back(static_cast<std::uint8_t>(kept));
   }
   return step;
@@ -58,7 +59,7 @@ Classes classesOf(const std::string& text) {
 Returns returnsOf(const std::string& text) {
   const auto* const known = std::find(kReturnNames.begin(), kReturnNames.end(), text);
   if (known == kReturnNames.end()) {
-    throw ArgumentError("--returns: '" + text + "' is none of first, last and single.");
+    throw failure<MessageId::option_none_of>("--returns", text, "first, last and single");
   }
   return {static_cast<ReturnChoice>(known - kReturnNames.begin())};
 }
@@ -78,9 +79,7 @@ std::vector<PickedPair> pairsIn(const fs::path& file) {
   const std::string text = readTextFile(file, kMostRecipeBytes);
   Lines lines(text);
   const auto refuse = [&](const std::string& why) {
-    throw FileError(file.string() + ", line " + std::to_string(lines.number()) + ": " + why +
-                    ". Nothing was done. Its first line is " + kPairsHeader +
-                    "; then one pair a line.");
+    throw failure<MessageId::pairs_unreadable>(file, lines.number(), why, kPairsHeader);
   };
   if (!lines.next() || trimmed(lines.line()) != kPairsHeader) refuse("it has other columns");
   std::vector<PickedPair> pairs;
@@ -115,10 +114,10 @@ Align alignOf(const PrepareArguments& a) {
   } else if (a.align == "auto") {
     step.method = AlignMethod::automatic;
   } else if (!a.align.empty() && a.align != "stored") {
-    throw ArgumentError("--align: '" + a.align + "' is none of points:P.csv, auto and stored.");
+    throw failure<MessageId::option_none_of>("--align", a.align, "points:P.csv, auto and stored");
   }
   if (a.reference) {
-    if (*a.reference < 1) throw ArgumentError("--reference: scans are counted from 1.");
+    if (*a.reference < 1) throw failure<MessageId::option_reference_counted>();
     step.reference = *a.reference - 1;
   }
   if (a.seed) step.seed = *a.seed;
@@ -128,8 +127,7 @@ Align alignOf(const PrepareArguments& a) {
 Sparse sparseOf(const std::string& text) {
   const std::vector<double> v = anyNumbers("--sparse", text);
   if (v.size() != 2 && v.size() != 3) {
-    throw ArgumentError("--sparse needs two or three numbers separated by commas, not '" + text +
-                        "'.");
+    throw failure<MessageId::option_sparse>(text);
   }
   return {.neighbours = wholeNumber("--sparse", v[0]),
           .factor = v[1],
@@ -138,7 +136,7 @@ Sparse sparseOf(const std::string& text) {
 
 Base baseOf(const PrepareArguments& a) {
   if (a.base != "lay" && a.base != "crop") {
-    throw ArgumentError("--base: '" + a.base + "' is neither lay nor crop.");
+    throw failure<MessageId::option_neither>("--base", a.base, "lay", "crop");
   }
   Base step{.lay = a.base == "lay"};
   if (a.seed) step.seed = *a.seed;
@@ -205,11 +203,8 @@ void checkInput(const InputFile& input, const fs::path& read, const ScanSource& 
                       "Give it as FILE if it is the right one.", task);
   }
   if (named.sha256 == input.sha256) return;
-  throw ChangedInputError("'" + fs::path(named.file).filename().string() +
-                              "' is not the file that " + recipe.filename().string() +
-                              " was made for (checksum differs, E501). Nothing was done. Give the "
-                              "file by its name to use it all the same.",
-                          "E501");
+  throw ChangedInputError(said<MessageId::scan_is_not_that_of_recipe>(
+      fs::path(named.file).filename().string(), recipe.filename().string()));
 }
 
 }  // namespace
@@ -260,15 +255,15 @@ Recipe recipeOf(const PrepareArguments& a) {
       return std::holds_alternative<Align>(s) || std::holds_alternative<Base>(s);
     });
     if (a.seed && !uses_seed) {
-      throw ArgumentError("--seed belongs to --align and --base. Give one, or leave it out.");
+      throw failure<MessageId::option_seed>();
     }
     if (a.reference && a.files.size() < 2) {
-      throw ArgumentError("--reference needs more than one FILE.");
+      throw failure<MessageId::option_reference_needs_files>();
     }
   } else {
     const std::string option = stepOption(a);
     if (!option.empty()) {
-      throw ArgumentError(option + ": the recipe says what is done. Leave one of them out.");
+      throw failure<MessageId::option_beside_recipe>(option);
     }
     recipe = recipeFromText(readTextFile(a.recipe, kMostRecipeBytes), a.recipe);
   }
@@ -277,8 +272,7 @@ Recipe recipeOf(const PrepareArguments& a) {
     const auto* const align = std::get_if<Align>(&step);
     const std::size_t scans = a.files.empty() ? recipe.scans.size() : a.files.size();
     if (align != nullptr && scans > 0 && align->reference >= scans) {
-      throw ArgumentError("The reference is scan " + std::to_string(align->reference + 1) +
-                          ", but there are only " + std::to_string(scans) + ".");
+      throw failure<MessageId::reference_beyond_scans>(align->reference + 1, scans);
     }
   }
   return recipe;
@@ -292,7 +286,7 @@ std::vector<fs::path> scansOf(const PrepareArguments& a, const Recipe& recipe) {
       files.push_back((folder / scan.file).lexically_normal());
     }
   }
-  if (files.empty()) throw ArgumentError("There is no FILE to prepare. Nothing was done.");
+  if (files.empty()) throw failure<MessageId::no_file_to_prepare>();
   return files;
 }
 
@@ -306,7 +300,7 @@ PreparedFiles preparedFiles(const PrepareArguments& a, const PrepareOptions& opt
   if (!a.unit.empty()) {
     unit = lengthUnit(a.unit);
     if (!unit) {
-      throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
+      throw failure<MessageId::option_none_of>("--unit", a.unit, "mm, cm, m, in, ft and us-ft");
     }
   }
   PreparedFiles result;
@@ -338,7 +332,7 @@ PreparedFiles preparedFiles(const PrepareArguments& a, const PrepareOptions& opt
   std::vector<const Scan*> all;
   for (const Scan& scan : scans) all.push_back(&scan);
   result.prepared = prepare(all, recipe, options, task);
-  for (const std::string& warning : result.prepared.answer.warnings) tell(warning);
+  for (const Message& warning : result.prepared.answer.warnings) tell(englishText(warning));
   if (!result.prepared.unit_known) {
     tell("No file states a unit; one file unit is taken as 1 mm. Give --unit if it is another.");
   }

@@ -7,6 +7,7 @@
 #include "app/batch/prepare_arguments.h"
 #include "app/batch/report_text.h"
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
 #include "core/io/text_file.h"
@@ -34,7 +35,7 @@ Json stepsJson(const PreparedFiles& made) {
                      {"before", step.before},
                      {"after", step.after},
                      {"seconds", step.seconds},
-                     {"note", step.note},
+                     {"note", englishText(step.notes)},
                      {"done", step.done}});
   }
   return steps;
@@ -54,7 +55,7 @@ Json scansJson(const Prepared& prepared) {
     scan["stability"] = v.stability;
     scan["weak_direction"] = v.weak_direction;
     scan["uncertainty_mm"] = v.uncertainty_mm;
-    scan["verdict"] = v.words;
+    scan["verdict"] = englishText(v.words);
     scan["holds"] = v.holds;
   }
   return scans;
@@ -85,8 +86,12 @@ std::string reportOf(const PrepareVerbArguments& a, const PreparedFiles& made) {
   json["unit"] = name(made.prepared.unit);
   json["pcl"] = made.prepared.answer.pcl;
   json["flann"] = made.prepared.answer.flann;
-  json["warnings"] = made.prepared.answer.warnings;
-  json["not_done"] = made.prepared.notDone();
+  json["warnings"] = Json::array();
+  for (const Message& warning : made.prepared.answer.warnings) {
+    json["warnings"].push_back(englishText(warning));
+  }
+  json["not_done"] = Json::array();
+  for (const auto& why : made.prepared.notDone()) json["not_done"].push_back(englishText(why));
   return reportText(json);
 }
 
@@ -107,13 +112,13 @@ std::vector<std::string> linesOf(const PrepareVerbArguments& a, const PreparedFi
 
 Outcome runPrepare(const PrepareVerbArguments& a, const Task& task) {
   if (std::filesystem::path(a.out).extension() != ".ply") {
-    throw ArgumentError("-o: '" + a.out + "' is no .ply. Nothing was done.");
+    throw failure<MessageId::prepared_name>(a.out);
   }
   requireReplaceable(a.out);
   PrepareOptions options;
   if (a.memory_mb) {
     if (!(*a.memory_mb >= 64) || !(*a.memory_mb <= 1e9)) {
-      throw ArgumentError("--memory must be from 64 MB to 1000000000 MB.");
+      throw failure<MessageId::option_memory_of_steps>();
     }
     options.max_memory_bytes = static_cast<std::uint64_t>(*a.memory_mb) << 20U;
   }

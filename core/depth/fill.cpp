@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/bands.h"
+#include "core/base/failure.h"
 #include "core/base/large_pages.h"
 #include "core/depth/mask.h"
 #include "core/depth/membrane.h"
@@ -107,8 +108,7 @@ Mask maskOf(const FrontDepths& depths) {
 double baseOf(const FrontDepths& depths, const Mask& measured, double base_quantile) {
   const auto count = std::count(measured.begin(), measured.end(), std::uint8_t{1});
   if (count == 0) {
-    throw ArgumentError(
-        "No cell of the grid was hit by the scan. Nothing was made. Choose another view.");
+    throw failure<MessageId::no_cell_hit>();
   }
   return quantile(depths, static_cast<std::size_t>(count), base_quantile);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/bands.h"
+#include "core/base/failure.h"
 #include "core/base/wide_vectors.h"
 #include "core/depth/automatic_view.h"
 #include "core/depth/principal_axes.h"
@@ -115,14 +116,13 @@ NamedRotation untouched(const Scan& scan, const ViewChoice& choice, const Task& 
   if (choice.name == "fit") return bestFit(scan, task);
   if (choice.name == "axes") return principalView(scan, task);
   if (choice.name == "free") {
-    if (!choice.rotation) throw ArgumentError("A free view needs its rotation.");
+    if (!choice.rotation) throw failure<MessageId::free_view_without_rotation>();
     return {.name = "free", .rotation = *choice.rotation};
   }
   if (const auto rotation = namedRotation(choice.name)) {
     return {.name = choice.name, .rotation = *rotation};
   }
-  throw ArgumentError("There is no view '" + choice.name +
-                      "'. Choose front, back, left, right, top, bottom, auto, fit or axes.");
+  throw failure<MessageId::no_such_view>(choice.name);
 }
 
 }  // namespace
@@ -198,7 +198,7 @@ Rotation turned(const Rotation& rotation, const std::array<double, 3>& turn_deg)
 NamedRotation chosenRotation(const Scan& scan, const ViewChoice& choice, const Task& task) {
   const auto& turn = choice.turn_deg;
   if (!std::all_of(turn.begin(), turn.end(), [](double deg) { return std::isfinite(deg); })) {
-    throw ArgumentError("A view is turned by finite numbers of degrees.");
+    throw failure<MessageId::view_turn_not_finite>();
   }
   NamedRotation view = untouched(scan, choice, task);
   if (turn == std::array<double, 3>{}) return view;

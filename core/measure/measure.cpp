@@ -180,7 +180,7 @@ void readProfile(const MapCells& map, const Measurement& m, Reading& reading) {
 }
 
 void readArea(const MapCells& map, const Measurement& m, Reading& reading) {
-  if (const auto problem = outlineRefusal(m.places)) throw ArgumentError(*problem);
+  if (const auto message = outlineRefusal(m.places)) throw ArgumentError(*message);
   const Piece piece = pieceOf(map, m.places, m.plane_mm);
   reading.quantities = {{.title = "area in the view",
                          .value = piece.area_mm2,

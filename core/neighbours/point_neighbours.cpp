@@ -11,7 +11,7 @@
 #include <flann/flann.hpp>
 
 #include "core/base/bands.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -38,7 +38,7 @@ class MortonCurve {
     low_ = points[0];
     for (const Point3f& p : points) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!std::isfinite(p[axis])) throw ArgumentError("A point is not finite.");
+        if (!std::isfinite(p[axis])) throw failure<MessageId::point_not_finite>();
         low_[axis] = std::min(low_[axis], p[axis]);
         high[axis] = std::max(high[axis], p[axis]);
       }
@@ -162,7 +162,7 @@ void PointNeighbours::search(std::span<const Point3f> queries, int threads, cons
 
 void PointNeighbours::nearestTo(std::span<const Point3f> queries, int k, int threads,
                                 const Task& task, const TakeNear& take) const {
-  if (k < 1) throw ArgumentError("At least one neighbour must be asked for.");
+  if (k < 1) throw failure<MessageId::no_neighbour_asked>();
   const std::size_t found = std::min(static_cast<std::size_t>(k), places_.size());
   flann::SearchParams exact(flann::FLANN_CHECKS_UNLIMITED, 0, true);
   exact.cores = 1;

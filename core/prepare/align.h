@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/task.h"
+#include "core/message/message.h"
 #include "core/prepare/recipe.h"
 
 namespace relievo {
@@ -33,8 +34,8 @@ struct AlignVerdict {
   double tight_share = 0;                  ///< Of these within one spacing.
   double stability = 1;                    ///< 0: it slides.
   std::array<double, 3> weak_direction{};  ///< Unit, in the reference's file axes; 0: none.
-  double uncertainty_mm = 0;  ///< Along the weakest motion, or about what picks leave open.
-  std::string words;          ///< For people: one or two sentences.
+  double uncertainty_mm = 0;   ///< Along the weakest motion, or about what picks leave open.
+  std::vector<Message> words;  ///< For people: one or two sentences.
 };
 
 /// A chain of pairs that comes back to its beginning, and by how much it misses it.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "core/base/failure.h"
 #include "core/prepare/align_math.h"
 
 namespace relievo::align {
@@ -65,9 +66,7 @@ double spacingOf(const AlignScan& scan, const Task& task) {
   const PointNeighbours neighbours(fromMiddle(scan, 0.5 * (box.min + box.max)), task);
   const std::size_t places = neighbours.places();
   if (places < kFewestPoints) {
-    throw ArgumentError(scan.name + ": " + std::to_string(places) +
-                        " different points; aligning needs " + std::to_string(kFewestPoints) +
-                        " in every scan. Nothing was aligned; leave this scan out.");
+    throw failure<MessageId::align_few_points>(scan.name, places, kFewestPoints);
   }
   const std::size_t step = std::max<std::size_t>(1, places / kSpacingSample);
   std::vector<Point3f> sample;
@@ -189,9 +188,7 @@ Cloud cloudOf(const AlignScan& scan, const Scale& scale, const Task& task) {
   cloud.coarse = thinnedSet(surface, cloud.mid.points, scale.coarse,
                             kCoarseNormalCells * scale.coarse, sides, task);
   if (cloud.coarse.points.size() < 3) {
-    throw ArgumentError(scan.name +
-                        ": its points stand too far apart to be a surface. Nothing "
-                        "was aligned; leave this scan out.");
+    throw failure<MessageId::align_no_surface>(scan.name);
   }
   return cloud;
 }

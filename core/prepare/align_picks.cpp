@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/prepare/align_math.h"
 
 namespace relievo::align {
@@ -75,31 +75,22 @@ struct Sides {
 
 }  // namespace
 
-std::string pickProblem(std::span<const PickedPair> picks, const std::string& scan) {
-  if (picks.size() < 3) {
-    return scan + ": " + std::to_string(picks.size()) +
-           " picked pairs; three or more are needed. Nothing was aligned.";
-  }
+std::optional<Message> pickProblem(std::span<const PickedPair> picks, const std::string& scan) {
+  if (picks.size() < 3) return said<MessageId::picks_too_few>(scan, picks.size());
   const Sides sides(picks);
   if (std::min(bestAngle(sides.on_scan), bestAngle(sides.on_reference)) < kLeastAngle) {
-    return scan +
-           ": the picked places lie nearly in one line, which leaves open how the scan is turned "
-           "about it. Nothing was aligned; pick one more place well beside that line.";
+    return said<MessageId::picks_in_one_line>(scan);
   }
   const double stretch = spreadOf(sides.on_reference, meanOf(sides.on_reference)) /
                          spreadOf(sides.on_scan, meanOf(sides.on_scan));
   if (!(stretch < kMostStretch && stretch > 1 / kMostStretch)) {
-    return scan +
-           ": the picked places are not equally far from each other on the two scans. Nothing was "
-           "aligned; look whether the pairs are in the same order and the scans in the same unit.";
+    return said<MessageId::picks_of_two_sizes>(scan);
   }
-  return {};
+  return std::nullopt;
 }
 
 PickedFit fitPicks(std::span<const PickedPair> picks, const std::string& scan) {
-  if (const std::string problem = pickProblem(picks, scan); !problem.empty()) {
-    throw ArgumentError(problem);
-  }
+  if (const auto message = pickProblem(picks, scan)) throw ArgumentError(*message);
   const Sides sides(picks);
   const Eigen::Vector3d scan_mean = meanOf(sides.on_scan);
   const Eigen::Vector3d reference_mean = meanOf(sides.on_reference);

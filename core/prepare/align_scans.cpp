@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/base/failure.h"
 #include "core/prepare/align_joint.h"
 #include "core/prepare/align_picks.h"
 #include "core/prepare/align_start.h"
@@ -61,20 +62,18 @@ class Aligner {
 
   void checkScans() const {
     if (scans_.size() < 2 || reference_ >= scans_.size()) {
-      throw ArgumentError(
-          "Aligning needs two scans or more, one of them the reference. Nothing was aligned.");
+      throw failure<MessageId::align_needs_two_scans>();
     }
     for (const PickedPair& pair : how_.pairs) {
       if (pair.scan < scans_.size() && pair.scan != reference_) continue;
-      throw ArgumentError("A picked pair names scan " + std::to_string(pair.scan + 1) +
-                          (pair.scan == reference_ ? ", which is the reference" : "") +
-                          "; there are " + std::to_string(scans_.size()) +
-                          ", counted from 1. Nothing was aligned.");
+      if (pair.scan == reference_) {
+        throw failure<MessageId::pair_names_reference>(pair.scan + 1, scans_.size());
+      }
+      throw failure<MessageId::pair_names_no_scan>(pair.scan + 1, scans_.size());
     }
     for (const AlignScan& scan : scans_) {
       if (scan.mm_per_unit != scans_[reference_].mm_per_unit) {
-        throw ArgumentError(scan.name + " has another unit than " + scans_[reference_].name +
-                            ". Nothing was aligned; only scans of one unit can be.");
+        throw failure<MessageId::align_units_differ>(scan.name, scans_[reference_].name);
       }
     }
   }
@@ -326,7 +325,7 @@ class Aligner {
     };
     if (s == reference_) {
       verdict.share = verdict.tight_share = 1;
-      verdict.words = "The reference.";
+      verdict.words = {said<MessageId::pose_of_reference>()};
       return verdict;
     }
     if (starts_[s]) verdict.start = filePose(*starts_[s]);
@@ -346,7 +345,10 @@ class Aligner {
         (judgement.answer == Answer::slides ? kPickUncertainty * pick_errors_[s]
                                             : judgement.weak_motion) *
         mm;
-    verdict.words = wordsOf(judgement, mm) + wordsOfOpenLoops(s);
+    verdict.words = {messageOf(judgement, mm)};
+    for (const std::size_t other : openLoopsOf(s)) {
+      verdict.words.push_back(said<MessageId::pose_differs_alone>(scans_[other].name));
+    }
     return verdict;
   }
 
@@ -358,7 +360,7 @@ class Aligner {
 
   Judgement refusalOf(std::size_t s) const {
     Judgement best;
-    best.reason = "it meets none of the others";
+    best.reason = {said<MessageId::pose_meets_none>()};
     for (const Link& link : refusals_) {
       if (link.scan != s && link.onto != s) continue;
       if (link.fit.judgement.tight_share >= best.tight_share) best = link.fit.judgement;
@@ -366,16 +368,15 @@ class Aligner {
     return best;
   }
 
-  std::string wordsOfOpenLoops(std::size_t s) const {
-    std::string words;
+  /// Scans on which it lies elsewhere by itself.
+  std::vector<std::size_t> openLoopsOf(std::size_t s) const {
+    std::vector<std::size_t> others;
     for (const std::size_t i : open_) {
       const Link& link = links_[i];
       if (link.scan != s && link.onto != s) continue;
-      words += " By itself it lies elsewhere on " +
-               scans_[link.scan == s ? link.onto : link.scan].name +
-               " than by way of the others; look at this pair.";
+      others.push_back(link.scan == s ? link.onto : link.scan);
     }
-    return words;
+    return others;
   }
 
   const Align& how_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/prepare/align_start.h"
 
+#include "core/message/catalogue.h"
+
 namespace relievo::align {
 namespace {
 
@@ -22,7 +24,7 @@ PairFit fitAutomatically(const Cloud& scan, const Cloud& reference, const Scale&
   task.check();
   const Features reference_features = featuresOf(reference.coarse);
   PairFit best;
-  best.judgement.reason = "no place was found where it fits";
+  best.judgement.reason = {said<MessageId::pose_found_nowhere>()};
   int sliding = 0;
   for (unsigned n = 0; n < kSeeds; ++n) {
     const bool strict = n % 2 == 1;

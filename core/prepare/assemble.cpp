@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -134,8 +134,7 @@ class Assembly {
       if (scan.info.parts.size() == 1) parts[0].viewpoint = scan.info.parts[0].viewpoint;
     }
     if (out_.info.parts.size() + parts.size() > kMostScans) {
-      throw ArgumentError("The files hold more than " + std::to_string(kMostScans) +
-                          " scans together. Nothing was done. Prepare fewer at once.");
+      throw failure<MessageId::files_hold_many_scans>(kMostScans);
     }
     for (ScanPart& part : parts) {
       part.points = 0;
@@ -164,11 +163,7 @@ class Assembly {
   }
 
   void finish() {
-    if (out_.points.empty()) {
-      throw ArgumentError(
-          "No point is left after all steps. Nothing was written. Take a step out, or widen its "
-          "limits.");
-    }
+    if (out_.points.empty()) throw failure<MessageId::no_point_left_after_steps>();
     ScanInfo& info = out_.info;
     info.points = info.finite_points = out_.points.size();
     info.faces = out_.triangles.size();

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/prepare/base_plane.h"
 #include "core/prepare/crop.h"
 #include "core/prepare/normals.h"
@@ -33,12 +32,11 @@ struct Group {
   std::vector<std::uint32_t> numbers;  ///< Among the points of all scans.
 };
 
-std::string percent(double share) {
+Message percent(double share) {
   constexpr double kLeastShare = 0.001;  // Nobody reads "0.00747 %".
-  if (share > 0 && share < kLeastShare) return "less than 0.1 %";
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
-  return text.data();
+  if (share > 0 && share < kLeastShare) return said<MessageId::share_tiny>();
+  return said<MessageId::share_in_percent>(
+      NumberArgument{.value = 100 * share, .digits = 3, .form = NumberArgument::Form::significant});
 }
 
 class Executor {
@@ -83,7 +81,7 @@ class Executor {
     for (std::size_t s = 0; s < job_.scans.size(); ++s) {
       const PrepareScan& scan = job_.scans[s];
       if (scan.classes.empty()) {
-        notDone(scan.name + " states no classes; all its points stay.");
+        notDone(said<MessageId::scan_without_classes>(scan.name));
         continue;
       }
       keepIf(s, [&](std::size_t i) { return keeps(step, scan.classes[i]); });
@@ -94,7 +92,7 @@ class Executor {
     for (std::size_t s = 0; s < job_.scans.size(); ++s) {
       const PrepareScan& scan = job_.scans[s];
       if (scan.returns.empty()) {
-        notDone(scan.name + " states no pulses with several returns; all its points stay.");
+        notDone(said<MessageId::scan_without_returns>(scan.name));
         continue;
       }
       keepIf(s, [&](std::size_t i) { return keeps(step, scan.returns[i]); });
@@ -105,7 +103,7 @@ class Executor {
     for (std::size_t s = 0; s < job_.scans.size(); ++s) {
       const PrepareScan& scan = job_.scans[s];
       if (scan.intensities.empty() || !scan.intensity) {
-        notDone(scan.name + " states no intensities; all its points stay.");
+        notDone(said<MessageId::scan_without_intensities>(scan.name));
         continue;
       }
       const auto [low, high] = *scan.intensity;
@@ -136,7 +134,7 @@ class Executor {
                                 ? *step.radius_mm / mmPerUnit(group)
                                 : step.spacings * spacingOf(neighbours, task_, step.share);
       if (!(radius > 0)) {
-        notDone("All points of " + nameOf(group) + " are one place, which has no spacing.");
+        notDone(said<MessageId::points_are_one_place>(nameOf(group)));
         return;
       }
       keepButStrays(group,
@@ -179,8 +177,7 @@ class Executor {
         if (normals[i] == Point3f{}) ++without;
       }
     });
-    if (without > 0)
-      addNote(std::to_string(without) + " points have no normal: too few neighbours.");
+    if (without > 0) addNote(said<MessageId::points_without_normal>(without));
   }
 
   void operator()(const Align& step);
@@ -188,17 +185,17 @@ class Executor {
  private:
   const PrepareScan& scanOf(const Group& group) const { return job_.scans[group.first_scan]; }
   double mmPerUnit(const Group& group) const { return scanOf(group).mm_per_unit; }
-  std::string nameOf(const Group& group) const {
-    return group.end_scan - group.first_scan == 1 ? scanOf(group).name : "the joined scans";
+  Message nameOf(const Group& group) const {
+    if (group.end_scan - group.first_scan != 1) return said<MessageId::joined_scans>();
+    return said<MessageId::quoted>(scanOf(group).name);
   }
 
-  void addNote(const std::string& words) {
-    if (!result_->note.empty()) result_->note += " ";
-    result_->note += words;
-    answer_.warnings.push_back(words);
+  void addNote(const Message& note) {
+    result_->notes.push_back(note);
+    answer_.warnings.push_back(note);
   }
-  void notDone(const std::string& words) {
-    addNote(words);
+  void notDone(const Message& why) {
+    addNote(why);
     result_->done = false;
   }
 
@@ -292,8 +289,7 @@ class Executor {
     const double share =
         1 - static_cast<double>(stays.size()) / static_cast<double>(group.points.size());
     if (share > kManyStrays) {
-      addNote(percent(share) + " of the points of " + nameOf(group) +
-              " were left out; those are more than strays. Look at the result.");
+      addNote(said<MessageId::more_than_strays>(percent(share), nameOf(group)));
     }
     keepOnly(group, stays);
   }
@@ -305,13 +301,13 @@ class Executor {
     }
     const auto plane = basePlane(group.points, distance, step.seed, task_);
     if (!plane) {
-      notDone("No three points of " + nameOf(group) + " span a plane; they stay as they are.");
+      notDone(said<MessageId::no_plane_found>(nameOf(group)));
       return;
     }
     const double share =
         static_cast<double>(plane->on_it.size()) / static_cast<double>(group.points.size());
-    addNote("One plane holds " + percent(share) + " of the points of " + nameOf(group) +
-            (share < kLittlePlane ? "; that is hardly a base. Look at the result." : "."));
+    addNote(share < kLittlePlane ? said<MessageId::small_plane_found>(percent(share), nameOf(group))
+                                 : said<MessageId::plane_found>(percent(share), nameOf(group)));
     if (step.lay) {
       const Pose laid = layingFlat(*plane, group.centre);
       for (std::size_t s = group.first_scan; s < group.end_scan; ++s) move(s, laid);
@@ -366,15 +362,13 @@ void Executor::operator()(const Align& step) {
     for (const Pose& pose : step.poses) {
       AlignVerdict& verdict = found.scans.emplace_back();
       verdict.pose = verdict.start = pose;
-      verdict.words = "The pose that was found before was used.";
+      verdict.words = {said<MessageId::pose_found_before>()};
     }
   } else if (step.method == AlignMethod::stored) {
     found.scans.resize(scans);
-    for (AlignVerdict& verdict : found.scans) verdict.words = "As stored.";
+    for (AlignVerdict& verdict : found.scans) verdict.words = {said<MessageId::pose_as_stored>()};
   } else if (!align_) {
-    notDone(
-        "This program aligns no scans. They stay where their files have them; give their poses in "
-        "a recipe, or leave the step out.");
+    notDone(said<MessageId::aligns_no_scans>());
     found.scans.resize(scans);
   } else {
     std::vector<Group> groups;
@@ -393,9 +387,7 @@ void Executor::operator()(const Align& step) {
     found = align_(step, parts, task_);
   }
   if (found.scans.size() != scans) {
-    throw ArgumentError("The recipe has poses for " + std::to_string(found.scans.size()) +
-                        " scans, but there are " + std::to_string(scans) +
-                        ". Nothing was done. Give the scans that it was made for.");
+    throw failure<MessageId::recipe_has_other_poses>(found.scans.size(), scans);
   }
   for (std::size_t s = 0; s < scans; ++s) {
     const AlignVerdict& verdict = found.scans[s];
@@ -403,7 +395,8 @@ void Executor::operator()(const Align& step) {
       move(s, verdict.pose);
       continue;
     }
-    notDone(job_.scans[s].name + " was left out: " + verdict.words);
+    notDone(said<MessageId::scan_left_out>(job_.scans[s].name,
+                                           WordsArgument::sentences(verdict.words)));
     for (std::uint32_t i = firsts_[s]; i < firsts_[s + 1]; ++i) kept_.clear(i);
   }
   answer_.align = std::move(found);

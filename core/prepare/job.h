@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/cloud/scan.h"
+#include "core/message/message.h"
 #include "core/neighbours/point_neighbours.h"
 #include "core/prepare/align.h"
 #include "core/prepare/point_bits.h"
@@ -44,19 +45,19 @@ struct PrepareJob {
 struct StepResult {
   std::uint64_t before = 0, after = 0;  ///< Points of all scans together.
   double seconds = 0;
-  std::string note;  ///< For people; may be empty.
-  bool done = true;  ///< Else `note` says why not, and nothing was changed.
-  PointBits kept;    ///< After it: the points of all scans, one after the other.
+  std::vector<Message> notes;  ///< For people; may be none.
+  bool done = true;            ///< Else `notes` say why not, and nothing was changed.
+  PointBits kept;              ///< After it: the points of all scans, one after the other.
 };
 
 /// What the worker answers: bits, matrices and numbers. A scan's points keep their bytes.
 struct PrepareAnswer {
   std::vector<StepResult> steps;
-  std::vector<Pose> poses;            ///< One for each scan; identity: as stored.
-  std::optional<AlignAnswer> align;   ///< If a step aligned.
-  std::vector<Point3f> normals;       ///< Empty, or one for each point that is left.
-  std::vector<std::string> warnings;  ///< For people; each one sentence.
-  std::string pcl, flann;             ///< Versions of the libraries that did it.
+  std::vector<Pose> poses;           ///< One for each scan; identity: as stored.
+  std::optional<AlignAnswer> align;  ///< If a step aligned.
+  std::vector<Point3f> normals;      ///< Empty, or one for each point that is left.
+  std::vector<Message> warnings;     ///< For people; each one sentence.
+  std::string pcl, flann;            ///< Versions of the libraries that did it.
 };
 
 }  // namespace relievo

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <Eigen/Eigenvalues>
+
+#include "core/message/catalogue.h"
 
 namespace relievo::align {
 namespace {
@@ -57,48 +58,48 @@ double shareOf(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-std::string text(const char* format, double value) {
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), format, value);
-  return buffer.data();
+NumberArgument percent(double share) {
+  return {.value = 100 * share, .unit = MessageUnit::percent};
 }
 
 /// Two digits that count.
-std::string millimetres(double mm) {
+NumberArgument millimetres(double mm) {
   const int decimals =
       mm > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(mm))), 0, 6) : 3;
-  std::array<char, 64> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.*f mm", decimals, mm);
-  return buffer.data();
+  return {.value = mm, .digits = decimals, .unit = MessageUnit::millimetre};
 }
 
 /// "x" within 10 degrees of an axis, else the components.
-std::string directionText(const Eigen::Vector3d& direction) {
+Message directionOf(const Eigen::Vector3d& direction) {
   constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(direction(static_cast<Eigen::Index>(i))) > 0.985) return kAxes[i];
+    if (std::abs(direction(static_cast<Eigen::Index>(i))) > 0.985) {
+      return said<MessageId::quoted>(kAxes[i]);
+    }
   }
-  return "(" + text("%.2f", direction.x()) + ", " + text("%.2f", direction.y()) + ", " +
-         text("%.2f", direction.z()) + ")";
+  const auto component = [](double value) { return NumberArgument{.value = value, .digits = 2}; };
+  return said<MessageId::direction>(component(direction.x()), component(direction.y()),
+                                    component(direction.z()));
 }
 
-std::string motionText(const Judgement& judgement) {
-  return (judgement.weak_turn ? "turning about " : "along ") +
-         directionText(judgement.weak_direction);
+Message motionOf(const Judgement& judgement) {
+  Message direction = directionOf(judgement.weak_direction);
+  return judgement.weak_turn ? said<MessageId::motion_about>(std::move(direction))
+                             : said<MessageId::motion_along>(std::move(direction));
 }
 
-std::string refusalOf(const Judgement& found, const Matches& matches, const Demands& demands,
-                      double cell) {
+std::vector<Message> refusalOf(const Judgement& found, const Matches& matches,
+                               const Demands& demands, double cell) {
   if (matches.scan_loose < kFewestMatches || matches.reference_loose < kFewestMatches) {
-    return "hardly anything of it lies on the others";
+    return {said<MessageId::pose_hardly_touches>()};
   }
   if (found.tight_share < demands.tight_share) {
-    return "only " + text("%.0f %%", 100 * found.tight_share) + " of it lies on the others";
+    return {said<MessageId::pose_shares_little>(percent(found.tight_share))};
   }
   const std::size_t loose = matches.scan_loose + matches.reference_loose;
   if (found.rms > demands.rms_cells * cell ||
       shareOf(matches.scan_tight + matches.reference_tight, loose) < demands.tight_of_loose) {
-    return "it touches the others, but does not lie on them";
+    return {said<MessageId::pose_only_touches>()};
   }
   return {};
 }
@@ -183,7 +184,7 @@ Judgement judge(const OrientedSet& scan, const OrientedSet& reference, const Loc
   found.reason = refusalOf(found, matches, demands, cell);
   found.fits = found.reason.empty();
   if (found.fits && found.stability < demands.stability) {
-    found.reason = "nothing in its shape says where it belongs " + motionText(found);
+    found.reason = {said<MessageId::pose_undecided>(motionOf(found))};
   }
   if (!found.reason.empty()) {
     found.answer = Answer::refused;
@@ -195,18 +196,20 @@ Judgement judge(const OrientedSet& scan, const OrientedSet& reference, const Loc
   return found;
 }
 
-std::string wordsOf(const Judgement& judgement, double mm_per_unit) {
-  if (judgement.answer == Answer::refused) return "Not aligned: " + judgement.reason + ".";
-  std::string words = millimetres(judgement.rms * mm_per_unit) + " rms over " +
-                      text("%.0f %%", 100 * judgement.share) + " in common.";
-  if (judgement.answer == Answer::weak) {
-    words += " Weak " + motionText(judgement) + ": about " +
-             millimetres(judgement.weak_motion * mm_per_unit) + ".";
-  } else if (judgement.answer == Answer::slides) {
-    words += " Nothing in the shape holds it " + motionText(judgement) +
-             ": there it lies as it was placed by hand.";
+Message messageOf(const Judgement& judgement, double mm_per_unit) {
+  if (judgement.answer == Answer::refused) {
+    return said<MessageId::pose_refused>(judgement.reason);
   }
-  return words;
+  const NumberArgument rms = millimetres(judgement.rms * mm_per_unit);
+  const NumberArgument common = percent(judgement.share);
+  if (judgement.answer == Answer::weak) {
+    return said<MessageId::pose_is_weak>(rms, common, motionOf(judgement),
+                                         millimetres(judgement.weak_motion * mm_per_unit));
+  }
+  if (judgement.answer == Answer::slides) {
+    return said<MessageId::pose_slides>(rms, common, motionOf(judgement));
+  }
+  return said<MessageId::pose_holds>(rms, common);
 }
 
 }  // namespace relievo::align

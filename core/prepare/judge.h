@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/message/message.h"
 #include "core/prepare/align_cloud.h"
 #include "core/prepare/align_math.h"
 
@@ -86,13 +86,13 @@ struct Judgement {
   double weak_motion = 0;  ///< How far along the weakest motion it may lie; 0: no limit known.
   bool slides = false;     ///< Nothing holds the weakest motion.
   bool fits = false;       ///< Surface lies on surface, whether or not anything holds it there.
-  std::string reason;      ///< Of a refusal; the rest of a sentence.
+  std::vector<Message> reason;  ///< One, of a refusal: the rest of a sentence; else none.
 };
 
 Judgement judge(const OrientedSet& scan, const OrientedSet& reference, const LocalPose& pose,
                 const Demands& demands, const Task& task);
 
 /// For people: "0.021 mm rms over 41 % in common. Weak along x: about 0.2 mm."
-std::string wordsOf(const Judgement& judgement, double mm_per_unit);
+Message messageOf(const Judgement& judgement, double mm_per_unit);
 
 }  // namespace relievo::align

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/number_text.h"
 #include "core/io/worker_process.h"
@@ -23,6 +23,11 @@ struct CommonUnit {
   bool known = false;
 };
 
+Message messageOf(const CommonUnit& unit) {
+  if (!unit.known) return said<MessageId::unit_not_stated>();
+  return said<MessageId::quoted>(name(unit.unit));
+}
+
 /// What all scans are in. @throw ArgumentError
 CommonUnit commonUnit(const std::vector<const Scan*>& scans, const Recipe& recipe) {
   CommonUnit common;
@@ -31,12 +36,9 @@ CommonUnit commonUnit(const std::vector<const Scan*>& scans, const Recipe& recip
     const auto known = given ? given : scans[i]->info.unit;
     const LengthUnit unit = known.value_or(LengthUnit::mm);
     if (i > 0 && (unit != common.unit || known.has_value() != common.known)) {
-      throw ArgumentError("The scans are not all in one unit: " + shownName(scans[0]->info.file) +
-                          " is in " +
-                          (common.known ? std::string(name(common.unit)) : "none that it states") +
-                          ", " + shownName(scans[i]->info.file) + " in " +
-                          (known ? std::string(name(unit)) : "none that it states") +
-                          ". Nothing was done. Give --unit if it is the same for all.");
+      throw failure<MessageId::scans_of_two_units>(
+          shownName(scans[0]->info.file), messageOf(common), shownName(scans[i]->info.file),
+          messageOf({unit, known.has_value()}));
     }
     common = {unit, known.has_value()};
   }
@@ -62,29 +64,20 @@ PrepareJob jobOf(const std::vector<const Scan*>& scans, const Recipe& recipe, Le
 }
 
 [[noreturn]] void refuseEnd(const PrepareOptions& options, const WorkerEnd& end) {
-  const std::string nothing = " Nothing was changed.";
   if (!end.exited && end.number == SIGXCPU) {
-    throw FileError("The scans cannot be prepared: the steps take more than " +
-                    grouped(static_cast<std::uint64_t>(options.max_cpu_s)) +
-                    " s of processor time." + nothing + " Thin the scans out first.");
+    throw failure<MessageId::prepare_took_long>(
+        CountArgument::grouped(static_cast<std::uint64_t>(options.max_cpu_s)));
   }
   if (!end.exited && end.number == SIGKILL) {
-    throw FileError(
-        "The scans cannot be prepared: the system stopped the work, probably for lack of memory." +
-        nothing + " Close other programs, or thin the scans out first.");
+    throw failure<MessageId::prepare_stopped_by_system>();
   }
-  const std::string words = end.last_words.empty() ? "" : " (\"" + end.last_words + "\")";
-  throw FileError("The scans cannot be prepared: the program that does it broke down" + words +
-                  "." + nothing + " Leave out one step after the other to find the one.");
+  if (end.last_words.empty()) throw failure<MessageId::prepare_broke_down>();
+  throw failure<MessageId::prepare_broke_down_saying>(end.last_words);
 }
 
 PrepareAnswer workedOn(const PrepareJob& job, const PrepareOptions& options, const Task& task) {
   const OwnedFd input(::memfd_create("relievo-prepare", MFD_CLOEXEC));
-  if (input.get() < 0) {
-    throw FileError(
-        "The scans cannot be prepared: the system gives no memory for them. Nothing was changed. "
-        "Close other programs and try again.");
-  }
+  if (input.get() < 0) throw failure<MessageId::prepare_without_memory>();
   sendJob(input.get(), job, task);
   task.report("preparing", 0);
   WorkerProcess worker({.program = kPrepareProgram,
@@ -97,7 +90,8 @@ PrepareAnswer workedOn(const PrepareJob& job, const PrepareOptions& options, con
     auto answer = receivePrepareAnswer(worker.answerFd(), job, task);
     if (auto* good = std::get_if<PrepareAnswer>(&answer)) return std::move(*good);
     if (const auto* refusal = std::get_if<PrepareRefusal>(&answer)) {
-      throw ArgumentError(refusal->message);
+      const Message& message = refusal->message;
+      throw ArgumentError(message);
     }
   }
   refuseEnd(options, end);
@@ -105,10 +99,10 @@ PrepareAnswer workedOn(const PrepareJob& job, const PrepareOptions& options, con
 
 }  // namespace
 
-std::vector<std::string> Prepared::notDone() const {
-  std::vector<std::string> words;
+std::vector<std::vector<Message>> Prepared::notDone() const {
+  std::vector<std::vector<Message>> words;
   for (const StepResult& step : answer.steps) {
-    if (!step.done) words.push_back(step.note);
+    if (!step.done) words.push_back(step.notes);
   }
   return words;
 }
@@ -119,9 +113,7 @@ Prepared prepare(const std::vector<const Scan*>& scans, const Recipe& recipe,
   check(recipe);
   if (scans.empty() || scans.size() > kMostScans ||
       (!recipe.scans.empty() && recipe.scans.size() != scans.size())) {
-    throw ArgumentError("The recipe is for " + std::to_string(recipe.scans.size()) +
-                        " scans, but there are " + std::to_string(scans.size()) +
-                        ". Nothing was done.");
+    throw failure<MessageId::recipe_for_other_scans>(recipe.scans.size(), scans.size());
   }
   const CommonUnit unit = commonUnit(scans, recipe);
   const PrepareJob job = jobOf(scans, recipe, unit.unit);

@@ -23,8 +23,8 @@ struct Prepared {
   LengthUnit unit = LengthUnit::mm;
   bool unit_known = false;  ///< Given or stated by a file; else 1 mm is assumed.
 
-  /// What could not be done, for people; empty: all was.
-  std::vector<std::string> notDone() const;
+  /// What could not be done, for people, step by step; empty: all was.
+  std::vector<std::vector<Message>> notDone() const;
 };
 
 /// Does the steps of a recipe in the child process relievo-prepare, with limits and in the C

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -33,13 +33,13 @@ bool isRotation(const Rotation& r) {
 
 class Checker {
  public:
-  explicit Checker(std::string source) : source_(std::move(source)) {}
+  explicit Checker(Message step) : step_(std::move(step)) {}
 
   void operator()(const CropBox& s) const {
     point("min", s.min);
     point("max", s.max);
     if (!(s.min.x <= s.max.x) || !(s.min.y <= s.max.y) || !(s.min.z <= s.max.z)) {
-      refuse("the box ends before it begins; its first corner must be the lower one");
+      refuse<MessageId::step_box_reversed>();
     }
     rotation("axes", s.axes);
   }
@@ -47,8 +47,7 @@ class Checker {
     rotation("view", s.view);
     const std::size_t corners = s.outline.size();
     if (corners < 3 || corners > kMostOutlineCorners) {
-      refuse("the outline has " + std::to_string(corners) + " corners; it takes 3 to " +
-             std::to_string(kMostOutlineCorners));
+      refuse<MessageId::step_outline_corners>(corners, kMostOutlineCorners);
     }
     for (const auto& corner : s.outline) {
       number("outline", corner[0], -kFarthest, kFarthest);
@@ -60,7 +59,7 @@ class Checker {
   void operator()(const Intensities& s) const {
     number("low", s.low, -kFarthest, kFarthest);
     number("high", s.high, -kFarthest, kFarthest);
-    if (s.low > s.high) refuse("the highest intensity is below the lowest");
+    if (s.low > s.high) refuse<MessageId::step_intensities_reversed>();
   }
   void operator()(const Duplicates&) const {}
   void operator()(const Outliers& s) const {
@@ -86,51 +85,48 @@ class Checker {
     number("neighbours", s.neighbours, 3, kMostNeighbours);
   }
   void operator()(const Align& s) const {
-    if (s.reference >= kMostScans) refuse("'reference' is beyond the scans there can be");
-    if (s.pairs.size() > kMostPairs) {
-      refuse("it has more than " + std::to_string(kMostPairs) + " pairs");
-    }
+    if (s.reference >= kMostScans) refuse<MessageId::step_reference_beyond>();
+    if (s.pairs.size() > kMostPairs) refuse<MessageId::step_many_pairs>(kMostPairs);
     for (const PickedPair& pair : s.pairs) {
-      if (pair.scan >= kMostScans) refuse("a pair names a scan beyond those there can be");
+      if (pair.scan >= kMostScans) refuse<MessageId::step_pair_beyond>();
       point("pairs", pair.point);
       point("pairs", pair.reference);
     }
-    if (s.poses.size() > kMostScans) refuse("it has more poses than there can be scans");
+    if (s.poses.size() > kMostScans) refuse<MessageId::step_many_poses>();
     for (const Pose& pose : s.poses) {
-      if (!isRigid(pose)) refuse("a pose is no rotation and translation");
+      if (!isRigid(pose)) refuse<MessageId::step_pose_not_rigid>();
     }
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& why) const {
-    throw ArgumentError(source_ + ": " + why + ".");
+  template <MessageId why, class... Given>
+  [[noreturn]] void refuse(Given&&... given) const {
+    throw failure<MessageId::step_refused>(step_, said<why>(std::forward<Given>(given)...));
   }
   void number(const char* key, double value, double low, double high) const {
     if (value >= low && value <= high) return;
-    std::string text = std::isfinite(value) ? std::to_string(value) : "not finite";
-    refuse("'" + std::string(key) + "' is " + text + "; it takes " + shown(low) + " to " +
-           shown(high));
+    if (!std::isfinite(value)) {
+      refuse<MessageId::step_value_not_finite>(key, shown(low), shown(high));
+    }
+    const NumberArgument is{.value = value, .digits = 6};
+    refuse<MessageId::step_value_out_of_range>(key, is, shown(low), shown(high));
   }
   void length(const char* key, double value) const {
     if (value > 0 && value <= kFarthest) return;
-    refuse("'" + std::string(key) + "' must be above 0 mm");
+    refuse<MessageId::step_length>(key);
   }
   void point(const char* key, const FilePoint& p) const {
     for (const double c : {p.x, p.y, p.z}) number(key, c, -kFarthest, kFarthest);
   }
   void rotation(const char* key, const Rotation& r) const {
-    if (!isRotation(r)) {
-      refuse("'" + std::string(key) +
-             "' is no rotation: 9 numbers, rows of length 1 at right "
-             "angles, right-handed");
-    }
+    if (!isRotation(r)) refuse<MessageId::step_no_rotation>(key);
   }
   static std::string shown(double value) {
     if (std::abs(value) >= kFarthest) return value < 0 ? "-1e38" : "1e38";
     return std::to_string(static_cast<int>(value));
   }
 
-  std::string source_;
+  Message step_;
 };
 
 }  // namespace
@@ -156,27 +152,20 @@ bool isRigid(const Pose& pose) noexcept {
          m[15] == 1 && isRotation({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]});
 }
 
-void check(const Step& step, const std::string& source) {
-  std::visit(Checker(source), step);
-}
-
 void check(const Recipe& recipe) {
   if (recipe.scans.size() > kMostScans) {
-    throw ArgumentError("The recipe names " + std::to_string(recipe.scans.size()) +
-                        " scans; at most " + std::to_string(kMostScans) +
-                        " can be prepared at once.");
+    throw failure<MessageId::recipe_many_scans>(recipe.scans.size(), kMostScans);
   }
   if (recipe.steps.size() > kMostSteps) {
-    throw ArgumentError("The recipe has " + std::to_string(recipe.steps.size()) +
-                        " steps; at most " + std::to_string(kMostSteps) + " can be done at once.");
+    throw failure<MessageId::recipe_many_steps>(recipe.steps.size(), kMostSteps);
   }
   int joins = 0;
   for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
     const Step& step = recipe.steps[i];
-    check(step, "Step " + std::to_string(i + 1) + " (" + std::string(kindOf(step)) + ")");
+    std::visit(Checker(said<MessageId::step_of_recipe>(i + 1, kindOf(step))), step);
     if (std::holds_alternative<Align>(step)) ++joins;
   }
-  if (joins > 1) throw ArgumentError("The recipe aligns its scans twice. Leave one step out.");
+  if (joins > 1) throw failure<MessageId::recipe_aligns_twice>();
 }
 
 }  // namespace relievo

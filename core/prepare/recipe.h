@@ -183,9 +183,6 @@ inline constexpr int kMostNeighbours = 1000;
 /// @throw ArgumentError  naming the step, the value and what it may be
 void check(const Recipe& recipe);
 
-/// @param source  for the message @throw ArgumentError  as check, of a single step
-void check(const Step& step, const std::string& source);
-
 /// A rotation (determinant +1, to 1e-9) and a translation, all finite.
 bool isRigid(const Pose& pose) noexcept;
 

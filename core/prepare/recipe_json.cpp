@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/json_nesting.h"
 #include "core/prepare/recipe.h"
 
@@ -106,22 +106,22 @@ Json jsonOf(const Step& step) {
 
 /// A key that nobody reads is a mistake of whoever wrote it, not a choice of ours.
 void requireKeys(const Json& json, std::initializer_list<std::string_view> known) {
-  if (!json.is_object()) throw FileError("A part of it is no object.");
+  if (!json.is_object()) throw failure<MessageId::recipe_part_no_object>();
   for (const auto& [key, value] : json.items()) {
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      throw FileError("'" + key + "' is not a key that is known there.");
+      throw failure<MessageId::recipe_key_unknown>(key);
     }
   }
 }
 
 double number(const Json& json) {
-  if (!json.is_number()) throw FileError(json.dump().substr(0, 40) + " is not a number.");
+  if (!json.is_number()) throw failure<MessageId::recipe_no_number>(json.dump().substr(0, 40));
   return json.get<double>();
 }
 
 std::uint32_t wholeNumber(const Json& json) {
   if (!json.is_number_unsigned() || json.get<std::uint64_t>() > UINT32_MAX) {
-    throw FileError(json.dump().substr(0, 40) + " is not a whole number from 0 to 4294967295.");
+    throw failure<MessageId::recipe_no_whole_number>(json.dump().substr(0, 40));
   }
   return json.get<std::uint32_t>();
 }
@@ -133,7 +133,7 @@ int count(const Json& json) {
 template <std::size_t N>
 std::array<double, N> numbers(const Json& json) {
   if (!json.is_array() || json.size() != N) {
-    throw FileError("A list of it has not " + std::to_string(N) + " numbers.");
+    throw failure<MessageId::recipe_list_length>(N);
   }
   std::array<double, N> values{};
   for (std::size_t i = 0; i < N; ++i) values[i] = number(json.at(i));
@@ -148,14 +148,14 @@ FilePoint pointFrom(const Json& json) {
 Rotation rotationFrom(const Json& json) {
   if (!json.is_string()) return numbers<9>(json);
   const auto rotation = standardRotation(json.get<std::string>());
-  if (!rotation) throw FileError(json.dump() + " is none of the six standard views.");
+  if (!rotation) throw failure<MessageId::recipe_no_view>(json.dump());
   return *rotation;
 }
 
 bool keepsInside(const Json& json) {
   const auto word = json.at("keep").get<std::string>();
   if (word != "inside" && word != "outside") {
-    throw FileError("'keep' is neither inside nor outside.");
+    throw failure<MessageId::recipe_keep_side>();
   }
   return word == "inside";
 }
@@ -163,8 +163,7 @@ bool keepsInside(const Json& json) {
 const Json& listOf(const Json& json, const char* key, std::size_t most) {
   const Json& list = json.at(key);
   if (!list.is_array() || list.size() > most) {
-    throw FileError("'" + std::string(key) + "' is no list of at most " + std::to_string(most) +
-                    " entries.");
+    throw failure<MessageId::recipe_list_too_long>(key, most);
   }
   return list;
 }
@@ -201,7 +200,7 @@ Step classesFrom(const Json& json) {
   Classes step;
   for (const Json& kept : listOf(json, "keep", 256)) {
     const std::uint32_t number_of_class = wholeNumber(kept);
-    if (number_of_class > 255) throw FileError("A class is from 0 to 255.");
+    if (number_of_class > 255) throw failure<MessageId::recipe_class>();
     step.keep.push_back(static_cast<std::uint8_t>(number_of_class));
   }
   step.keep_noise = json.value("keep_noise", step.keep_noise);
@@ -212,7 +211,7 @@ Step returnsFrom(const Json& json) {
   requireKeys(json, {"kind", "keep"});
   const auto keep = json.at("keep").get<std::string>();
   const auto* const known = std::find(kReturnNames.begin(), kReturnNames.end(), keep);
-  if (known == kReturnNames.end()) throw FileError("'keep' is none of first, last and single.");
+  if (known == kReturnNames.end()) throw failure<MessageId::recipe_returns>();
   return Returns{static_cast<ReturnChoice>(known - kReturnNames.begin())};
 }
 
@@ -255,7 +254,7 @@ Step alignFrom(const Json& json) {
   const auto method = json.at("method").get<std::string>();
   const auto* const known = std::find(kAlignMethodNames.begin(), kAlignMethodNames.end(), method);
   if (known == kAlignMethodNames.end()) {
-    throw FileError("'method' is none of stored, points and auto.");
+    throw failure<MessageId::recipe_method>();
   }
   step.method = static_cast<AlignMethod>(known - kAlignMethodNames.begin());
   if (json.contains("reference")) step.reference = wholeNumber(json.at("reference"));
@@ -277,7 +276,7 @@ Step alignFrom(const Json& json) {
 }
 
 Step stepFrom(const Json& json) {
-  if (!json.is_object()) throw FileError("A step is no object.");
+  if (!json.is_object()) throw failure<MessageId::recipe_step_no_object>();
   const auto kind = json.at("kind").get<std::string>();
   if (kind == "crop_box") return cropBoxFrom(json);
   if (kind == "crop_outline") return cropOutlineFrom(json);
@@ -301,7 +300,7 @@ Step stepFrom(const Json& json) {
     requireKeys(json, {"kind", "neighbours"});
     return Normals{.neighbours = count(json.at("neighbours"))};
   }
-  throw FileError("'" + kind.substr(0, 40) + "' is no step that is known.");
+  throw failure<MessageId::recipe_step_unknown>(kind.substr(0, 40));
 }
 
 ScanSource sourceFrom(const Json& json) {
@@ -311,21 +310,21 @@ ScanSource sourceFrom(const Json& json) {
                     .unit = std::nullopt};
   // A file name with a zero inside would be another file to the operating system.
   if (source.file.empty() || source.file.find('\0') != std::string::npos) {
-    throw FileError("'file' is not a file's name.");
+    throw failure<MessageId::field_no_file_name>("file");
   }
   const bool digits = source.sha256.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (!source.sha256.empty() && (source.sha256.size() != 64 || !digits)) {
-    throw FileError("'sha256' is not a checksum.");
+    throw failure<MessageId::field_no_checksum>("sha256");
   }
   if (json.contains("unit") && !json.at("unit").is_null()) {
     source.unit = lengthUnit(json.at("unit").get<std::string>());
-    if (!source.unit) throw FileError("'unit' is none of mm, cm, m, in, ft and us-ft.");
+    if (!source.unit) throw failure<MessageId::recipe_unit>();
   }
   if (json.contains("parts")) {
     for (const Json& part : listOf(json, "parts", kMostScans)) {
       if (!part.is_number_integer() || part.get<std::int64_t>() < 1 ||
           part.get<std::int64_t>() > std::numeric_limits<int>::max()) {
-        throw FileError("'parts' are not numbers of a file's scans, from 1.");
+        throw failure<MessageId::recipe_parts>();
       }
       source.parts.push_back(part.get<int>());
     }
@@ -336,14 +335,14 @@ ScanSource sourceFrom(const Json& json) {
 
 Recipe recipeFrom(std::string_view text) {
   constexpr int kDeepest = 16;
-  if (isNestedDeeper(text, kDeepest)) throw FileError("It is nested too deep.");
+  if (isNestedDeeper(text, kDeepest)) throw failure<MessageId::field_nested_too_deep>();
   const Json json = Json::parse(text);
   if (!json.is_object() || !json.contains(kKey) || !json.at(kKey).is_number_integer()) {
-    throw FileError("There is no '" + std::string(kKey) + "' in it.");
+    throw failure<MessageId::field_missing>(kKey);
   }
   const auto schema = json.at(kKey).get<std::int64_t>();
   if (schema != kSchema) {
-    throw FileError("Its schema is " + std::to_string(schema) + "; this version reads 1.");
+    throw failure<MessageId::recipe_schema>(schema);
   }
   requireKeys(json, {kKey, "scans", "steps"});
   Recipe recipe;
@@ -382,33 +381,32 @@ std::string toJson(const Recipe& recipe, int indent) {
 namespace {
 
 /// The library names the key that is missing in quotes.
-std::string wordsOf(const nlohmann::json::out_of_range& error) {
+Message messageOf(const nlohmann::json::out_of_range& error) {
   constexpr int kNoSuchKey = 403;
-  const std::string_view said = error.what();
-  const std::size_t begin = said.find('\''), end = said.rfind('\'');
-  if (error.id != kNoSuchKey || begin == end) return "A number in it is too large.";
-  return "There is no " + std::string(said.substr(begin, end - begin + 1)) + " where one belongs.";
+  const std::string_view what = error.what();
+  const std::size_t begin = what.find('\''), end = what.rfind('\'');
+  if (error.id != kNoSuchKey || begin == end) return said<MessageId::recipe_number_too_large>();
+  return said<MessageId::recipe_key_missing>(what.substr(begin + 1, end - begin - 1));
 }
 
 }  // namespace
 
 Recipe recipeFromJson(std::string_view text, const std::string& source) {
-  const auto refused = [&source](const std::string& why) {
-    return FileError(source + " is no recipe that this version can read. " + why +
-                     " Nothing was done.");
+  const auto refused = [&source](Message why) {
+    return failure<MessageId::recipe_unreadable>(source, std::move(why));
   };
   try {
     return recipeFrom(text);
   } catch (const nlohmann::json::parse_error& error) {
     const std::string_view before = text.substr(0, std::max<std::size_t>(error.byte, 1) - 1);
-    throw refused("Line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) +
-                  " of it is not JSON.");
+    throw refused(said<MessageId::recipe_line_is_no_json>(
+        1 + std::count(before.begin(), before.end(), '\n')));
   } catch (const nlohmann::json::out_of_range& error) {
-    throw refused(wordsOf(error));
+    throw refused(messageOf(error));
   } catch (const nlohmann::json::exception&) {
-    throw refused("A part of it is missing or has another form.");
+    throw refused(said<MessageId::recipe_part_missing>());
   } catch (const Error& error) {
-    throw refused(error.what());
+    throw refused(relievo::messageOf(error));
   }
 }
 

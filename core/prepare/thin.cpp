@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 namespace {
@@ -46,9 +46,7 @@ std::array<double, 3> lowestCells(std::span<const Point3f> points,
     // Beyond 2^53 neighbouring cubes have one number.
     const bool counts = std::abs(first) < 9e15 && std::abs(last) < 9e15;
     if (!counts || last - first >= static_cast<double>(kMostCells)) {
-      throw ArgumentError(
-          "The scan is more than 2 097 152 times as long as the distance it should be thinned to. "
-          "Nothing was thinned; choose a larger distance, or crop the scan first.");
+      throw failure<MessageId::scan_too_long_to_thin>();
     }
     low[axis] = first;
   }

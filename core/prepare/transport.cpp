@@ -13,9 +13,10 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/json_nesting.h"
 
 namespace relievo {
@@ -35,6 +36,11 @@ struct FileStart {
   std::uint64_t magic = kMagic;
   Kind kind = Kind::refusal;
   std::uint64_t head_bytes = 0;
+};
+
+/// What is wrong with what came; nobody is told more than that it cannot be used.
+struct Inconsistent : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 constexpr std::uint64_t aligned(std::uint64_t at) {
@@ -63,8 +69,7 @@ class FileWriter {
  private:
   [[noreturn]] static void refuse() {
     if (errno == EFBIG || errno == ENOMEM) throw std::bad_alloc();
-    throw Error(std::string("The scan cannot be passed on: ") + std::strerror(errno) +
-                ". Nothing was done. Close other programs and try again.");
+    throw Error(said<MessageId::scan_not_passed_on>(std::strerror(errno)));
   }
   void bytes(std::string_view from) {
     while (!from.empty()) {
@@ -122,11 +127,11 @@ class FileView {
   std::string_view head() const { return {bytes() + sizeof(start_), start_.head_bytes}; }
   std::shared_ptr<const void> memory() const { return memory_; }
 
-  /// The next list. @throw FileError  the file is too short
+  /// The next list. @throw Inconsistent  the file is too short
   template <class T>
   std::span<const T> list(std::uint64_t items) {
     at_ = aligned(at_);
-    if (at_ > size_ || items > (size_ - at_) / sizeof(T)) throw FileError("it is too short");
+    if (at_ > size_ || items > (size_ - at_) / sizeof(T)) throw Inconsistent("it is too short");
     const auto* const first = reinterpret_cast<const T*>(bytes() + at_);
     at_ += items * sizeof(T);
     return {first, static_cast<std::size_t>(items)};
@@ -154,15 +159,38 @@ class FileView {
 
 Json parsed(std::string_view text) {
   constexpr int kDeepest = 16;
-  if (isNestedDeeper(text, kDeepest)) throw FileError("it is nested too deep");
+  if (isNestedDeeper(text, kDeepest)) throw Inconsistent("it is nested too deep");
   return Json::parse(text);
 }
 
 double finite(const Json& json) {
-  if (!json.is_number()) throw FileError("a number is none");
+  if (!json.is_number()) throw Inconsistent("a number is none");
   const auto value = json.get<double>();
-  if (!std::isfinite(value)) throw FileError("a number is not finite");
+  if (!std::isfinite(value)) throw Inconsistent("a number is not finite");
   return value;
+}
+
+/// JSON has text alone: the bytes of messages go as numbers.
+Json jsonOf(const std::vector<Message>& messages) {
+  Json json = Json::array();
+  for (const Message& message : messages) {
+    const std::string bytes = messageBytes(message);
+    json.push_back(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+  }
+  return json;
+}
+
+Message messageFrom(const Json& json) {
+  const auto bytes = json.get<std::vector<std::uint8_t>>();
+  auto message = messageFromBytes({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  if (!message) throw Inconsistent("a message is none");
+  return *std::move(message);
+}
+
+std::vector<Message> messagesFrom(const Json& json) {
+  std::vector<Message> messages;
+  for (const Json& message : json) messages.push_back(messageFrom(message));
+  return messages;
 }
 
 Json jsonOf(const FilePoint& p) {
@@ -171,7 +199,7 @@ Json jsonOf(const FilePoint& p) {
 
 template <std::size_t N>
 std::array<double, N> numbers(const Json& json) {
-  if (!json.is_array() || json.size() != N) throw FileError("a list has another length");
+  if (!json.is_array() || json.size() != N) throw Inconsistent("a list has another length");
   std::array<double, N> values{};
   for (std::size_t i = 0; i < N; ++i) values[i] = finite(json.at(i));
   return values;
@@ -184,7 +212,7 @@ FilePoint pointFrom(const Json& json) {
 
 Pose poseFrom(const Json& json) {
   const Pose pose{numbers<16>(json)};
-  if (!isRigid(pose)) throw FileError("a pose is no rotation and translation");
+  if (!isRigid(pose)) throw Inconsistent("a pose is no rotation and translation");
   return pose;
 }
 
@@ -207,7 +235,7 @@ PrepareScan scanFrom(const Json& json) {
   scan.name = json.at("name").get<std::string>();
   scan.origin = pointFrom(json.at("origin"));
   scan.mm_per_unit = finite(json.at("mm_per_unit"));
-  if (!(scan.mm_per_unit > 0)) throw FileError("a unit has no length");
+  if (!(scan.mm_per_unit > 0)) throw Inconsistent("a unit has no length");
   if (json.contains("viewpoint")) scan.viewpoint = pointFrom(json.at("viewpoint"));
   if (json.contains("intensity")) {
     const auto range = numbers<2>(json.at("intensity"));
@@ -217,7 +245,7 @@ PrepareScan scanFrom(const Json& json) {
 }
 
 void requireAsMany(std::size_t items, std::size_t points) {
-  if (items != 0 && items != points) throw FileError("a list is not as long as the points");
+  if (items != 0 && items != points) throw Inconsistent("a list is not as long as the points");
 }
 
 Json jsonOf(const AlignAnswer& align) {
@@ -232,7 +260,7 @@ Json jsonOf(const AlignAnswer& align) {
                              {"stability", v.stability},
                              {"weak_direction", v.weak_direction},
                              {"uncertainty_mm", v.uncertainty_mm},
-                             {"words", v.words}});
+                             {"words", jsonOf(v.words)}});
   }
   for (const AlignLoop& loop : align.loops) {
     json["loops"].push_back({{"scans", loop.scans}, {"deg", loop.deg}, {"mm", loop.mm}});
@@ -252,28 +280,29 @@ AlignAnswer alignFrom(const Json& json, std::size_t scans) {
                            .stability = finite(v.at("stability")),
                            .weak_direction = numbers<3>(v.at("weak_direction")),
                            .uncertainty_mm = finite(v.at("uncertainty_mm")),
-                           .words = v.at("words").get<std::string>()});
+                           .words = messagesFrom(v.at("words"))});
   }
-  if (align.scans.size() != scans) throw FileError("a scan has no verdict");
+  if (align.scans.size() != scans) throw Inconsistent("a scan has no verdict");
   for (const Json& loop : json.at("loops")) {
     align.loops.push_back({.scans = loop.at("scans").get<std::vector<std::uint32_t>>(),
                            .deg = finite(loop.at("deg")),
                            .mm = finite(loop.at("mm"))});
     for (const std::uint32_t scan : align.loops.back().scans) {
-      if (scan >= scans) throw FileError("a loop names a scan that is not there");
+      if (scan >= scans) throw Inconsistent("a loop names a scan that is not there");
     }
   }
   return align;
 }
 
 Json headOf(const PrepareAnswer& answer) {
-  Json head{{"steps", Json::array()}, {"poses", Json::array()}, {"warnings", answer.warnings},
-            {"pcl", answer.pcl},      {"flann", answer.flann},  {"normals", answer.normals.size()}};
+  Json head{
+      {"steps", Json::array()}, {"poses", Json::array()}, {"warnings", jsonOf(answer.warnings)},
+      {"pcl", answer.pcl},      {"flann", answer.flann},  {"normals", answer.normals.size()}};
   for (const StepResult& step : answer.steps) {
     head["steps"].push_back({{"before", step.before},
                              {"after", step.after},
                              {"seconds", step.seconds},
-                             {"note", step.note},
+                             {"notes", jsonOf(step.notes)},
                              {"done", step.done}});
   }
   for (const Pose& pose : answer.poses) head["poses"].push_back(pose.m);
@@ -286,25 +315,26 @@ void takeBits(FileView& file, StepResult& step, const PointBits& before) {
   const auto words = file.list<std::uint64_t>(before.words().size());
   step.kept = before;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if ((words[i] & ~before.words()[i]) != 0) throw FileError("a point came back");
+    if ((words[i] & ~before.words()[i]) != 0) throw Inconsistent("a point came back");
     step.kept.words()[i] = words[i];
   }
   if (step.before != before.count() || step.after != step.kept.count()) {
-    throw FileError("a step left another number of points than it says");
+    throw Inconsistent("a step left another number of points than it says");
   }
 }
 
 void takeNormals(FileView& file, std::uint64_t count, PrepareAnswer& answer, const Task& task) {
   const std::uint64_t left = answer.steps.empty() ? 0 : answer.steps.back().after;
   if (count == 0) return;
-  if (count != left) throw FileError("there is not one normal for each point");
+  if (count != left) throw Inconsistent("there is not one normal for each point");
   const auto normals = file.list<Point3f>(count);
   answer.normals.assign(normals.begin(), normals.end());
   for (std::size_t i = 0; i < answer.normals.size(); ++i) {
     if (i % kCheckEvery == 0) task.check();
     const Point3f& n = answer.normals[i];
     const float squared = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-    if (!(squared == 0 || std::abs(squared - 1) < 1e-4F)) throw FileError("a normal has no length");
+    if (!(squared == 0 || std::abs(squared - 1) < 1e-4F))
+      throw Inconsistent("a normal has no length");
   }
 }
 
@@ -318,20 +348,20 @@ PrepareAnswer answerFrom(FileView& file, const PrepareJob& job, const Task& task
     step.before = json.at("before").get<std::uint64_t>();
     step.after = json.at("after").get<std::uint64_t>();
     step.seconds = finite(json.at("seconds"));
-    step.note = json.at("note").get<std::string>();
+    step.notes = messagesFrom(json.at("notes"));
     step.done = json.at("done").get<bool>();
     takeBits(file, step, before);
     before = step.kept;
   }
-  if (answer.steps.size() != job.steps.size()) throw FileError("a step is missing");
+  if (answer.steps.size() != job.steps.size()) throw Inconsistent("a step is missing");
   for (const Json& pose : head.at("poses")) answer.poses.push_back(poseFrom(pose));
-  if (answer.poses.size() != job.scans.size()) throw FileError("a pose is missing");
+  if (answer.poses.size() != job.scans.size()) throw Inconsistent("a pose is missing");
   if (head.contains("align")) answer.align = alignFrom(head.at("align"), job.scans.size());
-  answer.warnings = head.at("warnings").get<std::vector<std::string>>();
+  answer.warnings = messagesFrom(head.at("warnings"));
   answer.pcl = head.at("pcl").get<std::string>();
   answer.flann = head.at("flann").get<std::string>();
   takeNormals(file, head.at("normals").get<std::uint64_t>(), answer, task);
-  if (!file.ended()) throw FileError("it is too long");
+  if (!file.ended()) throw Inconsistent("it is too long");
   return answer;
 }
 
@@ -373,7 +403,9 @@ std::optional<ReceivedJob> receiveJob(int fd) {
     return received;
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
-  } catch (const FileError&) {
+  } catch (const Inconsistent&) {
+    return std::nullopt;
+  } catch (const FileError&) {  // Of the recipe.
     return std::nullopt;
   }
 }
@@ -397,7 +429,7 @@ void sendPrepareAnswer(int fd, const PrepareAnswer& answer) {
 void sendPrepareAnswer(int fd, const PrepareRefusal& refusal) {
   const Task task;
   FileWriter file(fd, task);
-  file.start(Kind::refusal, Json{{"message", refusal.message}});
+  file.start(Kind::refusal, Json{{"messages", jsonOf(std::vector{refusal.message})}});
   file.finish();
 }
 
@@ -411,12 +443,10 @@ std::variant<std::monostate, PrepareAnswer, PrepareRefusal> receivePrepareAnswer
   try {
     if (file.kind() == Kind::answer) return answerFrom(file, job, task);
     if (file.kind() != Kind::refusal) return {};
-    PrepareRefusal refusal{parsed(file.head()).at("message").get<std::string>()};
-    if (refusal.message.empty()) return {};
-    return refusal;
+    return PrepareRefusal{messageFrom(parsed(file.head()).at("messages").at(0))};
   } catch (const nlohmann::json::exception&) {
     return {};
-  } catch (const FileError&) {
+  } catch (const Inconsistent&) {
     return {};
   }
 }

@@ -4,17 +4,17 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <variant>
 
 #include "core/base/task.h"
+#include "core/message/message.h"
 #include "core/prepare/job.h"
 
 namespace relievo {
 
 /// Why the worker has nothing to give.
 struct PrepareRefusal {
-  std::string message;
+  Message message;
 };
 
 /// Writes a job over whatever a memory file held. [worker] @throw Error, std::bad_alloc, Cancelled

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/worker_child.h"
@@ -25,29 +25,26 @@ namespace {
 constexpr int kArgumentCount = 4;
 
 PrepareRefusal tooLarge(std::uint64_t max_memory_bytes) {
-  return {"The scans cannot be prepared: a step needs more than " +
-          grouped(max_memory_bytes >> 20U) +
-          " MB of memory. Nothing was changed. Crop or thin them first, or allow more (--memory)."};
+  return {said<MessageId::prepare_needs_memory>(CountArgument::grouped(max_memory_bytes >> 20U))};
 }
 
 void workAndAnswer(std::uint64_t max_memory_bytes, const AlignFunction& align) {
   try {
     const auto received = receiveJob(kInputFd);
-    if (!received) throw Error("The scans did not arrive whole. Nothing was changed. Try again.");
+    if (!received) throw Error(said<MessageId::scans_did_not_arrive>());
     ProgressPipe pipe;
     Task task;
     task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
     sendPrepareAnswer(kAnswerFd, execute(received->job, align, task));
   } catch (const Error& error) {
-    sendPrepareAnswer(kAnswerFd, PrepareRefusal{error.what()});
+    sendPrepareAnswer(kAnswerFd, PrepareRefusal{messageOf(error)});
   } catch (const std::bad_alloc&) {
     sendPrepareAnswer(kAnswerFd, tooLarge(max_memory_bytes));
   } catch (const std::length_error&) {
     sendPrepareAnswer(kAnswerFd, tooLarge(max_memory_bytes));
   } catch (const std::exception& error) {
     sendPrepareAnswer(kAnswerFd,
-                      PrepareRefusal{"The scans cannot be prepared: a library gave up (" +
-                                     std::string(error.what()) + "). Nothing was changed."});
+                      PrepareRefusal{said<MessageId::prepare_library_gave_up>(error.what())});
   }
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/depth/mask.h"
 #include "core/depth/push_pull.h"
 #include "core/depth/see_through.h"
@@ -88,9 +88,7 @@ BandFill::BandFill(BandDepths depths, const GridFrame& frame, const FillSource& 
       measured_(frame.size),
       empty_(frame.size) {
   if (choice_.rule == HoleRule::membrane) {
-    throw ArgumentError(
-        "Membranes over holes need the whole map in memory. Nothing was made. Choose another "
-        "treatment of holes, or leave out --memory.");
+    throw failure<MessageId::membranes_need_whole_map>();
   }
   markMeasured(task);
   const bool looks_for_gaps = source_.has_sampling_gaps && !source_.gaps_are_known;
@@ -255,10 +253,7 @@ void BandFill::findHoles(int radius, const Task& task) {
           empty_.addRow(&mask[frame_.size.index({.col = 0, .row = row - band.from})]);
         }
         if (empty_.bytes() > options_.memory_bytes) {
-          throw ArgumentError(
-              "The map's empty areas are so ragged that they alone take more than the memory "
-              "allowed. Nothing was made. Allow more memory, or choose larger cells.",
-              "E102");
+          throw failure<MessageId::map_areas_too_ragged>();
         }
       });
   empty_.join();

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 
@@ -36,7 +36,7 @@ void EmptyRuns::addRow(const std::uint8_t* mask) {
     while (col < size_.cols && mask[col] == 0) ++col;
     run.end_col = col;
     if (runs_.size() >= UINT32_MAX) {
-      throw ArgumentError("The map's holes are too many to count. Nothing was made.");
+      throw failure<MessageId::map_holes_too_many>();
     }
     const auto number = static_cast<std::uint32_t>(runs_.size());
     runs_.push_back(run);

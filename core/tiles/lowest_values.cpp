@@ -5,15 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 
 LowestValues::LowestValues(std::size_t count, double q)
     : limit_(std::numeric_limits<float>::infinity()) {
   if (count == 0) {
-    throw ArgumentError(
-        "No cell of the grid was hit by the scan. Nothing was made. Choose another view.");
+    throw failure<MessageId::no_cell_hit>();
   }
   position_ = q * (static_cast<double>(count) - 1);
   kept_ = std::min(count, static_cast<std::size_t>(position_) + 2);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/pyramid/kernel.h"
 
 namespace relievo {
@@ -48,7 +48,7 @@ GridSize PyramidRows::reducedSize(GridSize size, double factor) {
 
 std::vector<GridFrame> PyramidRows::frames(const GridFrame& map, const PyramidOptions& options) {
   if (!(options.factor >= kLeastFactor) || !(options.factor <= kMostFactor)) {
-    throw ArgumentError("The pyramid's factor M must be from 1.1 to 8.");
+    throw failure<MessageId::tiles_pyramid_factor>();
   }
   std::vector<GridFrame> frames{map};
   while (frames.back().size.cols > options.coarsest_samples ||

@@ -8,16 +8,13 @@
 #include <cstring>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/unnamed_file.h"
 
 namespace relievo {
 
 void SpillFile::fail(int error) const {
-  throw WriteError("Points and heights that do not fit into memory cannot be kept in " +
-                   folder_.string() + ": " + std::strerror(error) +
-                   ". Nothing was made. Free some space there, write the result to another disk, "
-                   "or allow more memory.");
+  throw failure<MessageId::spill_not_kept>(folder_, std::strerror(error));
 }
 
 void SpillFile::open() {

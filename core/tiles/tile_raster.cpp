@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
@@ -188,24 +188,24 @@ void TileRasterWriter::commit() {
 
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw FileError("Cannot read " + shownName(file) + " as a tiled map: " + reason +
-                  ". Make the levels again with relievo pyramid --memory.");
+template <MessageId why, class... Given>
+[[noreturn]] void refuse(const std::filesystem::path& file, Given&&... given) {
+  throw failure<MessageId::tiled_map_unreadable>(shownName(file),
+                                                 said<why>(std::forward<Given>(given)...));
 }
 
 void checkLayout(const TiffHead& head, const std::filesystem::path& file, std::size_t cell_bytes,
                  int bands) {
-  if (head.bands != static_cast<std::uint32_t>(bands))
-    refuse(file, "it has another number of bands");
-  if (head.compression != 1) refuse(file, "it is compressed");
-  if (bands > 1 && head.planes != 2) refuse(file, "its bands are mixed");
+  if (head.bands != static_cast<std::uint32_t>(bands)) refuse<MessageId::tiles_other_bands>(file);
+  if (head.compression != 1) refuse<MessageId::tiles_compressed>(file);
+  if (bands > 1 && head.planes != 2) refuse<MessageId::tiles_bands_mixed>(file);
   if (head.tile_cols != kTileSide || head.tile_rows != kTileSide) {
-    refuse(file, "its tiles have another size");
+    refuse<MessageId::tiles_other_size>(file);
   }
   if (head.bits != 8 * cell_bytes || head.sample_format != (cell_bytes == 4 ? 3U : 1U)) {
-    refuse(file, "its cells are of another type");
+    refuse<MessageId::tiles_other_cells>(file);
   }
-  if (!head.little_endian) refuse(file, "its bytes are in another order");
+  if (!head.little_endian) refuse<MessageId::tiles_other_byte_order>(file);
 }
 
 }  // namespace
@@ -214,7 +214,7 @@ TileRaster::TileRaster(const std::filesystem::path& file, std::size_t cell_bytes
     : file_(file), cell_bytes_(cell_bytes) {
   const std::uint64_t bytes = checkedFileSize(file);
   std::optional<TiffHead> head = readTiffHead(file);
-  if (!head) refuse(file, "it is no readable GeoTIFF");
+  if (!head) refuse<MessageId::tiles_no_geotiff>(file);
   checkLayout(*head, file, cell_bytes, bands);
   size_ = {.cols = static_cast<int>(head->cols), .rows = static_cast<int>(head->rows)};
   facts_ = std::move(head->facts);
@@ -225,9 +225,9 @@ TileRaster::TileRaster(const std::filesystem::path& file, std::size_t cell_bytes
                          std::all_of(offsets_.begin(), offsets_.end(), [&](std::uint64_t offset) {
                            return offset != 0 && offset <= bytes - tileBytes();
                          });
-  if (!all_there) refuse(file, "a tile is missing");
+  if (!all_there) refuse<MessageId::tile_missing>(file);
   fd_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (fd_ < 0) refuse(file, std::strerror(errno));
+  if (fd_ < 0) refuse<MessageId::quoted>(file, std::strerror(errno));
 }
 
 TileRaster::~TileRaster() {
@@ -249,7 +249,7 @@ void TileRaster::read(int band, int tile, std::span<std::byte> out) const {
   while (!out.empty()) {
     const ssize_t got = ::pread(fd_, out.data(), out.size(), static_cast<off_t>(at));
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) refuse(file_, "it became shorter while it was read, or its disk failed");
+    if (got <= 0) refuse<MessageId::tiles_became_shorter>(file_);
     at += static_cast<std::uint64_t>(got);
     out = out.subspan(static_cast<std::size_t>(got));
   }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/colour_raster.h"
 #include "core/io/file_check.h"
 #include "core/io/number_text.h"
@@ -21,9 +21,10 @@
 namespace relievo {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw FileError("Cannot read " + shownName(file) + " as a tiled map: " + reason +
-                  ". Make the levels again with relievo pyramid --memory.");
+template <MessageId why, class... Given>
+[[noreturn]] void refuse(const std::filesystem::path& file, Given&&... given) {
+  throw failure<MessageId::tiled_map_unreadable>(shownName(file),
+                                                 said<why>(std::forward<Given>(given)...));
 }
 
 std::string textOf(const RasterFacts& facts, const std::string& name) {
@@ -35,7 +36,7 @@ template <std::size_t N>
 std::array<double, N> numbersOf(const RasterFacts& facts, const std::string& name,
                                 const std::filesystem::path& file) {
   const auto numbers = parseNumbers<N>(textOf(facts, name).c_str());
-  if (!numbers) refuse(file, "its entry " + name + " is missing or makes no sense");
+  if (!numbers) refuse<MessageId::tiles_entry_missing>(file, name);
   return *numbers;
 }
 
@@ -45,7 +46,8 @@ void checkHeights(std::span<std::byte> bytes, bool nan_is_outside,
   auto* heights = reinterpret_cast<float*>(bytes.data());
   for (std::size_t i = 0; i < bytes.size() / sizeof(float); ++i) {
     if (std::isfinite(heights[i])) continue;
-    if (!nan_is_outside || !std::isnan(heights[i])) refuse(file, "a height is not finite");
+    if (!nan_is_outside || !std::isnan(heights[i]))
+      refuse<MessageId::tiles_height_not_finite>(file);
     heights[i] = 0;
   }
 }
@@ -53,7 +55,7 @@ void checkHeights(std::span<std::byte> bytes, bool nan_is_outside,
 void checkOrigins(std::span<const std::byte> bytes, const std::filesystem::path& file) {
   const auto most = static_cast<std::byte>(kOriginCount - 1);
   if (*std::max_element(bytes.begin(), bytes.end()) > most) {
-    refuse(file, "a code is none of an origin");
+    refuse<MessageId::tiles_no_origin>(file);
   }
 }
 
@@ -116,13 +118,13 @@ TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_byte
   factor = numbersOf<1>(facts, "RELIEVO_FACTOR", finest)[0];
   view_from_file = {numbersOf<16>(facts, "RELIEVO_VIEW_FROM_FILE", finest)};
   if (!(count >= 1 && count <= kMostLevels) || !(factor > 1) || !(factor <= kMostFactor)) {
-    refuse(finest, "its number of levels or its factor makes no sense");
+    refuse<MessageId::tiles_levels_odd>(finest);
   }
   for (int l = 1; l < static_cast<int>(count); ++l) {
     levels.push_back(std::make_unique<LevelTiles>(levelFile(finest, l), l));
   }
   const auto [x, y, spacing] = numbersOf<3>(facts, "RELIEVO_FRAME", finest);
-  if (!(spacing > 0)) refuse(finest, "its spacing is not above 0");
+  if (!(spacing > 0)) refuse<MessageId::tiles_spacing_odd>(finest);
   const GridFrame map{
       .size = levels[0]->heights.size(), .spacing_mm = spacing, .first_x_mm = x, .first_y_mm = y};
   // As many levels as the files have, whatever number of samples the coarsest was to have.
@@ -156,9 +158,9 @@ std::unique_ptr<TileRaster> pixelFile(const std::filesystem::path& file, int ban
   const RasterFacts& facts = raster->facts();
   const RasterFacts& own = level.heights.facts();
   for (const char* const name : {kSetFact, "RELIEVO_LEVEL"}) {
-    if (textOf(facts, name) != textOf(own, name)) refuse(file, "it belongs to another map");
+    if (textOf(facts, name) != textOf(own, name)) refuse<MessageId::tiles_of_another_map>(file);
   }
-  if (!(raster->size() == level.heights.size())) refuse(file, "its size is not that of the level");
+  if (!(raster->size() == level.heights.size())) refuse<MessageId::tiles_size_of_no_level>(file);
   return raster;
 }
 
@@ -192,17 +194,17 @@ void TiledMap::Impl::openColours() {
 /// What nobody can see without reading every tile.
 void TiledMap::Impl::takeWhole(const RasterFacts& facts) {
   const auto [low, high] = numbersOf<2>(facts, "RELIEVO_HEIGHTS", file);
-  if (!(low <= high)) refuse(file, "its lowest height is above its highest");
+  if (!(low <= high)) refuse<MessageId::tiles_heights_reversed>(file);
   heights = {.min_mm = low, .max_mm = high};
   const auto cells = static_cast<double>(frames[0].size.count());
   const auto counts = numbersOf<kOriginCount>(facts, "RELIEVO_ORIGINS", file);
   double all = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
-    if (!(counts[i] >= 0)) refuse(file, "its number of cells of one origin makes no sense");
+    if (!(counts[i] >= 0)) refuse<MessageId::tiles_count_odd>(file);
     all += counts[i];
     shares[i] = counts[i] / cells;
   }
-  if (all != cells) refuse(file, "its cells by origin are not all its cells");
+  if (all != cells) refuse<MessageId::tiles_counts_differ>(file);
 }
 
 void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& finest) const {
@@ -211,16 +213,16 @@ void TiledMap::Impl::checkLevel(const LevelTiles& tiles, const RasterFacts& fine
     return textOf(facts, kSetFact) == textOf(finest, kSetFact) &&
            textOf(facts, "RELIEVO_LEVEL") == std::to_string(tiles.level);
   };
-  if (!belongs(tiles.heights)) refuse(tiles.heights_file, "it is a level of another map");
+  if (!belongs(tiles.heights)) refuse<MessageId::tiles_level_of_another_map>(tiles.heights_file);
   if (!belongs(tiles.origins) || !(tiles.origins.size() == tiles.heights.size())) {
-    refuse(tiles.origins_file, "it belongs to another map");
+    refuse<MessageId::tiles_of_another_map>(tiles.origins_file);
   }
   if (tiles.level == 0) return;
   const GridSize finer = frames[static_cast<std::size_t>(tiles.level) - 1].size;
   const GridSize here = tiles.heights.size();
   if (here.cols != PyramidRows::reducedSize(finer, factor).cols ||
       here.rows != PyramidRows::reducedSize(finer, factor).rows) {
-    refuse(tiles.heights_file, "its size is not that of the level");
+    refuse<MessageId::tiles_size_of_no_level>(tiles.heights_file);
   }
 }
 
@@ -363,7 +365,7 @@ std::size_t TiledMap::tilesRead() const noexcept {
 
 RegionWindow TiledMap::window(const Region& region, double gain) const {
   if (region.level.value < 0 || region.level.value >= impl_->ladder.levels()) {
-    throw ArgumentError("The region names a level that the map does not have.");
+    throw failure<MessageId::map_has_no_such_level>();
   }
   const LevelTiles& tiles = *impl_->levels[static_cast<std::size_t>(region.level.value)];
   const GridFrame& frame = impl_->frames[static_cast<std::size_t>(region.level.value)];

@@ -92,12 +92,12 @@ void print(const MadeObject& object, const Row& row) {
     uncertainty = std::max(uncertainty, verdict.uncertainty_mm);
     if (!verdict.holds) {
       holds = false;
-      words = verdict.words;
+      words = englishText(verdict.words);
       continue;
     }
     const PoseError error = errorOf(verdict.pose, row.parts[s], row.parts[0]);
     worst = {std::max(worst.deg, error.deg), std::max(worst.mm, error.mm)};
-    if (holds) words = verdict.words;
+    if (holds) words = englishText(verdict.words);
   }
   // What is weak, or stays as picked, says so; then it must be as good as it says.
   std::string label = "refused.";

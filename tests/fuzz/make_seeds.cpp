@@ -16,6 +16,7 @@
 #include "core/io/gdal_session.h"
 #include "core/io/raster.h"
 #include "core/io/scan_transport.h"
+#include "core/message/catalogue.h"
 #include "core/prepare/transport.h"
 #include "tests/core/io/e57_sample.h"
 #include "tests/core/io/las_sample.h"
@@ -374,19 +375,20 @@ void addPrepared(const Seeds& seeds) {
     StepResult step{.before = answer.steps.empty() ? 10 : answer.steps.back().after, .after = left};
     if (left == 9) kept.clear(3);
     step.kept = kept;
-    step.note = "A note.";
+    step.notes = {said<MessageId::quoted>("A note.")};
     answer.steps.push_back(step);
   }
   answer.poses.resize(2);
   answer.normals.assign(9, {0, 0, 1});
-  answer.warnings = {"One."};
+  answer.warnings = {said<MessageId::quoted>("One.")};
   answer.align.emplace().scans.resize(2);
   answer.align->loops.push_back({});
   sendPrepareAnswer(open("answer").get(), answer);
   answer.align.reset();
   answer.normals.clear();
   sendPrepareAnswer(open("without").get(), answer);
-  sendPrepareAnswer(open("refusal").get(), PrepareRefusal{"It cannot be done."});
+  sendPrepareAnswer(open("refusal").get(),
+                    PrepareRefusal{said<MessageId::quoted>("It cannot be done.")});
 }
 
 void addDevices(const Seeds& seeds) {

@@ -188,7 +188,7 @@ TEST_F(PseudoTest, ErrorsOfMemoryAndDiskAreTranslatedAndOthersStayAsTheyAre) {
       failure<MessageId::recording_stopped_disk_full>(12, std::filesystem::path("%1"));
   EXPECT_TRUE(spokenError(full).contains("\"%1\".")) << "a name is not filled in again";
   EXPECT_NE(spokenError(full), full.what());
-  EXPECT_EQ(spokenError(QStringLiteral("This is new.")), "This is new.");
+  EXPECT_EQ(spokenError(FileError("This is new.")), "This is new.");
   EXPECT_EQ(shownError(full), spokenError(full) + " (E401)");
   EXPECT_EQ(shownError(QStringLiteral("This is new."), "E401"), "This is new. (E401)");
   EXPECT_EQ(shownError(FileError("It is gone (E501).", "E501")), "It is gone (E501).");

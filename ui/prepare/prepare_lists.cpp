@@ -13,10 +13,10 @@
 
 #include "core/prepare/crop.h"
 #include "ui/file_names.h"
+#include "ui/message/message_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
 #include "ui/prepare/step_words.h"
-#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -202,7 +202,7 @@ QStringList PrepareDialog::alignWords() const {
   for (std::size_t i = 0; i < answer->scans.size(); ++i) {
     const AlignVerdict& verdict = answer->scans[i];
     if (verdict.words.empty()) continue;
-    QString text = spokenError(QString::fromStdString(verdict.words));
+    QString text = messageText(verdict.words);
     if (verdict.rms_mm > 0 && verdict.holds) {
       text += ' ' + tr("%1 % of its points lie within one spacing.")
                         .arg(numberText(100 * verdict.tight_share, 0));
@@ -243,7 +243,7 @@ void PrepareDialog::showWords() {
   }
   lines << alignWords();
   for (const StepResult& step : prepared.answer.steps) {
-    if (!step.note.empty()) lines << spokenError(QString::fromStdString(step.note));
+    if (!step.notes.empty()) lines << messageText(step.notes);
   }
   for (const auto& scan : result_->scans) {
     if (scan->scan->info.withheld > 0) {

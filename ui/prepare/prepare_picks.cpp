@@ -6,9 +6,9 @@
 #include <QTreeWidget>
 
 #include "core/prepare/align_picks.h"
+#include "ui/message/message_text.h"
 #include "ui/prepare/prepare_dialog.h"
 #include "ui/prepare/step_form.h"
-#include "ui/spoken_error.h"
 #include "ui/text.h"
 
 namespace relievo {
@@ -143,8 +143,8 @@ QString PrepareDialog::pairsText() const {
   const std::vector<PickedPair> pairs = pick_->pairs();
   if (pairs.size() < 3) return {};
   const PrepareInput& input = state_.now().inputs[pick_->input];
-  const std::string problem = align::pickProblem(pairs, nameOf(input).toStdString());
-  if (!problem.empty()) return spokenError(QString::fromStdString(problem));
+  const auto problem = align::pickProblem(pairs, nameOf(input).toStdString());
+  if (problem) return messageText(*problem);
   const align::PickedFit fit = align::fitPicks(pairs, {});
   const auto worst = std::max_element(fit.errors.begin(), fit.errors.end());
   const double mm = mmPer(unitOf(input));
@@ -171,7 +171,7 @@ void PrepareDialog::showPicks() {
 void PrepareDialog::showPairs() {
   const std::vector<PickedPair> pairs = pick_->pairs();
   std::vector<double> errors;
-  if (align::pickProblem(pairs, {}).empty()) errors = align::fitPicks(pairs, {}).errors;
+  if (!align::pickProblem(pairs, {})) errors = align::fitPicks(pairs, {}).errors;
   const auto worst = std::max_element(errors.begin(), errors.end());
   const double mm = mmPer(unitOf(state_.now().inputs[pick_->input]));
   const int chosen = pairs_->indexOfTopLevelItem(pairs_->currentItem());

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/io/text_file.h"
 #include "core/io/write_cloud.h"
@@ -132,9 +132,7 @@ std::vector<InputFile> inputsOf(const PrepareResult& result, const std::filesyst
     const std::filesystem::path& file = result.choices.inputs[result.used[i]].file;
     inputs.push_back(inputFile(file, folder.empty() ? std::filesystem::path(".") : folder, task));
     if (inputs.back().sha256 != result.scans[i]->sha256) {
-      throw FileError("'" + file.filename().string() +
-                      "' has changed since it was read. Nothing was written. Close the dialog and "
-                      "open the file again.");
+      throw failure<MessageId::input_changed_since_read>(file.filename().string());
     }
   }
   return inputs;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/message/catalogue.h"
 #include "core/prepare/off_surface.h"
 #include "core/prepare/thin.h"
 #include "tests/core/prepare/made_clouds.h"
@@ -103,14 +104,15 @@ TEST(Returns, AreCountedFromBothEndsOfAPulse) {
 TEST(Returns, OfAScanWithoutThemAreNotDoneInSilence) {
   const PrepareAnswer answer = run({test::scanOf(kSquare)}, {Returns{}});
   EXPECT_FALSE(answer.steps[0].done);
-  EXPECT_NE(answer.steps[0].note.find("no pulses with several returns"), std::string::npos);
+  EXPECT_NE(englishText(answer.steps[0].notes).find("no pulses with several returns"),
+            std::string::npos);
   EXPECT_EQ(answer.steps[0].after, 10U);
 }
 
 TEST(Classes, OfAScanWithoutThemAreNotDoneInSilence) {
   const PrepareAnswer answer = run({test::scanOf(kSquare)}, {Classes{.keep = {2}}});
   EXPECT_FALSE(answer.steps[0].done);
-  EXPECT_NE(answer.steps[0].note.find("states no classes"), std::string::npos);
+  EXPECT_NE(englishText(answer.steps[0].notes).find("states no classes"), std::string::npos);
   EXPECT_EQ(answer.steps[0].after, 10U);
 }
 
@@ -263,8 +265,8 @@ TEST(Base, ThatIsCroppedLeavesTheObject) {
   std::size_t on_bump = 0;
   for (const Point3f& p : points) on_bump += std::hypot(p[0] - 30, p[1] - 30) < 10 ? 1 : 0;
   EXPECT_EQ(kept.size(), on_bump);
-  EXPECT_NE(answer.steps[0].note.find("One plane holds 91"), std::string::npos)
-      << answer.steps[0].note;
+  EXPECT_NE(englishText(answer.steps[0].notes).find("One plane holds 91"), std::string::npos)
+      << englishText(answer.steps[0].notes);
 }
 
 TEST(Base, ThatIsLaidFlatHasTheObjectAboveIt) {
@@ -332,7 +334,7 @@ TEST(Normals, OfALineAreNone) {
   for (int i = 0; i < 50; ++i) points.push_back({static_cast<float>(i), 0, 0});
   const PrepareAnswer answer = run({test::scanOf(points)}, {Normals{}});
   for (const Point3f& n : answer.normals) EXPECT_EQ(n, Point3f{});
-  EXPECT_NE(answer.steps[0].note.find("50 points have no normal"), std::string::npos);
+  EXPECT_NE(englishText(answer.steps[0].notes).find("50 points have no normal"), std::string::npos);
 }
 
 /// Turned by a quarter about z and moved by whole units: no coordinate is rounded.
@@ -402,7 +404,7 @@ TEST(Steps, GiveAlignWhatIsLeftAndLeaveOutWhatDoesNotHold) {
     AlignAnswer answer;
     answer.scans.resize(2);
     answer.scans[1].holds = false;
-    answer.scans[1].words = "It slides.";
+    answer.scans[1].words = {said<MessageId::quoted>("It slides.")};
     return answer;
   };
   const PrepareAnswer answer = run(scans,
@@ -411,7 +413,7 @@ TEST(Steps, GiveAlignWhatIsLeftAndLeaveOutWhatDoesNotHold) {
                                    align);
   EXPECT_EQ(test::numbersOf(answer.steps[1].kept), (Numbers{0, 1}));
   EXPECT_FALSE(answer.steps[1].done);
-  EXPECT_EQ(answer.steps[1].note, "made.ply was left out: It slides.");
+  EXPECT_EQ(englishText(answer.steps[1].notes), "made.ply was left out: It slides.");
   EXPECT_FALSE(run(scans, {Align{.method = AlignMethod::automatic}}).steps[0].done);
 }
 
