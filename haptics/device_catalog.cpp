@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
@@ -38,9 +38,7 @@ std::vector<std::string> falcons() {
 std::unique_ptr<Device> makeFalcon(const std::string& id) {
   const auto named = falcon::falconChoice(id);
   if (!named) {
-    throw DeviceError("\"" + id +
-                      "\" names no Falcon. Write falcon:SERIAL, falcon:SERIAL@PORT or falcon:@PORT "
-                      "as 'relievo devices' lists them, or falcon for the only one.");
+    throw failure<MessageId::falcon_id_unknown>(id);
   }
   const falcon::FalconChoice choice = falcon::settled(*named);
   return std::make_unique<falcon::FalconDevice>(
@@ -52,7 +50,7 @@ std::unique_ptr<Device> makeFalcon(const std::string& id) {
 std::vector<DeviceDriver> deviceCatalog() {
   return {{"mouse", [] { return std::vector<std::string>{"mouse"}; },
            [](const std::string& id) -> std::unique_ptr<Device> {
-             if (id != "mouse") throw DeviceError("There is no mouse device named \"" + id + "\".");
+             if (id != "mouse") throw failure<MessageId::no_mouse_device>(id);
              return std::make_unique<MouseDevice>();
            }},
           {std::string(kVirtual), virtualHands, makeVirtualHand},
@@ -65,7 +63,7 @@ std::unique_ptr<Device> makeDevice(const std::string& id) {
     if (id == driver.kind || id.starts_with(driver.kind + ":")) return driver.make(id);
     known += (known.empty() ? "" : ", ") + driver.kind;
   }
-  throw DeviceError("There is no device \"" + id + "\". This build knows: " + known + ".");
+  throw failure<MessageId::device_unknown>(id, known);
 }
 
 }  // namespace relievo

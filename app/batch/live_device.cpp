@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/rt/realtime_thread.h"
 
@@ -47,16 +47,17 @@ void waitUntilReady(falcon::FalconDevice& device, double seconds, const std::str
   const std::int64_t give_up = monotonicNs() + static_cast<std::int64_t>(1e9 * seconds);
   while (true) {
     const falcon::LinkStatus& status = device.status();
-    const falcon::LinkMessage message = falcon::describe(status);
+    const Message message = falcon::describe(status);
+    const std::string code = codeOf(message);
     if (status.state == LinkState::ready) return;
     const bool hopeless = status.state == LinkState::no_firmware ||
                           status.state == LinkState::not_started ||
                           status.state == LinkState::absent || status.state == LinkState::several;
-    if (hopeless) throw DeviceError(message.screen, message.code);
-    if (monotonicNs() > give_up) throw DeviceError(tooLate(status, seconds, undone), message.code);
-    if (status.state != LinkState::closed && message.screen != told) {
-      told = message.screen;
-      tell(message.code.empty() ? told : message.code + ": " + told);
+    if (hopeless) throw DeviceError(message);
+    if (monotonicNs() > give_up) throw DeviceError(tooLate(status, seconds, undone), code);
+    if (status.state != LinkState::closed && englishText(message) != told) {
+      told = englishText(message);
+      tell(code.empty() ? told : code + ": " + told);
     }
     const bool homing = status.state == LinkState::homing || status.state == LinkState::pull_out;
     if (homing && status.homed != homed_told) {

@@ -12,6 +12,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_devices_falcon.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/link_status.h"
@@ -42,7 +43,7 @@ Json jsonOfFirmware(const falcon::Firmware& firmware) {
   return {{"file", firmware.file.string()},
           {"bytes", firmware.bytes.size()},
           {"sha256", firmware.sha256},
-          {"known_as", firmware.known_as.empty() ? Json() : Json(firmware.known_as)}};
+          {"known_as", firmware.known_as ? Json(englishText(*firmware.known_as)) : Json()}};
 }
 
 /// SpaceMouse, foot switches and gamepads. They only press: one that is closed fails nothing.
@@ -103,7 +104,8 @@ void listFalcons(Json& json, Outcome& outcome) {
     constexpr std::array<const char*, 6> kNames{"present", "absent", "forbidden",
                                                 "busy",    "broken", "several"};
     const char* const presence = kNames[static_cast<std::size_t>(opening.presence)];
-    const falcon::LinkMessage message = falcon::describe(opening);
+    const Message message = falcon::describe(opening);
+    const std::string code = codeOf(message);
     const std::string id = idOf(shortestChoice(seen, all));
     const falcon::FalconSettings settings =
         falcon::readSettings(falcon::settingsFile(), seen.serial);
@@ -113,7 +115,7 @@ void listFalcons(Json& json, Outcome& outcome) {
                                {"bus", seen.bus},
                                {"address", seen.address},
                                {"presence", presence},
-                               {"code", message.code},
+                               {"code", code},
                                {"counts_per_n_mm", settings.counts_per_n_mm},
                                {"grip_weight_n", settings.grip_weight_n}});
     outcome.lines.push_back(id + ": serial number " +
@@ -121,7 +123,7 @@ void listFalcons(Json& json, Outcome& outcome) {
                             ", USB port " + seen.port + ", " + presence);
     if (opening.presence == falcon::Presence::present) continue;
     outcome.exit_code = kDeviceExit;
-    tell((message.code.empty() ? "" : message.code + ": ") + message.screen);
+    tell((code.empty() ? "" : code + ": ") + englishText(message));
   }
 }
 
@@ -175,11 +177,7 @@ Outcome installFirmware(const DevicesArguments& a) {
   const falcon::Firmware firmware = falcon::readFirmware(a.file);
   const falcon::FirmwarePlaces places = falcon::firmwarePlaces();
   if (!falcon::isAccepted(firmware, places) && !a.accept) {
-    throw ArgumentError("\"" + a.file +
-                        "\" has the form of a boot image, but nobody knows this "
-                        "one (sha256 " +
-                        firmware.sha256 +
-                        "). Nothing was installed. Add --accept if you trust it.");
+    throw failure<MessageId::firmware_not_installed>(a.file, firmware.sha256);
   }
   Json json = jsonOfFirmware(firmware);
   const std::filesystem::path installed = falcon::installFirmware(firmware, places);
@@ -187,7 +185,7 @@ Outcome installFirmware(const DevicesArguments& a) {
   const std::string overriding = firmwareInstead(installed);
   json["overridden_by"] = overriding.empty() ? Json() : Json(overriding);
   return {.json = reportText(json),
-          .lines = {(firmware.known_as.empty() ? "Unknown image" : firmware.known_as) + ", " +
+          .lines = {(firmware.known_as ? englishText(*firmware.known_as) : "Unknown image") + ", " +
                         std::to_string(firmware.bytes.size()) + " bytes",
                     "sha256 " + firmware.sha256,
                     "installed as " + json["installed"].get<std::string>()}};

@@ -12,7 +12,7 @@
 #include "app/batch/json.h"
 #include "app/batch/live_device.h"
 #include "app/batch/report_text.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/calibration.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device/falcon/self_test.h"
@@ -35,8 +35,7 @@ void tickUntil(std::int64_t deadline_ns, const Task& task) {
 falcon::FalconChoice choiceOf(const std::string& id) {
   const auto choice = falcon::falconChoice(id);
   if (!choice) {
-    throw ArgumentError("--device: '" + id +
-                        "' names no Falcon. Nothing was tried. Use an id of 'relievo devices'.");
+    throw failure<MessageId::device_not_tried>(id);
   }
   return falcon::settled(*choice);
 }
@@ -50,12 +49,12 @@ std::unique_ptr<falcon::FalconDevice> openFalcon(const falcon::FalconChoice& cho
 }
 
 /// @throw DeviceError  the computer is about to sleep; the motors are at zero
-void endIfAsleep(EndBeforeSleep& sleep, falcon::FalconDevice& device, const std::string& kept) {
+template <MessageId why>
+void endIfAsleep(EndBeforeSleep& sleep, falcon::FalconDevice& device) {
   if (!sleep.wanted()) return;
   device.close();
   sleep.atZero();
-  throw DeviceError("The computer goes to sleep; the forces are off and this has ended." + kept +
-                    " Begin again when it is awake.");
+  throw failure<why>();
 }
 
 /// Looks without waiting whether a line has come.
@@ -71,9 +70,7 @@ class EnterKey {
   bool pressed() {
     take();
     if (ended_ && !line_) {
-      throw ArgumentError(
-          "The input ended before Enter said that the weight hangs. The old setting is kept. Run "
-          "it at a terminal.");
+      throw failure<MessageId::calibration_input_ended>();
     }
     return line_;
   }
@@ -95,7 +92,7 @@ class EnterKey {
 std::string promptOf(const falcon::Calibration& calibration) {
   return calibration.phase() == falcon::Calibration::Phase::hang_weight
              ? "Hang the weight on the grip, let it come to rest, then press Enter."
-             : calibration.prompt();
+             : englishText(calibration.prompt());
 }
 
 }  // namespace
@@ -111,8 +108,10 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   std::string told;
   std::int64_t deadline = monotonicNs();
   while (test.step(monotonicNs())) {
-    endIfAsleep(sleep, *device, "");
-    if (test.prompt() != told) tell(told = test.prompt());
+    endIfAsleep<MessageId::computer_sleeps>(sleep, *device);
+    if (const std::string prompt = englishText(test.prompt()); prompt != told) {
+      tell(told = prompt);
+    }
     deadline = std::max(deadline + kMs, monotonicNs());
     tickUntil(deadline, task);
   }
@@ -125,10 +124,10 @@ Outcome falconSelfTest(const SelfTestArguments& a, const Task& task) {
   for (const falcon::SelfTestLine& line : test.lines()) {
     constexpr std::array<const char*, 3> kResults{"passed", "failed", "not seen"};
     const char* result = kResults[static_cast<std::size_t>(line.result)];
-    json["lines"].push_back({{"result", result}, {"text", line.text}});
-    outcome.lines.push_back(std::string(result) + ": " + line.text);
+    json["lines"].push_back({{"result", result}, {"text", englishText(line.text)}});
+    outcome.lines.push_back(std::string(result) + ": " + englishText(line.text));
   }
-  outcome.lines.push_back(test.prompt());
+  outcome.lines.push_back(englishText(test.prompt()));
   outcome.json = reportText(json);
   outcome.exit_code = test.passed() ? 0 : kDeviceExit;
   return outcome;
@@ -146,7 +145,7 @@ Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const T
   std::int64_t deadline = monotonicNs();
   EndBeforeSleep sleep;
   while (calibration.step(monotonicNs())) {
-    endIfAsleep(sleep, *device, " The old setting is kept.");
+    endIfAsleep<MessageId::computer_sleeps_setting_kept>(sleep, *device);
     const std::string prompt = promptOf(calibration);
     if (prompt != told) tell(told = prompt);
     if (calibration.phase() == falcon::Calibration::Phase::hang_weight) {
@@ -157,7 +156,10 @@ Outcome calibrateFalcon(double weight_g, const SelfTestArguments& which, const T
     tickUntil(deadline, task);
   }
   device->close();
-  if (!calibration.result()) throw DeviceError(calibration.prompt());
+  if (!calibration.result()) {
+    const Message message = calibration.prompt();
+    throw DeviceError(message);
+  }
   const std::string serial = device->status().serial.data();
   settings = falcon::readSettings(falcon::settingsFile(), serial);
   settings.counts_per_n_mm = *calibration.result();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/message/catalogue.h"
+
 namespace relievo {
 
 namespace {
@@ -13,29 +15,30 @@ constexpr double kHelpS = 2, kIntroductionS = 5, kAgainS = 5;
 constexpr double kStepMm = 20, kBackMm = 10;
 
 struct Word {
-  std::string_view name, words;
+  std::string_view name;
+  MessageId words;
 };
-constexpr std::array<Word, 21> kWords{{{"", "Nothing"},
-                                       {"finer", "Finer detail"},
-                                       {"coarser", "Coarser detail"},
-                                       {"whole", "Whole object"},
-                                       {"sayDetail", "Detail and scale"},
-                                       {"whereAmI", "Where am I"},
-                                       {"whereAmILong", "Where am I, in full"},
-                                       {"forces", "Forces on or off"},
-                                       {"forcesOff", "Forces off"},
-                                       {"moveMode", "Move mode"},
-                                       {"moveDone", "Moved"},
-                                       {"moveBack", "Back to the old window"},
-                                       {"move_left", "Left"},
-                                       {"move_right", "Right"},
-                                       {"move_up", "Up"},
-                                       {"move_down", "Down"},
-                                       {"next_place", "Next place"},
-                                       {"previous_place", "Previous place"},
-                                       {"beacon", "Beacon"},
-                                       {"buttonHelp", "Help"},
-                                       {"introduction", "Introduction"}}};
+constexpr std::array<Word, 21> kWords{{{"", MessageId::command_none},
+                                       {"finer", MessageId::command_finer},
+                                       {"coarser", MessageId::command_coarser},
+                                       {"whole", MessageId::command_whole},
+                                       {"sayDetail", MessageId::command_say_detail},
+                                       {"whereAmI", MessageId::command_where_am_i},
+                                       {"whereAmILong", MessageId::command_where_am_i_long},
+                                       {"forces", MessageId::command_toggle_forces},
+                                       {"forcesOff", MessageId::command_stop_forces},
+                                       {"moveMode", MessageId::command_begin_move},
+                                       {"moveDone", MessageId::command_confirm_move},
+                                       {"moveBack", MessageId::command_cancel_move},
+                                       {"move_left", MessageId::command_move_left},
+                                       {"move_right", MessageId::command_move_right},
+                                       {"move_up", MessageId::command_move_up},
+                                       {"move_down", MessageId::command_move_down},
+                                       {"next_place", MessageId::command_next_place},
+                                       {"previous_place", MessageId::command_previous_place},
+                                       {"beacon", MessageId::command_toggle_beacon},
+                                       {"buttonHelp", MessageId::command_help},
+                                       {"introduction", MessageId::command_restart_introduction}}};
 
 /// One-button scanning goes round in these; the last one stops forces.
 constexpr std::array<ButtonCommand, 5> kScan{ButtonCommand::where_am_i, ButtonCommand::finer,
@@ -51,8 +54,8 @@ std::string_view commandName(ButtonCommand command) noexcept {
   return kWords[static_cast<std::size_t>(command)].name;
 }
 
-std::string_view commandWords(ButtonCommand command) noexcept {
-  return kWords[static_cast<std::size_t>(command)].words;
+Message messageOf(ButtonCommand command) {
+  return {kWords[static_cast<std::size_t>(command)].words, {}};
 }
 
 ButtonCommands::ButtonCommands(ButtonOptions options) : options_(options) {
@@ -247,22 +250,11 @@ std::vector<ButtonOutcome> ButtonCommands::take(double now_s) {
   return std::exchange(outcomes_, {});
 }
 
-std::string_view ButtonCommands::help() const noexcept {
+Message ButtonCommands::help() const {
   if (options_.one_button) {
-    return moving_ ? "Move mode. Push the grip to a side to go there. Press: I offer done, next "
-                     "place, previous place, back, forces. Press again to take it. Hold for a "
-                     "second and a half: forces off."
-                   : "One button. Press: I offer where am I, finer, coarser, move, forces. Press "
-                     "again to take what I said last. Hold for a second and a half: forces off.";
+    return moving_ ? said<MessageId::one_button_help_moving>() : said<MessageId::one_button_help>();
   }
-  if (moving_) {
-    return "Move mode. Push the grip to a side to go there. Plus: next place. Minus: previous "
-           "place. Forward: done. Centre: back; long: forces off or on. Plus and Minus for two "
-           "seconds: help; for five: introduction.";
-  }
-  return "Plus: finer; long: detail and scale. Minus: coarser; long: whole object. Forward: move; "
-         "long: beacon. Centre: where am I; long: forces off or on. Plus and Minus for two "
-         "seconds: help; for five: introduction.";
+  return moving_ ? said<MessageId::buttons_help_moving>() : said<MessageId::buttons_help>();
 }
 
 }  // namespace relievo

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/vec3.h"
+#include "core/message/message.h"
 
 namespace relievo {
 
@@ -39,7 +40,7 @@ enum class ButtonCommand : std::uint8_t {
 /// Object name of the window's command: "finer", "whereAmI".
 std::string_view commandName(ButtonCommand command) noexcept;
 /// A few words for speech: "Finer detail".
-std::string_view commandWords(ButtonCommand command) noexcept;
+Message messageOf(ButtonCommand command);
 
 struct ButtonOptions {
   /// Any button: the first press starts a scan through a few commands, the next one takes what was
@@ -82,7 +83,7 @@ class ButtonCommands {
   /// The loop has forces on; a held Centre then stops them, and never switches them on.
   void setForcesOn(bool on) { forces_on_ = on; }
   /// What the buttons do now, in a sentence, for help.
-  std::string_view help() const noexcept;
+  Message help() const;
 
  private:
   struct Button {

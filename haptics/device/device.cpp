@@ -1,26 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/device.h"
 
+#include "core/message/catalogue.h"
+
 namespace relievo {
 
-std::string_view describe(DeviceFault fault) noexcept {
+namespace {
+MessageId idOf(DeviceFault fault) noexcept {
   switch (fault) {
     case DeviceFault::none:
-      return "no fault";
+      break;
     case DeviceFault::timeout:
-      return "the device did not answer in time";
+      return MessageId::fault_timeout;
     case DeviceFault::disconnected:
-      return "the device was unplugged";
+      return MessageId::fault_disconnected;
     case DeviceFault::protocol:
-      return "the device sent something unreadable";
+      return MessageId::fault_protocol;
     case DeviceFault::overheated:
-      return "the device is too hot";
+      return MessageId::fault_overheated;
     case DeviceFault::not_finite:
-      return "the device reported an impossible position";
+      return MessageId::fault_not_finite;
     case DeviceFault::not_ready:
-      return "the device is not ready yet";
+      return MessageId::fault_not_ready;
   }
-  return "unknown fault";
+  return MessageId::no_fault;
+}
+}  // namespace
+
+Message messageOf(DeviceFault fault) {
+  return {idOf(fault), {}};
+}
+
+std::string_view describe(DeviceFault fault) noexcept {
+  return rowOf(idOf(fault)).screen;
 }
 
 }  // namespace relievo

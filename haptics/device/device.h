@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/base/vec3.h"
+#include "core/message/message.h"
 #include "haptics/rt/realtime.h"
 #include "haptics/space/workspace.h"
 
@@ -38,7 +39,8 @@ enum class DeviceFault : std::uint8_t {
   not_finite,  ///< A position that is no number, or kilometres away; set by the core.
   not_ready,   ///< Its firmware does not run yet, or it is not homed.
 };
-std::string_view describe(DeviceFault fault) noexcept;  ///< For people; a few words.
+Message messageOf(DeviceFault fault);                   ///< For people; a few words.
+std::string_view describe(DeviceFault fault) noexcept;  ///< The same in English, for logs.
 
 /// Of DeviceReading::buttons: the hand hovers. A mouse that is not pressed carries it through the
 /// air, and it touches nothing on its way.

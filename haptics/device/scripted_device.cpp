@@ -3,13 +3,13 @@
 
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo {
 
 ScriptedDevice::ScriptedDevice(std::vector<DeviceReading> readings, double max_force_n)
     : readings_(std::move(readings)) {
-  if (readings_.empty()) throw ArgumentError("A scripted device needs at least one reading.");
+  if (readings_.empty()) throw failure<MessageId::script_without_readings>();
   info_.id = "scripted";
   info_.name = "scripted stroke";
   info_.max_force_n = max_force_n;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/rt/realtime_thread.h"
 
 namespace relievo {
@@ -43,8 +43,7 @@ VirtualHandOptions virtualHandNamed(std::string_view grip) {
     }
     known.append(known.empty() ? "" : ", ").append(preset.name);
   }
-  throw DeviceError("There is no virtual hand \"" + std::string(grip) + "\". Known: " + known +
-                    ".");
+  throw failure<MessageId::virtual_hand_unknown>(grip, known);
 }
 
 VirtualHand::VirtualHand(const VirtualHandOptions& options) : options_(options) {
@@ -59,8 +58,7 @@ VirtualHand::VirtualHand(const VirtualHandOptions& options) : options_(options) 
   requireAtLeast(0, options.max_force_n, "largest force");
   requireAtLeast(0, options.follow_s, "follower time");
   if (options.delay_ticks < 0 || options.delay_ticks > 2) {
-    throw ArgumentError("The virtual hand's delay is " + std::to_string(options.delay_ticks) +
-                        " ticks; 0, 1 and 2 are possible.");
+    throw failure<MessageId::virtual_hand_delay>(options.delay_ticks);
   }
   info_.id = "virtual:" + std::string(options.hand.name);
   info_.name = "virtual hand, " + std::string(options.hand.name) + " grip";

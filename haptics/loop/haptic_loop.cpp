@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/loop/device_limits.h"
 #include "haptics/loop/watchdog.h"
 
@@ -147,11 +147,11 @@ void HapticLoop::Impl::run(std::promise<RealtimeGrant> started) {
 
 HapticLoop::HapticLoop(std::unique_ptr<Device> device, LoopOptions options)
     : impl_(std::make_unique<Impl>(std::move(device), options)) {
-  if (!impl_->device) throw ArgumentError("The haptic loop needs a device.");
+  if (!impl_->device) throw failure<MessageId::loop_without_device>();
   if (options.chain == ForceChain::bare && !impl_->device->info().simulated) {
-    throw ArgumentError("A device that a person holds never gets the bare spring.");
+    throw failure<MessageId::loop_bare_spring>();
   }
-  if (options.period_ns <= 0) throw ArgumentError("The haptic loop's period must be above 0 ns.");
+  if (options.period_ns <= 0) throw failure<MessageId::loop_period>();
 }
 
 HapticLoop::~HapticLoop() {

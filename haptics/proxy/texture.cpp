@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/proxy/surface.h"
 
 namespace relievo {
@@ -29,8 +29,7 @@ void fillTexture(HapticSpace& space, std::span<const float> finer_mm) {
   const bool finite = std::all_of(finer_mm.begin(), finer_mm.end(),
                                   [](float height) { return std::isfinite(height); });
   if (finer_mm.size() != TextureMap::kCount || !finite) {
-    throw ArgumentError("A texture has " + std::to_string(finer_mm.size()) +
-                        " heights; exactly 400 x 400 finite ones are needed.");
+    throw failure<MessageId::texture_of_another_size>(finer_mm.size());
   }
   constexpr double kMost = std::numeric_limits<std::int8_t>::max();
   std::size_t i = 0;

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/record/named_json.h"
 
 namespace relievo {
@@ -112,7 +112,7 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
 }
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw FileError("This recording cannot be replayed: " + why + ".");
+  throw failure<MessageId::recording_not_replayed>(why);
 }
 
 template <class Number>

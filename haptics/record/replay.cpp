@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <map>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/record/recorded_loop.h"
 #include "haptics/record/sample_log.h"
 
@@ -61,8 +61,7 @@ ReplayResult replay(const HapticSpace& space, const HapticOptions& core_options,
   for (const TouchRow& row : log.rows) {
     constexpr std::uint64_t kTicksPerCheck = 1024;
     if (row.tick != result.ticks) {
-      throw FileError("This recording cannot be replayed: samples were dropped before tick " +
-                      std::to_string(result.ticks) + ".");
+      throw failure<MessageId::recording_lost_samples>(result.ticks);
     }
     if (result.ticks++ % kTicksPerCheck == 0) task.check();
     changes.at(row.tick);

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/loop/device_limits.h"
 
 namespace relievo {
@@ -77,10 +77,9 @@ HapticOptions strokeHapticOptions(const StrokeOptions& options) {
 }
 
 Stroke readStroke(const std::filesystem::path& file) {
-  const std::string name = "The stroke \"" + file.string() + "\" ";
   std::ifstream in(file);
   std::string line;
-  if (!in || std::filesystem::is_directory(file)) throw FileError(name + "cannot be read.");
+  if (!in || std::filesystem::is_directory(file)) throw failure<MessageId::stroke_unreadable>(file);
   Stroke stroke;
   bool have_header = false;
   std::size_t row = 0;
@@ -91,7 +90,7 @@ Stroke readStroke(const std::filesystem::path& file) {
     if (text.empty() || text.front() == '#') continue;
     if (!have_header) {
       if (text != kHeader) {
-        throw FileError(name + "does not start with the line " + std::string(kHeader) + ".");
+        throw failure<MessageId::stroke_without_header>(file, kHeader);
       }
       have_header = true;
       continue;
@@ -99,17 +98,14 @@ Stroke readStroke(const std::filesystem::path& file) {
     ++row;
     StrokePoint point;
     const std::string wrong = parseRow(text, point);
-    std::string row_name = name;
-    row_name.append("row ").append(std::to_string(row));
-    if (!wrong.empty()) throw FileError(row_name.append(" ").append(wrong).append("."));
+    if (!wrong.empty()) throw failure<MessageId::stroke_row_wrong>(file, row, wrong);
     if (!stroke.points.empty() && !(point.t_s > stroke.points.back().t_s)) {
-      throw FileError(
-          row_name.append(" is not later than the row before it; times must increase."));
+      throw failure<MessageId::stroke_row_not_later>(file, row);
     }
     stroke.points.push_back(point);
   }
-  if (in.bad()) throw FileError(name + "cannot be read to its end.");
-  if (stroke.points.empty()) throw FileError(name + "has no rows.");
+  if (in.bad()) throw failure<MessageId::stroke_cut>(file);
+  if (stroke.points.empty()) throw failure<MessageId::stroke_without_rows>(file);
   return stroke;
 }
 
@@ -118,8 +114,7 @@ std::uint64_t strokeTicks(const Stroke& stroke) {
   const double seconds = stroke.points.back().t_s - stroke.points.front().t_s;
   constexpr double kLongestSeconds = 1e7;  // Four months; beyond, a time is in the wrong unit.
   if (!(seconds <= kLongestSeconds)) {
-    throw ArgumentError("The stroke lasts " + std::to_string(seconds) +
-                        " s; are its times in seconds?");
+    throw failure<MessageId::stroke_too_long>(NumberArgument{.value = seconds, .digits = 6});
   }
   return static_cast<std::uint64_t>(std::floor(seconds / 0.001 + 1e-6)) + 1;
 }
@@ -128,12 +123,12 @@ std::uint64_t runStroke(const HapticSpace& space, const StrokeOptions& options,
                         const Stroke& stroke,
                         const std::function<void(const HapticSample&, double t_s)>& each,
                         const Task& task) {
-  if (stroke.points.empty()) throw ArgumentError("A stroke needs at least one point.");
+  if (stroke.points.empty()) throw failure<MessageId::stroke_without_points>();
   if (!(options.stiffness_n_per_mm > 0) || !std::isfinite(options.stiffness_n_per_mm)) {
-    throw ArgumentError("The stiffness must be a finite number of N/mm above 0.");
+    throw failure<MessageId::stroke_stiffness>();
   }
   if (!(options.damping_n_s_per_mm >= 0) || !std::isfinite(options.damping_n_s_per_mm)) {
-    throw ArgumentError("The damping must be a finite number of N s/mm, 0 or above.");
+    throw failure<MessageId::stroke_damping>();
   }
   const HapticOptions core_options = strokeHapticOptions(options);
   const double start_s = stroke.points.front().t_s;

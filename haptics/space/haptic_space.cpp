@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/space/surface_fit.h"
 
 namespace relievo {
@@ -14,17 +14,15 @@ namespace relievo {
 namespace {
 void requireComplete(const RegionWindow& window) {
   if (window.heights_mm.size() != kWindowCount || window.origins.size() != kWindowCount) {
-    throw ArgumentError("The window has " + std::to_string(window.heights_mm.size()) +
-                        " samples; the haptic space holds exactly 200 x 200.");
+    throw failure<MessageId::window_of_another_size>(window.heights_mm.size());
   }
   if (!std::all_of(window.heights_mm.begin(), window.heights_mm.end(),
                    [](float h) { return std::isfinite(h); })) {
-    throw ArgumentError(
-        "The window has a height that is not a finite number; nothing can be felt.");
+    throw failure<MessageId::window_not_finite>();
   }
   if (!(window.region.side_mm > 0) || !std::isfinite(window.region.side_mm)) {
-    throw ArgumentError("The window's side is " + std::to_string(window.region.side_mm) +
-                        " mm; it must be greater than 0.");
+    throw failure<MessageId::window_without_side>(
+        NumberArgument{.value = window.region.side_mm, .digits = 6});
   }
 }
 
@@ -33,7 +31,7 @@ void requireShares(std::span<const float> firmness) {
   const bool shares = std::all_of(firmness.begin(), firmness.end(),
                                   [](float part) { return part >= 0 && part <= 1; });
   if (firmness.size() != kWindowCount || !shares) {
-    throw ArgumentError("A map of firmness must hold 200 x 200 numbers from 0 to 1.");
+    throw failure<MessageId::firmness_of_window>();
   }
 }
 

@@ -2,12 +2,15 @@
 #include "plugins/haptics/device_setup_buttons.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/origin.h"
+#include "core/message/catalogue.h"
 #include "core/region/hand.h"
 #include "haptics/rt/realtime_thread.h"
-#include "plugins/haptics/spoken_words.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
@@ -15,6 +18,13 @@ namespace {
 constexpr double kRescanSeconds = 1;
 // At full deflection of the cap: of the hand, or of the view.
 constexpr double kFullPushMmPerS = 60, kFullTurnDegPerS = 60;
+
+Message messageOf(Origin origin) {
+  constexpr std::array<MessageId, kOriginCount> kWords{
+      MessageId::origin_measured, MessageId::origin_interpolated, MessageId::origin_base_plane,
+      MessageId::origin_steep, MessageId::origin_outside};
+  return {kWords[static_cast<std::size_t>(origin)], {}};
+}
 }  // namespace
 
 DeviceButtons::DeviceButtons(Host& host, std::unique_ptr<hid::HidDevices> hid)
@@ -81,7 +91,7 @@ void DeviceButtons::takeOutcomes(double now_s) {
   for (const ButtonOutcome& outcome : commands_.take(now_s)) {
     switch (outcome.kind) {
       case ButtonOutcome::Kind::offer:
-        host_.announce(tr("%1?").arg(spokenText(commandWords(outcome.command))));
+        host_.announce(tr("%1?").arg(messageText(relievo::messageOf(outcome.command))));
         break;
       case ButtonOutcome::Kind::tick:
         Q_EMIT ticked();
@@ -112,9 +122,10 @@ void DeviceButtons::carryOut(ButtonCommand command) {
   // The window's own command, as by key or menu; it announces its result.
   const std::string_view name = commandName(command);
   if (!host_.run(QString::fromLatin1(name.data(), static_cast<int>(name.size())))) {
-    host_.announce(command == ButtonCommand::stop_forces
-                       ? tr("Forces are off.")
-                       : tr("%1 is not possible here.").arg(spokenText(commandWords(command))));
+    host_.announce(
+        command == ButtonCommand::stop_forces
+            ? tr("Forces are off.")
+            : tr("%1 is not possible here.").arg(messageText(relievo::messageOf(command))));
   }
   if (!gate_.on) return;
   MoveGate gate = gate_;
@@ -166,7 +177,7 @@ void DeviceButtons::sayDetail() {
 }
 
 void DeviceButtons::sayHelp() {
-  host_.announce(spokenText(commands_.help()));
+  host_.announce(messageText(commands_.help()));
 }
 
 void DeviceButtons::toggleMoving() {
@@ -189,7 +200,7 @@ QString DeviceButtons::placeText(bool in_full) const {
               .arg(at.y, 0, 'f', 0)
               .arg(at.z, 0, 'f', 1);
   if (sample.contact && sample.origin != Origin::measured) {
-    said += tr(" Not measured here: %1.").arg(spokenText(name(sample.origin)));
+    said += tr(" Not measured here: %1.").arg(messageText(messageOf(sample.origin)));
   }
   if (in_full) said += QLatin1Char(' ') + detailText();
   return said;

@@ -24,13 +24,13 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/firmware.h"
 #include "haptics/device/falcon/settings_file.h"
 #include "haptics/device/falcon/usb_bus.h"
 #include "haptics/rt/realtime_thread.h"
 #include "plugins/haptics/shown_file.h"
-#include "plugins/haptics/spoken_words.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
@@ -298,16 +298,16 @@ void DeviceSetupDialog::showStatus() {
 void DeviceSetupDialog::showTest() {
   QString text = notice_;
   if (test_) {
-    const QString prompt = spokenText(test_->prompt());
+    const QString prompt = messageText(test_->prompt());
     say(prompt);
     for (const falcon::SelfTestLine& line : test_->lines()) {
       text += tr(kResults[static_cast<std::size_t>(line.result)]) + QStringLiteral(": ") +
-              spokenText(line.text) + QLatin1Char('\n');
+              messageText(line.text) + QLatin1Char('\n');
     }
     text += prompt;
   }
   if (calibration_) {
-    text = spokenText(calibration_->prompt());
+    text = messageText(calibration_->prompt());
     say(text);
   }
   if (results_->toPlainText() == text) return;
@@ -357,8 +357,8 @@ void DeviceSetupDialog::showFirmware() {
   try {
     const falcon::Firmware found = falcon::findFirmware(falcon::firmwarePlaces(settings_.firmware));
     const QString name = shownFilePath(QFile::decodeName(found.file.c_str()));
-    text = found.known_as.empty() ? tr("Firmware: %1, accepted by you").arg(name)
-                                  : tr("Firmware: %1, %2").arg(name, spokenText(found.known_as));
+    text = found.known_as ? tr("Firmware: %1, %2").arg(name, messageText(*found.known_as))
+                          : tr("Firmware: %1, accepted by you").arg(name);
   } catch (const Error&) {
     // Why, the state says once it is needed: one that runs already needs no file.
     text = settings_.firmware.empty()
@@ -387,7 +387,7 @@ bool DeviceSetupDialog::installFirmware(const QString& file, bool accept_unknown
     falcon::writeSettings(stored, falcon::settingsFile());
     showFirmware();
   } catch (const Error& error) {
-    notice_ = spokenText(error.what());
+    notice_ = messageText(messageOf(error));
     say(notice_);
     return false;
   }
@@ -404,7 +404,7 @@ void DeviceSetupDialog::save() {
   try {
     falcon::writeSettings(settings_, falcon::settingsFile(), device_->status().serial.data());
   } catch (const Error& error) {
-    say(spokenText(error.what()));
+    say(messageText(messageOf(error)));
   }
   // Whoever uses it next must find it free.
   timer_.stop();

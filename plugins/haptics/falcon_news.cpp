@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/haptics/falcon_news.h"
+#include "ui/message/message_text.h"
 
 #include <array>
 #include <QCoreApplication>
-
-#include "plugins/haptics/spoken_words.h"
 
 namespace relievo {
 
@@ -18,10 +17,11 @@ constexpr std::array<const char*, falcon::kArms> kFound{
     QT_TRANSLATE_NOOP("relievo::FalconNews", "Left arm found.")};
 }  // namespace
 
-QString screenText(const falcon::LinkMessage& message) {
-  const QString sentence = spokenText(message.screen);
-  if (message.code.empty()) return sentence;
-  return QString::fromStdString(message.code) + QStringLiteral(": ") + sentence;
+QString screenText(const Message& message) {
+  const QString sentence = messageText(message);
+  const std::string code = codeOf(message);
+  if (code.empty()) return sentence;
+  return QString::fromStdString(code) + QStringLiteral(": ") + sentence;
 }
 
 QString windowText(const falcon::LinkStatus& status) {
@@ -44,7 +44,7 @@ QStringList FalconNews::take(const falcon::LinkStatus& status) {
     homed_said_ = 0;
   }
   // An attempt more is no news; that it goes on after three of them is (journeys 4.0).
-  const QString words = spokenText(falcon::describe(status).spoken);
+  const QString words = spokenMessage(falcon::describe(status));
   if (words != said_) news << words;
   said_ = words;
   return news;

@@ -10,7 +10,7 @@
 namespace relievo {
 
 /// Code and sentence, for the screen.
-QString screenText(const falcon::LinkMessage& message);
+QString screenText(const Message& message);
 
 /// The same of a Falcon in the window, with the command that helps.
 QString windowText(const falcon::LinkStatus& status);

@@ -20,7 +20,7 @@
 #include "core/base/error.h"
 #include "haptics/device_catalog.h"
 #include "plugins/haptics/shown_file.h"
-#include "plugins/haptics/spoken_words.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
@@ -77,7 +77,7 @@ QString stateText(const LoopReport& report) {
   if (!report.not_ready.isEmpty()) return report.not_ready;
   if (sample.fault != DeviceFault::none) {
     return HapticsPanel::tr("Off: %1. Switch off and on to try again.")
-        .arg(spokenText(describe(sample.fault)));
+        .arg(messageText(messageOf(sample.fault)));
   }
   switch (sample.engaged) {
     case EngagePhase::off:

@@ -8,26 +8,18 @@
 #include <QSignalBlocker>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/region/hand.h"
 #include "haptics/device/falcon/presence.h"
 #include "haptics/record/events.h"
 #include "plugins/haptics/recording_file.h"
-#include "plugins/haptics/spoken_words.h"
+#include "ui/message/message_text.h"
 
 namespace relievo {
 
 namespace {
 constexpr const char* kMouse = "mouse";  // Always there.
 constexpr int kReadoutsPerLook = 16;     // About two seconds.
-
-/// With the words for speech that belong to it.
-falcon::LinkMessage messageOf(const DeviceError& error) {
-  if (const auto* of_falcon = dynamic_cast<const falcon::OpeningError*>(&error)) {
-    return of_falcon->message();
-  }
-  return {error.code, error.what(), error.what()};
-}
 
 /// The plug tells when it is there; that it is free, or allowed, tells nobody.
 bool onlyThePlugHelps(const DeviceError& error) {
@@ -91,12 +83,12 @@ void HapticsPlugin::openDevice() {
   panel_->setSettings(settings_);
 }
 
-void HapticsPlugin::showStandIn(const falcon::LinkMessage& message, bool only_the_plug_helps) {
+void HapticsPlugin::showStandIn(const Message& message, bool only_the_plug_helps) {
   readouts_until_look_ = falcon::falconChoice(wish_) && !only_the_plug_helps ? kReadoutsPerLook : 0;
   const QString text = tr("%1 The mouse is the hand now.").arg(screenText(message));
   if (text == stand_in_) return;
   stand_in_ = text;
-  host_->announce(tr("%1 The mouse is the hand now.").arg(spokenText(message.spoken)));
+  host_->announce(tr("%1 The mouse is the hand now.").arg(spokenMessage(message)));
 }
 
 void HapticsPlugin::changeDevice() {
@@ -315,7 +307,7 @@ void HapticsPlugin::tellStatus(const LoopReport& report) {
 void HapticsPlugin::watchDevice(LoopReport& report) {
   const falcon::LinkStatus* status = session_->falconStatus();
   if (status == nullptr) return;
-  report.device = spokenText(falcon::describe(*status).spoken);
+  report.device = spokenMessage(falcon::describe(*status));
   if (status->state != falcon::LinkState::ready) report.not_ready = windowText(*status);
   for (const QString& words : news_.take(*status)) host_->announce(words);
 }
@@ -381,7 +373,7 @@ void HapticsPlugin::watchFault(const HapticSample& sample) {
   fault_ = sample.fault;
   if (fault_ == DeviceFault::none) return;
   setForces(false);
-  host_->announce(tr("Forces off: %1.").arg(spokenText(describe(fault_))));
+  host_->announce(tr("Forces off: %1.").arg(messageText(messageOf(fault_))));
 }
 
 /// The loop has ended the forces already; the window follows.

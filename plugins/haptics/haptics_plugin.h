@@ -77,7 +77,7 @@ class HapticsPlugin : public QObject, public Plugin {
   void watchDevice(LoopReport& report);  // Announces its news, and adds them.
   void watchPlugs();
   void lookAgain();  // For a Falcon that was there and could not be opened.
-  void showStandIn(const falcon::LinkMessage& message, bool only_the_plug_helps);
+  void showStandIn(const Message& message, bool only_the_plug_helps);
   void watchSleep(const HapticSample& sample);
   void runButtons(const HapticSample& sample);
   void setUpDevice();

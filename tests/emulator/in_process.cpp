@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tests/emulator/in_process.h"
+#include "core/message/catalogue.h"
 
 #include <algorithm>
 #include <array>
@@ -137,7 +138,8 @@ falcon::Opening InProcessBus::open() {
     return opening;
   }
   opening.presence = pretend;
-  if (opening.presence == falcon::Presence::broken) opening.detail = "Input/output error";
+  if (opening.presence == falcon::Presence::broken)
+    opening.detail = said<MessageId::quoted>("Input/output error");
   if (opening.presence == falcon::Presence::present) {
     opening.which = *found.falcon;
     const auto index = static_cast<std::size_t>(found.falcon - seen.data());

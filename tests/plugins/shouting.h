@@ -3,13 +3,13 @@
 
 #include <QCoreApplication>
 #include <QTranslator>
-#include <set>
-#include <string>
+
+#include "core/message/catalogue.h"
 
 namespace relievo::test {
 
-/// A language in which what haptics says is shouted: a word in small letters was not translated, or
-/// is a part that is carried over.
+/// A language in which messages are shouted: a word in small letters was not translated, or is a
+/// part that is carried over.
 class Shouting : public QTranslator {
  public:
   Shouting() { QCoreApplication::installTranslator(this); }
@@ -17,12 +17,9 @@ class Shouting : public QTranslator {
   bool isEmpty() const override { return false; }
   QString translate(const char* context, const char* source, const char* /*disambiguation*/,
                     int /*n*/) const override {
-    if (QString::fromUtf8(context) != QLatin1String("relievo::SpokenWords")) return {};
-    asked.insert(source);
+    if (QString::fromUtf8(context) != QLatin1String(kMessageContext)) return {};
     return QString::fromUtf8(source).toUpper();
   }
-
-  mutable std::set<std::string> asked;
 };
 
 }  // namespace relievo::test

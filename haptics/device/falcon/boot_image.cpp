@@ -2,6 +2,9 @@
 #include "haptics/device/falcon/boot_image.h"
 
 #include <optional>
+#include <utility>
+
+#include "core/message/catalogue.h"
 
 namespace relievo::falcon {
 
@@ -37,33 +40,31 @@ class Words {
 
 BootImage inspectBootImage(std::span<const std::uint8_t> bytes) {
   BootImage image;
-  const auto refuse = [&image](std::string why) {
+  const auto refuse = [&image](Message why) {
     image.problem = std::move(why);
     return image;
   };
   if (bytes.size() < kLeastImageBytes || bytes.size() > kMostImageBytes) {
-    return refuse("it has " + std::to_string(bytes.size()) + " bytes; 2048 to 65536 are possible");
+    return refuse(said<MessageId::image_length>(bytes.size()));
   }
-  if (bytes.size() % 2 != 0) return refuse("its length is odd");
+  if (bytes.size() % 2 != 0) return refuse(said<MessageId::image_odd>());
   Words words(bytes);
-  if (words.word() != kKey) return refuse("it does not begin with AA 08");
+  if (words.word() != kKey) return refuse(said<MessageId::image_key>());
   const bool reserved = words.skip(kReservedWords);
   const auto entry = words.twoWords();
-  if (!reserved || !entry) return refuse("it ends before its entry point");
+  if (!reserved || !entry) return refuse(said<MessageId::image_without_entry>());
   image.entry = *entry;
   while (true) {
-    const std::string in_block = "it ends in block " + std::to_string(image.blocks + 1);
     const auto count = words.word();
-    if (!count) return refuse(in_block);
-    if (*count == 0) break;
-    if (!words.twoWords() || !words.skip(*count)) return refuse(in_block);
+    if (count && *count == 0) break;
+    if (!count || !words.twoWords() || !words.skip(*count)) {
+      return refuse(said<MessageId::image_ends_in_block>(image.blocks + 1));
+    }
     ++image.blocks;
     image.words += *count;
   }
-  if (words.left() != 0) {
-    return refuse(std::to_string(words.left()) + " bytes follow its last block");
-  }
-  if (image.blocks == 0) return refuse("it has no blocks");
+  if (words.left() != 0) return refuse(said<MessageId::image_too_long>(words.left()));
+  if (image.blocks == 0) return refuse(said<MessageId::image_without_blocks>());
   return image;
 }
 

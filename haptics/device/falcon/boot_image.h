@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
-#include <string>
+
+#include "core/message/message.h"
 
 namespace relievo::falcon {
 
@@ -14,9 +16,9 @@ namespace relievo::falcon {
 struct BootImage {
   std::uint32_t entry = 0;
   std::size_t blocks = 0;
-  std::size_t words = 0;  ///< Of all blocks.
-  std::string problem;    ///< Why it is none: "it ends in block 3"; empty for a good one.
-  bool good() const noexcept { return problem.empty(); }
+  std::size_t words = 0;           ///< Of all blocks.
+  std::optional<Message> problem;  ///< Why it is none: "it ends in block 3".
+  bool good() const noexcept { return !problem; }
 };
 
 inline constexpr std::size_t kLeastImageBytes = 2048, kMostImageBytes = 65536;

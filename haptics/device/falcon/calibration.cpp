@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo::falcon {
 
@@ -29,13 +30,13 @@ std::uint64_t interruptions(const LinkCounts& counts) {
 Calibration::Calibration(FalconDevice& device, double counts_per_n_mm, double weight_g)
     : device_(device), counts_per_n_mm_(counts_per_n_mm), weight_n_(kNPerGram * weight_g) {
   if (!(weight_g >= kLeastGrams && weight_g <= kMostGrams)) {
-    throw ArgumentError("The weight must be 20 to 300 grams.");
+    throw failure<MessageId::calibration_weight>();
   }
 }
 
-void Calibration::fail(const std::string& why) {
+void Calibration::fail(Message why) {
   phase_ = Phase::failed;
-  why_ = why;
+  why_ = std::move(why);
   force_ = {};
 }
 
@@ -59,9 +60,8 @@ DeviceN Calibration::holdingForce(const DeviceReading& reading, double dt_s) {
 bool Calibration::settled(std::int64_t now_ns) {
   const double since_s = 1e-9 * static_cast<double>(now_ns - phase_ns_);
   if (since_s > kMostSeconds) {
-    fail(undisturbed_s_ > kLeastSeconds
-             ? "the grip did not come to rest"
-             : "the Falcon or this computer was interrupted too often to measure a force");
+    fail(undisturbed_s_ > kLeastSeconds ? said<MessageId::calibration_no_rest>()
+                                        : said<MessageId::calibration_interrupted>());
     return false;
   }
   return undisturbed_s_ > kLeastSeconds && drift_n_ < kSteadyN;
@@ -89,7 +89,7 @@ bool Calibration::step(std::int64_t now_ns) {
   if (phase_ == Phase::done || phase_ == Phase::failed) return false;
   const DeviceReading reading = device_.exchange(force_, now_ns);
   if (reading.fault != DeviceFault::none) {
-    fail(std::string(describe(reading.fault)));
+    fail(messageOf(reading.fault));
     return false;
   }
   if (phase_ns_ == 0) {
@@ -114,9 +114,8 @@ bool Calibration::step(std::int64_t now_ns) {
       if (!settled(now_ns)) break;
       const double gain = counts_per_n_mm_ * (mean_up_n_ - empty_n_) / weight_n_;
       if (!(gain > 0.9 * kLeastCountsPerNmm && gain < 1.1 * kMostCountsPerNmm)) {
-        fail("the weight seemed to be " +
-             std::to_string(std::lround((mean_up_n_ - empty_n_) / kNPerGram)) +
-             " g, which no Falcon's motors explain (is it the right one, and hanging free?)");
+        fail(said<MessageId::calibration_wrong_weight>(
+            std::lround((mean_up_n_ - empty_n_) / kNPerGram)));
         break;
       }
       result_ = std::clamp(gain, kLeastCountsPerNmm, kMostCountsPerNmm);
@@ -134,20 +133,20 @@ bool Calibration::step(std::int64_t now_ns) {
   return false;
 }
 
-std::string Calibration::prompt() const {
+Message Calibration::prompt() const {
   switch (phase_) {
     case Phase::hold_empty:
-      return "Take your hand off the grip. The Falcon holds it in place.";
+      return said<MessageId::calibration_hands_off>();
     case Phase::hang_weight:
-      return "Hang the weight on the grip, let it come to rest, then press Continue.";
+      return said<MessageId::calibration_hang_weight>();
     case Phase::hold_weight:
-      return "Holding the weight. Do not touch it.";
+      return said<MessageId::calibration_holding>();
     case Phase::done:
-      return "The force is calibrated.";
+      return said<MessageId::calibration_done>();
     case Phase::failed:
-      return "The calibration ended: " + why_ + ". The old setting is kept.";
+      break;
   }
-  return {};
+  return said<MessageId::calibration_ended>(why_.value());
 }
 
 }  // namespace relievo::falcon

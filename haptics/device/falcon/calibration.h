@@ -3,8 +3,8 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "core/message/message.h"
 #include "haptics/device/falcon/falcon_device.h"
 
 namespace relievo::falcon {
@@ -22,7 +22,7 @@ class Calibration {
   bool step(std::int64_t now_ns);               ///< @return false: done or failed
   void weightHangs() { weight_hangs_ = true; }  ///< The person says so.
   Phase phase() const { return phase_; }
-  std::string prompt() const;
+  Message prompt() const;
   /// Counts per N mm, once done.
   std::optional<double> result() const { return result_; }
   /// What the empty grip weighs in that place, N, once done: what its holding took.
@@ -33,7 +33,7 @@ class Calibration {
   void begin(Phase phase, std::int64_t now_ns);
   void follow(std::int64_t now_ns, double dt_s);
   bool settled(std::int64_t now_ns);
-  void fail(const std::string& why);
+  void fail(Message why);
 
   FalconDevice& device_;
   double counts_per_n_mm_, weight_n_;
@@ -48,7 +48,7 @@ class Calibration {
   double mean_up_n_ = 0, drift_n_ = 0, empty_n_ = 0;
   std::optional<double> result_;
   double grip_weight_n_ = 0;
-  std::string why_;
+  std::optional<Message> why_;  ///< It failed.
 };
 
 }  // namespace relievo::falcon

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/rt/realtime_thread.h"
 #include "haptics/rt/signal_stack.h"
 
@@ -85,7 +85,7 @@ void FalconDevice::start(Opening opening) {
       Link(*bus_, mailbox_, firmware_, limits_).run(stop, std::move(o));
     });
   } catch (const std::system_error& error) {
-    throw DeviceError(std::string("The Falcon's thread could not be started: ") + error.what());
+    throw failure<MessageId::falcon_thread_not_started>(error.what());
   }
 }
 

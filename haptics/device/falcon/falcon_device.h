@@ -27,19 +27,15 @@ inline constexpr double kLeastCountsPerNmm = 0.2 * kNominalCountsPerNmm;
 /// the nominal gain and the arms' geometry make of them.
 inline constexpr double kMostCountsPerNmm = 2 * kNominalCountsPerNmm;
 
-/// One cannot be opened. Carries its message for speech as well.
+/// One cannot be opened.
 class OpeningError : public DeviceError {
  public:
-  OpeningError(Presence presence, LinkMessage message)
-      : DeviceError(message.screen, message.code),
-        presence_(presence),
-        message_(std::move(message)) {}
+  OpeningError(Presence presence, const Message& why)
+      : DeviceError(why), presence_(presence) {}
   Presence presence() const { return presence_; }
-  const LinkMessage& message() const { return message_; }
 
  private:
   Presence presence_;
-  LinkMessage message_;
 };
 
 /// The Novint Falcon. `read` and `send` never wait: a thread of its own (docs/threads.md) keeps the

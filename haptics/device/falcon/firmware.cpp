@@ -10,8 +10,9 @@
 #include <iostream>
 #include <span>
 #include <string_view>
+#include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
 #include "haptics/device/falcon/boot_image.h"
@@ -24,26 +25,24 @@ namespace {
 struct KnownImage {
   const char* sha256;
   const char* name;
+  bool is_recommended = false;
 };
 constexpr std::array<KnownImage, 4> kKnownImages{{
-    {"1119e39c39fab1f37678ea62dfc715b23dd86ee7f13d78f88f707d9f09b896a1",
-     "nvent_firmware.bin (recommended)"},
+    {"1119e39c39fab1f37678ea62dfc715b23dd86ee7f13d78f88f707d9f09b896a1", "nvent_firmware.bin",
+     true},
     {"b2700d5cd5ca217e48565fb4de5a502a636c53f6e01ebd0cad193e9f84856c6a", "test_firmware.bin"},
     {"ae838730af34b5822c9c3949859b446614af0410730b832cc17a6ad627ea64a4", "novint_T0.bin"},
     {"e0ae3598670fa1c8d9277bd6943c99b3152b97c400c46c1c42c60de77ff4e816", "novint_T2.bin"},
 }};
 constexpr std::array<const char*, 5> kNames{"nvent_firmware.bin", "test_firmware.bin",
                                             "novint_T0.bin", "novint_T2.bin", "falcon.bin"};
-constexpr const char* kSetting = "the setting Falcon firmware (Preferences > Device)";
 constexpr const char* kAcceptedList = "accepted";  // One hash per line.
 
 std::string sha256Of(const std::vector<std::uint8_t>& bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw FileError(
-        "The hash of the firmware could not be computed. Nothing was loaded. Check that OpenSSL's "
-        "library is whole and allows SHA-256.");
+    throw failure<MessageId::firmware_hash>();
   }
   constexpr const char* kDigits = "0123456789abcdef";
   std::string text;
@@ -70,11 +69,6 @@ bool isThere(const fs::path& file) {
   return fs::exists(file, error) || error == std::errc::permission_denied;
 }
 
-[[noreturn]] void refuseUnreadable(const std::string& named, const std::string& why) {
-  throw FileError(named + " cannot be read: " + why +
-                  ". Nothing was loaded. Check its permissions and its folder's.");
-}
-
 std::optional<fs::path> namedIn(const fs::path& folder) {
   for (const char* name : kNames) {
     if (isThere(folder / name)) return folder / name;
@@ -83,35 +77,23 @@ std::optional<fs::path> namedIn(const fs::path& folder) {
 }
 
 /// What the user named by hand: a file, or a folder with one.
-Firmware readNamed(const fs::path& named, const std::string& by) {
-  const std::string advice = " Correct " + by + ", or clear it to search the usual places.";
-  if (!isThere(named)) {
-    throw FileError("The Falcon firmware \"" + named.string() + "\" that " + by +
-                    " names does not exist. Nothing was loaded." + advice);
-  }
+Firmware readNamed(const fs::path& named, const Message& by) {
+  if (!isThere(named)) throw failure<MessageId::firmware_named_missing>(named, by);
   std::error_code ignored;
   const bool is_folder = fs::is_directory(named, ignored);
   const std::optional<fs::path> file = is_folder ? namedIn(named) : named;
-  if (!file) {
-    throw FileError("The folder \"" + named.string() + "\" that " + by +
-                    " names has no Falcon firmware (such as nvent_firmware.bin). Nothing was "
-                    "loaded." +
-                    advice);
-  }
+  if (!file) throw failure<MessageId::firmware_folder_empty>(named, by);
   try {
     return readFirmware(*file);
   } catch (const FileError& error) {
-    throw FileError(error.what() + (" It is what " + by + " names.") + advice);
+    throw failure<MessageId::firmware_named_bad>(messageOf(error), by);
   }
 }
 
-std::string notFound(const std::vector<fs::path>& searched) {
-  std::string text =
-      "The Falcon is connected but has no firmware loaded. relievo cannot include Novint's "
-      "firmware. Run 'relievo devices firmware FILE' with the file nvent_firmware.bin (8492 bytes) "
-      "from your Novint software or libnifalcon, or set RELIEVO_FALCON_FIRMWARE. Places searched:";
-  for (const fs::path& place : searched) text += " " + place.string();
-  return text + ".";
+std::string joined(const std::vector<fs::path>& places) {
+  std::string text;
+  for (const fs::path& place : places) text += (text.empty() ? "" : " ") + place.string();
+  return text;
 }
 
 std::string textOf(const fs::path& file) {
@@ -128,50 +110,34 @@ void write(const OutputFile& place, std::string_view bytes) {
 
 Firmware accepted(Firmware firmware, const FirmwarePlaces& places) {
   if (isAccepted(firmware, places)) return firmware;
-  throw FileError("The Falcon firmware \"" + firmware.file.string() +
-                  "\" has the form of a boot image, but nobody knows this one (sha256 " +
-                  firmware.sha256 +
-                  "); it was not loaded. If you trust it, run 'relievo devices "
-                  "firmware FILE --accept' once.");
+  throw failure<MessageId::firmware_unknown>(firmware.file, firmware.sha256);
 }
 }  // namespace
 
 Firmware readFirmware(const fs::path& file) {
-  const std::string named = "\"" + file.string() + "\"";
   std::error_code error;
-  if (!isThere(file)) {
-    throw FileError("There is no file " + named + ". Nothing was loaded. Check its name.");
-  }
+  if (!isThere(file)) throw failure<MessageId::firmware_missing>(file);
   const fs::file_status status = fs::status(file, error);
-  if (status.type() == fs::file_type::none) refuseUnreadable(named, error.message());
-  if (!fs::is_regular_file(status)) {
-    throw FileError(named +
-                    " is not a regular file; it was not read as Falcon firmware. Name the file "
-                    "itself, such as nvent_firmware.bin.");
+  if (status.type() == fs::file_type::none) {
+    throw failure<MessageId::firmware_unreadable>(file, error.message());
   }
+  if (!fs::is_regular_file(status)) throw failure<MessageId::firmware_no_file>(file);
   if (fs::file_size(file, error) > kMostImageBytes && !error) {
-    throw FileError(named + " is no Falcon firmware: it has more than " +
-                    std::to_string(kMostImageBytes) +
-                    " bytes. Nothing was loaded. Choose another file.");
+    throw failure<MessageId::firmware_too_long>(file, kMostImageBytes);
   }
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuseUnreadable(named, std::strerror(errno));
+  if (!stream) throw failure<MessageId::firmware_unreadable>(file, std::strerror(errno));
   Firmware firmware;
   firmware.file = file;
   firmware.bytes = bytesOf(stream);
-  if (stream.bad()) {
-    throw FileError(named +
-                    " could not be read to its end. Nothing was loaded. Copy it to another disk, "
-                    "or choose another file.");
-  }
+  if (stream.bad()) throw failure<MessageId::firmware_cut>(file);
   const BootImage image = inspectBootImage(firmware.bytes);
-  if (!image.good()) {
-    throw FileError(named + " is no Falcon firmware: " + image.problem +
-                    ". Nothing was loaded. Choose another file.");
-  }
+  if (image.problem) throw failure<MessageId::firmware_no_image>(file, *image.problem);
   firmware.sha256 = sha256Of(firmware.bytes);
   for (const KnownImage& known : kKnownImages) {
-    if (firmware.sha256 == known.sha256) firmware.known_as = known.name;
+    if (firmware.sha256 != known.sha256) continue;
+    firmware.known_as = known.is_recommended ? said<MessageId::firmware_recommended>(known.name)
+                                             : said<MessageId::quoted>(known.name);
   }
   return firmware;
 }
@@ -196,17 +162,18 @@ FirmwarePlaces firmwarePlaces(const fs::path& setting) {
 
 Firmware findFirmware(const FirmwarePlaces& places) {
   if (!places.setting.empty()) {
-    return accepted(readNamed(places.setting, kSetting), places);
+    return accepted(readNamed(places.setting, said<MessageId::firmware_setting>()), places);
   }
   if (!places.environment.empty()) {
-    return accepted(readNamed(places.environment, "RELIEVO_FALCON_FIRMWARE"), places);
+    return accepted(
+        readNamed(places.environment, said<MessageId::quoted>("RELIEVO_FALCON_FIRMWARE")), places);
   }
   std::vector<fs::path> searched{places.data_home};
   searched.insert(searched.end(), places.system.begin(), places.system.end());
   for (const fs::path& folder : searched) {
     if (const auto file = namedIn(folder)) return accepted(readFirmware(*file), places);
   }
-  throw FileError(notFound(searched));
+  throw failure<MessageId::firmware_not_found>(joined(searched));
 }
 
 std::function<std::vector<std::uint8_t>()> firmwareSource(const fs::path& setting) {
@@ -214,13 +181,13 @@ std::function<std::vector<std::uint8_t>()> firmwareSource(const fs::path& settin
     const Firmware firmware = findFirmware(firmwarePlaces(setting));
     std::cerr << "relievo: Loading the Falcon's firmware \"" + firmware.file.string() + "\", " +
                      std::to_string(firmware.bytes.size()) + " bytes, sha256 " + firmware.sha256 +
-                     (firmware.known_as.empty() ? "" : ", " + firmware.known_as) + ".\n";
+                     (firmware.known_as ? ", " + englishText(*firmware.known_as) : "") + ".\n";
     return firmware.bytes;
   };
 }
 
 bool isAccepted(const Firmware& firmware, const FirmwarePlaces& places) {
-  if (!firmware.known_as.empty()) return true;
+  if (firmware.known_as) return true;
   std::ifstream list(places.data_home / kAcceptedList);
   for (std::string line; std::getline(list, line);) {
     if (line == firmware.sha256) return true;
@@ -229,13 +196,12 @@ bool isAccepted(const Firmware& firmware, const FirmwarePlaces& places) {
 }
 
 fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places) {
-  const auto refuse = [&places](const std::string& why) {
-    throw WriteError("The firmware could not be copied to \"" + places.data_home.string() +
-                     "\": " + why + ". Nothing was changed. Check the folder and the disk's room.");
+  const auto refuse = [&places](Message why) {
+    throw failure<MessageId::firmware_not_copied>(places.data_home, std::move(why));
   };
   std::error_code error;
   fs::create_directories(places.data_home, error);
-  if (error) refuse(error.message());
+  if (error) refuse(said<MessageId::quoted>(error.message()));
   // The first name that is looked for, so that this choice wins over older ones.
   const fs::path target = places.data_home / kNames[0];
   const fs::path list = places.data_home / kAcceptedList;
@@ -248,9 +214,9 @@ fs::path installFirmware(const Firmware& firmware, const FirmwarePlaces& places)
     write(files.file(target), {bytes, firmware.bytes.size()});
     files.commit();
   } catch (const CannotWrite& cannot) {
-    refuse(cannot.reason);
+    refuse(said<MessageId::quoted>(cannot.reason));
   } catch (const NotReplaceable& refused) {
-    refuse(englishText(refused.why));
+    refuse(refused.why);
   }
   return target;
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/message/message.h"
+
 namespace relievo::falcon {
 
 // The firmware is Novint's and is not part of this program: it is found on the user's computer.
@@ -15,8 +17,9 @@ namespace relievo::falcon {
 struct Firmware {
   std::filesystem::path file;
   std::vector<std::uint8_t> bytes;
-  std::string sha256;    ///< 64 hexadecimal digits.
-  std::string known_as;  ///< "nvent_firmware.bin (recommended)"; empty: nobody knows this image.
+  std::string sha256;  ///< 64 hexadecimal digits.
+  std::optional<Message>
+      known_as;  ///< "nvent_firmware.bin (recommended)"; nothing: it is not known.
 };
 
 /// Reads and inspects a file. @throw FileError  missing, unreadable, or not a boot image

@@ -222,12 +222,12 @@ void Link::interrupt(DeviceFault fault, std::int64_t now_ns) {
   mailbox_.readings.write(reading_);
 }
 
-void Link::setState(LinkState state, const std::string& detail) {
+void Link::setState(LinkState state, const std::optional<Message>& detail) {
   if (state == LinkState::homing && status_.state != state) homing_since_ns_ = bus_.now();
   if (state != LinkState::homing) status_.homing_is_long = false;
   status_.state = state;
-  status_.detail.fill('\0');
-  detail.copy(status_.detail.data(), status_.detail.size() - 1);
+  status_.detail_size = 0;
+  if (detail) putDetail(*detail, status_);
   if (state != LinkState::ready && reading_.fault == DeviceFault::none) {
     interrupt(DeviceFault::not_ready, bus_.now());
   }

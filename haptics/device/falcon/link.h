@@ -104,6 +104,7 @@ class Link {
   // link_start.cpp
   bool start(const std::stop_token& stop, std::unique_ptr<Port>& port);
   Upload uploadOnce(const std::stop_token& stop, const std::vector<std::uint8_t>& firmware);
+  Message whyNotStarted(Upload result) const;
   bool hello();
   bool lockBaud();
   bool echoes(std::span<const std::uint8_t> chunk);
@@ -131,7 +132,7 @@ class Link {
   void sayGoodbye(const Frame& frame);
 
   void interrupt(DeviceFault fault, std::int64_t now_ns);
-  void setState(LinkState state, const std::string& detail = {});
+  void setState(LinkState state, const std::optional<Message>& detail = {});
   void publishStatus();
   void publishReading(std::int64_t now_ns);
 

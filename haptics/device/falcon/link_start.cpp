@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/link.h"
 
 namespace relievo::falcon {
@@ -44,7 +44,7 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
     try {
       firmware = readAtEase(firmware_);
     } catch (const FileError& error) {
-      setState(LinkState::no_firmware, error.what());
+      setState(LinkState::no_firmware, messageOf(error));
       // Whoever installs it, here or in a terminal, need not say so.
       if (!waitForRetry(stop, kLookForFirmwareNs)) return false;
       continue;
@@ -73,17 +73,26 @@ bool Link::start(const std::stop_token& stop, std::unique_ptr<Port>& port) {
     }
     if (stop.stop_requested()) return false;
     status_.failed_openings = 0;
-    const std::string at =
-        "byte " + std::to_string(status_.uploaded_bytes) + " of " + std::to_string(firmware.size());
-    constexpr std::array<const char*, 5> kReasons{
-        "", "its boot loader did not answer", "it did not lock on to the baud rate",
-        "it echoed wrongly after ", "it did not run after loading"};
-    const auto reason = static_cast<std::size_t>(result);
-    setState(LinkState::not_started,
-             kReasons[reason] + (result == Upload::wrong_echo ? at : std::string()));
+    setState(LinkState::not_started, whyNotStarted(result));
     if (!waitForRetry(stop, kUntilAsked)) return false;
   }
   return false;
+}
+
+Message Link::whyNotStarted(Upload result) const {
+  switch (result) {
+    case Upload::no_lock:
+      return said<MessageId::falcon_no_baud_lock>();
+    case Upload::wrong_echo:
+      return said<MessageId::falcon_wrong_echo>(status_.uploaded_bytes, status_.firmware_bytes);
+    case Upload::no_start:
+      return said<MessageId::falcon_not_running>();
+    case Upload::done:
+    case Upload::gone:
+    case Upload::no_hello:
+      break;
+  }
+  return said<MessageId::falcon_boot_loader_silent>();
 }
 
 Link::Upload Link::uploadOnce(const std::stop_token& stop,

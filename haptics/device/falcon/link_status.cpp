@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "haptics/device/falcon/link_status.h"
 
+#include <utility>
+#include <vector>
+
+#include "core/message/catalogue.h"
+
 namespace relievo::falcon {
 
 namespace {
-constexpr const char* kHomingHint =
-    " It takes long: pull straight out, push straight in, as far as it goes; do not twist.";
-
-std::string missingArms(std::uint8_t homed) {
-  constexpr std::array<const char*, kArms> kNames{"top", "right", "left"};
-  std::string text;
+WordsArgument missingArms(std::uint8_t homed) {
+  constexpr std::array<MessageId, kArms> kNames{
+      MessageId::falcon_arm_top, MessageId::falcon_arm_right, MessageId::falcon_arm_left};
+  std::vector<Message> missing;
   for (std::size_t i = 0; i < kArms; ++i) {
-    if ((homed >> i & 1U) != 0) continue;
-    text += (text.empty() ? "" : ", ") + std::string(kNames[i]);
+    if ((homed >> i & 1U) == 0) missing.push_back({kNames[i], {}});
   }
-  return text;
+  return missing;
 }
 
 template <std::size_t Size>
@@ -23,28 +25,30 @@ void put(const std::string& text, std::array<char, Size>& into) {
   text.copy(into.data(), Size - 1);
 }
 
-LinkMessage describeAbsent(const LinkStatus& status) {
+Message describeAbsent(const LinkStatus& status) {
   const std::string wanted = status.wanted.data(), others = status.others.data();
   if (status.unplugged > 0) {
-    return {"E305",
-            others.empty() ? "Falcon unplugged. Forces off. View and recording go on. Plug it in "
-                             "again, or choose the mouse as the device."
-                           : "Falcon unplugged. Forces off. View and recording go on. Plug it in "
-                             "again. There is also " +
-                                 others + ", which is not used in its place unless you choose it.",
-            "Falcon unplugged. Forces are off."};
+    return others.empty() ? said<MessageId::falcon_unplugged>()
+                          : said<MessageId::falcon_unplugged_others>(others);
   }
-  if (wanted.empty()) {
-    return {"", "No Falcon is plugged in. Plug in its power supply, then its USB cable.",
-            "No Falcon is plugged in."};
+  if (wanted.empty()) return said<MessageId::falcon_absent>();
+  return others.empty() ? said<MessageId::falcon_chosen_absent>(wanted)
+                        : said<MessageId::falcon_chosen_absent_others>(wanted, others);
+}
+
+Message describeNotStarted(const LinkStatus& status) {
+  if (status.failed_openings > 0) {
+    return said<MessageId::falcon_openings_failed>(status.failed_openings);
   }
-  return {"",
-          others.empty() ? wanted +
-                               " was chosen and is not plugged in. Plug in its power supply, then "
-                               "its USB cable."
-                         : wanted + " was chosen and is not plugged in. There is " + others +
-                               ", which is not used in its place unless you choose it.",
-          "The chosen Falcon is not plugged in."};
+  if (auto detail = detailOf(status)) {
+    return said<MessageId::falcon_not_started_for>(status.attempts, *std::move(detail));
+  }
+  return said<MessageId::falcon_not_started>(status.attempts);
+}
+
+Message describeHoming(const LinkStatus& status) {
+  if (!status.homing_is_long) return said<MessageId::falcon_homing>(missingArms(status.homed));
+  return said<MessageId::falcon_homing_long>(missingArms(status.homed));
 }
 }  // namespace
 
@@ -59,7 +63,8 @@ LinkStatus statusOf(const Opening& opening) {
 }
 
 void take(const Opening& opening, LinkStatus& status) {
-  put(opening.detail, status.detail);
+  status.detail_size = 0;
+  if (opening.detail) putDetail(*opening.detail, status);
   put(opening.wanted, status.wanted);
   put(opening.others, status.others);
   if (opening.presence != Presence::present) return;
@@ -67,79 +72,55 @@ void take(const Opening& opening, LinkStatus& status) {
   put(opening.which.port, status.port);
 }
 
-LinkMessage describe(const LinkStatus& status) {
-  const std::string detail = status.detail.data();
+void putDetail(const Message& detail, LinkStatus& status) {
+  std::string bytes = messageBytes(detail);
+  if (bytes.size() > status.detail.size()) {
+    const std::size_t around = messageBytes(said<MessageId::quoted>("")).size();
+    const std::string text = englishText(detail).substr(0, status.detail.size() - around);
+    bytes = messageBytes(said<MessageId::quoted>(text));
+  }
+  status.detail_size = static_cast<std::uint16_t>(bytes.copy(status.detail.data(), bytes.size()));
+}
+
+std::optional<Message> detailOf(const LinkStatus& status) {
+  return messageFromBytes({status.detail.data(), status.detail_size});
+}
+
+Message describe(const LinkStatus& status) {
   switch (status.state) {
     case LinkState::closed:
-      return {"", "The Falcon is not in use.", "The Falcon is not in use."};
+      return said<MessageId::falcon_not_in_use>();
     case LinkState::absent:
       return describeAbsent(status);
     case LinkState::several:
-      return {"",
-              "Several Falcons are plugged in: " + std::string(status.others.data()) +
-                  ". None is used until you choose one.",
-              "Several Falcons are plugged in. Choose one."};
+      return said<MessageId::falcon_several>(status.others.data());
     case LinkState::forbidden:
-      return {"E301",
-              "A Falcon is plugged in but this account may not use it. Install the rule that the "
-              "device set-up shows and 'relievo devices rule' prints, once (needs an "
-              "administrator), then replug.",
-              "Falcon found, but not allowed. Ask staff."};
+      return said<MessageId::falcon_forbidden>();
     case LinkState::busy:
-      return {"E304", "Another program is using the Falcon. Close it, then try again.",
-              "The Falcon is busy."};
+      return said<MessageId::falcon_busy>();
     case LinkState::broken:
-      return {"", "The Falcon could not be opened: " + detail + ". Replug it, or try another port.",
-              "The Falcon could not be opened."};
+      return said<MessageId::falcon_broken>(detailOf(status).value_or(said<MessageId::quoted>("")));
     case LinkState::checking:
-      return {"", "Asking the Falcon whether it is ready.", "Falcon found."};
+      return said<MessageId::falcon_checking>();
     case LinkState::no_firmware:
-      return {"", detail, "The Falcon needs its firmware file."};
-    case LinkState::starting: {
-      const std::string count =
-          std::to_string(status.attempt) + " of " + std::to_string(status.attempts);
-      return {"E302", "Starting the Falcon – attempt " + count + ". This is normal.",
-              status.attempt > 3 ? "Still starting." : "Starting the Falcon."};
-    }
+      return detailOf(status).value_or(said<MessageId::falcon_needs_firmware>());
+    case LinkState::starting:
+      return status.attempt > 3
+                 ? said<MessageId::falcon_still_starting>(status.attempt, status.attempts)
+                 : said<MessageId::falcon_starting>(status.attempt, status.attempts);
     case LinkState::not_started:
-      if (status.failed_openings > 0) {
-        return {"E303",
-                "The connection to the Falcon failed " + std::to_string(status.failed_openings) +
-                    " times, although it is plugged in. Forces are off; it is tried again every "
-                    "10 seconds. Plug it straight into the computer, if you can with another "
-                    "cable, or choose Touch > Device set-up > Retry.",
-                "The Falcon does not answer. Forces are off."};
-      }
-      return {"E303",
-              "The Falcon did not start after " + std::to_string(status.attempts) +
-                  " attempts; it is left alone now. Check its power supply and plug it straight "
-                  "into the computer, or choose Touch > Device set-up > Retry." +
-                  (detail.empty() ? "" : " (" + detail + ")"),
-              "The Falcon did not start. You can continue with the mouse."};
+      return describeNotStarted(status);
     case LinkState::homing:
-      return {"E308",
-              "Please pull the grip fully out, then push it fully in. Still missing: " +
-                  missingArms(status.homed) + "." + (status.homing_is_long ? kHomingHint : ""),
-              status.homing_is_long ? "Straight out, straight in; do not twist the grip."
-                                    : "Please pull the grip fully out, then push it fully in."};
+      return describeHoming(status);
     case LinkState::pull_out:
-      return {"E308", "All three arms have found their place. Pull the grip fully out once more.",
-              "Pull the grip fully out."};
+      return said<MessageId::falcon_pull_out>();
     case LinkState::ready:
-      return {"", "Falcon ready.", "Falcon ready."};
+      return said<MessageId::falcon_ready>();
     case LinkState::silent:
-      if (status.failed_openings > 0) {
-        return {"",
-                "The connection to the Falcon fails, although it is plugged in. Forces are off; it "
-                "is opened anew – " +
-                    std::to_string(status.failed_openings) + " of " +
-                    std::to_string(status.attempts) + ".",
-                "The Falcon does not answer. Forces are off."};
-      }
-      return {"", "The Falcon does not answer. Forces are off; trying to wake it.",
-              "The Falcon does not answer. Forces are off."};
+      if (status.failed_openings == 0) break;
+      return said<MessageId::falcon_opened_anew>(status.failed_openings, status.attempts);
   }
-  return {};
+  return said<MessageId::falcon_silent>();
 }
 
 std::string udevRule() {

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <type_traits>
 
 #include "core/base/vec3.h"
+#include "core/message/message.h"
 #include "haptics/device/device.h"
 #include "haptics/device/falcon/port.h"
 #include "haptics/device/falcon/protocol.h"
@@ -68,8 +70,11 @@ struct LinkStatus {
   /// `not_started` (E303): why it is in them.
   int failed_openings = 0;
   LinkCounts counts;
-  std::array<char, 700> detail{};  ///< Zero-terminated, as the next ones; see the states.
-  /// Of the one that is open, or was; SeenFalcon.
+  /// A message as bytes (`detailOf`), because it crosses threads without allocation; see the
+  /// states.
+  std::array<char, 700> detail{};
+  std::uint16_t detail_size = 0;  ///< 0: none.
+  /// Zero-terminated, as the next ones. Of the one that is open, or was; SeenFalcon.
   std::array<char, 48> serial{}, port{};
   std::array<char, 120> wanted{};  ///< Opening::wanted.
   std::array<char, 300> others{};  ///< Opening::others.
@@ -81,13 +86,12 @@ LinkStatus statusOf(const Opening& opening);
 /// What it says in words, into the fields for them.
 void take(const Opening& opening, LinkStatus& status);
 
-/// A message of the catalogue, for screen, log and speech.
-struct LinkMessage {
-  std::string code;    ///< "E301"; empty: only for information.
-  std::string screen;  ///< What happened, what the program did, what you can do.
-  std::string spoken;  ///< At most a dozen words.
-};
-LinkMessage describe(const LinkStatus& status);
+/// One that is too long for its place goes as its English text, cut.
+void putDetail(const Message& detail, LinkStatus& status);
+std::optional<Message> detailOf(const LinkStatus& status);
+
+/// What happened, what the program did, what you can do; and at most a dozen words for ears.
+Message describe(const LinkStatus& status);
 
 /// The udev rules that let whoever sits at the computer use the Falcon and the HID devices that
 /// press its buttons (hid/hid_devices.h): one line each, as the file that is installed has them.

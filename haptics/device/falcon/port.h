@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "core/message/message.h"
 #include "haptics/device/falcon/choice.h"
 #include "haptics/device/falcon/protocol.h"
 
@@ -67,9 +69,9 @@ enum class Presence : std::uint8_t {
 
 struct Opening {
   Presence presence = Presence::absent;
-  std::unique_ptr<Port> port;  ///< Set if present.
-  std::string detail;
-  SeenFalcon which{};    ///< That was opened, if present.
+  std::unique_ptr<Port> port;     ///< Set if present.
+  std::optional<Message> detail;  ///< If broken.
+  SeenFalcon which{};             ///< That was opened, if present.
   std::string wanted{};  ///< The one that is meant, as nameOf() has it, if one is; if absent.
   std::string others{};  ///< Those that are there, if none of them is taken.
 };

@@ -3,7 +3,7 @@
 
 namespace relievo::falcon {
 
-LinkMessage describe(const Opening& opening) {
+Message describe(const Opening& opening) {
   return describe(statusOf(opening));
 }
 

@@ -7,7 +7,7 @@
 namespace relievo::falcon {
 
 /// Why a Falcon cannot be opened, as the driver would say it; of one that can be: not in use.
-LinkMessage describe(const Opening& opening);
+Message describe(const Opening& opening);
 
 /// Would plugging or pulling one be heard, and nothing else help?
 bool onlyThePlugHelps(Presence presence);

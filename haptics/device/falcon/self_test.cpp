@@ -2,7 +2,9 @@
 #include "haptics/device/falcon/self_test.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cstddef>
+
+#include "core/message/catalogue.h"
 
 namespace relievo::falcon {
 
@@ -16,23 +18,27 @@ constexpr double kMovedMm = 0.2;
 constexpr int kMovedCounts = 200;
 constexpr std::array<DeviceN, 6> kDirections{
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
-constexpr std::array<const char*, 6> kDirectionNames{"right", "left", "up", "down", "out", "in"};
 constexpr std::array<std::uint8_t, 3> kLights{red, green, blue};
 
-template <class... Values>
-std::string format(const char* text, Values... values) {
-  std::array<char, 300> line{};
-  std::snprintf(line.data(), line.size(), text, values...);
-  return line.data();
+NumberArgument fixed(double value, int digits) {
+  return {.value = value, .digits = digits};
 }
 
-std::string missingButtons(std::uint32_t pressed) {
-  constexpr std::array<const char*, 4> kNames{"plus", "forward", "centre", "minus"};
-  std::string names;
+template <MessageId message_id>
+Message nudged(const std::array<double, 6>& moved_mm) {
+  const auto mm = [&](std::size_t i) { return fixed(moved_mm[i], 1); };
+  return said<message_id>(mm(0), mm(1), mm(2), mm(3), mm(4), mm(5));
+}
+
+std::vector<Message> missingButtons(std::uint32_t pressed) {
+  constexpr std::array<MessageId, 4> kNames{
+      MessageId::falcon_button_plus, MessageId::falcon_button_forward,
+      MessageId::falcon_button_centre, MessageId::falcon_button_minus};
+  std::vector<Message> missing;
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if ((pressed >> i & 1U) == 0) names += (names.empty() ? "" : ", ") + std::string(kNames[i]);
+    if ((pressed >> i & 1U) == 0) missing.push_back({kNames[i], {}});
   }
-  return names;
+  return missing;
 }
 }  // namespace
 
@@ -66,8 +72,8 @@ bool SelfTest::step(std::int64_t now_ns) {
     constexpr std::int64_t kSayingNs = 200'000'000;
     if (device_.status().state == LinkState::ready && now_ns - fault_ns_ < kSayingNs) return true;
     lines_.push_back(
-        {SelfTestLine::Result::failed, "The test ended early: " + std::string(describe(fault_)) +
-                                           ". " + describe(device_.status()).screen});
+        {SelfTestLine::Result::failed,
+         said<MessageId::self_test_ended>(messageOf(fault_), describe(device_.status()))});
     device_.showStateLights();
     next(Phase::done, now_ns);
     return false;
@@ -87,8 +93,7 @@ bool SelfTest::step(std::int64_t now_ns) {
         break;
       }
       device_.showStateLights();
-      lines_.push_back({SelfTestLine::Result::not_seen,
-                        "Lights: red, green and blue were shown one after the other."});
+      lines_.push_back({SelfTestLine::Result::not_seen, said<MessageId::self_test_lights>()});
       next(options_.nudges ? Phase::nudges : afterNudges(), now_ns);
       break;
     }
@@ -141,21 +146,15 @@ DeviceN SelfTest::nudge(const DeviceReading& reading, double since_s) {
 }
 
 void SelfTest::judgeNudges() {
-  std::string text = "Nudges of 0.5 N moved the hand by";
-  std::size_t moved = 0;
-  for (std::size_t i = 0; i < moved_mm_.size(); ++i) {
-    text += format("%s %s %.1f mm", i == 0 ? "" : ",", kDirectionNames[i], moved_mm_[i]);
-    if (moved_mm_[i] > kMovedMm) ++moved;
-  }
-  if (moved == moved_mm_.size()) {
-    lines_.push_back({SelfTestLine::Result::passed, text + "."});
+  using Result = SelfTestLine::Result;
+  const auto moved = std::count_if(moved_mm_.begin(), moved_mm_.end(),
+                                   [](double moved_mm) { return moved_mm > kMovedMm; });
+  if (moved == static_cast<std::ptrdiff_t>(moved_mm_.size())) {
+    lines_.push_back({Result::passed, nudged<MessageId::self_test_nudges>(moved_mm_)});
   } else if (moved > 0) {
-    lines_.push_back({SelfTestLine::Result::not_seen, text + "; a hand that holds on moves less."});
+    lines_.push_back({Result::not_seen, nudged<MessageId::self_test_nudges_held>(moved_mm_)});
   } else {
-    lines_.push_back({SelfTestLine::Result::failed,
-                      text +
-                          "; the motors moved nothing. Check the Falcon's power supply, hold the "
-                          "grip loosely or let go of it, and test again."});
+    lines_.push_back({Result::failed, nudged<MessageId::self_test_nudges_nothing>(moved_mm_)});
   }
 }
 
@@ -168,60 +167,58 @@ void SelfTest::judgeRate() {
   const double rate = static_cast<double>(frames) / options_.rate_s;
   lines_.push_back(
       {rate >= kLeastRateHz ? SelfTestLine::Result::passed : SelfTestLine::Result::failed,
-       format("Rate: %.0f answers per second (%.0f are needed).", rate, kLeastRateHz)});
+       said<MessageId::self_test_rate>(fixed(rate, 0), fixed(kLeastRateHz, 0))});
   const bool clean = 1000 * malformed <= kMostMalformedPerThousand * frames && stalls == 0;
   lines_.push_back(
       {clean ? SelfTestLine::Result::passed : SelfTestLine::Result::failed,
-       format("Line: %llu damaged answers, %llu stalls, %llu overruns.",
-              static_cast<unsigned long long>(malformed), static_cast<unsigned long long>(stalls),
-              static_cast<unsigned long long>(now.overruns - before_.counts.overruns))});
-  std::string gaps = "Times from answer to answer:";
-  for (std::size_t i = 0; i < now.gaps.size(); ++i) {
-    const auto count = static_cast<unsigned long long>(now.gaps[i] - before_.counts.gaps[i]);
-    const bool last = i == LinkCounts::kGapEdgesNs.size();
-    const double edge_ms = 1e-6 * static_cast<double>(LinkCounts::kGapEdgesNs[last ? i - 1 : i]);
-    gaps +=
-        format("%s %s %.1f ms %llu", i == 0 ? "" : ",", last ? "above" : "up to", edge_ms, count);
-  }
+       said<MessageId::self_test_line>(malformed, stalls, now.overruns - before_.counts.overruns)});
+  // The edges stand in the sentence.
+  static_assert(LinkCounts::kGapEdgesNs ==
+                std::array<std::int64_t, 7>{800'000, 1'000'000, 1'200'000, 2'000'000, 5'000'000,
+                                            20'000'000, 100'000'000});
+  const auto gaps = [&](std::size_t i) { return now.gaps[i] - before_.counts.gaps[i]; };
+  const double longest_ms = 1e-6 * static_cast<double>(now.worst_gap_ns);
   lines_.push_back(
       {SelfTestLine::Result::passed,
-       gaps + format("; the longest %.2f ms.", 1e-6 * static_cast<double>(now.worst_gap_ns))});
+       said<MessageId::self_test_times>(gaps(0), gaps(1), gaps(2), gaps(3), gaps(4), gaps(5),
+                                        gaps(6), gaps(7), fixed(longest_ms, 2))});
   lines_.push_back({SelfTestLine::Result::passed,
-                    format("From question to answer: %.2f ms on average, %.2f ms at worst.",
-                           status.mean_answer_ms, status.worst_answer_ms)});
+                    said<MessageId::self_test_answers>(fixed(status.mean_answer_ms, 2),
+                                                       fixed(status.worst_answer_ms, 2))});
 }
 
 void SelfTest::judgePerson() {
-  const std::string missing = missingButtons(pressed_);
+  const std::vector<Message> missing = missingButtons(pressed_);
   lines_.push_back({missing.empty() ? SelfTestLine::Result::passed : SelfTestLine::Result::not_seen,
-                    missing.empty() ? "Buttons: all four work."
-                                    : "Buttons that were not pressed: " + missing + "."});
-  constexpr std::array<const char*, kArms> kNames{"top", "right", "left"};
+                    missing.empty() ? said<MessageId::self_test_buttons>()
+                                    : said<MessageId::self_test_buttons_missing>(missing)});
+  constexpr std::array<MessageId, kArms> kNames{
+      MessageId::falcon_arm_top, MessageId::falcon_arm_right, MessageId::falcon_arm_left};
   for (std::size_t i = 0; i < kArms; ++i) {
     const int range = std::max(0, most_[i] - least_[i]);
     lines_.push_back(
         {range > kMovedCounts ? SelfTestLine::Result::passed : SelfTestLine::Result::not_seen,
-         format("Encoder of the %s arm: moved by %d counts.", kNames[i], range)});
+         said<MessageId::self_test_encoder>(Message{kNames[i], {}}, range)});
   }
 }
 
-std::string SelfTest::prompt() const {
+Message SelfTest::prompt() const {
   switch (phase_) {
     case Phase::rate:
-      return "Measuring how evenly the Falcon answers.";
+      return said<MessageId::self_test_measuring>();
     case Phase::lights:
-      return "Watch the lights: red, green, blue.";
+      return said<MessageId::self_test_watch_lights>();
     case Phase::nudges:
-      return "Hold the grip loosely: six small nudges of half a newton.";
+      return said<MessageId::self_test_hold_loosely>();
     case Phase::person: {
-      const std::string missing = missingButtons(pressed_);
-      return "Move the grip all round and press each of the four buttons." +
-             (missing.empty() ? "" : " Still missing: " + missing + ".");
+      const std::vector<Message> missing = missingButtons(pressed_);
+      return missing.empty() ? said<MessageId::self_test_move_and_press>()
+                             : said<MessageId::self_test_still_missing>(missing);
     }
     case Phase::done:
-      return passed() ? "The self test passed." : "The self test found something wrong.";
+      break;
   }
-  return {};
+  return passed() ? said<MessageId::self_test_passed>() : said<MessageId::self_test_failed>();
 }
 
 bool SelfTest::passed() const {

@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
+#include "core/message/message.h"
 #include "haptics/device/falcon/falcon_device.h"
 
 namespace relievo::falcon {
@@ -15,7 +15,7 @@ namespace relievo::falcon {
 struct SelfTestLine {
   enum class Result : std::uint8_t { passed, failed, not_seen };
   Result result = Result::passed;
-  std::string text;
+  Message text;
 };
 
 struct SelfTestOptions {
@@ -35,7 +35,7 @@ class SelfTest {
   bool step(std::int64_t now_ns);
   Phase phase() const { return phase_; }
   /// What is going on and what to do: "Press each of the four buttons: minus is still missing."
-  std::string prompt() const;
+  Message prompt() const;
   const std::vector<SelfTestLine>& lines() const { return lines_; }
   bool passed() const;
 

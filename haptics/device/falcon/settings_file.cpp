@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/atomic_file.h"
 #include "haptics/device/falcon/firmware.h"
 
@@ -76,10 +76,7 @@ FalconSettings readSettings(const fs::path& file, const std::string& serial) {
 
 void writeSettings(const FalconSettings& settings, const fs::path& file,
                    const std::string& serial) {
-  const auto refuse = [&file] {
-    throw WriteError("The Falcon's settings could not be written to \"" + file.string() +
-                     "\". They hold until the program ends. Check the folder's permissions.");
-  };
+  const auto refuse = [&file] { throw failure<MessageId::falcon_settings_not_written>(file); };
   const std::string mark = serial.empty() ? std::string() : "@" + serial;
   std::vector<Line> lines{{"counts_per_n_mm" + mark, textOf(settings.counts_per_n_mm)},
                           {"grip_weight_n" + mark, textOf(settings.grip_weight_n)},

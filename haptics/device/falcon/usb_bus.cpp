@@ -12,7 +12,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/last_words.h"
 #include "haptics/rt/realtime_thread.h"
 
@@ -365,7 +365,7 @@ bool PlugWatch::changed() {
 
 UsbBus::UsbBus(FalconChoice choice) : impl_(std::make_unique<Impl>()), search_(std::move(choice)) {
   if (const int result = impl_->begin(); result != 0) {
-    throw DeviceError(std::string("USB cannot be used: ") + libusb_strerror(result) + ".");
+    throw failure<MessageId::usb_not_usable>(libusb_strerror(result));
   }
 }
 
@@ -392,7 +392,7 @@ Opening UsbBus::openSeen() {
   Opening opening;
   if (impl_->context == nullptr) {
     opening.presence = Presence::broken;
-    opening.detail = "USB cannot be used";
+    opening.detail = said<MessageId::usb_unusable>();
     return opening;
   }
   const DeviceList list(impl_->context);
@@ -440,7 +440,7 @@ void UsbBus::open(libusb_device* device, Opening& opening) {
       break;  // Left while we looked.
     default:
       opening.presence = Presence::broken;
-      opening.detail = libusb_strerror(result);
+      opening.detail = said<MessageId::quoted>(libusb_strerror(result));
   }
 }
 

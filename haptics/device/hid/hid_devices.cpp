@@ -17,7 +17,7 @@
 #include <optional>
 #include <set>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo::hid {
 
@@ -139,7 +139,7 @@ struct HidDevices::Impl {
 };
 
 HidDevices::HidDevices() : impl_(std::make_unique<Impl>()) {
-  if (hid_init() != 0) throw DeviceError("HID devices cannot be used on this system.");
+  if (hid_init() != 0) throw failure<MessageId::hid_unusable>();
 }
 
 HidDevices::~HidDevices() {

@@ -198,20 +198,23 @@ TEST_F(Buttons, HelpNamesEveryPressOfItsMode) {
       EXPECT_THAT(std::string(text), testing::HasSubstr(part));
     }
   };
-  all(buttons_.help(), {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
-                        "Forward: move; long: beacon.", "Centre: where am I; long: forces off or",
-                        "Plus and Minus for two seconds: help; for five: introduction."});
+  all(englishText(buttons_.help()),
+      {"Plus: finer; long: detail and scale.", "Minus: coarser; long: whole",
+       "Forward: move; long: beacon.", "Centre: where am I; long: forces off or",
+       "Plus and Minus for two seconds: help; for five: introduction."});
   buttons_.toggleMoving();
-  all(buttons_.help(), {"Plus: next place.", "Minus: previous place.", "Forward: done.",
-                        "Centre: back; long: forces off or on.", "Plus and Minus for two seconds"});
+  all(englishText(buttons_.help()),
+      {"Plus: next place.", "Minus: previous place.", "Forward: done.",
+       "Centre: back; long: forces off or on.", "Plus and Minus for two seconds"});
   buttons_.setOptions({.one_button = true});
-  all(buttons_.help(), {"next place, previous place", "Hold for a second and a half: forces off."});
+  all(englishText(buttons_.help()),
+      {"next place, previous place", "Hold for a second and a half: forces off."});
 }
 
 TEST_F(Buttons, EveryCommandHasANameAndWords) {
   for (int i = 1; i <= static_cast<int>(restart_introduction); ++i) {
     EXPECT_FALSE(commandName(static_cast<ButtonCommand>(i)).empty());
-    EXPECT_FALSE(commandWords(static_cast<ButtonCommand>(i)).empty());
+    EXPECT_FALSE(englishText(messageOf(static_cast<ButtonCommand>(i))).empty());
   }
   EXPECT_EQ(commandName(finer), "finer");
   EXPECT_EQ(commandName(restart_introduction), "introduction");

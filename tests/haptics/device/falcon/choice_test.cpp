@@ -115,9 +115,9 @@ TEST_F(TwoFalconsTest, TheOneThatIsGoneIsNamedAndTheOtherIsNotUsed) {
   ASSERT_TRUE(becomes(LinkState::ready, 200));
   falcon([](auto& f) { f.unplug(); });
   ASSERT_TRUE(becomes(LinkState::absent, 2000));
-  const LinkMessage message = describe(device_->status());
-  EXPECT_EQ(message.code, "E305");
-  EXPECT_THAT(message.screen, HasSubstr("There is also B2 (USB 1-3.1), which is not used"));
+  const Message message = describe(device_->status());
+  EXPECT_EQ(codeOf(message), "E305");
+  EXPECT_THAT(englishText(message), HasSubstr("There is also B2 (USB 1-3.1), which is not used"));
   step(3000);
   EXPECT_EQ(device_->status().state, LinkState::absent);
   EXPECT_EQ(asked(second_), 0U) << "however long it is waited";
@@ -134,7 +134,7 @@ TEST_F(TwoFalconsTest, OneThatIsNotThereIsNamedInWhatIsRefused) {
     EXPECT_EQ(error.presence(), Presence::absent);
     EXPECT_THAT(error.what(), HasSubstr("Falcon C3 was chosen and is not plugged in. There is "
                                         "A1 (USB 1-2), B2 (USB 1-3.1)"));
-    EXPECT_EQ(error.message().spoken, "The chosen Falcon is not plugged in.");
+    EXPECT_EQ(englishSpoken(*error.message), "The chosen Falcon is not plugged in.");
   }
 }
 
@@ -143,7 +143,7 @@ TEST_F(TwoFalconsTest, WithoutAChoiceNeitherIsUsed) {
   EXPECT_THROW(device_->open(), OpeningError);
   begin();
   ASSERT_TRUE(becomes(LinkState::several, 200));
-  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("A1 (USB 1-2), B2 (USB 1-3.1)"));
+  EXPECT_THAT(englishText(describe(device_->status())), HasSubstr("A1 (USB 1-2), B2 (USB 1-3.1)"));
   EXPECT_EQ(asked(emulated_) + asked(second_), 0U);
   second_->with([](auto& f) { f.unplug(); });
   ASSERT_TRUE(becomes(LinkState::ready, 3000)) << "it is clear now";

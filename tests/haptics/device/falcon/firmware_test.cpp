@@ -111,7 +111,7 @@ TEST_F(FirmwareTest, AnImageThatNobodyKnowsIsAskedForOnce) {
   const fs::path file = write("home/falcon.bin", relievo::test::madeImage());
   EXPECT_THAT(failure(), AllOf(HasSubstr("nobody knows"), HasSubstr("--accept")));
   const Firmware firmware = readFirmware(file);
-  EXPECT_EQ(firmware.known_as, "");
+  EXPECT_FALSE(firmware.known_as);
   EXPECT_FALSE(isAccepted(firmware, places_));
   EXPECT_EQ(installFirmware(firmware, places_), places_.data_home / "nvent_firmware.bin");
   EXPECT_TRUE(isAccepted(firmware, places_));

@@ -29,7 +29,7 @@ class FalconSelfTest : public test::RunningFalconTest {
   void findsTheGain(double true_gain);
   static std::string textOf(const SelfTest& test) {
     std::string text;
-    for (const SelfTestLine& line : test.lines()) text += line.text + "\n";
+    for (const SelfTestLine& line : test.lines()) text += englishText(line.text) + "\n";
     return text;
   }
 };
@@ -49,8 +49,9 @@ TEST_F(FalconSelfTest, AGoodFalconPasses) {
   EXPECT_TRUE(test.passed()) << textOf(test);
   EXPECT_THAT(textOf(test), HasSubstr("Buttons: all four work."));
   for (const SelfTestLine& line : test.lines()) {
-    EXPECT_TRUE(line.result == SelfTestLine::Result::passed || line.text.starts_with("Lights"))
-        << line.text;
+    EXPECT_TRUE(line.result == SelfTestLine::Result::passed ||
+                englishText(line.text).starts_with("Lights"))
+        << englishText(line.text);
   }
 }
 
@@ -107,7 +108,8 @@ TEST_F(FalconSelfTest, NudgesAreHalfANewtonAndMoveTheHandTheirWay) {
   EXPECT_GT(most, 0.48);
   EXPECT_THAT(textOf(test), HasSubstr("Nudges of 0.5 N moved the hand"));
   EXPECT_TRUE(std::any_of(test.lines().begin(), test.lines().end(), [](const auto& line) {
-    return line.text.starts_with("Nudges") && line.result == SelfTestLine::Result::passed;
+    return englishText(line.text).starts_with("Nudges") &&
+           line.result == SelfTestLine::Result::passed;
   })) << textOf(test);
 }
 
@@ -117,10 +119,10 @@ TEST_F(FalconSelfTest, MotorsThatMoveNothingFailAndNobodyIsAskedForMore) {
   std::string asked;
   for (int ms = 0; ms < 20'000 && test.step(clock_->now()); ++ms) {
     step();
-    asked += test.prompt();
+    asked += englishText(test.prompt());
   }
   EXPECT_FALSE(test.passed());
-  EXPECT_EQ(test.prompt(), "The self test found something wrong.");
+  EXPECT_EQ(englishText(test.prompt()), "The self test found something wrong.");
   EXPECT_THAT(textOf(test), HasSubstr("in 0.0 mm; the motors moved nothing. Check the Falcon's "
                                       "power supply, hold the grip loosely"));
   EXPECT_THAT(asked, HasSubstr("Hold the grip loosely"));
@@ -229,7 +231,7 @@ void FalconSelfTest::findsTheGain(double true_gain) {
       calibration.weightHangs();
     }
   }
-  ASSERT_TRUE(calibration.result()) << calibration.prompt();
+  ASSERT_TRUE(calibration.result()) << englishText(calibration.prompt());
   // 10 N/kg would be 2 % off.
   EXPECT_NEAR(*calibration.result(), true_gain, 0.005 * true_gain);
 }
@@ -246,7 +248,7 @@ TEST_F(FalconSelfTest, ACalibrationThatStepsTooSlowlyGivesAReasonAndNoGain) {
     if (calibration.phase() == Calibration::Phase::hang_weight) calibration.weightHangs();
   }
   EXPECT_FALSE(calibration.result());
-  EXPECT_THAT(calibration.prompt(), HasSubstr("interrupted too often"));
+  EXPECT_THAT(englishText(calibration.prompt()), HasSubstr("interrupted too often"));
 }
 
 /// The force rises from zero after each; what is asked for meanwhile says nothing of the weight.
@@ -269,12 +271,12 @@ TEST_F(FalconSelfTest, ALineWithInterruptionsGivesTheWeightOrAReason) {
       }
     }
     if (every_ms > 1000) {
-      ASSERT_TRUE(calibration.result()) << calibration.prompt();
+      ASSERT_TRUE(calibration.result()) << englishText(calibration.prompt());
       EXPECT_NEAR(*calibration.result(), kTrue, 0.02 * kTrue);
       EXPECT_NEAR(calibration.gripWeightN(), 0.3, 0.02) << "of the empty grip";
     } else {
       EXPECT_FALSE(calibration.result());
-      EXPECT_THAT(calibration.prompt(), HasSubstr("interrupted too often"));
+      EXPECT_THAT(englishText(calibration.prompt()), HasSubstr("interrupted too often"));
     }
   }
 }
@@ -287,7 +289,7 @@ TEST_F(FalconSelfTest, AWeightThatIsNotThereIsNoticed) {
     calibration.weightHangs();
   }
   EXPECT_EQ(calibration.phase(), Calibration::Phase::failed);
-  EXPECT_THAT(calibration.prompt(), HasSubstr("old setting is kept"));
+  EXPECT_THAT(englishText(calibration.prompt()), HasSubstr("old setting is kept"));
   EXPECT_THROW(Calibration(*device_, 10, 5), ArgumentError);
 }
 

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 TEST_F(FalconTest, FromPlugToTouch) {
   begin();
   EXPECT_TRUE(becomes(LinkState::starting, 1000));
-  ASSERT_TRUE(becomes(LinkState::homing, 5000)) << describe(device_->status()).screen;
+  ASSERT_TRUE(becomes(LinkState::homing, 5000)) << englishText(describe(device_->status()));
   EXPECT_EQ(falcon([](auto& f) { return f.uploads(); }), 1);
   EXPECT_EQ(falcon([](auto& f) { return f.lastImage(); }), firmware_) << "every byte, in order";
   EXPECT_EQ(falcon([](auto& f) { return f.unpurgedUploads(); }), 0)
@@ -23,7 +23,7 @@ TEST_F(FalconTest, FromPlugToTouch) {
   step(50);
   EXPECT_EQ(reading_.fault, DeviceFault::not_ready);
   EXPECT_EQ(lastCommand().lights, red);
-  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("top, right, left"));
+  EXPECT_THAT(englishText(describe(device_->status())), HasSubstr("top, right, left"));
 
   hold(0, 0, 172);
   step(20);
@@ -117,7 +117,7 @@ TEST_F(FalconTest, OneArmThatIsNotHomedIsNamedAndKeepsForceOff) {
 TEST_F(FalconTest, HomingFollowsTheOrderThatTheMessageAsksFor) {
   begin();
   ASSERT_TRUE(becomes(LinkState::homing, 5000));
-  EXPECT_THAT(describe(device_->status()).screen,
+  EXPECT_THAT(englishText(describe(device_->status())),
               testing::StartsWith("Please pull the grip fully out, then push it fully in."));
   step(20);
   hold(0, 0, 90);
@@ -128,24 +128,25 @@ TEST_F(FalconTest, HomingFollowsTheOrderThatTheMessageAsksFor) {
   EXPECT_EQ(device_->status().state, LinkState::homing);
   hold(0, 0, 90);
   EXPECT_TRUE(becomes(LinkState::pull_out, 50));
-  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("Pull the grip fully out once more"));
+  EXPECT_THAT(englishText(describe(device_->status())),
+              HasSubstr("Pull the grip fully out once more"));
 }
 
 TEST_F(FalconTest, AHintIsGivenAfterTwentySecondsOfHoming) {
   begin();
   ASSERT_TRUE(becomes(LinkState::homing, 5000));
   step(19'900);
-  EXPECT_THAT(describe(device_->status()).screen, testing::Not(HasSubstr("do not twist")));
+  EXPECT_THAT(englishText(describe(device_->status())), testing::Not(HasSubstr("do not twist")));
   step(200);
-  const LinkMessage message = describe(device_->status());
-  EXPECT_EQ(message.code, "E308");
-  EXPECT_THAT(message.screen, HasSubstr("do not twist"));
-  EXPECT_THAT(message.spoken, HasSubstr("do not twist"));
+  const Message message = describe(device_->status());
+  EXPECT_EQ(codeOf(message), "E308");
+  EXPECT_THAT(englishText(message), HasSubstr("do not twist"));
+  EXPECT_THAT(englishSpoken(message), HasSubstr("do not twist"));
   ASSERT_TRUE(home()) << "there is no time limit";
   falcon([](auto& f) { f.body.forgetHoming(); });
   ASSERT_TRUE(becomes(LinkState::homing, 100));
   step(1000);
-  EXPECT_THAT(describe(device_->status()).screen, testing::Not(HasSubstr("do not twist")));
+  EXPECT_THAT(englishText(describe(device_->status())), testing::Not(HasSubstr("do not twist")));
 }
 
 TEST_F(FalconTest, TriesAgainWhenTheBootLoaderIsDeafLateOrEchoesWrongly) {
@@ -155,7 +156,7 @@ TEST_F(FalconTest, TriesAgainWhenTheBootLoaderIsDeafLateOrEchoesWrongly) {
     f.troubles.wrong_echoes = 2;
   });
   begin();
-  ASSERT_TRUE(becomes(LinkState::homing, 15'000)) << describe(device_->status()).screen;
+  ASSERT_TRUE(becomes(LinkState::homing, 15'000)) << englishText(describe(device_->status()));
   EXPECT_EQ(device_->status().attempt, 3) << "two uploads broke off at the wrong echo";
   EXPECT_EQ(falcon([](auto& f) { return f.lastImage(); }), firmware_);
 }
@@ -164,12 +165,12 @@ TEST_F(FalconTest, GivesUpAfterTenAttemptsAndSaysWhereThenRetries) {
   falcon([](auto& f) { f.troubles.wrong_echoes = 1000; });
   begin();
   ASSERT_TRUE(becomes(LinkState::not_started, 30'000));
-  const LinkMessage message = describe(device_->status());
-  EXPECT_EQ(message.code, "E303");
-  EXPECT_THAT(message.screen, HasSubstr("10 attempts"));
-  EXPECT_THAT(message.screen, HasSubstr("Touch > Device set-up > Retry"));
+  const Message message = describe(device_->status());
+  EXPECT_EQ(codeOf(message), "E303");
+  EXPECT_THAT(englishText(message), HasSubstr("10 attempts"));
+  EXPECT_THAT(englishText(message), HasSubstr("Touch > Device set-up > Retry"));
   EXPECT_EQ(bus_->opens, 1 + 3) << "anew before every third attempt";
-  EXPECT_THAT(message.screen, HasSubstr("byte 992 of 8464")) << "the last whole chunk";
+  EXPECT_THAT(englishText(message), HasSubstr("byte 992 of 8464")) << "the last whole chunk";
   falcon([](auto& f) { f.troubles.wrong_echoes = 0; });
   device_->retry();
   EXPECT_TRUE(becomes(LinkState::homing, 5000));
@@ -202,7 +203,7 @@ TEST_F(FalconTest, OneThatIsBusyWhenItIsOpenedAnewWasNotUnplugged) {
   ASSERT_TRUE(becomes(LinkState::starting, 1000));
   bus_->pretend = Presence::busy;
   ASSERT_TRUE(becomes(LinkState::busy, 5000));
-  EXPECT_EQ(describe(device_->status()).code, "E304");
+  EXPECT_EQ(codeOf(describe(device_->status())), "E304");
   EXPECT_EQ(device_->status().attempt, 4);
   falcon([](auto& f) { f.troubles.wrong_echoes = 0; });
   bus_->pretend = Presence::present;
@@ -217,7 +218,7 @@ TEST_F(FalconTest, SaysWhereFirmwareWasSoughtAndGoesOnWhenItIsThere) {
   firmware_.clear();
   begin();
   ASSERT_TRUE(becomes(LinkState::no_firmware, 1000));
-  EXPECT_THAT(describe(device_->status()).screen, HasSubstr("Places searched"));
+  EXPECT_THAT(englishText(describe(device_->status())), HasSubstr("Places searched"));
   firmware_ = image;
   device_->retry();
   EXPECT_TRUE(becomes(LinkState::homing, 5000));
@@ -233,7 +234,7 @@ TEST_F(FalconTest, FirmwareThatIsInstalledMeanwhileIsLoadedWithoutBeingAsked) {
   EXPECT_EQ(device_->status().state, LinkState::no_firmware);
   EXPECT_NEAR(firmware_asked_ - asked, 5, 1) << "once a second";
   firmware_ = image;
-  EXPECT_TRUE(becomes(LinkState::homing, 1500 + 3000)) << describe(device_->status()).screen;
+  EXPECT_TRUE(becomes(LinkState::homing, 1500 + 3000)) << englishText(describe(device_->status()));
 }
 
 class ZeroBeforeHelloTest : public FalconTest {
@@ -283,7 +284,7 @@ TEST_F(FalconTest, UnpluggedWhileStartingIsWaitedFor) {
     f.powerCycle();
   });
   ASSERT_TRUE(becomes(LinkState::absent, 500));
-  EXPECT_EQ(describe(device_->status()).code, "E305");
+  EXPECT_EQ(codeOf(describe(device_->status())), "E305");
   falcon([](auto& f) { f.plugIn(); });
   EXPECT_TRUE(becomes(LinkState::homing, 6000));
 }

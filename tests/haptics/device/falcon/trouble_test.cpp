@@ -161,7 +161,8 @@ TEST_F(FalconTroubleTest, MeasuresAgainstSilenceComeAtTheirTimes) {
 TEST_F(FalconTroubleTest, AHungProcessorIsStartedAnew) {
   trouble([](auto& f) { f.troubles.silent = true; });
   ASSERT_TRUE(becomes(LinkState::silent, 600));
-  EXPECT_EQ(describe(device_->status()).spoken, "The Falcon does not answer. Forces are off.");
+  EXPECT_EQ(englishSpoken(describe(device_->status())),
+            "The Falcon does not answer. Forces are off.");
   ASSERT_TRUE(becomes(LinkState::starting, 3000));
   falcon([](auto& f) { f.troubles.silent = false; });
   ASSERT_TRUE(becomes(LinkState::homing, 15'000));
@@ -201,7 +202,7 @@ TEST_F(FalconTroubleTest, UnpluggedInContactThenReplugged) {
   trouble([](auto& f) { f.unplug(); });
   ASSERT_TRUE(stepUntil([this] { return fault_ == DeviceFault::disconnected; }, 20));
   ASSERT_TRUE(becomes(LinkState::absent, 50));
-  EXPECT_EQ(describe(device_->status()).code, "E305");
+  EXPECT_EQ(codeOf(describe(device_->status())), "E305");
   step(300);
   EXPECT_NE(reading_.fault, DeviceFault::none);
   falcon([](auto& f) {
@@ -317,7 +318,8 @@ TEST_F(FalconTroubleTest, ReadsThatGoOnFailingLeaveNoForceAndAreNotOpenedForEver
     }
   });
   ASSERT_TRUE(becomes(LinkState::silent, 200));
-  EXPECT_THAT(describe(device_->status()).screen, testing::HasSubstr("although it is plugged in"));
+  EXPECT_THAT(englishText(describe(device_->status())),
+              testing::HasSubstr("although it is plugged in"));
   step(1000);
   EXPECT_LE(bus_->opens, 1 + 6) << "20, 40, 80, 160, 320, 640 ms";
   EXPECT_GE(bus_->opens, 1 + 4);
@@ -325,10 +327,11 @@ TEST_F(FalconTroubleTest, ReadsThatGoOnFailingLeaveNoForceAndAreNotOpenedForEver
   EXPECT_EQ(firmware_asked_, 0) << "nothing of it hints at the firmware";
 
   ASSERT_TRUE(becomes(LinkState::not_started, 15'000));
-  const LinkMessage message = describe(device_->status());
-  EXPECT_EQ(message.code, "E303");
-  EXPECT_THAT(message.screen, testing::StartsWith("The connection to the Falcon failed 10 times, "
-                                                  "although it is plugged in. Forces are off"));
+  const Message message = describe(device_->status());
+  EXPECT_EQ(codeOf(message), "E303");
+  EXPECT_THAT(englishText(message),
+              testing::StartsWith("The connection to the Falcon failed 10 times, "
+                                  "although it is plugged in. Forces are off"));
   const int opens = bus_->opens;
   step(60'000);
   EXPECT_LE(bus_->opens - opens, 6) << "one in ten seconds";
@@ -374,7 +377,7 @@ TEST_F(FalconTroubleTest, PulledWhileReadsFailItIsUnplugged) {
   ASSERT_TRUE(becomes(LinkState::silent, 200));
   falcon([](auto& f) { f.unplug(); });
   ASSERT_TRUE(becomes(LinkState::absent, 200));
-  EXPECT_EQ(describe(device_->status()).code, "E305");
+  EXPECT_EQ(codeOf(describe(device_->status())), "E305");
   EXPECT_EQ(device_->status().unplugged, 1U);
   step(2);
   EXPECT_EQ(fault_, DeviceFault::disconnected);
@@ -539,7 +542,7 @@ TEST_F(FalconTroubleTest, RandomTroublesNeverShowMoreThanWasAsked) {
     ASSERT_LT(norm(felt()), 2.05);
   }
   falcon([](auto& f) { f.troubles = {}; });
-  EXPECT_TRUE(touchesAgain()) << describe(device_->status()).screen;
+  EXPECT_TRUE(touchesAgain()) << englishText(describe(device_->status()));
 }
 
 }  // namespace

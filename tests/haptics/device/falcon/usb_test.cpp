@@ -105,7 +105,7 @@ TEST_F(FalconUsbTest, UploadsWithoutABadChunkAndHomes) {
   const auto falcon = plugged({});
   const auto device = this->device();
   device->open();
-  ASSERT_TRUE(becomes(*device, LinkState::homing)) << describe(device->status()).screen;
+  ASSERT_TRUE(becomes(*device, LinkState::homing)) << englishText(describe(device->status()));
   EXPECT_EQ(device->status().attempt, 1) << "no chunk was bad";
   falcon->with([](auto& f) {
     EXPECT_EQ(f.lastImage(), relievo::test::madeImage());
@@ -191,7 +191,7 @@ TEST_F(FalconUsbTest, UnpluggedWhileTouchingThenReplugged) {
   const auto falcon = plugged();
   const auto device = this->device();
   device->open();
-  ASSERT_TRUE(becomes(*device, LinkState::ready)) << describe(device->status()).screen;
+  ASSERT_TRUE(becomes(*device, LinkState::ready)) << englishText(describe(device->status()));
   DeviceReading reading;
   const auto exchange = [&] {
     reading = device->exchange({0, 0, 2}, monotonicNs());
@@ -200,12 +200,12 @@ TEST_F(FalconUsbTest, UnpluggedWhileTouchingThenReplugged) {
   ASSERT_TRUE(eventually([&] {
     exchange();
     return falcon->with([](auto& f) { return std::abs(f.body.force()[2]) > 0.5; });
-  })) << describe(device->status()).screen;
+  })) << englishText(describe(device->status()));
   usb_.unplug();
   ASSERT_TRUE(eventually([&] { return exchange() == DeviceFault::disconnected; }));
-  ASSERT_TRUE(becomes(*device, LinkState::absent)) << describe(device->status()).screen;
+  ASSERT_TRUE(becomes(*device, LinkState::absent)) << englishText(describe(device->status()));
   const auto again = plugged({});
-  ASSERT_TRUE(becomes(*device, LinkState::homing)) << describe(device->status()).screen;
+  ASSERT_TRUE(becomes(*device, LinkState::homing)) << englishText(describe(device->status()));
   const auto asked = [&] { return again->with([](auto& f) { return f.commandCount() > 20; }); };
   ASSERT_TRUE(eventually([&] {
     exchange();
@@ -257,7 +257,7 @@ class FalconUsbFaultTest : public FalconUsbTroubleTest,
 TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   const test::Fault& fault = GetParam();
   device_->open();
-  ASSERT_TRUE(becomes(*device_, LinkState::ready)) << describe(device_->status()).screen;
+  ASSERT_TRUE(becomes(*device_, LinkState::ready)) << englishText(describe(device_->status()));
   ASSERT_TRUE(touches());
   told_ = DeviceFault::none;
   const std::uint64_t before = fault.counted(device_->status());
@@ -284,12 +284,12 @@ TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   EXPECT_TRUE(touches());
   EXPECT_EQ(falcon_->with([](auto& f) { return f.uploads(); }), 0);
 }
-/// Altered nibbles are up to 200 mm away. The mocked port answers as late as the machine is busy, and
-/// what a hand can reach grows with that: so each round is judged by the times that its readings
-/// carry. PoseGate's own test judges each place to the millimetre, on a clock of its own.
+/// Altered nibbles are up to 200 mm away. The mocked port answers as late as the machine is busy,
+/// and what a hand can reach grows with that: so each round is judged by the times that its
+/// readings carry. PoseGate's own test judges each place to the millimetre, on a clock of its own.
 TEST_F(FalconUsbTroubleTest, AlteredNibblesAreNotBelieved) {
   device_->open();
-  ASSERT_TRUE(becomes(*device_, LinkState::ready)) << describe(device_->status()).screen;
+  ASSERT_TRUE(becomes(*device_, LinkState::ready)) << englishText(describe(device_->status()));
   ASSERT_TRUE(touches());
   const DeviceMm place = device_->status().position;
   const auto read = [this] { return device_->exchange({0, 0, 2}, monotonicNs()); };
@@ -317,7 +317,8 @@ TEST_F(FalconUsbTroubleTest, AlteredNibblesAreNotBelieved) {
     }
     const double passed_ms = 1e-6 * static_cast<double>(ended_ns - began_ns[(i + 1) % kRounds]);
     constexpr double kLateMs = 4;
-    EXPECT_LE(farthest_mm, PoseGate::kGrainMm + 1e-3 * PoseGate::kMostMmPerS * (passed_ms + kLateMs))
+    EXPECT_LE(farthest_mm,
+              PoseGate::kGrainMm + 1e-3 * PoseGate::kMostMmPerS * (passed_ms + kLateMs))
         << "in round " << i << ", " << passed_ms << " ms";
     ++judged;
     return over;
@@ -344,7 +345,7 @@ TEST_F(FalconUsbTest, ClosedWhileReadsFailTheMotorsAreAtZero) {
     const auto falcon = plugged();
     auto device = this->device();
     device->open();
-    ASSERT_TRUE(becomes(*device, LinkState::ready)) << describe(device->status()).screen;
+    ASSERT_TRUE(becomes(*device, LinkState::ready)) << englishText(describe(device->status()));
     ASSERT_TRUE(eventually([&] {
       device->exchange({0, 0, 2}, monotonicNs());
       return falcon->with([](auto& f) { return std::abs(f.body.force()[2]) > 0.5; });
@@ -364,7 +365,7 @@ TEST_F(FalconUsbTest, ReadsThatGoOnFailingAreNeverTriedInALoop) {
   const auto falcon = plugged();
   const auto device = this->device();
   device->open();
-  ASSERT_TRUE(becomes(*device, LinkState::ready)) << describe(device->status()).screen;
+  ASSERT_TRUE(becomes(*device, LinkState::ready)) << englishText(describe(device->status()));
   falcon->with([](auto& f) { f.troubles.failed_reads = test::kForEver; });
   ASSERT_TRUE(eventually([&] { return device->status().failed_openings == 5; }));
   const std::uint64_t before = usb_.counts().submits;
