@@ -130,7 +130,7 @@ void WindowHost::readFirmness(const QString& file) {
 std::vector<float> WindowHost::firmnessUnder(const FirmnessMap& firmness,
                                              const RegionWindow& window) const {
   const auto surface = window_.document().surface();
-  if (!surface) throw ArgumentError("No map is open that the raster could lie on.");
+  if (!surface) throw failure<MessageId::no_map_for_raster>();
   try {
     return relievo::firmnessUnder(firmness, surface->ladder, window.region);
   } catch (const ArgumentError& error) {

@@ -7,7 +7,7 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "ui/file_names.h"
@@ -36,9 +36,8 @@ InputFile asItIs(const QString& file, const Task& task) {
 void requireSameScan(const QString& recording, const Project& project) {
   const auto touched = carriedProject(pathOf(recording));
   if (!touched || touched->sha256 == project.sha256) return;
-  throw ArgumentError(shownName(recording).toStdString() + " is a recording of " +
-                      shownName(pathFromBytes(touched->file)).toStdString() +
-                      ", another file. Nothing was packed. Leave it out.");
+  throw failure<MessageId::recording_of_other_input>(
+      shownName(recording).toStdString(), shownName(pathFromBytes(touched->file)).toStdString());
 }
 
 }  // namespace

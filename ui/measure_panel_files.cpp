@@ -3,7 +3,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
@@ -19,10 +19,7 @@ namespace relievo {
 std::shared_ptr<const MeasureReadings::Entry> MeasurePanel::readEntry(const Measurement& m) const {
   auto entry = readings_->of(m);
   if (entry) return entry;
-  throw ArgumentError(
-      tr("%1 is still being read. Nothing was saved. Save again when the list shows its value.")
-          .arg(QString::fromStdString(m.name))
-          .toStdString());
+  throw failure<MessageId::measurement_not_read>(m.name);
 }
 
 /// What a file was measured on: in words, and as the line that brings the map back.
@@ -60,7 +57,7 @@ void MeasurePanel::writeSelected(const QString& file) const {
   const auto row = selected();
   const Measurement* m = row ? &measurements_[static_cast<std::size_t>(*row)] : nullptr;
   if (m == nullptr || (m->kind != profile && m->kind != section)) {
-    throw ArgumentError(tr("Select a profile or a section in the list first.").toStdString());
+    throw failure<MessageId::no_profile_selected>();
   }
   const auto entry = readEntry(*m);
   if (!entry->reading) throw ArgumentError(entry->problem.toStdString());

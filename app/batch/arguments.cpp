@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "app/batch/number_option.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/depth/point_rule.h"
 #include "core/io/lines.h"
 
@@ -21,7 +21,7 @@ constexpr double kLargestNumber = 1e12;  // What follows may square it.
 double number(const std::string& option, std::string_view text) {
   const auto value = parseNumber(text);
   if (value && std::abs(*value) <= kLargestNumber) return *value;  // Not a number fails as well.
-  throw ArgumentError(option + ": '" + std::string(text) + "' is not a number from -1e12 to 1e12.");
+  throw failure<MessageId::option_no_number>(option, text);
 }
 
 /// base, none, membrane, interpolate:MAX_MM2 or membrane:MAX_MM2.
@@ -33,7 +33,7 @@ HoleChoice holeChoice(const std::string& text) {
   const auto limit_after = [&](std::string_view prefix) -> std::optional<double> {
     if (!text.starts_with(prefix)) return std::nullopt;
     const double area = number("--holes", std::string_view(text).substr(prefix.size()));
-    if (area < 0) throw ArgumentError("--holes: the largest area must not be below 0.");
+    if (area < 0) throw failure<MessageId::option_holes_area>();
     return area;
   };
   if (const auto area = limit_after("interpolate:")) {
@@ -42,16 +42,15 @@ HoleChoice holeChoice(const std::string& text) {
   if (const auto area = limit_after("membrane:")) {
     return {.rule = HoleRule::membrane, .max_area_mm2 = *area};
   }
-  throw ArgumentError("--holes: '" + text +
-                      "' is none of base, interpolate:MAX_MM2, membrane, membrane:MAX_MM2 and "
-                      "none.");
+  throw failure<MessageId::option_none_of>(
+      "--holes", text, "base, interpolate:MAX_MM2, membrane, membrane:MAX_MM2 and none");
 }
 
 StrayRule strayRule(const std::string& text) {
   if (text == "drop") return StrayRule::drop;
   if (text == "keep") return StrayRule::keep;
   if (text == "drop-groups") return StrayRule::drop_groups;
-  throw ArgumentError("--strays: '" + text + "' is none of drop, keep and drop-groups.");
+  throw failure<MessageId::option_none_of>("--strays", text, "drop, keep and drop-groups");
 }
 
 std::optional<NodataChoice> nodataChoice(const std::string& text) {
@@ -63,8 +62,8 @@ std::optional<NodataChoice> nodataChoice(const std::string& text) {
 ViewChoice viewChoice(const MapArguments& a) {
   ViewChoice view{.name = a.view.empty() ? "auto" : a.view, .rotation = std::nullopt};
   if (std::find(kViewNames.begin(), kViewNames.end(), view.name) == kViewNames.end()) {
-    throw ArgumentError("--view: '" + a.view +
-                        "' is none of front, back, left, right, top, bottom, auto, fit and axes.");
+    throw failure<MessageId::option_none_of>(
+        "--view", a.view, "front, back, left, right, top, bottom, auto, fit and axes");
   }
   if (!a.turn.empty()) {
     const std::vector<double> turn = numberList("--turn", a.turn, 3);
@@ -85,8 +84,7 @@ std::vector<double> numberList(const std::string& option, const std::string& tex
     start = comma + 1;
   }
   if (values.size() != count) {
-    throw ArgumentError(option + " needs " + std::to_string(count) +
-                        " numbers separated by commas, not '" + text + "'.");
+    throw failure<MessageId::option_needs_numbers>(option, count, text);
   }
   return values;
 }
@@ -116,8 +114,7 @@ ImportOptions importOptions(const ScanArguments& a) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), part);
     const bool comma_at_end = rest.empty() && a.parts.back() == ',';
     if (error != std::errc{} || end != word.data() + word.size() || part < 1 || comma_at_end) {
-      throw ArgumentError("--parts: '" + a.parts +
-                          "' is no list of scan numbers from 1, such as 1,3.");
+      throw failure<MessageId::option_parts>(a.parts);
     }
     options.scan.parts.push_back(part);
   }
@@ -162,26 +159,25 @@ SurfaceOptions surfaceOptions(const MapArguments& a) {
   if (!a.unit.empty()) {
     options.unit = lengthUnit(a.unit);
     if (!options.unit) {
-      throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
+      throw failure<MessageId::option_none_of>("--unit", a.unit, "mm, cm, m, in, ft and us-ft");
     }
   }
   if (!a.view.empty() || !a.turn.empty()) options.view = viewChoice(a);
   if (a.engine != "cpu" && a.engine != "depthbuffer") {
-    throw ArgumentError("--engine: '" + a.engine + "' is neither cpu nor depthbuffer.");
+    throw failure<MessageId::option_neither>("--engine", a.engine, "cpu", "depthbuffer");
   }
   if (!a.rule.empty() && a.rule != "auto") {
     options.rule = pointRule(a.rule);
     if (!options.rule) {
-      throw ArgumentError("--rule: '" + a.rule +
-                          "' is none of auto, front, second, topmean, median, mean, min, splat and "
-                          "quadratic.");
+      throw failure<MessageId::option_none_of>(
+          "--rule", a.rule, "auto, front, second, topmean, median, mean, min, splat and quadratic");
     }
   }
-  if (a.cells && *a.cells < 2) throw ArgumentError("--cells must be at least 2.");
-  if (a.spacing_mm && !(*a.spacing_mm > 0)) throw ArgumentError("--spacing must be above 0 mm.");
-  if (a.cells && a.spacing_mm) throw ArgumentError("Give --cells or --spacing, not both.");
+  if (a.cells && *a.cells < 2) throw failure<MessageId::option_cells>();
+  if (a.spacing_mm && !(*a.spacing_mm > 0)) throw failure<MessageId::option_spacing>();
+  if (a.cells && a.spacing_mm) throw failure<MessageId::option_cells_or_spacing>();
   if (!(a.factor >= kLeastFactor) || !(a.factor <= kMostFactor)) {
-    throw ArgumentError("--factor must be from 1.1 to 8.");
+    throw failure<MessageId::option_factor>();
   }
   options.cells = a.cells;
   options.spacing_mm = a.spacing_mm;

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/number_option.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo::batch {
 namespace {
@@ -32,7 +32,7 @@ double scaleOf(const std::string& text) {
   const double paper = numberList("--scale", text.substr(0, colon), 1)[0];
   const double object = numberList("--scale", text.substr(colon + 1), 1)[0];
   if (!(paper > 0)) {
-    throw ArgumentError("--scale: '" + text + "' is not of the form 1:N. Nothing was drawn.");
+    throw failure<MessageId::option_scale_form>(text);
   }
   return object / paper;
 }
@@ -88,7 +88,7 @@ FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
   }
   f.look = reliefLook(a.look, f.look);
   if (a.width_mm && !a.scale.empty()) {
-    throw ArgumentError("--scale: the width follows from it. Leave out --width-mm, or --scale.");
+    throw failure<MessageId::option_scale_width>();
   }
   f.width_mm = a.width_mm.value_or(f.width_mm);
   f.dpi = a.dpi.value_or(f.dpi);
@@ -107,7 +107,7 @@ FigureRequest figureRequest(const FigureArguments& a, FigureRequest f) {
   for (const std::string& mark : a.without) {
     const auto* const found = std::find(kMarks.begin(), kMarks.end(), mark);
     if (found == kMarks.end()) {
-      throw ArgumentError("--without: '" + mark + "' is none of " + listOf(kMarks) + ".");
+      throw failure<MessageId::option_none_of>("--without", mark, listOf(kMarks));
     }
     *marks[static_cast<std::size_t>(found - kMarks.begin())] = false;
   }
@@ -121,7 +121,7 @@ std::vector<Measurement> measurements(const FigureArguments& a) {
   for (const std::string& text : a.measure) {
     const std::vector<std::string> parts = split(text, ':');
     if (parts.size() != 3) {
-      throw ArgumentError("--measure: '" + text + "' is not of the form NAME:KIND:X,Y;X,Y.");
+      throw failure<MessageId::option_measure_form>(text);
     }
     Measurement m;
     m.name = parts[0];
@@ -134,7 +134,7 @@ std::vector<Measurement> measurements(const FigureArguments& a) {
       continue;
     }
     const std::vector<std::string> with_plane = split(parts[2], '@');
-    if (with_plane.size() > 2) throw ArgumentError("--measure: '" + text + "' has two planes.");
+    if (with_plane.size() > 2) throw failure<MessageId::option_measure_planes>(text);
     if (with_plane.size() == 2) m.plane_mm = numberList("--measure", with_plane[1], 1)[0];
     for (const std::string& place : split(with_plane[0], ';')) {
       const std::vector<double> at = numberList("--measure", place, 2);

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "app/batch/svg.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 
 namespace relievo::batch {
 namespace {
@@ -98,7 +98,7 @@ std::string forcePlotSvg(const std::vector<ForcePoint>& rows, const std::string&
   const auto hip = [](const ForcePoint& row) { return row.hip_z_mm; };
   const auto proxy = [](const ForcePoint& row) { return row.proxy_z_mm; };
   const auto force = [](const ForcePoint& row) { return row.force_n; };
-  if (rows.empty()) throw ArgumentError("There is nothing to plot: the stroke has no ticks.");
+  if (rows.empty()) throw failure<MessageId::stroke_without_ticks>();
   Axis time = axisFor(rows.front().t_s, rows.back().t_s);
   time.high = std::max(rows.back().t_s, time.low + 1e-3);
   const Panel heights(36, 200, time, rangeOf(rows, {hip, proxy}));

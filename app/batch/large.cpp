@@ -11,6 +11,7 @@
 #include "app/batch/map_report.h"
 #include "app/batch/number_option.h"
 #include "app/batch/state.h"
+#include "core/base/failure.h"
 #include "core/io/colour_raster.h"
 #include "core/project/caption.h"
 #include "core/session/large_map.h"
@@ -110,7 +111,7 @@ void addMemoryOption(CLI::App& verb, std::optional<double>& memory_mb) {
 Outcome runByTiles(const MapArguments& arguments, double memory_mb,
                    const std::filesystem::path& finest, const Task& task) {
   if (!(memory_mb > 0) || !(memory_mb < 1e9)) {
-    throw ArgumentError("--memory must be a number of megabytes above 0.");
+    throw failure<MessageId::option_memory>();
   }
   const ImportOptions import = importOptions(arguments.scan);
   ProgressLine line(::isatty(STDERR_FILENO) != 0);

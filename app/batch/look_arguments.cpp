@@ -7,7 +7,7 @@
 #include "app/batch/arguments.h"
 #include "app/batch/number_option.h"
 #include "app/batch/state.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/relief/relief_image.h"
 
 namespace relievo::batch {
@@ -32,8 +32,7 @@ void refuseUseless(const LookArguments& a, ReliefKind kind) {
 
 void requireUse(const char* option, bool given, bool applies, const std::string& needs) {
   if (!given || applies) return;
-  throw ArgumentError(std::string(option) + " needs " + needs +
-                      ". Nothing was made. Give that as well, or leave " + option + " out.");
+  throw failure<MessageId::option_needs_other>(option, needs);
 }
 
 void requireCarrier(const CarrierArguments& a) {
@@ -41,7 +40,7 @@ void requireCarrier(const CarrierArguments& a) {
 }
 
 void refuseWord(const char* option, const std::string& text, const std::string& words) {
-  throw ArgumentError(std::string(option) + ": '" + text + "' is none of " + words + ".");
+  throw failure<MessageId::option_none_of>(option, text, words);
 }
 
 void addValueOptions(CLI::App& verb, LookArguments& a) {
@@ -73,7 +72,7 @@ ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
   if (!a.light.empty()) {
     const std::vector<double> light = numberList("--light", a.light, 2);
     if (!std::isfinite(light[0]) || !(light[1] >= 0 && light[1] <= 90)) {
-      throw ArgumentError("--light: the elevation must be between 0 and 90 degrees.");
+      throw failure<MessageId::option_light>();
     }
     look.light = {.azimuth_deg = light[0], .elevation_deg = light[1]};
   }
@@ -83,11 +82,11 @@ ReliefLook reliefLook(const LookArguments& a, ReliefLook look) {
     checkRange(look);
   }
   if (a.radius_mm && !(*a.radius_mm >= 0 && std::isfinite(*a.radius_mm))) {
-    throw ArgumentError("--radius: it must be 0 (automatic) or more millimetres.");
+    throw failure<MessageId::option_radius>();
   }
   look.radius_mm = a.radius_mm.value_or(look.radius_mm);
   if (a.shading && !(*a.shading >= 0 && *a.shading <= 1)) {
-    throw ArgumentError("--shading: it must be between 0, as photographed, and 1.");
+    throw failure<MessageId::option_shading>();
   }
   look.shading = a.shading.value_or(look.shading);
   refuseUseless(a, look.kind);

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/sha256.h"
@@ -38,9 +38,7 @@ fs::path packedFile(const fs::path& package_folder, const fs::path& recording,
     if (is_it(numbered)) return numbered;
     if (!isBelow(numbered, package_folder)) break;
   }
-  throw FileError("'" + shownName(recording) + "' needs '" + shownName(named) +
-                  "', which the package does not hold. Nothing outside of it was read. Ask whoever "
-                  "made it for a whole one.");
+  throw failure<MessageId::package_lacks_file>(shownName(recording), shownName(named));
 }
 
 }  // namespace relievo::batch

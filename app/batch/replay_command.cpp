@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/json.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/name_text.h"
 
@@ -43,14 +43,9 @@ std::vector<std::string> commandOf(const LogTable& log, const std::string& file)
   const bool of_window = log.header.starts_with("relievo recording");
   const bool ended = (log.header + log.footer).find("loop ticks ") != std::string::npos;
   if (of_window && !ended) {
-    throw FileError(
-        "The recording \"" + file +
-        "\" lacks its last lines: the program or the computer ended while it recorded, or the "
-        "disk was full. It cannot be verified. Show it with Record > Replay, or make a video.");
+    throw failure<MessageId::recording_not_verifiable>(file);
   }
-  throw FileError(
-      "The log \"" + file +
-      "\" does not say what made it; only logs of touch, record and the window can be replayed.");
+  throw failure<MessageId::log_of_no_command>(file);
 }
 
 TouchArguments argumentsOf(const std::vector<std::string>& command) {
@@ -65,8 +60,7 @@ TouchArguments argumentsOf(const std::vector<std::string>& command) {
   try {
     parser.parse(std::vector<std::string>(command.rbegin(), command.rend() - 1));
   } catch (const CLI::ParseError& error) {
-    throw FileError("The log was made by a command that this version does not understand: " +
-                    std::string(error.what()) + ".");
+    throw failure<MessageId::log_command_unknown>(error.what());
   }
   return arguments;
 }

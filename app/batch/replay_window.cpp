@@ -9,7 +9,7 @@
 
 #include "app/batch/packed_file.h"
 #include "app/batch/state.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/carried_state.h"
 #include "core/provenance/sha256.h"
 #include "core/session/finer_heights.h"
@@ -55,9 +55,7 @@ class Scenes {
     if (scene.textured) fillTexture(*space, finerHeights(surface, scene.region, scene.gain));
     space->scene_id = scene.id;
     if (sceneChecksum(*space) != scene.checksum) {
-      throw FileError("Window " + std::to_string(scene.window_id) +
-                      " is not what was touched: its depth map cannot be made again as it was. "
-                      "Nothing was replayed.");
+      throw failure<MessageId::replayed_window_differs>(scene.window_id);
     }
     return space;
   }
@@ -70,8 +68,7 @@ class Scenes {
       map_ = scene.map;
     }
     if (scene.region.level.value >= surface_->ladder.levels()) {
-      throw FileError("The map of the recording has no level " +
-                      std::to_string(scene.region.level.value) + ". Nothing was replayed.");
+      throw failure<MessageId::replayed_map_has_no_level>(scene.region.level.value);
     }
     return *surface_;
   }
@@ -82,9 +79,7 @@ class Scenes {
     std::optional<Project> project;
     if (told != loop_.files.maps.end()) project = carriedProject(recording_, told->second);
     if (!project) {
-      throw FileError(
-          "The recording does not say how one of its maps was made. Nothing was "
-          "replayed.");
+      throw failure<MessageId::replayed_map_unknown>();
     }
     if (project->sha256 == header_.sha256) {  // Found already, wherever it is now.
       project->file = header_.file;
@@ -103,9 +98,7 @@ class Scenes {
     if (const auto read = firmness_.find(sha256); read != firmness_.end()) return read->second;
     const auto named = loop_.files.firmness.find(sha256);
     if (named == loop_.files.firmness.end()) {
-      throw FileError(
-          "The recording does not say where its raster of firm ground is. Nothing was "
-          "replayed.");
+      throw failure<MessageId::replayed_raster_unknown>();
     }
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::absolute(recording_, error).parent_path();
@@ -114,11 +107,7 @@ class Scenes {
         package_folder_.empty() ? foundInput(recording_, place, sha256, task_)
                                 : packedFile(package_folder_, recording_, place, sha256, task_);
     if (sha256OfFile(file, task_) != sha256) {
-      throw ChangedInputError("'" + file.filename().string() +
-                                  "' is not the raster of firm ground that was felt (checksum "
-                                  "differs, E501). Nothing was replayed. Put the right one back, "
-                                  "there or beside the recording.",
-                              "E501");
+      throw ChangedInputError(said<MessageId::raster_is_not_that_felt>(file.filename().string()));
     }
     return firmness_.emplace(sha256, readFirmness(file, task_)).first->second;
   }

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/project/carried_state.h"
 #include "core/session/tiled_surface.h"
@@ -41,10 +42,7 @@ void addOutsideOption(CLI::App& verb, OutsideFiles& outside) {
 void requireOwn(const fs::path& carrier, const InputFile& named, OutsideFiles outside,
                 const std::string& instead, const Task& task) {
   if (outside == OutsideFiles::allow || mayBeRead(carrier, named, task)) return;
-  throw FileError(shownName(carrier) + " names '" + printable(named.file) +
-                  "', which lies outside of its folder and is not, by a checksum, what it was made "
-                  "from. It was not read, and nothing was made. " +
-                  instead + " --outside-files allow reads it all the same.");
+  throw failure<MessageId::named_file_outside>(shownName(carrier), printable(named.file), instead);
 }
 
 void findInput(Project& project, const fs::path& carrier, const InputChoice& choice,
@@ -61,16 +59,12 @@ void findInput(Project& project, const fs::path& carrier, const InputChoice& cho
   if (project.sha256.empty()) return;  // Without a checksum nobody can tell.
   const std::string sha256 = sha256OfFile(file, task);
   if (sha256 == project.sha256) return;
-  const std::string changed = "'" + file.filename().string() + "' is not the file that " +
-                              carrier.filename().string() +
-                              " was made from (checksum differs, E501).";
+  const std::string name = file.filename().string(), made = carrier.filename().string();
   if (!choice.accept_changed) {
-    throw ChangedInputError(
-        changed +
-            " Nothing was made. Give the right one as FILE, or --changed-input to use this one.",
-        "E501");
+    throw ChangedInputError(said<MessageId::input_is_not_that_file>(name, made));
   }
-  tell(changed + " It was used all the same.");
+  tell("'" + name + "' is not the file that " + made +
+       " was made from (checksum differs, E501). It was used all the same.");
   project.sha256 = sha256;  // What is drawn now comes from these bytes.
   project.bytes = fs::file_size(file);
 }
@@ -121,7 +115,7 @@ void addCarrierOptions(CLI::App& verb, CarrierArguments& a) {
 void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
                   std::initializer_list<const char*> allowed) {
   if (!a.from_image.empty() && !a.project.empty()) {
-    throw ArgumentError("Give one of --from-image and --project. Nothing was drawn.");
+    throw failure<MessageId::image_or_project>();
   }
   for (const CLI::Option* option : verb.get_options()) {
     if (option->count() == 0) continue;
@@ -132,9 +126,8 @@ void refuseBeside(const CLI::App& verb, const CarrierArguments& a,
                                                  "changed-input", "outside-files"};
     if (std::any_of(kAlways.begin(), kAlways.end(), is)) continue;
     if (std::any_of(allowed.begin(), allowed.end(), is)) continue;
-    throw ArgumentError("--" + name + ": the " + (a.project.empty() ? "image" : "project") +
-                        " says this already. Leave it out, or leave out --" +
-                        (a.project.empty() ? "from-image" : "project") + ". Nothing was drawn.");
+    if (a.project.empty()) throw failure<MessageId::option_said_by_image>(name);
+    throw failure<MessageId::option_said_by_project>(name);
   }
 }
 
@@ -142,9 +135,7 @@ Project storedProject(const CarrierArguments& a, const std::string& given, const
   const fs::path carrier = a.from_image.empty() ? a.project : a.from_image;
   auto project = carriedProject(carrier);
   if (!project) {
-    throw FileError(carrier.filename().string() +
-                    " shows no region that relievo could draw again. Nothing was made. Choose a "
-                    "picture or log as relievo wrote it; other programs may drop what is inside.");
+    throw failure<MessageId::carrier_without_region>(carrier.filename().string());
   }
   findInput(*project, carrier,
             {.given = given, .accept_changed = a.changed_input, .outside = a.outside_files}, task);
@@ -157,8 +148,8 @@ Stored loadStored(const CarrierArguments& a, const std::string& given, const Tas
   Stored stored{.surface = std::move(surface), .project = std::move(project)};
   // A region typed for one version of the file may not exist on another.
   if (stored.project.region.level.value >= stored.surface.ladder.levels()) {
-    throw FileError("The map of '" + stored.project.file + "' has no level " +
-                    std::to_string(stored.project.region.level.value) + ". Nothing was drawn.");
+    throw failure<MessageId::stored_map_has_no_level>(stored.project.file,
+                                                      stored.project.region.level.value);
   }
   return stored;
 }

@@ -8,6 +8,7 @@
 #include "app/batch/json.h"
 #include "app/batch/number_option.h"
 #include "app/batch/touch_setup.h"
+#include "core/base/failure.h"
 
 namespace relievo::batch {
 namespace {
@@ -17,7 +18,7 @@ constexpr std::array<std::string_view, 3> kProxyNames{"converged", "equation", "
 ProxyKind proxyKind(const std::string& name) {
   const auto* const found = std::find(kProxyNames.begin(), kProxyNames.end(), name);
   if (found == kProxyNames.end()) {
-    throw ArgumentError("--proxy: '" + name + "' is none of converged, equation and successive.");
+    throw failure<MessageId::option_none_of>("--proxy", name, "converged, equation and successive");
   }
   return static_cast<ProxyKind>(found - kProxyNames.begin());
 }
@@ -27,7 +28,7 @@ SurfaceKind surfaceKind(const std::string& name, ProxyKind proxy) {
   if (name == "exact") return SurfaceKind::bilinear;
   if (name == "spline") return SurfaceKind::spline;
   if (name != "auto") {
-    throw ArgumentError("--surface: '" + name + "' is none of auto, exact and spline.");
+    throw failure<MessageId::option_none_of>("--surface", name, "auto, exact and spline");
   }
   return proxy == ProxyKind::converged ? SurfaceKind::gated : SurfaceKind::bilinear;
 }
@@ -47,8 +48,7 @@ const char* nameOf(SurfaceKind kind) {
 /// Not a number fails as well.
 double within(double value, double least, double most, const char* option) {
   if (value >= least && value <= most) return value;
-  throw ArgumentError(std::string(option) + " must be from " + Json(least).dump() + " to " +
-                      Json(most).dump() + ".");
+  throw failure<MessageId::option_out_of_range>(option, Json(least).dump(), Json(most).dump());
 }
 
 SurfaceFeel presetOf(const TouchArguments& a) {
@@ -60,7 +60,7 @@ SurfaceFeel presetOf(const TouchArguments& a) {
   for (const SurfacePreset& preset : kSurfacePresets) {
     ids.append(ids.empty() ? "" : ", ").append(preset.id);
   }
-  throw ArgumentError("--preset: '" + a.preset + "' is none of " + ids + ".");
+  throw failure<MessageId::option_none_of>("--preset", a.preset, ids);
 }
 
 void setStiffness(const TouchArguments& a, SurfaceFeel& feel) {
@@ -77,10 +77,10 @@ void setStiffness(const TouchArguments& a, SurfaceFeel& feel) {
   }
   const auto above_zero = [](double k) { return k > 0 && std::isfinite(k); };
   if (!above_zero(feel.stiffness_n_per_mm)) {
-    throw ArgumentError("--stiffness must be above 0 N/mm.");
+    throw failure<MessageId::option_stiffness>();
   }
   if (!std::all_of(feel.detail_stiffness.begin(), feel.detail_stiffness.end(), above_zero)) {
-    throw ArgumentError("--level-stiffness must be above 0 N/mm at every level.");
+    throw failure<MessageId::option_level_stiffness>();
   }
 }
 }  // namespace

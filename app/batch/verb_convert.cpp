@@ -7,7 +7,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/io/import.h"
 #include "core/io/raster.h"
@@ -54,15 +54,13 @@ std::string paint(ExportGrid& grid, const DepthMap& map, const ReliefLook& look,
 ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
   const ReliefLook look = reliefLook(a.look);
   if (look.kind == ReliefKind::lit) {
-    throw ArgumentError("--relief: lit stone has no values. Choose another, or 'relievo render'.");
+    throw failure<MessageId::convert_lit_stone>();
   }
   if (showsOwnColours(look.kind)) {
-    throw ArgumentError("--relief: '" + std::string(name(look.kind)) +
-                        "' has no values of the relief. Choose another, or 'relievo render'; "
-                        "colours are written beside a map without --relief.");
+    throw failure<MessageId::convert_no_values>(name(look.kind));
   }
   if (format != ExportFormat::geotiff && format != ExportFormat::ascii_grid) {
-    throw ArgumentError("--relief: its values go into .tif or .asc, not into '" + a.out + "'.");
+    throw failure<MessageId::convert_values_name>(a.out);
   }
   return look;
 }
@@ -71,7 +69,7 @@ ReliefLook valuesAskedFor(const ConvertArguments& a, ExportFormat format) {
 MapExport partAskedFor(const ConvertArguments& a, const Surface& surface) {
   MapExport choice;
   if (!a.look.relief.empty() && (a.level || !a.region.empty())) {
-    throw ArgumentError("--relief paints the whole map. Leave out --level and --region.");
+    throw failure<MessageId::convert_whole_map>();
   }
   if (a.level || !a.region.empty()) {
     RegionArguments region;
@@ -87,20 +85,19 @@ Outcome runConvert(const ConvertArguments& a, const Task& task) {
   requireReplaceable(a.out);
   auto format = exportFormatOf(a.out);
   if (!format) {
-    throw ArgumentError(a.out +
-                        ": its ending is none of .tif, .asc, .vti, .ply, .xyz, .stl and .glb.");
+    throw failure<MessageId::convert_name>(a.out);
   }
   requireUse("--cog", a.cloud, *format == ExportFormat::geotiff, "an OUT.tif");
   if (a.cloud) format = ExportFormat::cloud_geotiff;
   if (!a.frame.empty() && a.frame != "view" && a.frame != "file") {
-    throw ArgumentError("--frame: '" + a.frame + "' is neither view nor file.");
+    throw failure<MessageId::option_neither>("--frame", a.frame, "view", "file");
   }
   requireUse("--plate", a.plate_mm.has_value(), *format == ExportFormat::stl, "an OUT.stl");
   std::optional<ReliefLook> look;
   if (!a.look.relief.empty()) {
     look = valuesAskedFor(a, *format);
   } else if (!a.look.light.empty() || a.look.radius_mm) {
-    throw ArgumentError("--light and --radius belong to --relief. Give it, or leave them out.");
+    throw failure<MessageId::convert_light>();
   }
   const Source source = load(a, task);
   const Surface& surface = source.surface;

@@ -8,6 +8,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/io/colour_raster.h"
 #include "core/io/raster.h"
@@ -110,7 +111,7 @@ Json depthBufferJson(const Surface& surface) {
 
 Outcome runDepthmap(const DepthmapArguments& a, const Task& task) {
   if (a.memory_mb && a.quality) {
-    throw ArgumentError("--quality is for maps that are made in memory. Leave out --memory.");
+    throw failure<MessageId::option_quality>();
   }
   if (a.memory_mb) return runByTiles(a.map, *a.memory_mb, a.out, task);
   Surface surface = loadForVerb(a.map, task);

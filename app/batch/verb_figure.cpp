@@ -7,7 +7,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/project/caption.h"
 #include "core/session/map_facts.h"
@@ -93,7 +93,7 @@ FigureFiles figureFiles(const Arguments& a) {
 
 Outcome runFigure(const Arguments& a, const Task& task) {
   if (!a.carrier.given() && a.map.file.empty()) {
-    throw ArgumentError("Give FILE, --project or --from-image. Nothing was drawn.");
+    throw failure<MessageId::figure_of_nothing>();
   }
   const FigureFiles files = figureFiles(a);
   check(files);  // Refused before the work.

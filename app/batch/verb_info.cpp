@@ -9,6 +9,7 @@
 #include "app/batch/map_report.h"
 #include "app/batch/report_text.h"
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/import.h"
 #include "core/io/number_text.h"
@@ -266,7 +267,7 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
   if (!a.unit.empty()) {
     given = lengthUnit(a.unit);
     if (!given) {
-      throw ArgumentError("--unit: '" + a.unit + "' is none of mm, cm, m, in, ft and us-ft.");
+      throw failure<MessageId::option_none_of>("--unit", a.unit, "mm, cm, m, in, ft and us-ft");
     }
   }
   if (const auto shown = shownBy(a.file)) return infoOfShown(a, *shown);

@@ -14,6 +14,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/io/text_file.h"
 #include "core/measure/measure_text.h"
@@ -55,10 +56,10 @@ Measurement measurementFrom(MeasureKind kind, const std::string& text, double pl
   const auto count = static_cast<std::size_t>(std::count(numbers.begin(), numbers.end(), ',')) + 1;
   const auto needed = 2 * static_cast<std::size_t>(placesNeeded(kind));
   const bool fits = takesMore(kind) ? count >= needed && count % 2 == 0 : count == needed;
-  if (!fits) {
-    throw ArgumentError(option + " needs x and y of " + (takesMore(kind) ? "at least " : "") +
-                        std::to_string(placesNeeded(kind)) + " places, not '" + numbers + "'.");
+  if (!fits && takesMore(kind)) {
+    throw failure<MessageId::measure_needs_more_places>(option, placesNeeded(kind), numbers);
   }
+  if (!fits) throw failure<MessageId::measure_needs_places>(option, placesNeeded(kind), numbers);
   const std::vector<double> values = numberList(option, numbers, count);
   for (std::size_t i = 0; i < values.size(); i += 2) {
     m.places.push_back({.x = values[i], .y = values[i + 1]});
@@ -76,9 +77,7 @@ std::vector<Measurement> measurements(const MeasureArguments& a) {
     }
   }
   if (list.empty()) {
-    throw ArgumentError(
-        "There is nothing to measure. Give --point, --distance, --depth, --angle, --profile, "
-        "--area or --section.");
+    throw failure<MessageId::measure_nothing>();
   }
   return list;
 }
@@ -145,9 +144,9 @@ void onlyOne(const std::vector<Measurement>& list, MeasureKind kind, const std::
   const auto found =
       std::count_if(list.begin(), list.end(), [&](const Measurement& m) { return m.kind == kind; });
   if (found > 1) {
-    throw ArgumentError(option + " is for one --" + std::string(name(kind)) + "; there are more.");
+    throw failure<MessageId::measure_for_one>(option, name(kind));
   }
-  if (found == 0) throw ArgumentError(option + " needs a --" + std::string(name(kind)) + ".");
+  if (found == 0) throw failure<MessageId::measure_needs_one>(option, name(kind));
 }
 
 /// Asked for with files that nobody could tell apart by their names otherwise.
@@ -158,8 +157,7 @@ void checkEnding(const std::string& option, const std::string& file,
   if (std::find(endings.begin(), endings.end(), extension) != endings.end()) return;
   std::string list;
   for (const std::string& ending : endings) list += (list.empty() ? "" : " or ") + ending;
-  throw ArgumentError(option + ": the file's name must end with " + list + ", not '" + file +
-                      "'. Nothing was written.");
+  throw failure<MessageId::measure_name>(option, list, file);
 }
 
 void checkFiles(const MeasureArguments& a, const std::vector<Measurement>& list) {

@@ -8,7 +8,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
@@ -51,13 +51,11 @@ std::vector<std::string> namesOf(const auto& list) {
 
 /// A project from a picture, figure or log of ours: what it shows, and logs as recordings.
 Outcome makeNew(const ProjectArguments& a, const Task& task) {
-  if (a.out.empty()) throw ArgumentError("project new needs -o PROJECT.json.");
+  if (a.out.empty()) throw failure<MessageId::project_new_needs_name>();
   auto carried = carriedProject(a.file);
   const std::string shown = fs::path(a.file).filename().string();
   if (!carried) {
-    throw FileError(shown +
-                    " shows no region, so that no project can be made from it. Choose a picture or "
-                    "log that relievo wrote.");
+    throw failure<MessageId::project_of_no_region>(shown);
   }
   Project project = std::move(*carried);
   project.picture.reset();
@@ -67,9 +65,9 @@ Outcome makeNew(const ProjectArguments& a, const Task& task) {
   for (const std::string& recording : a.recordings) {
     const auto touched = carriedProject(recording);
     if (touched && touched->sha256 != project.sha256) {
-      throw ArgumentError(fs::path(recording).filename().string() + " is a recording of " +
-                          fs::path(touched->file).filename().string() + ", and " + shown +
-                          " shows another file. No project was written. Leave it out.");
+      throw failure<MessageId::project_of_other_recording>(
+          fs::path(recording).filename().string(), fs::path(touched->file).filename().string(),
+          shown);
     }
     project.recordings.push_back(inputFile(recording, {}, task));
     project.recordings.back().file = fs::absolute(recording).lexically_normal().generic_string();
@@ -147,7 +145,7 @@ Outcome relink(const ProjectArguments& a, const Task& task) {
 }
 
 Outcome pack(const ProjectArguments& a, const Task& task) {
-  if (a.out.empty()) throw ArgumentError("project package needs -o PACKAGE.zip.");
+  if (a.out.empty()) throw failure<MessageId::project_package_needs_name>();
   const Project project = readProject(a.file);
   PackageContents contents{
       .with_input = !a.without_input,
@@ -180,8 +178,7 @@ void checkOptions(const ProjectArguments& a) {
     const bool applies = std::any_of(actions.begin(), actions.end(),
                                      [&](const char* action) { return a.action == action; });
     if (!given || applies) return;
-    throw ArgumentError(std::string(option) + " belongs to project " + list + ", not to " +
-                        a.action + ". Nothing was done. Leave it out.");
+    throw failure<MessageId::option_of_other_action>(option, list, a.action);
   };
   only("--output", !a.out.empty(), {"new", "relink", "package"});
   only("--to", !a.to.empty(), {"relink"});

@@ -10,6 +10,7 @@
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
 #include "app/batch/verb_files.h"
+#include "core/base/failure.h"
 #include "haptics/device/falcon/falcon_device.h"
 #include "haptics/device_catalog.h"
 #include "haptics/loop/haptic_loop.h"
@@ -95,14 +96,12 @@ Outcome reported(const std::string& file, std::uint64_t rows, HapticLoop& loop,
 
 Outcome runRecord(const TouchArguments& a, const Task& task) {
   if (!(a.seconds > 0) || !(a.seconds <= 86'400)) {
-    throw ArgumentError("--seconds must be above 0 and at most 86400.");
+    throw failure<MessageId::option_seconds>();
   }
   const Stroke stroke = a.stroke.empty() ? Stroke{} : readStroke(a.stroke);
   std::unique_ptr<Device> device = makeDevice(a.device);
   if (a.safety == "off" && !device->info().simulated) {
-    throw ArgumentError("--safety off is for a simulated hand, and a person holds the device '" +
-                        a.device +
-                        "'. Nothing was recorded. Leave it out, or record with --device virtual.");
+    throw failure<MessageId::option_safety>(a.device);
   }
   TouchSetup setup = prepareTouch(a, task);
   if (!setup.limited.empty()) tell(setup.limited);

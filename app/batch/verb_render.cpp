@@ -9,7 +9,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
 #include "core/io/text_file.h"
@@ -47,9 +47,7 @@ bool isPair(StereoPrint print) {
 /// They are a figure that has no marks, `pixels` by `pixels` each; its paper only carries them.
 FigureRequest pairOf(const RenderArguments& a, StereoPrint print, const ReliefLook& look) {
   if (a.pixels < kLeastPixelsOfTwo || a.pixels > kMostPixelsOfTwo) {
-    throw ArgumentError("--pixels: of two pictures in one file each has " +
-                        std::to_string(kLeastPixelsOfTwo) + " to " +
-                        std::to_string(kMostPixelsOfTwo) + ". Nothing was drawn.");
+    throw failure<MessageId::pixels_of_two>(kLeastPixelsOfTwo, kMostPixelsOfTwo);
   }
   constexpr double kPaperMm = 180, kLeastDpi = 30, kMostDpi = 2400;
   const int width_px = print == StereoPrint::side_by_side ? 2 * a.pixels : a.pixels;
@@ -81,9 +79,7 @@ StereoOptions stereoOptions(const RenderArguments& a) {
 
 void checkEnding(const std::string& file) {
   if (pictureFormatOf(file)) return;
-  throw ArgumentError("A picture's name ends in .png or .tif; '" +
-                      std::filesystem::path(file).filename().string() +
-                      "' does not. Nothing was drawn.");
+  throw failure<MessageId::picture_name>(std::filesystem::path(file).filename().string());
 }
 
 Stored fromArguments(const RenderArguments& a, const Task& task) {

@@ -14,6 +14,7 @@
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
@@ -51,7 +52,7 @@ class WorkFolder {
   WorkFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "relievo-package-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
-      throw WriteError("No folder to unpack the package can be made. Set TMPDIR to another one.");
+      throw failure<MessageId::no_folder_to_unpack>();
     }
     path_ = name;
   }
@@ -222,10 +223,7 @@ Outcome verifyAll(const ReplayArguments& a, const Task& task) {
     const std::string input = a.input.empty() ? project.file : a.input;
     std::error_code missing;
     if (!project.recordings.empty() && !std::filesystem::exists(input, missing)) {
-      throw FileError(
-          "The package does not hold its input, so that nothing can be replayed. Give "
-          "the file with --input; its checksum is " +
-          project.sha256 + ".");
+      throw failure<MessageId::package_without_input>(project.sha256);
     }
     for (const InputFile& recording : project.recordings) {
       Json& report = json["recordings"].emplace_back();
@@ -334,9 +332,7 @@ std::string said(const ReplayResult& result, Json& json) {
 Outcome runReplay(const ReplayArguments& a, const Task& task) {
   if (isPackage(a.log)) {
     if (!a.out.empty()) {
-      throw ArgumentError(
-          "--output is for a single recording; a package is only checked. Nothing was replayed. "
-          "Leave it out.");
+      throw failure<MessageId::output_of_a_package>();
     }
     return verifyAll(a, task);
   }

@@ -13,6 +13,7 @@
 #include "app/batch/state.h"
 #include "app/batch/touch_setup.h"
 #include "app/batch/verb.h"
+#include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/io/text_file.h"
 #include "core/project/caption.h"
@@ -41,13 +42,12 @@ void setFriction(const std::vector<double>& friction, ProxyOptions& options) {
   options.static_friction = friction.front();
   options.dynamic_friction = friction.back();
   if (options.static_friction > 0 && options.kind != ProxyKind::converged) {
-    throw ArgumentError("--friction: the paper's proxies know no friction; use --proxy converged.");
+    throw failure<MessageId::option_friction_of_paper>();
   }
   const bool in_order =
       options.dynamic_friction >= 0 && options.static_friction >= options.dynamic_friction;
   if (!in_order || !(options.static_friction <= kMostFriction)) {
-    throw ArgumentError("--friction must be 0 to " + Json(kMostFriction).dump() +
-                        ", the static coefficient not below the dynamic one.");
+    throw failure<MessageId::option_friction>(Json(kMostFriction).dump());
   }
 }
 
@@ -142,9 +142,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
   requireUse("--magnet-reach", a.magnet_reach_mm.has_value(), feelOf(a).fields.magnet_n > 0,
              "--magnet");
   if (a.stiffness_n_per_mm && !a.detail_stiffness_n_per_mm.empty()) {
-    throw ArgumentError(
-        "--stiffness is one for all levels. Nothing was touched. Leave it out, or "
-        "--level-stiffness.");
+    throw failure<MessageId::option_stiffness_of_levels>();
   }
   const Stroke stroke = readStroke(a.stroke);
   TouchSetup setup = prepareTouch(a, task);
@@ -157,8 +155,7 @@ Outcome runTouch(const TouchArguments& a, const Task& task) {
     device = makeDevice(a.device);
     setup.options.device = dynamic_cast<SteeredDevice*>(device.get());
     if (setup.options.device == nullptr) {
-      throw ArgumentError("--device: a stroke cannot move '" + a.device +
-                          "', which a person holds. Use virtual, or record without a stroke.");
+      throw failure<MessageId::stroke_moves_no_hand>(a.device);
     }
     device->open();
   }

@@ -9,7 +9,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "core/project/caption.h"
 #include "core/project/recording.h"
 #include "ui/figure/figure.h"
@@ -37,14 +37,14 @@ struct VideoArguments {
 template <class T>
 T chosen(const char* option, const std::string& word, const std::optional<T>& value) {
   if (value) return *value;
-  throw ArgumentError(std::string(option) + ": '" + word + "' is not one of its words.");
+  throw failure<MessageId::option_word_unknown>(option, word);
 }
 
 VideoRequest requestOf(const VideoArguments& a) {
   VideoRequest v = a.request;
   v.profile = chosen("--profile", a.profile, videoProfile(a.profile));
   const std::size_t x = a.size.find('x');
-  if (x == std::string::npos) throw ArgumentError("--size must be WIDTHxHEIGHT, like 1280x720.");
+  if (x == std::string::npos) throw failure<MessageId::option_size>();
   const std::vector<double> size =
       numberList("--size", a.size.substr(0, x) + "," + a.size.substr(x + 1), 2);
   v.width_px = static_cast<int>(size[0]);
@@ -81,9 +81,7 @@ Recorded recordedOf(Stored stored, const VideoArguments& a, const Task& task) {
 
 Recorded loadRecorded(const TouchRecording& recording, const VideoArguments& a, const Task& task) {
   if (recording.state.empty()) {
-    throw FileError("The recording \"" + recording.name +
-                    "\" does not say how its map was made; an older version wrote it. Nothing was "
-                    "made. Replay it in the window on the open map.");
+    throw failure<MessageId::recording_without_map>(recording.name);
   }
   return recordedOf(loadStored({.from_image = a.recording,
                                 .project = {},
@@ -97,8 +95,7 @@ Outcome drawOne(const Surface& surface, const TouchRecording* recording,
                 const VideoRequest& request, const VideoArguments& a, const std::string& state) {
   VideoFrames frames(surface, recording, request);
   if (*a.frame >= frames.times().frames) {
-    throw ArgumentError("--frame: there are " + std::to_string(frames.times().frames) +
-                        " frames, counted from 0. Nothing was drawn.");
+    throw failure<MessageId::video_frame_beyond>(frames.times().frames);
   }
   constexpr double kScreenDpi = 96;
   writePng(a.out, frames.draw(*a.frame), kScreenDpi,
@@ -123,14 +120,13 @@ Outcome runVideo(const VideoArguments& a, const Task& task) {
   if (!a.path.empty()) {
     project = readProject(a.path);
     if (project->paths.empty()) {
-      throw FileError("The project \"" + a.path +
-                      "\" has no camera path. Nothing was made. Add key views in the window.");
+      throw failure<MessageId::project_without_path>(a.path);
     }
     request.path = project->paths.front();
     if (a.recording.empty()) request.overview = false;
     check(request);
   } else if (a.recording.empty()) {
-    throw ArgumentError("Give a recording, or a project with --path. Nothing was made.");
+    throw failure<MessageId::video_of_no_recording>();
   }
   TouchRecording recording;
   if (!a.recording.empty()) recording = readRecording(a.recording, task);

@@ -52,10 +52,7 @@ class ImageSequence : public VideoFile {
       ++frames_;
     } catch (const WriteError& error) {
       finished_ = true;  // What is there is whole.
-      throw WriteError("Video stopped: " + std::string(error.what()) + " " +
-                           std::to_string(frames_) + " frames are saved and complete in \"" +
-                           folder_.string() + "\".",
-                       "E401");
+      throw failure<MessageId::frames_stopped>(messageOf(error), frames_, folder_);
     }
   }
   void finish(const Task&) override { finished_ = true; }

@@ -132,14 +132,11 @@ class Mp4File : public VideoFile {
   Mp4File(const OutputFile& place, const VideoFormat& format)
       : program_(findFfmpeg()), place_(place), file_(place.path), part_(place), fps_(format.fps) {
     if (program_.empty()) {
-      throw WriteError(
-          "The program ffmpeg is not installed, which packs videos. Nothing was written. Install "
-          "the package ffmpeg, or choose the profile images: a folder of pictures.");
+      throw failure<MessageId::ffmpeg_missing>();
     }
     out_.reset(::open(part_.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (out_.get() < 0) {
-      throw WriteError("The video \"" + file_.string() +
-                       "\" cannot be written: " + std::strerror(errno) + ". Choose another place.");
+      throw failure<MessageId::video_not_written>(file_, std::strerror(errno));
     }
     start(format);
   }
@@ -182,7 +179,7 @@ class Mp4File : public VideoFile {
   void start(const VideoFormat& format) {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-      throw WriteError(std::string("The encoder cannot be reached: ") + std::strerror(errno) + ".");
+      throw failure<MessageId::encoder_unreachable>(std::strerror(errno));
     }
     in_.reset(ends[0]);
     const OwnedFd child_in(raised(ends[1]));
@@ -229,33 +226,32 @@ class Mp4File : public VideoFile {
   [[noreturn]] void diskFull(int error_number) {
     child_.kill();
     frames_ = boxes_.wholeFrames();
-    const std::string why = error_number == ENOSPC ? "disk full" : std::strerror(error_number);
-    std::string saved = "Nothing of it could be kept.";
+    const Message why = error_number == ENOSPC
+                            ? said<MessageId::disk_full>()
+                            : said<MessageId::quoted>(std::strerror(error_number));
     const auto whole = static_cast<off_t>(boxes_.wholeBytes());
     if (frames_ > 0 && ::ftruncate(out_.get(), whole) == 0) {
       out_.reset();
       part_.commit();
       is_part_kept_ = true;
-      const double length_s = static_cast<double>(frames_) / fps_;
+      const NumberArgument length_s{.value = static_cast<double>(frames_) / fps_,
+                                    .digits = 1,
+                                    .form = NumberArgument::Form::trimmed};
       if (error_number == ENOSPC) {
-        throw failure<MessageId::video_stopped_disk_full>(
-            NumberArgument{.value = length_s, .digits = 1, .form = NumberArgument::Form::trimmed},
-            frames_, file_);
+        throw failure<MessageId::video_stopped_disk_full>(length_s, frames_, file_);
       }
-      saved = numberText(std::round(10 * length_s) / 10) + " s (" + std::to_string(frames_) +
-              " frames) are saved and complete in \"" + file_.string() + "\".";
+      throw failure<MessageId::video_stopped_kept>(why, length_s, frames_, file_);
     }
-    throw WriteError("Video stopped: " + why + ". " + saved, "E401");
+    throw failure<MessageId::video_stopped_lost>(why);
   }
 
   [[noreturn]] void encoderFailed(const Task& task) {
     in_.reset();
     for (int i = 0; i < 20 && exchange(0); ++i) task.check();
     child_.kill();
-    const std::string said = lastPrintableLine(said_);
-    throw WriteError("ffmpeg could not pack the video" +
-                     (said.empty() ? std::string() : " (\"" + said + "\")") +
-                     ". Nothing was kept. Choose another size or profile.");
+    const std::string words = lastPrintableLine(said_);
+    if (words.empty()) throw failure<MessageId::ffmpeg_failed>();
+    throw failure<MessageId::ffmpeg_failed_saying>(words);
   }
 
   /// Takes as much room again for a moment; where there is none, the fragments are kept as they
@@ -302,7 +298,7 @@ bool haveFfmpeg() {
 
 std::unique_ptr<VideoFile> openMp4(const OutputFile& file, const VideoFormat& format) {
   if (file.path.extension() != ".mp4") {
-    throw ArgumentError("A video's name must end in .mp4. Nothing was made.");
+    throw failure<MessageId::video_name>();
   }
   return std::make_unique<Mp4File>(file, format);
 }

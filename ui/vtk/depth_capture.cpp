@@ -21,6 +21,7 @@
 #include <vtkRenderer.h>
 #include <vtkTypeInt32Array.h>
 
+#include "core/base/failure.h"
 #include "ui/vtk/gl_session.h"
 
 namespace relievo {
@@ -233,9 +234,7 @@ class Capture {
     ask(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
     buffer->RestorePreviousBindingsAndBuffers();
     if (bits <= 0) {
-      throw GraphicsError(
-          "The graphics driver does not say how exact its depth buffer is. Use the CPU engine "
-          "instead.");
+      throw failure<MessageId::depth_buffer_unknown>();
     }
     return {.bits = bits,
             .is_float = type == GL_FLOAT,
@@ -331,7 +330,7 @@ struct DepthPicture {
 CapturedDepths captureDepths(const DepthRequest& request, const Task& task) {
   const GridSize size = request.frame.size;
   if (size.cols < 1 || size.rows < 1 || !(request.frame.spacing_mm > 0)) {
-    throw ArgumentError("A depth map needs at least one sample and a spacing above 0.");
+    throw failure<MessageId::depth_map_too_small>();
   }
   CapturedDepths captured(FrontDepths(size.count(), std::numeric_limits<float>::quiet_NaN()));
   FrontDepths& depths = captured.front;
@@ -367,8 +366,7 @@ CapturedDepths captureDepths(const DepthRequest& request, const Task& task) {
     }
   }
   if (!any && !is_mesh && shape.primitives() > 0) {
-    throw GraphicsError(
-        "The graphics driver returned an empty depth buffer. Use the CPU engine instead.");
+    throw failure<MessageId::depth_buffer_empty>();
   }
   task.report("Drawing the depth buffer", 1);
   if (any) captured.depth_buffer = capture.format(drawing);

@@ -12,7 +12,7 @@
 
 #include <X11/Xlib.h>
 
-#include "core/base/error.h"
+#include "core/base/failure.h"
 #include "ui/vtk/display_connection.h"
 #include "ui/vtk/offscreen.h"
 
@@ -86,7 +86,7 @@ DisplayGuard::DisplayGuard() {
   if (haveDisplay()) return;
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-    throw GraphicsError("Cannot make a pipe to start Xvfb. Close other programs and try again.");
+    throw failure<MessageId::no_pipe_for_xvfb>();
   }
   const std::string fd_text = std::to_string(ends[1]);
   const pid_t parent = getpid();
@@ -97,9 +97,7 @@ DisplayGuard::DisplayGuard() {
   close(ends[0]);
   if (number.empty()) {
     if (pid_ > 0) stop(pid_);
-    throw GraphicsError(
-        "There is no display, and Xvfb did not start. Install the package xvfb, or run this on a "
-        "desktop.");
+    throw failure<MessageId::xvfb_not_started>();
   }
   if (const char* before = std::getenv("DISPLAY")) display_before_ = before;
   setenv("DISPLAY", (":" + number).c_str(), 1);

@@ -65,9 +65,7 @@ void requireRoomForDriver() {
 OffscreenWindow::OffscreenWindow() {
   requireRoomForDriver();
   if (!connection_.isOpen()) {
-    throw GraphicsError(
-        "There is no display to draw with. Set DISPLAY, or start the program on a desktop or under "
-        "xvfb-run.");
+    throw failure<MessageId::no_display>();
   }
   window_->SetOffScreenRendering(1);
   window_->SetMultiSamples(0);
@@ -87,7 +85,7 @@ int OffscreenWindow::sizeLimitPx() {
 
 RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options, const Task& task) {
   const int width = options.width, height = options.height;
-  if (width < 1 || height < 1) throw ArgumentError("A picture needs a width and a height above 0.");
+  if (width < 1 || height < 1) throw failure<MessageId::picture_without_size>();
   if (static_cast<double>(width) * height > kMostPixels) {
     throw failure<MessageId::picture_too_large>(width, height, static_cast<int>(kMostPixels / 1e6));
   }
@@ -120,8 +118,7 @@ RgbaImage renderPicture(const ReliefScene& scene, const PictureOptions& options,
     }
   }
   if (!drawn && !(options.transparent && scene.isEmpty())) {
-    throw GraphicsError("The graphics driver returned a black picture of " + std::to_string(width) +
-                        " x " + std::to_string(height) + " pixels. Try a smaller one.");
+    throw failure<MessageId::black_picture_of>(width, height);
   }
   return image;
 }

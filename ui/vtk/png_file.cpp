@@ -21,7 +21,7 @@ struct PngText {
   explicit PngText(const std::vector<std::pair<std::string, std::string>>& text) {
     for (const auto& [key, value] : text) {
       if (key.empty() || key.size() > 79) {
-        throw WriteError("A PNG text entry's name has 1 to 79 characters, not '" + key + "'.");
+        throw failure<MessageId::png_entry_name>(key);
       }
       png_text entry{};
       // Plain ASCII as tEXt, which every reader knows; anything else, and every entry of ours, as
@@ -90,7 +90,7 @@ void writeRows(const OutputFile& place, const PngShape& shape,
   const std::size_t row_bytes = channels * static_cast<std::size_t>(std::max(shape.width, 0));
   if (shape.width <= 0 || shape.height <= 0 ||
       bytes.size() != row_bytes * static_cast<std::size_t>(shape.height)) {
-    throw WriteError("There is no picture to write to '" + file.string() + "'.");
+    throw failure<MessageId::no_picture_to_write>(file);
   }
   PngText entries(text);
   std::vector<const png_byte*> rows;

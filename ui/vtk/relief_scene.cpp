@@ -21,6 +21,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkUniforms.h>
 
+#include "core/base/failure.h"
 #include "ui/vtk/probe_actors.h"
 #include "ui/vtk/scene_view.h"
 #include "ui/vtk/screen_marks.h"
@@ -307,7 +308,7 @@ void ReliefScene::clearSurface() {
 
 void ReliefScene::setCamera(const ReliefCamera& camera) {
   if (!(camera.rect.width_mm > 0) || !(camera.rect.height_mm > 0)) {
-    throw ArgumentError("A camera needs a rectangle with a width and a height above 0.");
+    throw failure<MessageId::camera_without_size>();
   }
   impl_->camera = camera;
 }

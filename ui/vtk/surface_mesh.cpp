@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ui/vtk/surface_mesh.h"
+#include "core/base/failure.h"
 
 #include <algorithm>
 #include <array>
@@ -32,11 +33,10 @@ void SurfaceMesh::update(const SurfaceGrid& grid) {
   if (!grid.heights_mm || grid.heights_mm->size() != size.count() ||
       (grid.origins && grid.origins->size() != size.count()) ||
       (grid.colours && grid.colours->size() != 3 * size.count())) {
-    throw ArgumentError(
-        "A surface to draw needs one height and at most one origin and colour per sample.");
+    throw failure<MessageId::surface_lists_differ>();
   }
   if (size.cols < 2 || size.rows < 2 || !(grid.frame.spacing_mm > 0)) {
-    throw ArgumentError("A surface to draw needs at least 2 x 2 samples and a spacing above 0.");
+    throw failure<MessageId::surface_too_small>();
   }
   frame_ = grid.frame;
   classify(grid);
