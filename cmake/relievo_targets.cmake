@@ -48,7 +48,7 @@ function(relievo_add_test path)
     set_target_properties(${target} PROPERTIES AUTOMOC ON)
   endif()
   if(NOT ARG_TIMEOUT)
-    set(ARG_TIMEOUT 300)
+    set(ARG_TIMEOUT 900)  # For what hangs: a busy machine is no failure.
   endif()
   set(own_screen)
   if(ARG_DISPLAY)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -44,7 +45,10 @@ class Child {
                        "/bin/relievo";
     for (const std::string& word : arguments) line += " " + word;
     line += " 2>&1 < " + keys_.string();
-    program_ = popen(line.c_str(), "r");
+    {
+      const emulator::Urgent urgent;  // As is whoever starts a program that keeps time.
+      program_ = popen(line.c_str(), "r");
+    }
     key_ = open(keys_.c_str(), O_WRONLY | O_CLOEXEC);  // Once the program has opened it.
   }
   ~Child() {
@@ -108,7 +112,7 @@ class DevicesVerbTest : public ::testing::Test {
     options.insert(options.begin(), "selftest");
     options.insert(options.end(), {"--report", "json"});
     CommandResult result = run(options);
-    for (int attempt = 1; attempt < 8; ++attempt) {
+    for (int attempt = 1; attempt < 20; ++attempt) {
       if (result.out.find("did not answer in time") == std::string::npos) break;
       result = run(options);
     }
@@ -301,11 +305,14 @@ TEST_F(DevicesVerbTest, AFalconIsTestedFromTheTerminal) {
 TEST_F(DevicesVerbTest, ARateIsMeasuredForAsLongAsIsAsked) {
   usb_.plugIn(std::make_shared<SharedFalcon>(
       emulator::EmulatorOptions{.firmware_loaded = true, .homed = true}));
-  const auto answers = [this](const std::string& seconds) {
+  // How long, by the answers that were counted and the rate that is told: a busy machine has fewer.
+  const auto measured_s = [this](const std::string& seconds) {
     std::uint64_t sum = 0;
+    double rate_hz = 0;
     const json report = json::parse(selfTest({"--no-nudges", "--seconds", seconds}).out);
     for (const json& line : report["lines"]) {
       const std::string text = line["text"];
+      if (text.starts_with("Rate: ")) rate_hz = std::stod(text.substr(6));
       if (!text.starts_with("Times from answer")) continue;
       // "... up to 0.8 ms 12, up to 1.0 ms 7"
       for (std::size_t at = text.find(" ms "); at != std::string::npos;
@@ -313,11 +320,12 @@ TEST_F(DevicesVerbTest, ARateIsMeasuredForAsLongAsIsAsked) {
         sum += std::stoull(text.substr(at + 4));
       }
     }
-    return sum;
+    return static_cast<double>(sum) / rate_hz;
   };
-  const std::uint64_t brief = answers("0.5");
-  EXPECT_GT(brief, 0U);
-  EXPECT_GT(answers("4"), 2 * brief);
+  EXPECT_NEAR(measured_s("0.5"), 0.5, 0.1);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_NEAR(measured_s("4"), 4, 0.8);
+  EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));
 }
 
 TEST_F(DevicesVerbTest, AFalconThatIsNotHomedInTimeIsNamedWithItsArms) {
@@ -341,7 +349,7 @@ TEST_F(DevicesVerbTest, TheForceIsCalibratedByAWeightAndKept) {
   setFirmware("/kept.bin");
   // A busy computer may ask so late that the grip swings or is let go; a person would begin again.
   std::string said;
-  for (int attempt = 0; attempt < 8; ++attempt) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
     falcon->with([](auto& f) { f.body.letGo(0.3); });
     Child child({"devices", "calibrate", "--weight", "100"}, home_);
     if (child.says("Hang the weight on the grip, let it come to rest, then press Enter.")) {
@@ -375,7 +383,7 @@ TEST_F(DevicesVerbTest, ACalibrationThatNobodyCanConfirmEndsWithTheOldSetting) {
       "The input ended before Enter said that the weight hangs. The old setting is kept.";
   std::string said;
   // As above: on a busy computer the Falcon's own reasons may come first.
-  for (int attempt = 0; attempt < 8 && said.find(unconfirmed) == std::string::npos; ++attempt) {
+  for (int attempt = 0; attempt < 20 && said.find(unconfirmed) == std::string::npos; ++attempt) {
     falcon->with([](auto& f) {
       f.body.hold({0, 0, 125});
       f.body.letGo(0.3);
@@ -397,7 +405,8 @@ TEST_F(DevicesVerbTest, ACalibrationEndsBeforeTheComputerSleeps) {
       emulator::EmulatorOptions{.firmware_loaded = true, .homed = true});
   usb_.plugIn(falcon);
   std::string said;
-  for (int attempt = 0; attempt < 8 && said.find("goes to sleep") == std::string::npos; ++attempt) {
+  for (int attempt = 0; attempt < 20 && said.find("goes to sleep") == std::string::npos;
+       ++attempt) {
     test::FakeLogind logind(bus.address());
     falcon->with([](auto& f) {
       f.body.hold({0, 0, 125});
@@ -427,7 +436,7 @@ TEST_F(DevicesVerbTest, ARecordingWithAFalconPushes) {
     return std::count(std::istreambuf_iterator<char>(in), {}, '\n');
   };
   json report;
-  for (int attempt = 0; attempt < 8; ++attempt) {  // A stall of the mocked port takes the force.
+  for (int attempt = 0; attempt < 20; ++attempt) {  // A stall of the mocked port takes the force.
     fs::remove(log);
     falcon->with([](auto& f) { f.body.pullToward({0, 0, 160}); });
     Child child({"record", test::kReliefF, "--unit", "mm", "--device", "falcon", "--seconds", "4",

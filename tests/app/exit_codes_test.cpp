@@ -89,7 +89,9 @@ TEST_F(ExitCodes, CtrlCAndTerminationEndTheWorkWithExit130AndLeaveNoFile) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const std::string map = path("map.tif");
     const pid_t child =
-        started({"depthmap", kReliefF, "--unit", "mm", "-o", map}, path("out"), path("err"));
+        // Enough work that a busy machine cannot finish it before the signal.
+        started({"depthmap", kReliefF, "--unit", "mm", "--cells", "5000", "--quality", "-o", map},
+                path("out"), path("err"));
     while (!takes(child, signal) && kill(child, 0) == 0) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "data/generate/float_tiff.h"
+#include "tests/core/io/temporary_folder.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ Reference smallReference() {
 class FloatTiff : public testing::Test {
  protected:
   void SetUp() override {
-    file_ = std::filesystem::path(testing::TempDir()) / "relievo_float_tiff_test.tif";
+    file_ = test::ownPath("float.tif");
     writeFile(file_, floatTiffBytes(smallReference(), "mm"));
     GDALAllRegister();
     data_.reset(static_cast<GDALDataset*>(GDALOpen(file_.c_str(), GA_ReadOnly)));

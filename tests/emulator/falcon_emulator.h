@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/emulator/falcon_body.h"
+#include "tests/emulator/urgent.h"
 
 namespace relievo::emulator {
 
@@ -177,7 +178,7 @@ class SharedFalcon {
   }
 
  private:
-  std::mutex mutex_;
+  UrgentMutex mutex_;
   FalconEmulator falcon_;
 };
 

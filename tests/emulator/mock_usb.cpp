@@ -94,7 +94,7 @@ struct MockUsb::Impl {
   UMockdevIoctlBase* handler = umockdev_ioctl_base_new();
   bool plugged = false, attached = false;
 
-  std::mutex mutex;  // Between the test's thread and umockdev's.
+  UrgentMutex mutex;  // Between the test's thread and umockdev's.
   MockPortState state;
   MockPortCounts counts;
   std::shared_ptr<SharedFalcon> falcon;
@@ -140,6 +140,7 @@ void MockUsb::Impl::forget(std::list<Urb>::iterator urb) {
 
 gboolean MockUsb::Impl::handle(UMockdevIoctlClient* client) {
   const std::lock_guard lock(mutex);
+  if (context == nullptr) beUrgentAsADevice();
   context = g_main_context_get_thread_default();
   const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
   switch (request) {

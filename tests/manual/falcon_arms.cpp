@@ -3,6 +3,7 @@
 // each motor does alone.
 // falcon_arms SECONDS: 100 counts to one motor after the other, 150 ms each; then the encoders,
 // four times a second for SECONDS, while a person moves the grip.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iostream>
@@ -31,7 +32,8 @@ class Session {
  public:
   explicit Session(falcon::FalconDevice& device) : device_(device), deadline_(monotonicNs()) {}
   bool exchange(DeviceN force) {
-    sleepUntil(deadline_ += kMs);
+    // Never faster: a pulse that makes up for what was missed would be none.
+    sleepUntil(deadline_ = std::max(deadline_ + kMs, monotonicNs()));
     return device_.exchange(force, monotonicNs()).fault == DeviceFault::none;
   }
   bool rest(int ms) {

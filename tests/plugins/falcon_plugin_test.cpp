@@ -164,15 +164,23 @@ TEST_F(FalconPluginTest, SleepWaitsUntilTheMotorsAreAtZero) {
   auto* list = inPanel<QComboBox>("deviceList");
   list->setCurrentIndex(list->findData("falcon:NV000001"));
   ASSERT_TRUE(said("Falcon ready.")) << all().toStdString();
-  host_.actions.at("forces")->trigger();
   // A mocked port answers so slowly that the stiffness is bound by its rate (E306).
   const auto pushed = [this] {
     return falcon_->with([](FalconEmulator& f) { return f.body.force()[2] > 0.05; });
   };
-  ASSERT_TRUE(
-      eventually([this] { return !host_.probes.empty() && host_.probes.back().forces_on; }));
-  falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 100}); });
-  ASSERT_TRUE(eventually(pushed));
+  // A stall of the mocked port takes the force; then a person begins again.
+  QAction* forces = host_.actions.at("forces");
+  for (int attempt = 0; attempt < 20 && !pushed(); ++attempt) {
+    falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 165}); });
+    ASSERT_TRUE(eventually([this] { return host_.status.device == "Falcon ready."; }));
+    if (!forces->isChecked()) forces->trigger();
+    ASSERT_TRUE(eventually([&] {
+      return !forces->isChecked() || (!host_.probes.empty() && host_.probes.back().forces_on);
+    }));
+    falcon_->with([](FalconEmulator& f) { f.body.pullToward({0, 0, 100}); });
+    ASSERT_TRUE(eventually([&] { return !forces->isChecked() || pushed(); }));
+  }
+  ASSERT_TRUE(pushed());
   ASSERT_TRUE(logind_->isDelayed());
   logind_->tell(true);
   ASSERT_TRUE(eventually([this] { return !logind_->isDelayed(); }));

@@ -86,23 +86,30 @@ TEST(HapticLoop, AWatchdogThatAlwaysWakesLateFindsAStall) {
 }
 
 TEST(HapticLoop, TheWatchdogSleepsUntilAHeartbeatCouldBeTooOld) {
-  const auto before = sleepsOfThreads();
+  const auto others = sleepsOfThreads();
   HapticLoop loop(std::make_unique<MouseDevice>());
   loop.start();
+  waitFor(loop, [](const HapticSample&) { return true; });  // Before there is nothing to watch.
+  const std::int64_t start_ns = monotonicNs();
+  const auto before = sleepsOfThreads();
   constexpr int kTicks = 1000;
   int ticks = 0;
   waitFor(loop, [&ticks](const HapticSample&) { return ++ticks == kTicks; });
   std::vector<std::uint64_t> sleeps;
   for (const auto& [thread, count] : sleepsOfThreads()) {
-    if (!before.contains(thread)) sleeps.push_back(count);
+    if (others.contains(thread)) continue;
+    const auto earlier = before.find(thread);
+    sleeps.push_back(count - (earlier == before.end() ? 0 : earlier->second));
   }
+  const double ran_ms = 1e-6 * static_cast<double>(monotonicNs() - start_ns);
   loop.stop();
   // The loop's sleeps most, the watchdog's next; the thread sanitizer may have begun one of its
   // own.
   ASSERT_GE(sleeps.size(), 2U);
   std::sort(sleeps.rbegin(), sleeps.rend());
-  // A sixteenth; by looks of 2 ms it was a half. However busy the computer is, both are held up.
-  EXPECT_LT(sleeps[1], kTicks / 5U);
+  // One in 16 ms; by looks of 2 ms it was one in two. By the clock, as it sleeps: a loop that comes
+  // late has fewer ticks in the same time.
+  EXPECT_LT(static_cast<double>(sleeps[1]), ran_ms / 5);
   EXPECT_GT(sleeps[1], 0U);
 }
 
@@ -188,18 +195,23 @@ TEST(HapticLoop, SendsZeroInTheFirstTickAfterForcesAreSwitchedOff) {
   HapticLoop loop(std::make_unique<ScriptedDevice>(pressAfterRising(), 8));
   showFlat(loop, 6);
   HapticOptions options = fullForces();
-  loop.options().write(options);
   loop.start();
-  HapticSample before = waitFor(loop, [](const HapticSample& s) { return s.force.z > 4; });
-  options.force.forces_on = false;
-  loop.options().write(options);
-  const HapticSample off = waitFor(loop, [&before](const HapticSample& s) {
-    if (s.engaged == EngagePhase::off) return true;
-    before = s;
-    return false;
-  });
+  HapticSample before, off;
+  // Again where a pause of the whole computer took the force a moment earlier.
+  for (int tries = 0; tries < 100 && before.force.z <= 4; ++tries) {
+    options.force.forces_on = true;
+    loop.options().write(options);
+    before = waitFor(loop, [](const HapticSample& s) { return s.force.z > 4; });
+    options.force.forces_on = false;
+    loop.options().write(options);
+    off = waitFor(loop, [&before](const HapticSample& s) {
+      if (s.engaged == EngagePhase::off) return true;
+      before = s;
+      return false;
+    });
+    ASSERT_EQ(off.force, DeviceN{});
+  }
   EXPECT_GT(before.force.z, 4);
-  EXPECT_EQ(off.force, DeviceN{});
   loop.stop();
   loop.stats().update();
   const ForceAudit& audit = loop.stats().front().audit;
@@ -237,31 +249,33 @@ class StuckDevice : public ScriptedDevice {
       after_stall_ = 1;
     }
     if (force.z > 4 && after_stall_ < 0) {
-      const std::int64_t give_up_ns = monotonicNs() + 10'000'000'000;
+      const std::int64_t give_up_ns = monotonicNs() + 60'000'000'000;
+      // On a busy computer the watchdog may have come in an earlier tick as well.
+      const int cuts_before = cuts_.load();
       // Until the watchdog has come: the stall is as long as it takes, not as long as a guess.
-      while (!cut_.load() && monotonicNs() < give_up_ns) sleepUntil(monotonicNs() + 1'000'000);
+      while (cuts_.load() == cuts_before && monotonicNs() < give_up_ns) {
+        sleepUntil(monotonicNs() + 1'000'000);
+      }
       stalled_ns_ = monotonicNs() - now_ns;
       sleepUntil(now_ns + 40'000'000);
       sleepUntil(monotonicNs() + 10'000'000);  // Five more looks of the watchdog at least.
-      cuts_of_stall_ = cuts_.load();
+      cuts_of_stall_ = cuts_.load() - cuts_before;
       after_stall_ = 0;
+      stall_over_.store(true);
     }
     ScriptedDevice::send(force, now_ns);
   }
-  void cutForce() noexcept override {
-    cut_.store(true);
-    cuts_.fetch_add(1);
-  }
-  int cuts() const { return cuts_.load(); }
+  void cutForce() noexcept override { cuts_.fetch_add(1); }
+  bool wasCut() const { return cuts_.load() > 0; }
+  bool stallIsOver() const { return stall_over_.load(); }
 
   // [loop stopped]
   int cutsOfTheStall() const { return cuts_of_stall_; }
-  bool wasCut() const { return cut_.load(); }
   DeviceN firstAfterStall() const { return first_; }
   std::int64_t stalledNs() const { return stalled_ns_; }
 
  private:
-  std::atomic<bool> cut_{false};
+  std::atomic<bool> stall_over_{false};
   std::atomic<int> cuts_{0};
   int cuts_of_stall_ = 0;
   int after_stall_ = -1;  // -1: no stall yet, 0: just over, 1: past.
@@ -276,9 +290,9 @@ TEST(HapticLoop, AWatchdogCutsTheForceOfAStuckExchangeAndTheNextFrameIsZero) {
   showFlat(loop, 8);
   loop.options().write(fullForces());
   loop.start();
-  // A pause of the whole computer resumes as well: the one after the cut is meant.
+  // A pause of the whole computer resumes as well: the one after the stall is meant.
   const HapticSample resumed =
-      waitFor(loop, [stuck](const HapticSample& s) { return s.resumed && stuck->wasCut(); });
+      waitFor(loop, [stuck](const HapticSample& s) { return s.resumed && stuck->stallIsOver(); });
   EXPECT_EQ(resumed.force, DeviceN{}) << "the force computed next is zero, too";
   EXPECT_EQ(resumed.engaged, EngagePhase::rising);
   DeviceN before;
@@ -348,8 +362,9 @@ TEST(HapticLoop, AWatchdogLeavesARunningLoopAlone) {
   MouseDevice mouse;
   Watchdog watchdog(mouse, 0);
   for (int i = 0; i < 50; ++i) {
-    // The beats may come late on a busy machine; never by a whole stall's time before now.
-    EXPECT_FALSE(watchdog.beat(monotonicNs() + 3'600'000'000'000));
+    // The beats may come late on a busy machine; never by a whole stall's time before now. Nor are
+    // they from a far future: a watchdog that has seen one sleeps until it could be too old.
+    EXPECT_FALSE(watchdog.beat(monotonicNs() + 10'000'000'000));
     std::this_thread::yield();
   }
   EXPECT_EQ(watchdog.cuts(), 0U);
@@ -371,7 +386,7 @@ TEST(HapticLoop, TicksOnWhileItsOwnerIsBlocked) {
   // Against the loop's own clock: each period either had a tick or was skipped as missed.
   const double seconds = 1e-9 * static_cast<double>(last.time_ns - first.time_ns);
   EXPECT_GT(seconds, 1);
-  EXPECT_GT(static_cast<double>(seen), 100 * seconds);
+  EXPECT_GT(static_cast<double>(seen), 10 * seconds);
   EXPECT_LT(static_cast<double>(seen), 1001 * seconds + 2);
 }
 
@@ -486,18 +501,18 @@ TEST(HapticLoop, ForcesFadeOutWhenTheWindowSaysNothing) {
   };
   const HapticSample pressed = aliveUntil([](const HapticSample& s) { return s.force.z > 4; });
   EXPECT_EQ(pressed.stopped, StopReason::none);
-  const std::int64_t last_word_ns = monotonicNs();
-  sleepUntil(last_word_ns + 1'800'000'000);
+  const std::int64_t before_last_word_ns = monotonicNs();
+  loop.sayAlive();
   std::int64_t last_felt_ns = 0, first_ns = 0;
-  DeviceN last;
-  for (HapticSample s; loop.samples().pop(s);) {
+  constexpr std::int64_t kFadedNs = 800'000'000;
+  waitFor(loop, [&](const HapticSample& s) {
     if (s.stopped == StopReason::window_silent && first_ns == 0) first_ns = s.time_ns;
     if (!(s.force == DeviceN{})) last_felt_ns = s.time_ns;
-    last = s.force;
-  }
+    return first_ns != 0 && s.time_ns > first_ns + kFadedNs;
+  });
   loop.stop();
-  EXPECT_EQ(last, DeviceN{});
-  EXPECT_GT(first_ns, last_word_ns + 1'000'000'000 - 50'000'000);
+  EXPECT_GT(first_ns, before_last_word_ns + 1'000'000'000);
+  EXPECT_GT(last_felt_ns, before_last_word_ns) << "and was felt until then";
   EXPECT_LE(last_felt_ns, first_ns + 500'000'000) << "0.5 s later it is zero";
 }
 

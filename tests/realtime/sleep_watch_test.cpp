@@ -17,7 +17,7 @@ using News = SleepWatch::News;
 using test::FakeLogind;
 
 bool eventually(const std::function<bool()>& holds) {
-  const std::int64_t give_up = monotonicNs() + 30'000'000'000;
+  const std::int64_t give_up = monotonicNs() + 60'000'000'000;
   while (!holds()) {
     if (monotonicNs() > give_up) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -60,7 +60,8 @@ TEST_F(SleepWatchTest, NobodyIsDelayedByAProgramThatHasEnded) {
     SleepWatch watch;
     ASSERT_TRUE(isReady(watch));
   }
-  EXPECT_FALSE(logind.isDelayed());
+  // The bus may still hold the lock that it has just handed over.
+  EXPECT_TRUE(eventually([&] { return !logind.isDelayed(); }));
 }
 
 TEST_F(SleepWatchTest, ARefusalIsToldInItsWordsAndSleepIsToldAllTheSame) {

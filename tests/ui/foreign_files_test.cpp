@@ -128,7 +128,7 @@ TEST_F(ForeignFiles, APictureIsAskedAboutLikeAProject) {
   table.write(QByteArray::fromStdString("# relievo:state " + state + "\nx_mm,z_mm\n0,0\n"));
   table.close();
   window().open(path("work/p.csv"));
-  ASSERT_TRUE(waitFor([this] { return question() != nullptr; }));
+  ASSERT_TRUE(waitFor([this] { return question() != nullptr && question()->isVisible(); }));
   QTest::keyClick(question(), Qt::Key_Return);
   EXPECT_FALSE(document().isOpen() || document().busy());
 }

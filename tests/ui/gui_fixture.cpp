@@ -50,7 +50,7 @@ void GuiTest::restart() {
   window_ = std::make_unique<MainWindow>(captureDepths);
   if (!window_->settings().layout(QStringLiteral("geometry")).isValid()) window_->resize(860, 560);
   window_->show();
-  EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get()));
+  EXPECT_TRUE(QTest::qWaitForWindowExposed(window_.get(), kTimeoutMs));
   // Xvfb has no window manager that would; keys reach commands only in the active window.
   QApplication::setActiveWindow(window_.get());
 }

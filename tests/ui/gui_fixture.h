@@ -53,7 +53,7 @@ class GuiTest : public ::testing::Test {
   std::unique_ptr<MainWindow> window_;
 };
 
-/// Waits for a condition while events are handled; false after ten seconds.
+/// Waits for a condition while events are handled; false after a generous while.
 bool waitFor(const std::function<bool()>& condition);
 
 }  // namespace relievo

@@ -163,11 +163,12 @@ TEST_F(PreferencesTest, LargeTextHidesNoFieldOfTheStatusAndNoCommandOfTheTools) 
   window().resize(1439, 900);
   QApplication::processEvents();
   ASSERT_TRUE(waitFor([&] { return child<QLabel>("status_message")->height() > 2 * row; }));
-  QTest::qWait(50);
   for (const char* name :
        {"status_position", "status_kind_of_surface", "status_detail", "status_hand_scale"}) {
     auto* field = child<QLabel>(name);
-    EXPECT_TRUE(field->isHidden() || field->width() >= field->sizeHint().width()) << name;
+    EXPECT_TRUE(waitFor([field] {
+      return field->isHidden() || field->width() >= field->sizeHint().width();
+    })) << name;
   }
   EXPECT_GT(child<QLabel>("status_message")->width(), 400);
   const auto* more = child<QWidget>("tools")->findChild<QWidget*>("qt_toolbar_ext_button");

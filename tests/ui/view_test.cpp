@@ -167,7 +167,7 @@ TEST_F(ViewTest, AViewThatHasItsSizeBeforeItIsWarmDrawsThatManyPixels) {
   DetailView view(document(), turns);
   view.resize(400, 400);
   view.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view, 60'000));
   QImage seen;
   ASSERT_TRUE(waitFor([&] {
     seen = view.grab().toImage();

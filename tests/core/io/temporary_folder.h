@@ -39,6 +39,13 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+/// A path in a folder that only this process has, and that goes with it: a test runs beside itself
+/// where it is also run under a sanitizer.
+inline std::filesystem::path ownPath(const std::string& name) {
+  static const TemporaryFolder folder;
+  return folder.path() / name;
+}
+
 /// Shared scans, or an empty path.
 inline std::filesystem::path sharedData() {
   const char* stated = std::getenv("RELIEVO_SHARED_DATA");

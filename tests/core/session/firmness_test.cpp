@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/region/window.h"
+#include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
 namespace {
@@ -17,7 +18,7 @@ const DetailLadder kMap{
     .left_mm = 10, .bottom_mm = 20, .width_mm = 200, .height_mm = 100, .spacings_mm = {0.5, 1}};
 
 std::string grid(const char* name, int cols, int rows, const std::string& values) {
-  std::string file = std::string(::testing::TempDir()) + name;
+  std::string file = test::ownPath(name).string();
   std::ofstream(file) << "ncols " << cols << "\nnrows " << rows
                       << "\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9\n"
                       << values << "\n";

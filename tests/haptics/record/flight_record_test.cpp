@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "haptics/record/events.h"
+#include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
 namespace {
@@ -22,7 +23,7 @@ std::vector<HapticSample> ticks(std::uint64_t from, std::uint64_t count) {
 }
 
 std::filesystem::path emptyFolder(const char* name) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / name;
+  const auto folder = test::ownPath(name);
   std::filesystem::remove_all(folder);
   return folder;
 }

@@ -10,6 +10,7 @@
 #include "haptics/record/replay.h"
 #include "haptics/record/sample_log.h"
 #include "haptics/record/stroke.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/haptics/record/size_limit.h"
 
@@ -18,7 +19,7 @@ namespace {
 
 /// A name that is free: what stands there would stay until a log is whole.
 std::filesystem::path temporary(const char* name) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+  const std::filesystem::path file = test::ownPath(name);
   std::filesystem::remove(file);
   return file;
 }

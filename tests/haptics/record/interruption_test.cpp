@@ -16,6 +16,7 @@
 #include "haptics/record/recorded_loop.h"
 #include "haptics/record/replay.h"
 #include "haptics/record/sample_drain.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/haptics/record/size_limit.h"
 
@@ -24,7 +25,7 @@ namespace {
 
 /// A name that is free: what stands there would stay until a log is whole.
 std::filesystem::path temporary(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / name;
+  const std::filesystem::path file = test::ownPath(name);
   std::filesystem::remove(file);
   return file;
 }
@@ -59,7 +60,7 @@ class Troubled : public Device {
     DeviceReading reading{handAt(tick_), 0, now_ns, DeviceFault::none};
     script_(tick_, reading);
     if (stick_at == tick_) {
-      const std::int64_t give_up_ns = monotonicNs() + 10'000'000'000;
+      const std::int64_t give_up_ns = monotonicNs() + 60'000'000'000;
       while (!cut_.load() && monotonicNs() < give_up_ns) sleepUntil(monotonicNs() + 1'000'000);
     }
     ++tick_;

@@ -15,6 +15,7 @@
 #include "haptics/record/replay.h"
 #include "haptics/record/sample_drain.h"
 #include "haptics/record/stroke.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"
 #include "tests/haptics/record/size_limit.h"
 
@@ -24,7 +25,7 @@ namespace {
 using test::spaceOf;
 
 std::filesystem::path temporary(const char* name) {
-  return std::filesystem::path(::testing::TempDir()) / name;
+  return test::ownPath(name);
 }
 
 std::string contents(const std::filesystem::path& file) {
@@ -283,7 +284,7 @@ std::string wholeText(const std::filesystem::path& file) {
 }
 
 TEST(Log, ARecordingsLoopStandsBeforeItsRows) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "loop.csv";
+  const auto file = test::ownPath("loop.csv");
   const auto write = [&](LogKind kind, const std::string& footer) {
     const auto log = openLog(file, "unit mm", nullptr, kind);
     log->write({}, 0);

@@ -16,6 +16,7 @@
 #include "haptics/record/named_json.h"
 #include "haptics/record/recorder.h"
 #include "haptics/record/sample_drain.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"
 
 namespace relievo {
@@ -115,7 +116,7 @@ class Recorded {
 };
 
 std::filesystem::path temporary(const char* name) {
-  return std::filesystem::path(::testing::TempDir()) / name;
+  return test::ownPath(name);
 }
 
 TEST(RecordedLoop, RepeatsLiveChangesToTheLastBitInEitherFormat) {

@@ -11,13 +11,14 @@
 #include "haptics/record/events.h"
 #include "haptics/record/log_writer.h"
 #include "haptics/record/stroke.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"
 
 namespace relievo {
 namespace {
 
 std::filesystem::path temporary(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / name;
+  return test::ownPath(name);
 }
 
 /// A hand that is pushed back slides over waves, with the whole chain of a device.

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/haptics/haptic_fixture.h"
 
 namespace relievo {
@@ -14,7 +15,7 @@ namespace {
 using test::spaceOf;
 
 std::filesystem::path written(const std::string& text) {
-  std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "stroke.csv";
+  std::filesystem::path file = test::ownPath("stroke.csv");
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }

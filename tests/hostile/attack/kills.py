@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Signals at random moments of every verb that writes."""
+"""Signals at random moments of every verb that writes, and one run without any."""
 import random
 import signal
 from concurrent.futures import ThreadPoolExecutor
@@ -14,6 +14,21 @@ def moment(chance, seconds):
     """Half of them late, where the outputs are written and renamed."""
     share = chance.uniform(0.6, 1.1) if chance.random() < 0.5 else chance.uniform(0, 1.1)
     return share * seconds
+
+
+def undisturbed(stage):
+    """However slow the machine has become since the moments were chosen, this one comes to its end.
+
+    @return faults
+    """
+    folder = stage.fresh()
+    run = stage.must_run(stage.case.command, folder)
+    faults = stage.judge(folder)
+    left = stage.strange(folder)
+    if left:
+        faults.append("It left " + ", ".join(left) + ".")
+    clear(folder)
+    return [f"without a signal: {fault}\n    {run.text()}" for fault in faults]
 
 
 def one(stage, seed):
@@ -53,6 +68,7 @@ def attack(bed, first_seed, count, jobs, table, only=None):
         with ThreadPoolExecutor(jobs) as pool:
             results = list(pool.map(lambda seed, at=stage: one(at, seed),
                                     range(first, first + share)))
+        results.append(undisturbed(stage))
         table.add(f"kills: {case.name}", share,
                   stage.faults + [fault for faults in results for fault in faults])
         stage.close()

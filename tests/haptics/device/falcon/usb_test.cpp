@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <chrono>
 #include <csignal>
@@ -146,7 +147,7 @@ TEST_F(FalconUsbTest, TenThousandFramesArriveAsTheyWereSent) {
     bool answered = false;
     while (!answered) {
       std::array<std::uint8_t, 64> bytes{};
-      const Port::Incoming in = port.read(bytes, monotonicNs() + 5000 * kMs);
+      const Port::Incoming in = port.read(bytes, monotonicNs() + 60'000 * kMs);
       ASSERT_EQ(in.result, PortResult::ok) << "frame " << i;
       for (std::size_t k = 0; k < in.bytes; ++k) answered |= reader.take(bytes[k]).has_value();
     }
@@ -252,7 +253,19 @@ class FalconUsbTroubleTest : public FalconUsbTest {
 };
 
 class FalconUsbFaultTest : public FalconUsbTroubleTest,
-                           public ::testing::WithParamInterface<test::Fault> {};
+                           public ::testing::WithParamInterface<test::Fault> {
+ protected:
+  void strike(const test::Fault& fault) {
+    falcon_->with([&](auto& f) {
+      f.forgetCommands();
+      fault.strike(f);
+    });
+  }
+  void mendAndTouch(const test::Fault& fault) {
+    falcon_->with([&](auto& f) { fault.mend(f); });
+    ASSERT_TRUE(touches());
+  }
+};
 
 TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   const test::Fault& fault = GetParam();
@@ -261,15 +274,20 @@ TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   ASSERT_TRUE(touches());
   told_ = DeviceFault::none;
   const std::uint64_t before = fault.counted(device_->status());
-  falcon_->with([&](auto& f) {
-    f.forgetCommands();
-    fault.strike(f);
-  });
   if (fault.told == DeviceFault::none) {
-    ASSERT_TRUE(whileTouching(
-        [this] { return falcon_->with([](auto& f) { return f.commands().size() > 1; }); }));
-    falcon_->with([](auto& f) { EXPECT_TRUE(test::nextCommandIsNeutral(f)); });
+    // Of an answer that the driver fetches only when it is there nothing is late.
+    const int tries = std::string(fault.name) == "LateAnswers" ? 20 : 1;
+    bool neutral = false;
+    for (int i = 0; i < tries && !neutral; ++i) {
+      if (i > 0) mendAndTouch(fault);
+      strike(fault);
+      ASSERT_TRUE(whileTouching(
+          [this] { return falcon_->with([](auto& f) { return f.commands().size() > 1; }); }));
+      neutral = falcon_->with([](auto& f) { return test::nextCommandIsNeutral(f); });
+    }
+    EXPECT_TRUE(neutral);
   } else {
+    strike(fault);
     ASSERT_TRUE(whileTouching([&] { return told_ == fault.told; }));
   }
   EXPECT_TRUE(whileTouching([&] { return fault.counted(device_->status()) > before; }));
@@ -284,51 +302,88 @@ TEST_P(FalconUsbFaultTest, IsNoticedAndMendsWithoutARestart) {
   EXPECT_TRUE(touches());
   EXPECT_EQ(falcon_->with([](auto& f) { return f.uploads(); }), 0);
 }
-/// Altered nibbles are up to 200 mm away. The mocked port answers as late as the machine is busy,
-/// and what a hand can reach grows with that: so each round is judged by the times that its
-/// readings carry. PoseGate's own test judges each place to the millimetre, on a clock of its own.
-TEST_F(FalconUsbTroubleTest, AlteredNibblesAreNotBelieved) {
-  device_->open();
-  ASSERT_TRUE(becomes(*device_, LinkState::ready)) << englishText(describe(device_->status()));
-  ASSERT_TRUE(touches());
-  const DeviceMm place = device_->status().position;
-  const auto read = [this] { return device_->exchange({0, 0, 2}, monotonicNs()); };
-  // A place that a round leaves behind, and an answer on its way, can be two rounds old.
-  constexpr std::size_t kRounds = 3;
-  std::array<std::int64_t, kRounds> began_ns;
-  began_ns.fill(read().time_ns);
-  int judged = 0, after_fault = 0;
-  const auto round = [&](std::size_t i) {
-    began_ns[i % kRounds] = read().time_ns;
-    falcon_->with([](auto& f) { f.troubles.altered_nibbles = 2; });
-    double farthest_mm = 0;
-    std::int64_t ended_ns = 0;
-    const bool over = whileTouching([&] {
-      const DeviceReading reading = read();
-      // After a fault the first place is believed, wherever it is.
-      if (reading.fault != DeviceFault::none) after_fault = kRounds;
-      farthest_mm = std::max(farthest_mm, norm(reading.position - place));
-      ended_ns = reading.time_ns;
-      return falcon_->with([](auto& f) { return f.troubles.altered_nibbles == 0; });
-    });
-    if (after_fault > 0 || i < kRounds) {
-      after_fault = std::max(0, after_fault - 1);
-      return over;
-    }
-    const double passed_ms = 1e-6 * static_cast<double>(ended_ns - began_ns[(i + 1) % kRounds]);
-    constexpr double kLateMs = 4;
-    EXPECT_LE(farthest_mm,
-              PoseGate::kGrainMm + 1e-3 * PoseGate::kMostMmPerS * (passed_ms + kLateMs))
-        << "in round " << i << ", " << passed_ms << " ms";
-    ++judged;
-    return over;
-  };
-  for (std::size_t i = 0; i < 3000 && (judged < 30 || device_->status().counts.held_poses <= 10);
-       ++i) {
-    ASSERT_TRUE(round(i)) << i;
+
+/// The real bus and its port on a clock of the test's own: each answer comes a millisecond after
+/// the one before, however late the machine was with it. Waits for each answer as long as it takes.
+class SteppedBus : public Bus {
+ public:
+  /// [driver's thread] After each answer, before the driver sees it.
+  std::function<void(std::int64_t now_ns)> every_ms;
+
+  Opening open() override {
+    Opening opening = bus_.open();
+    if (opening.port) opening.port = std::make_unique<SteppedPort>(*this, std::move(opening.port));
+    return opening;
   }
-  EXPECT_GE(judged, 30);
-  EXPECT_GT(device_->status().counts.held_poses, 10U);
+  void waitForChange(std::int64_t until_ns) override {
+    bus_.waitForChange(monotonicNs() + until_ns - now_ns_);
+    now_ns_ = std::max(now_ns_, until_ns);
+  }
+  std::int64_t now() override { return now_ns_; }
+  std::int64_t slept() override { return bus_.slept(); }
+
+ private:
+  class SteppedPort : public Port {
+   public:
+    SteppedPort(SteppedBus& bus, std::unique_ptr<Port> port) : bus_(bus), port_(std::move(port)) {}
+    PortResult request(const BridgeRequest& request) override { return port_->request(request); }
+    PortResult write(std::span<const std::uint8_t> bytes) override { return port_->write(bytes); }
+    Incoming read(std::span<std::uint8_t> into, std::int64_t until_ns) override {
+      const Incoming in = port_->read(into, monotonicNs() + 60'000 * kMs);
+      bus_.now_ns_ = in.bytes > 0 ? bus_.now_ns_ + kMs : std::max(bus_.now_ns_, until_ns);
+      if (in.bytes > 0) bus_.every_ms(bus_.now_ns_);
+      return in;
+    }
+    void discardInput() override { port_->discardInput(); }
+    bool clearToSend() const override { return port_->clearToSend(); }
+    LineErrors lineErrors() const override { return port_->lineErrors(); }
+
+   private:
+    SteppedBus& bus_;
+    std::unique_ptr<Port> port_;
+  };
+
+  UsbBus bus_;
+  std::int64_t now_ns_ = 1'000'000 * kMs;
+};
+
+/// As trouble_test has it, through libusb. Where a hand can have gone grows with the time that an
+/// answer took: on the machine's clock a busy one would have its say in what is believed.
+TEST_F(FalconUsbTest, AlteredNibblesAreNotBelieved) {
+  const auto falcon = plugged({.firmware_loaded = true, .homed = true, .latency_timer = false});
+  constexpr int kTouching = 300, kEvery = 20, kAltered = 200;
+  int touching = 0, ticks = 0;
+  DeviceMm place;
+  double farthest_mm = 0, most_n = 0;
+  DeviceFault told = DeviceFault::none;
+  std::atomic<bool> done{false};
+  auto bus = std::make_unique<SteppedBus>();
+  SteppedBus& stepped = *bus;
+  FalconDevice device(std::move(bus), [] { return relievo::test::madeImage(); });
+  // The loop's tick, in step with the answers.
+  stepped.every_ms = [&](std::int64_t now_ns) {
+    const DeviceReading reading = device.exchange({0, 0, 2}, now_ns);
+    const double force_n = falcon->with([](auto& f) { return std::abs(f.body.force()[2]); });
+    if (done) return;
+    if (touching < kTouching) {
+      touching = force_n > 0.5 ? touching + 1 : 0;
+      place = reading.position;
+      return;
+    }
+    if (reading.fault != DeviceFault::none) told = reading.fault;
+    farthest_mm = std::max(farthest_mm, norm(reading.position - place));
+    most_n = std::max(most_n, force_n);
+    if (ticks++ % kEvery == 0) falcon->with([](auto& f) { f.troubles.altered_nibbles = 1; });
+    done = ticks == kEvery * kAltered;
+  };
+  device.open();
+  ASSERT_TRUE(eventually([&] { return done.load(); })) << englishText(describe(device.status()));
+  // The lowest three bits of a count are less than a hand trembles.
+  EXPECT_LT(farthest_mm, 0.35);
+  EXPECT_LT(most_n, 2.1);
+  EXPECT_EQ(told, DeviceFault::none);
+  EXPECT_TRUE(eventually([&] { return device.status().counts.held_poses > 100; }))
+      << device.status().counts.held_poses;
 }
 
 /// Without the plug, which is the port's: UnpluggedWhileTouchingThenReplugged.
@@ -367,11 +422,16 @@ TEST_F(FalconUsbTest, ReadsThatGoOnFailingAreNeverTriedInALoop) {
   device->open();
   ASSERT_TRUE(becomes(*device, LinkState::ready)) << englishText(describe(device->status()));
   falcon->with([](auto& f) { f.troubles.failed_reads = test::kForEver; });
-  ASSERT_TRUE(eventually([&] { return device->status().failed_openings == 5; }));
+  ASSERT_TRUE(eventually([&] { return device->status().failed_openings >= 5; }));
+  const int failed_before = device->status().failed_openings;
   const std::uint64_t before = usb_.counts().submits;
-  ASSERT_TRUE(eventually([&] { return device->status().failed_openings == 7; }));
+  ASSERT_TRUE(eventually([&] { return device->status().failed_openings >= failed_before + 2; }));
+  const std::uint64_t submits = usb_.counts().submits - before;
+  // With one that goes on.
+  const auto openings =
+      static_cast<std::uint64_t>(device->status().failed_openings - failed_before) + 1;
   // Of each: two reads, nine requests, four frames, and reads that go with the frames.
-  EXPECT_LT(usb_.counts().submits - before, 60U);
+  EXPECT_LT(submits, 30 * openings) << "of " << openings;
   EXPECT_EQ(device->status().unplugged, 0U);
   falcon->with([](auto& f) { f.troubles.failed_reads = 0; });
   EXPECT_TRUE(becomes(*device, LinkState::ready)) << "without a restart";
@@ -384,9 +444,12 @@ TEST_F(FalconUsbTest, AnOpenFalconThatNobodyAsksIsLeftInPeace) {
   ASSERT_TRUE(becomes(*device, LinkState::ready));
   ASSERT_TRUE(
       eventually([&] { return falcon->with([](auto& f) { return f.latencyMs(); }) == 255; }));
+  const std::int64_t since_ns = monotonicNs();
   const std::uint64_t before = usb_.counts().submits;
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  EXPECT_LT(usb_.counts().submits - before, 60U) << "frames and packets a second";
+  const std::uint64_t submits = usb_.counts().submits - before;
+  const double seconds = 1e-9 * static_cast<double>(monotonicNs() - since_ns);  // One at least.
+  EXPECT_LT(static_cast<double>(submits), 60 * seconds) << "frames and packets a second";
 }
 
 /// Signals by number.
