@@ -3,8 +3,8 @@
 
 namespace relievo {
 
-/// The programs of relievo that `relievo` goes on as (docs/adr/0151): all that draws loads libraries
-/// of graphics, which verbs that draw nothing neither wait for nor need installed.
+/// The programs of relievo that `relievo` goes on as (docs/adr/0151): all that draws loads
+/// libraries of graphics, which verbs that draw nothing neither wait for nor need installed.
 enum class Program {
   draw,   ///< `relievo-draw`: the verbs that draw, and the depth buffer.
   window  ///< `relievo-window`.

@@ -12,7 +12,10 @@ Drawing ownDrawing() {
                 const DisplayGuard display;
                 return captureDepths(request, task);
               },
-          .verbs = [] { return std::vector<Verb>{renderVerb(), figureVerb(), videoVerb()}; }};
+          .verbs =
+              [] {
+                return std::vector<Verb>{renderVerb(), figureVerb(), videoVerb()};
+              }};
 }
 
 }  // namespace relievo::batch

@@ -52,7 +52,8 @@ std::filesystem::path ownFolder(const std::string& does) {
       "again.");
 }
 
-/// Installed; beside the program in the build folder or among its own kind; beside the build's tests.
+/// Installed; beside the program in the build folder or among its own kind; beside the build's
+/// tests.
 /// @return empty: it is nowhere
 std::filesystem::path programSeenFrom(const std::filesystem::path& folder,
                                       const std::filesystem::path& name) {

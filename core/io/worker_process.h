@@ -32,7 +32,8 @@ enum class ImportProgram { own, pcl, libraries };
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder);
 
 /// Where another program of relievo is. @param does  what is not possible without it
-/// @return empty: it is not installed @throw FileError  /proc is not there, by which it is looked for
+/// @return empty: it is not installed @throw FileError  /proc is not there, by which it is looked
+/// for
 std::filesystem::path ownProgram(const std::string& name, const std::string& does);
 
 /// A worker that is handed its input as an open file, not by name.

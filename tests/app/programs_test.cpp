@@ -57,14 +57,13 @@ TEST_F(Programs, VerbsThatDrawNothingNeedNoOther) {
   const std::string scan = "'" + plane() + "' --unit mm ", map = path("map.tif");
   EXPECT_EQ(alone("--version").exit_code, 0);
   EXPECT_THAT(alone("--help").text, HasSubstr("  video "));
-  for (const std::string& words : {
-           "info " + scan,
-           "depthmap " + scan + "-o " + map,
-           "pyramid " + scan + "-o " + path("levels"),
-           "convert " + scan + "-o " + path("map.asc"),
-           "measure " + scan + "--report json --profile 1,1,5,5",
-           "devices --report json",
-       }) {
+  const std::vector<std::string> commands{"info " + scan,
+                                          "depthmap " + scan + "-o " + map,
+                                          "pyramid " + scan + "-o " + path("levels"),
+                                          "convert " + scan + "-o " + path("map.asc"),
+                                          "measure " + scan + "--report json --profile 1,1,5,5",
+                                          "devices --report json"};
+  for (const std::string& words : commands) {
     const Said done = alone(words);
     EXPECT_EQ(done.exit_code, 0) << words << '\n' << done.text;
   }
@@ -76,7 +75,8 @@ TEST_F(Programs, VerbsThatDrawSayWhatIsMissing) {
   for (const char* words : {"render ", "figure "}) {
     const Said refused = alone(words + scan + "-o " + out);
     EXPECT_EQ(refused.exit_code, 7) << refused.text;
-    EXPECT_THAT(refused.text, HasSubstr("the program relievo-draw, which does it, is not installed"));
+    EXPECT_THAT(refused.text,
+                HasSubstr("the program relievo-draw, which does it, is not installed"));
   }
   EXPECT_FALSE(fs::exists(out));
 }
