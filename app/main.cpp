@@ -1,115 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <QVTKOpenGLNativeWidget.h>
-#include <clocale>
+// relievo: the command line. Goes on as relievo-draw or relievo-window where something is drawn, so
+// that everything else starts without libraries of graphics (docs/adr/0151).
 #include <csignal>
 #include <iostream>
-#include <QFile>
-#include <QHash>
-#include <QIcon>
-#include <QSurfaceFormat>
 
 #include "app/batch/batch.h"
-#include "app/batch/companions.h"
-#include "app/batch/falcon_setting.h"
-#include "app/batch/state.h"
-#include "app/end_signals.h"
-#include "app/host.h"
+#include "app/batch/other_program.h"
 #include "app/options.h"
-#include "app/plugin_loader.h"
 #include "core/base/error.h"
-#include "ui/file_names.h"
-#include "ui/guarded_application.h"
-#include "ui/language.h"
-#include "ui/main_window.h"
-#include "ui/surface_view.h"
-#include "ui/vtk/depth_capture.h"
-#include "ui/vtk/display_connection.h"
 
 namespace {
 
 constexpr int kUsage = 1;
 constexpr int kNoGraphics = 7;
-constexpr int kEndedBySignal = 128;  ///< As shells count it.
 
-void prepareQt() {
-  relievo::keepBytesOfNames();
-  // VTK draws through GLX.
-  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
-  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
-  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-  QCoreApplication::setApplicationName(QStringLiteral("relievo"));
-  QCoreApplication::setApplicationVersion(QStringLiteral(RELIEVO_VERSION_STRING));
-}
-
-/// The preference is the setting of the Falcon's driver, which `relievo devices` follows, too.
-void shareFalconFirmware(relievo::MainWindow& window) {
-  const auto read = [] { return QFile::decodeName(relievo::batch::falconFirmware().c_str()); };
-  const auto write = [&window](const QVariant& file) {
-    try {
-      relievo::batch::setFalconFirmware(QFile::encodeName(file.toString()).toStdString());
-    } catch (const relievo::WriteError& error) {
-      window.announce(QString::fromStdString(error.what()));
-    }
-  };
-  window.settings().keepElsewhere(QStringLiteral("falcon_firmware"), {read, write});
-}
-
-int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
-  using namespace relievo;
-  prepareQt();
-  GuardedApplication app(argc, argv);
-  QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/relievo.svg")));
-  QGuiApplication::setDesktopFileName(QStringLiteral("relievo"));  // Wayland takes the icon by it.
-  // QApplication takes the user's locale; the readers need the dot as decimal sign.
-  std::setlocale(LC_NUMERIC, "C");
-  installAccessibleViews();
-
-  const auto mode = options.safe_mode ? Settings::Mode::safe : Settings::Mode::remembered;
-  {
-    const Settings settings(mode);
-    const QString chosen = settings.choice(QStringLiteral("language"), QString()).toString();
-    applyLanguage(app,
-                  options.language.empty() ? chosen : QString::fromStdString(options.language));
-  }
-  MainWindow window(captureDepths, mode);
-  shareFalconFirmware(window);
-  window.setCompanions(batch::companionsOf);
-  WindowHost host(window);
-  PluginLoader plugins(host, window.settings());
-  QObject::connect(&window, &MainWindow::closing, [&plugins] { plugins.detachAll(); });
-  app.tellTo([&window](const QString& sentence) { window.showMessage(sentence); });
-  const EndSignals end_signals;  // Before a plugin opens a device.
-  QObject::connect(&end_signals, &EndSignals::came, [&window](int signal) {
-    window.endAtOnce();
-    QApplication::exit(kEndedBySignal + signal);
-  });
-  window.show();
-  plugins.load();
-  for (const QString& problem : plugins.problems()) std::cerr << problem.toStdString() << '\n';
-  if (!plugins.has(QStringLiteral("haptics"))) {
-    window.showTouchMissing(plugins.problems().isEmpty()
-                                ? MainWindow::tr("the haptics plugin was not found.")
-                                : plugins.problems().join(' '));
-  }
-  QStringList files;
-  for (const std::string& file : options.files) files << QFile::decodeName(file.c_str());
-  if (options.saysHow() && files.size() == 1) {
-    OpenRequest request;
-    request.file = files.front();
-    request.unit = options.unit;
-    request.view = options.view;
-    request.detail = options.detail;
-    request.region = options.region;
-    window.open(request);
-  } else if (!files.isEmpty()) {
-    window.openPaths(files);
-  }
-  const int status = QApplication::exec();
-  app.tellTo({});  // The window goes first.
-  return status;
+int fail(int exit_code, const std::string& why) {
+  std::cerr << "relievo: " << why << '\n';
+  return exit_code;
 }
 
 }  // namespace
@@ -117,33 +24,21 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 int main(int argc, char** argv) {
   // A file that may not grow is met like a full disk: what is written is completed.
   std::signal(SIGXFSZ, SIG_IGN);
-  // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.
-  qSetGlobalQHashSeed(0);
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);
   if (const std::string unknown = argc > 1 ? relievo::unknownVerb(argv[1]) : ""; !unknown.empty()) {
-    std::cerr << "relievo: " << unknown << '\n';
-    return kUsage;
+    return fail(kUsage, unknown);
   }
-  relievo::WindowOptions options;
   try {
-    options = relievo::parseWindowOptions({argv + 1, argv + argc});
+    const relievo::WindowOptions options = relievo::parseWindowOptions({argv + 1, argv + argc});
+    if (options.help || options.version) {
+      std::cout << (options.help ? relievo::windowHelp() + '\n' + relievo::verbHelp()
+                                 : "relievo " RELIEVO_VERSION_STRING "\n");
+      return 0;
+    }
+    relievo::goOnAs(relievo::Program::window, argv);
   } catch (const relievo::ArgumentError& error) {
-    std::cerr << "relievo: " << error.what() << '\n';
-    return kUsage;
+    return fail(kUsage, error.what());
+  } catch (const relievo::Error& error) {
+    return fail(kNoGraphics, error.what());
   }
-  if (options.help || options.version) {
-    std::cout << (options.help ? relievo::windowHelp() + '\n' + relievo::verbHelp()
-                               : "relievo " RELIEVO_VERSION_STRING "\n");
-    return 0;
-  }
-  // Held until the window is there: a server without other clients would reset when this one
-  // leaves, and refuse Qt meanwhile.
-  const relievo::DisplayConnection display;
-  if (!display.isOpen()) {
-    std::cerr
-        << "relievo: There is no display to open a window on. Set DISPLAY, or use a verb such "
-           "as 'relievo render FILE -o FIG.png', which needs none.\n";
-    return kNoGraphics;
-  }
-  return runWindow(argc, argv, options);
 }

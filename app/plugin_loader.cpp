@@ -25,7 +25,7 @@ QStringList PluginLoader::folders() {
   folders << chosen.split(':', Qt::SkipEmptyParts);
   const QString program = QCoreApplication::applicationDirPath();
   folders << program + QLatin1String("/../plugins")
-          << program + QLatin1String("/../" RELIEVO_LIBDIR "/relievo/plugins");
+          << program + QLatin1String("/" RELIEVO_LIBDIR "/relievo/plugins");
   return folders;
 }
 

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Every outside library, found once. Order matters: VTK before PCL (PCL overwrites VTK_LIBRARIES).
 find_package(Threads REQUIRED)
-find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Test)
-find_package(VTK 9.1 REQUIRED COMPONENTS
-  GUISupportQt RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingUI InteractionStyle
-  FiltersCore FiltersSources FiltersGeneral IOImage CommonCore CommonDataModel RenderingCore)
-set(RELIEVO_VTK_LIBRARIES ${VTK_LIBRARIES})
+if(RELIEVO_BUILD_UI)
+  find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets Test)
+  find_package(VTK 9.1 REQUIRED COMPONENTS
+    GUISupportQt RenderingOpenGL2 RenderingFreeType RenderingAnnotation RenderingUI InteractionStyle
+    FiltersCore FiltersSources FiltersGeneral IOImage CommonCore CommonDataModel RenderingCore)
+  set(RELIEVO_VTK_LIBRARIES ${VTK_LIBRARIES})
+endif()
 # PCL brings the target FLANN::FLANN; flann.pc of Debian would drag in HDF5 and MPI.
 find_package(PCL 1.13 REQUIRED COMPONENTS
   common io kdtree search filters features sample_consensus segmentation registration)
@@ -13,6 +15,7 @@ find_package(GDAL 3.6 REQUIRED)
 find_package(EXPAT 2.4 REQUIRED)
 find_package(Eigen3 3.4 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
 if(NOT TARGET relievo::hdf5)
   add_library(relievo_hdf5 INTERFACE)
@@ -25,9 +28,11 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(DBUS REQUIRED IMPORTED_TARGET dbus-1>=1.14)
 pkg_check_modules(LIBUSB REQUIRED IMPORTED_TARGET libusb-1.0>=1.0.26)
 pkg_check_modules(HIDAPI REQUIRED IMPORTED_TARGET hidapi-hidraw>=0.13)
-find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
-find_library(QWT_LIBRARY NAMES qwt-qt5 REQUIRED)
-if(NOT TARGET relievo::qwt)
+if(RELIEVO_BUILD_UI)
+  find_path(QWT_INCLUDE_DIR qwt_plot.h PATH_SUFFIXES qwt REQUIRED)
+  find_library(QWT_LIBRARY NAMES qwt-qt5 REQUIRED)
+endif()
+if(RELIEVO_BUILD_UI AND NOT TARGET relievo::qwt)
   add_library(relievo_qwt INTERFACE)
   target_include_directories(relievo_qwt SYSTEM INTERFACE ${QWT_INCLUDE_DIR})
   target_link_libraries(relievo_qwt INTERFACE ${QWT_LIBRARY})

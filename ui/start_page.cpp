@@ -116,7 +116,7 @@ QStringList sampleFiles() {
   const QByteArray chosen = qgetenv("RELIEVO_DATA_PATH");
   if (!chosen.isEmpty()) folders << QString::fromLocal8Bit(chosen);
   // Installed; then in a build tree, build/PRESET/bin.
-  for (const char* folder : {"/../share/relievo/data", "/../../../data/samples"}) {
+  for (const char* folder : {"/../../share/relievo/data", "/../../../data/samples"}) {
     folders << program + QLatin1String(folder);
   }
   QStringList files;

@@ -16,7 +16,9 @@
 #include <vector>
 
 #include "app/batch/declare_verbs.h"
+#include "app/batch/drawing.h"
 #include "app/batch/number_option.h"
+#include "app/batch/other_program.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/depth/rasterize.h"
@@ -24,16 +26,32 @@
 #include "core/provenance/name_text.h"
 #include "core/session/load.h"
 #include "core/session/surface_colours.h"
-#include "ui/vtk/depth_capture.h"
-#include "ui/vtk/offscreen.h"
 
 namespace relievo {
 namespace batch {
 
+namespace {
+
+/// Without its options where this program does not draw; it is the other program then that runs it.
+Verb drawingVerb(std::string_view name) {
+  if (drawing() != nullptr) {
+    for (Verb& verb : drawing()->verbs()) {
+      if (verb.name == name) return std::move(verb);
+    }
+  }
+  return {.name = std::string(name),
+          .help = helpOfDrawingVerb(name),
+          .declare = [](CLI::App&) {},
+          .run = [](const Task&) -> Outcome { throw NeedsDrawing{}; }};
+}
+
+}  // namespace
+
 std::vector<Verb> verbs(const std::vector<std::string>& words) {
-  return {infoVerb(),    prepareVerb(),    depthmapVerb(),    fillVerb(),    pyramidVerb(),
-          convertVerb(), renderVerb(),     figureVerb(),      measureVerb(), projectVerb(),
-          devicesVerb(), touchVerb(words), recordVerb(words), replayVerb(),  videoVerb()};
+  return {infoVerb(),        prepareVerb(), depthmapVerb(),        fillVerb(),
+          pyramidVerb(),     convertVerb(), drawingVerb("render"), drawingVerb("figure"),
+          measureVerb(),     projectVerb(), devicesVerb(),         touchVerb(words),
+          recordVerb(words), replayVerb(),  drawingVerb("video")};
 }
 
 namespace {
@@ -64,7 +82,7 @@ class InterruptWatch {
     sigaddset(&signals_, SIGINT);
     sigaddset(&signals_, SIGTERM);
     if (!isIgnored(SIGHUP)) sigaddset(&signals_, SIGHUP);  // The terminal was closed.
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
+    pthread_sigmask(SIG_BLOCK, &signals_, &before_);
     thread_ = std::jthread([this](const std::stop_token& ended) {
       while (!ended.stop_requested()) {
         const timespec wait{.tv_sec = 0, .tv_nsec = 50'000'000};
@@ -73,9 +91,15 @@ class InterruptWatch {
     });
   }
   std::stop_token token() const { return interrupt_.get_token(); }
+  /// Signals are as they were before: a program that this one goes on as inherits what is blocked.
+  void handBack() {
+    thread_.request_stop();
+    thread_.join();
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
 
  private:
-  sigset_t signals_{};
+  sigset_t signals_{}, before_{};
   std::stop_source interrupt_;
   std::jthread thread_;
 };
@@ -119,11 +143,12 @@ Surface loadForVerb(const MapArguments& arguments, const Task& task) {
 Surface loadForVerb(const std::string& file, const SurfaceOptions& options,
                     const ImportOptions& import, const Task& task) {
   Surface surface;
-  if (options.engine == "depthbuffer") {
-    const DisplayGuard display;
-    surface = loadSurface(file, options, captureDepths, import, task);
-  } else {
+  if (options.engine != "depthbuffer") {
     surface = loadSurface(file, options, rasterize, import, task);
+  } else if (drawing() != nullptr) {
+    surface = loadSurface(file, options, drawing()->depth_buffer, import, task);
+  } else {
+    throw NeedsDrawing{};
   }
   for (const std::string& message : surface.messages) tell(message);
   for (const std::string& message : surface.not_done) tell(message);
@@ -252,7 +277,34 @@ std::string verbHelp() {
          "            5 not as before, 6 device, 7 no graphics, 130 interrupted\n";
 }
 
+namespace {
+
+/// @throw GraphicsError  the program that draws is not there
+int runOrGoOn(const batch::Verb& verb, const std::string& format, char** argv) {
+  batch::InterruptWatch interrupt;
+  const Task task{.stop = interrupt.token(), .progress = {}};
+  if (verb.files) check(verb.files());
+  try {
+    return batch::report(verb.run(task), format);
+  } catch (const batch::NeedsDrawing&) {
+    task.check();
+    interrupt.handBack();
+  }
+  goOnAs(Program::draw, argv);
+}
+
+}  // namespace
+
 int runBatch(int argc, char** argv) {
+  try {
+    // Its options are known to the program that draws alone.
+    if (batch::drawing() == nullptr && argc > 1 && batch::isDrawingVerb(argv[1])) {
+      goOnAs(Program::draw, argv);
+    }
+  } catch (const Error& error) {
+    batch::tell(withCode(error));
+    return batch::exitCodeOf(error);
+  }
   CLI::App app("relievo: feel and see scanned heritage at every scale", "relievo");
   app.require_subcommand(1);
   std::vector<batch::Verb> verbs = batch::verbs({argv + 1, argv + argc});
@@ -270,12 +322,8 @@ int runBatch(int argc, char** argv) {
     return batch::exitCodeOf(error);
   }
   try {
-    const batch::InterruptWatch interrupt;
-    const Task task{.stop = interrupt.token(), .progress = {}};
     for (const batch::Verb& verb : verbs) {
-      if (!app.got_subcommand(verb.name)) continue;
-      if (verb.files) check(verb.files());
-      return batch::report(verb.run(task), format);
+      if (app.got_subcommand(verb.name)) return runOrGoOn(verb, format, argv);
     }
   } catch (const std::exception& error) {
     batch::tell(withCode(error));

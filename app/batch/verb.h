@@ -39,8 +39,6 @@ Verb fillVerb();
 Verb convertVerb();
 Verb pyramidVerb();
 Verb prepareVerb();
-Verb renderVerb();
-Verb figureVerb();
 Verb devicesVerb();
 Verb measureVerb();
 Verb projectVerb();
@@ -48,7 +46,6 @@ Verb projectVerb();
 Verb touchVerb(std::vector<std::string> words);
 Verb recordVerb(std::vector<std::string> words);
 Verb replayVerb();
-Verb videoVerb();
 
 /// All verbs, in the order in which --help lists them. `words`: the command line, which logs keep.
 std::vector<Verb> verbs(const std::vector<std::string>& words = {});

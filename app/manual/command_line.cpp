@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <sstream>
 
+#include "app/draw/drawing_verbs.h"
 #include "app/manual/manual.h"
 #include "app/options.h"
 
@@ -18,6 +19,7 @@ std::vector<std::string> wordsOf(const std::string& value) {
 }  // namespace
 
 CommandLine commandLine() {
+  batch::setDrawing(batch::ownDrawing());  // Else the verbs that draw have no options.
   CommandLine line{.window = {}, .verbs = commandTable()};
   for (const WindowOptionRow& row : windowOptionRows()) {
     line.window.push_back(

@@ -52,15 +52,23 @@ std::filesystem::path ownFolder(const std::string& does) {
       "again.");
 }
 
-/// @param does  what is not possible without it
-std::filesystem::path workerProgram(const std::filesystem::path& name, const std::string& does,
-                                    const std::filesystem::path& folder) {
-  // Installed; beside the program in the build folder; beside the build's tests.
+/// Installed; beside the program in the build folder or among its own kind; beside the build's
+/// tests.
+/// @return empty: it is nowhere
+std::filesystem::path programSeenFrom(const std::filesystem::path& folder,
+                                      const std::filesystem::path& name) {
   for (const char* const place : {RELIEVO_LIBEXECDIR "/relievo", ".", "../bin"}) {
     std::error_code missing;
     std::filesystem::path found = (folder / place / name).lexically_normal();
     if (std::filesystem::is_regular_file(found, missing)) return found;
   }
+  return {};
+}
+
+/// @param does  what is not possible without it
+std::filesystem::path workerProgram(const std::filesystem::path& name, const std::string& does,
+                                    const std::filesystem::path& folder) {
+  if (std::filesystem::path found = programSeenFrom(folder, name); !found.empty()) return found;
   throw FileError(does + " the program " + name.string() +
                   ", which does it, is not where it was installed with relievo (" +
                   printable((folder / RELIEVO_LIBEXECDIR "/relievo").lexically_normal().string()) +
@@ -68,6 +76,10 @@ std::filesystem::path workerProgram(const std::filesystem::path& name, const std
 }
 
 }  // namespace
+
+std::filesystem::path ownProgram(const std::string& name, const std::string& does) {
+  return programSeenFrom(ownFolder(does), name);
+}
 
 std::filesystem::path importProgram(ImportProgram program, const std::filesystem::path& folder) {
   constexpr std::array<const char*, 3> kNames{"relievo-import", "relievo-import-pcl",

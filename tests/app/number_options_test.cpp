@@ -8,6 +8,7 @@
 
 #include "app/batch/number_option.h"
 #include "app/batch/verb.h"
+#include "app/draw/drawing_verbs.h"
 
 namespace relievo::batch {
 namespace {
@@ -21,6 +22,7 @@ void visit(const std::string& verb, CLI::App& app, const Visit& each) {
 
 /// All options of all verbs, as the program declares them.
 void forEveryOption(const Visit& each) {
+  setDrawing(ownDrawing());  // Else the verbs that draw have no options.
   for (Verb& verb : verbs()) {
     CLI::App app(verb.help, verb.name);
     verb.declare(app);

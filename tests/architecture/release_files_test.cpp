@@ -47,6 +47,26 @@ TEST(ReleaseFiles, TheForgeRunsWhatEverybodyRuns) {
   EXPECT_THAT(workflow, testing::HasSubstr("container: debian:12"));
 }
 
+/// A container installs what .ci/packages.txt lists, what our own packages recommend, and no more.
+TEST(ReleaseFiles, TheContainerHasThePackagesOfTheProject) {
+  const std::string file = textOf("docs/user/Dockerfile");
+  EXPECT_THAT(file, testing::HasSubstr("FROM debian:12 AS build\n"));
+  EXPECT_THAT(file,
+              testing::HasSubstr("sed -e 's/#.*//' .ci/packages.txt | xargs apt-get install"));
+  const std::string known = textOf(".ci/packages.txt") + textOf("cmake/packages.cmake");
+  std::istringstream installed(
+      found(file, "apt-get install -y --no-install-recommends (/tmp/[^&]+) &&"));
+  int packages = 0;
+  for (std::string package; installed >> package; ++packages) {
+    if (package == "/tmp/relievo-cli_*.deb") continue;
+    EXPECT_THAT(known, testing::ContainsRegex("[\n \",]" + package + "[\n \",]"));
+  }
+  EXPECT_GT(packages, 2);
+  const std::string presets = textOf("CMakePresets.json");
+  EXPECT_THAT(file, testing::HasSubstr("cmake --preset package &&"));
+  EXPECT_THAT(presets, testing::HasSubstr("{ \"name\": \"package\""));
+}
+
 /// What the text points to is there.
 TEST(ReleaseFiles, NamePagesThatAreThere) {
   for (const char* name : {".github/SECURITY.md", ".github/ISSUE_TEMPLATE/device.md",

@@ -3,12 +3,14 @@
 #include <memory>
 #include <optional>
 
+#include "app/batch/drawing.h"
 #include "app/batch/json.h"
 #include "app/batch/look_arguments.h"
 #include "app/batch/number_option.h"
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/project/caption.h"
 #include "core/project/recording.h"
@@ -213,7 +215,7 @@ void declareVideo(CLI::App& verb, VideoArguments& a) {
 Verb videoVerb() {
   auto arguments = std::make_shared<VideoArguments>();
   return {.name = "video",
-          .help = "Video of a recording: detail, whole object and plots, frame by frame",
+          .help = helpOfDrawingVerb("video"),
           .declare = [arguments](CLI::App& verb) { declareVideo(verb, *arguments); },
           .files = [arguments] { return filesOf(*arguments); },
           .run = [arguments](const Task& task) { return runVideo(*arguments, task); }};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <CLI/CLI.hpp>
 
+#include "app/batch/drawing.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/look_arguments.h"
@@ -9,6 +10,7 @@
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
 #include "core/file/output_set.h"
@@ -214,7 +216,7 @@ Verb renderVerb() {
   auto arguments = std::make_shared<RenderArguments>();
   return {
       .name = "render",
-      .help = "Picture of a region at its level, as the detail view shows it",
+      .help = helpOfDrawingVerb("render"),
       .declare =
           [arguments](CLI::App& verb) {
             addMapOptions(verb, arguments->map);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <CLI/CLI.hpp>
 
+#include "app/batch/drawing.h"
 #include "app/batch/figure_arguments.h"
 #include "app/batch/json.h"
 #include "app/batch/large.h"
 #include "app/batch/report_text.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
+#include "app/draw/drawing_verbs.h"
 #include "core/base/failure.h"
 #include "core/file/output_set.h"
 #include "core/project/caption.h"
@@ -158,7 +160,7 @@ Verb figureVerb() {
   auto arguments = std::make_shared<Arguments>();
   return {
       .name = "figure",
-      .help = "Figure for print: reference and detail with scale bar, legend and caption",
+      .help = helpOfDrawingVerb("figure"),
       .declare =
           [arguments](CLI::App& verb) {
             addMapOptions(verb, arguments->map);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/draw/drawing_verbs.h"
+
+#include "ui/vtk/depth_capture.h"
+#include "ui/vtk/offscreen.h"
+
+namespace relievo::batch {
+
+Drawing ownDrawing() {
+  return {.depth_buffer =
+              [](const DepthRequest& request, const Task& task) {
+                const DisplayGuard display;
+                return captureDepths(request, task);
+              },
+          .verbs =
+              [] {
+                return std::vector<Verb>{renderVerb(), figureVerb(), videoVerb()};
+              }};
+}
+
+}  // namespace relievo::batch

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Debian packages (docs/adr/0152): `cmake --preset package`, `cmake --build --preset package`, and
+# `cpack` there. Two builds of one commit give equal bytes where SOURCE_DATE_EPOCH is set.
+set(RELIEVO_MAINTAINER "The relievo authors <relievo@relievo.invalid>" CACHE STRING
+  "Who answers for the packages: name and address")
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME relievo)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL cli)
+if(RELIEVO_BUILD_UI)
+  list(APPEND CPACK_COMPONENTS_ALL window)
+endif()
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${RELIEVO_MAINTAINER}")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+
+set(CPACK_DEBIAN_CLI_PACKAGE_NAME relievo-cli)
+set(CPACK_COMPONENT_CLI_DESCRIPTION "inspect and touch scans of heritage objects, command line
+ A scan of a coin, a relief, a statue or a site becomes a depth map and its Gaussian
+ pyramid; regions of it are measured, drawn, and touched along strokes with the force
+ of a haptic device at 1 kHz. Scans are read in a process of their own.
+ .
+ This package has all commands and no window. It gives whoever sits at the computer
+ access to a Novint Falcon and to a SpaceMouse, by a udev rule.")
+# Pictures are drawn on a screen in memory where there is none, and videos are packed by ffmpeg.
+set(CPACK_DEBIAN_CLI_PACKAGE_RECOMMENDS "libgl1-mesa-dri, xvfb")
+set(CPACK_DEBIAN_CLI_PACKAGE_SUGGESTS "ffmpeg, relievo")
+
+set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME relievo)
+set(CPACK_COMPONENT_WINDOW_DESCRIPTION "feel and see scanned heritage at every scale
+ relievo opens a scan of a coin, a relief, a statue or a site, shows it in stereo, and
+ lets it be touched with a haptic device or a mouse, at any scale. Measurements carry
+ their uncertainty; recordings can be replayed and verified; figures say how they were made.")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS
+  "relievo-cli (= ${PROJECT_VERSION}), fonts-dejavu-core, libqt5svg5")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "ffmpeg, fonts-lohit-deva, libgl1-mesa-dri, qttranslations5-l10n")
+
+# What Debian wants of every package: who may do what with it, and what changed.
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} upper)
+  set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
+  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+    RENAME copyright COMPONENT ${component})
+  install(FILES ${CMAKE_BINARY_DIR}/generated/changelog.gz
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+endforeach()
+find_program(GZIP_PROGRAM gzip REQUIRED)
+# -n: without its time, so that two builds give the same bytes.
+configure_file(CHANGELOG.md ${CMAKE_BINARY_DIR}/generated/changelog COPYONLY)
+execute_process(COMMAND ${GZIP_PROGRAM} -9 -n -k -f changelog
+  WORKING_DIRECTORY ${CMAKE_BINARY_DIR}/generated COMMAND_ERROR_IS_FATAL ANY)
+
+include(CPack)

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command line as a container runs it: as process 1, without a home, a terminal or an
+// environment, on a file system that is read only but for one folder, with a small /tmp.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "tests/app/command_test.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+
+int exitOf(const std::string& command) {
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+class Container : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    test::CommandTest::SetUp();
+    if (exitOf("unshare --mount --pid --fork --mount-proc mount -t tmpfs none /mnt 2>/dev/null") !=
+        0) {
+      GTEST_SKIP() << "This system lets nobody here make a container.";
+    }
+    fs::create_directory(path("out"));
+  }
+  /// Runs relievo in one, in the folder "out" of the test's folder.
+  int contained(const std::string& words) const {
+    // The folder of this test may lie in /tmp, which is hidden: it is seen at /mnt.
+    return exitOf(
+        "unshare --mount --pid --fork --mount-proc sh -c '"
+        "set -e; mount --make-rprivate /; mount --bind \"" +
+        folder_.path().string() +
+        "\" /mnt; mount -o remount,bind,ro /; mount -t tmpfs -o size=256k none /tmp; "
+        "cd /mnt/out; exec env -i PATH=/usr/bin:/bin \"" RELIEVO_BINARY_DIR "/bin/relievo\" " +
+        words + "' </dev/null >" + path("said") + " 2>&1");
+  }
+  std::string said() const { return test::bytesOf(path("said")); }
+};
+
+TEST_F(Container, AMapIsMadeAsOutside) {
+  plane();
+  ASSERT_EQ(contained("depthmap ../plane.xyz --unit mm -o map.tif"), 0) << said();
+  const std::string inside = test::bytesOf(path("out/map.tif"));
+  ASSERT_FALSE(inside.empty());
+  const std::string outside = path("elsewhere.tif");
+  ASSERT_EQ(
+      test::runRelievo({"depthmap", path("plane.xyz"), "--unit", "mm", "-o", outside}).exit_code,
+      0);
+  EXPECT_EQ(inside.size(), fs::file_size(outside));
+}
+
+TEST_F(Container, AFolderThatIsReadOnlyIsToldAndNothingIsLeft) {
+  plane();
+  EXPECT_EQ(contained("depthmap ../plane.xyz --unit mm -o /usr/map.tif"), 3) << said();
+  EXPECT_FALSE(fs::exists("/usr/map.tif"));
+}
+
+TEST_F(Container, AStrokeIsTouchedWithoutAHome) {
+  plane();
+  EXPECT_EQ(contained("touch ../plane.xyz --unit mm --stroke " + test::kFlatStroke + " -o log.csv"),
+            0)
+      << said();
+  EXPECT_TRUE(fs::exists(path("out/log.csv")));
+}
+
+}  // namespace
+}  // namespace relievo

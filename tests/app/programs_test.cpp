@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `relievo` without the programs that draw beside it, as on a cluster: all verbs that draw nothing
+// work, the others say what is not installed, and no library of graphics is loaded (docs/adr/0151).
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdio>
+
+#include "tests/app/command_test.h"
+
+namespace relievo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Said {
+  int exit_code = -1;
+  std::string text;  ///< Output and errors.
+};
+
+class Programs : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    test::CommandTest::SetUp();
+    fs::create_directory(path("bin"));
+    for (const char* name : {"relievo", "relievo-import", "relievo-import-pcl",
+                             "relievo-import-libraries", "relievo-prepare"}) {
+      fs::copy_file(fs::path(RELIEVO_BINARY_DIR) / "bin" / name, path("bin") + "/" + name);
+    }
+  }
+  /// Of this command of a shell.
+  static Said said(const std::string& command) {
+    FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+    Said said;
+    std::array<char, 4096> buffer{};
+    while (pipe != nullptr && std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
+      said.text += buffer.data();
+    }
+    const int status = pipe == nullptr ? -1 : pclose(pipe);
+    said.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return said;
+  }
+  Said alone(const std::string& words) const { return said(path("bin") + "/relievo " + words); }
+};
+
+TEST_F(Programs, TheCommandLineLoadsNoLibraryOfGraphics) {
+  const Said needs = said("ldd " + path("bin") + "/relievo");
+  ASSERT_EQ(needs.exit_code, 0);
+  for (const char* library : {"libQt5", "libvtkRendering", "libGL", "libX11", "libqwt"}) {
+    EXPECT_THAT(needs.text, Not(HasSubstr(library)));
+  }
+}
+
+TEST_F(Programs, VerbsThatDrawNothingNeedNoOther) {
+  const std::string scan = "'" + plane() + "' --unit mm ", map = path("map.tif");
+  EXPECT_EQ(alone("--version").exit_code, 0);
+  EXPECT_THAT(alone("--help").text, HasSubstr("  video "));
+  const std::vector<std::string> commands{"info " + scan,
+                                          "depthmap " + scan + "-o " + map,
+                                          "pyramid " + scan + "-o " + path("levels"),
+                                          "convert " + scan + "-o " + path("map.asc"),
+                                          "measure " + scan + "--report json --profile 1,1,5,5",
+                                          "devices --report json"};
+  for (const std::string& words : commands) {
+    const Said done = alone(words);
+    EXPECT_EQ(done.exit_code, 0) << words << '\n' << done.text;
+  }
+  EXPECT_TRUE(fs::exists(map));
+}
+
+TEST_F(Programs, VerbsThatDrawSayWhatIsMissing) {
+  const std::string scan = "'" + plane() + "' --unit mm ", out = path("out.png");
+  for (const char* words : {"render ", "figure "}) {
+    const Said refused = alone(words + scan + "-o " + out);
+    EXPECT_EQ(refused.exit_code, 7) << refused.text;
+    EXPECT_THAT(refused.text,
+                HasSubstr("the program relievo-draw, which does it, is not installed"));
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(Programs, TheDepthBufferIsOfTheProgramThatDraws) {
+  const std::string map = path("map.tif");
+  const Said refused = alone("depthmap '" + plane() + "' --unit mm --engine depthbuffer -o " + map);
+  EXPECT_EQ(refused.exit_code, 7) << refused.text;
+  EXPECT_THAT(refused.text, HasSubstr("relievo-draw"));
+  EXPECT_FALSE(fs::exists(map));
+}
+
+TEST_F(Programs, WithoutAVerbTheWindowIsMissing) {
+  const Said refused = alone("'" + plane() + "'");
+  EXPECT_EQ(refused.exit_code, 7) << refused.text;
+  EXPECT_THAT(refused.text, HasSubstr("The window is not installed."));
+}
+
+}  // namespace
+}  // namespace relievo
