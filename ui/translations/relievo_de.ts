@@ -7242,6 +7242,18 @@
         <source>Select a profile or a section in the list first.</source>
         <translation>Wählen Sie zuerst ein Profil oder einen Schnitt in der Liste.</translation>
     </message>
+    <message>
+        <source>Pictures cannot be drawn: the program relievo-draw, which does it, is not installed. Nothing was done. Install relievo with its drawing part.</source>
+        <translation>Bilder können nicht gezeichnet werden: Das Programm relievo-draw, das sie zeichnet, ist nicht installiert. Es wurde nichts getan. Installieren Sie relievo mit dem Teil, der zeichnet.</translation>
+    </message>
+    <message>
+        <source>The window is not installed. Install the package relievo, or use a verb, which needs no window: &apos;relievo --help&apos; lists the verbs.</source>
+        <translation>Das Fenster ist nicht installiert. Installieren Sie das Paket relievo, oder nehmen Sie einen Befehl, der kein Fenster braucht: „relievo --help“ nennt die Befehle.</translation>
+    </message>
+    <message>
+        <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
+        <translation>Das Programm %1 kann nicht gestartet werden: %2. Es wurde nichts getan. Installieren Sie relievo neu.</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>

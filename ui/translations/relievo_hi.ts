@@ -7242,6 +7242,18 @@
         <source>Select a profile or a section in the list first.</source>
         <translation>पहले सूची में एक प्रोफ़ाइल या काट चुनें।</translation>
     </message>
+    <message>
+        <source>Pictures cannot be drawn: the program relievo-draw, which does it, is not installed. Nothing was done. Install relievo with its drawing part.</source>
+        <translation>चित्र नहीं बनाए जा सकते: उन्हें बनाने वाला प्रोग्राम relievo-draw इंस्टॉल नहीं है। कुछ नहीं किया गया। relievo को चित्र बनाने वाले भाग के साथ इंस्टॉल करें।</translation>
+    </message>
+    <message>
+        <source>The window is not installed. Install the package relievo, or use a verb, which needs no window: &apos;relievo --help&apos; lists the verbs.</source>
+        <translation>विंडो इंस्टॉल नहीं है। relievo पैकेज इंस्टॉल करें, या ऐसा आदेश चुनें जिसे विंडो नहीं चाहिए: „relievo --help“ आदेशों की सूची देता है।</translation>
+    </message>
+    <message>
+        <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
+        <translation>प्रोग्राम %1 शुरू नहीं हो सकता: %2। कुछ नहीं किया गया। relievo फिर से इंस्टॉल करें।</translation>
+    </message>
 </context>
 <context>
     <name>relievo::MessageStrip</name>
