@@ -7248,7 +7248,7 @@
     </message>
     <message>
         <source>The window is not installed. Install the package relievo, or use a verb, which needs no window: &apos;relievo --help&apos; lists the verbs.</source>
-        <translation>विंडो इंस्टॉल नहीं है। relievo पैकेज इंस्टॉल करें, या ऐसा आदेश चुनें जिसे विंडो नहीं चाहिए: „relievo --help“ आदेशों की सूची देता है।</translation>
+        <translation>विंडो इंस्टॉल नहीं है। relievo पैकेज इंस्टॉल करें, या ऐसा आदेश चुनें जिसे विंडो नहीं चाहिए: "relievo --help" आदेशों की सूची देता है।</translation>
     </message>
     <message>
         <source>The program %1 cannot be started: %2. Nothing was done. Install relievo again.</source>
