@@ -53,6 +53,8 @@ QString textOf(const WordsArgument& words) {
 }
 
 QString filled(const char* sentence, const Message& message) {
+  // Words of others; they have no translation.
+  if (message.id == MessageId::quoted) return QString::fromStdString(englishText(message));
   const QString translated = QCoreApplication::translate(kMessageContext, sentence);
   // Nothing has the form of one in Hindi; what is not translated counts as English does.
   const bool zero_is_one =
@@ -68,8 +70,6 @@ QString filled(const char* sentence, const Message& message) {
 }  // namespace
 
 QString messageText(const Message& message) {
-  // Words of others; they have no translation.
-  if (message.id == MessageId::quoted) return QString::fromStdString(englishText(message));
   return filled(rowOf(message.id).screen, message);
 }
 
