@@ -40,7 +40,7 @@ constexpr Triple kAbove{5, -4, 150}, kBelow{5, -4, 108};  // Of the sample's sur
 /// Generous: what happens is tested here, not how fast. The mocked port answers in a thread of this
 /// process: looking again at once would take the processor from it.
 bool eventually(const std::function<bool()>& holds) {
-  const std::int64_t give_up = monotonicNs() + 90 * kSecondNs;
+  const std::int64_t give_up = monotonicNs() + 240 * kSecondNs;
   while (!holds()) {
     if (monotonicNs() > give_up) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -149,7 +149,7 @@ class FalconWindowTest : public ::testing::Test {
   /// On a busy computer the mocked port may answer too late in the very moment of F5; forces then
   /// stay off, as they must, and one presses again.
   void switchForcesOn(test::ProgramWindow& program, std::size_t from) {
-    constexpr auto kPatience = std::chrono::seconds(4);
+    constexpr auto kPatience = std::chrono::seconds(20);
     for (int presses = 0; presses < 5; ++presses) {
       program.key("F5");
       const auto pressed = std::chrono::steady_clock::now();
@@ -171,7 +171,7 @@ class FalconWindowTest : public ::testing::Test {
   }
   /// Forces on, then down on the surface; again, as a person would, after a stall.
   void touch(test::ProgramWindow& program) {
-    for (int attempt = 0; attempt < 5; ++attempt) {
+    for (int attempt = 0; attempt < 10; ++attempt) {
       handTo(kAbove);
       ASSERT_TRUE(eventually([this] { return !pushed(); }));
       const std::size_t from = readRecording(file()).rows.size();
@@ -183,7 +183,20 @@ class FalconWindowTest : public ::testing::Test {
       ASSERT_TRUE(lit(falcon::green));
       return;
     }
-    FAIL() << "five stalls\n" << events();
+    FAIL() << "ten stalls\n" << events();
+  }
+  /// Plus, pressed shortly: 700 ms are another command. Again if a busy computer made it so long.
+  bool plus() {
+    for (int presses = 0; presses < 5; ++presses) {
+      falcon_->with([](FalconEmulator& f) { f.buttons = 1; });
+      std::this_thread::sleep_for(std::chrono::milliseconds(150));
+      falcon_->with([](FalconEmulator& f) { f.buttons = 0; });
+      for (int looks = 0; looks < 200; ++looks) {
+        if (events().find("of detail 2") != std::string::npos) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      }
+    }
+    return false;
   }
   /// The newest recording's file; empty: there is none.
   fs::path file() const {
@@ -236,11 +249,8 @@ TEST_F(FalconWindowTest, OpenHomeTouchPlusUnplugReplugTouchAgain) {
   picture(program, "2_touching");
 
   const std::size_t before_plus = readRecording(file()).rows.size();
-  falcon_->with([](FalconEmulator& f) { f.buttons = 1; });
-  std::this_thread::sleep_for(std::chrono::milliseconds(150));  // 700 ms are another command.
-  falcon_->with([](FalconEmulator& f) { f.buttons = 0; });
+  ASSERT_TRUE(plus()) << events();
   ASSERT_TRUE(happens("button 0 down"));
-  ASSERT_TRUE(happens("of detail 2")) << events();
   ASSERT_TRUE(pushedOrStalled(before_plus)) << "the touched point stays under the hand\n"
                                             << events();
   if (!pushed()) touch(program);

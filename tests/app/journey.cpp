@@ -39,7 +39,7 @@ void Journey::detach() {
 }
 
 bool Journey::eventually(const std::function<bool()>& holds) {
-  return QTest::qWaitFor(holds, 60'000);
+  return QTest::qWaitFor(holds, 240'000);
 }
 
 bool Journey::settled() {

@@ -30,7 +30,7 @@ class Journey : public GuiTest {
   void attach();
   void detach();
 
-  /// A minute: what happens is tested here, not how fast.
+  /// Minutes: what happens is tested here, not how fast.
   static bool eventually(const std::function<bool()>& holds);
   /// Nothing is being opened or made.
   bool settled();

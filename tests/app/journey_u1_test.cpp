@@ -43,6 +43,7 @@ using emulator::Triple;
 constexpr Triple kFarOut{0, 0, 172}, kFarIn{0, 0, 90};
 constexpr double kAboveZ = 150, kBelowZ = 108;  // Of the grip, over and under the relief.
 constexpr double kLightZ = 121;                 // A light press at the finest detail.
+constexpr int kPatienceMs = 20'000;             // Then a person tries again.
 const QString kRelief = QStringLiteral(RELIEVO_SOURCE_DIR "/data/samples/relief_f.ply");
 
 class JourneyU1 : public Journey {
@@ -114,9 +115,9 @@ class JourneyU1 : public Journey {
       handTo(x_mm, y_mm, kAboveZ);
       if (!proxyNear(x_mm, y_mm, 3)) continue;
       if (!action("forces")->isChecked()) key(Qt::Key_F5);
-      if (!QTest::qWaitFor([this] { return probe() && probe()->forces_on; }, 5000)) continue;
+      if (!QTest::qWaitFor([this] { return probe() && probe()->forces_on; }, kPatienceMs)) continue;
       handTo(x_mm, y_mm, z);
-      if (QTest::qWaitFor(pushed, 8000)) return true;
+      if (QTest::qWaitFor(pushed, kPatienceMs)) return true;
     }
     return false;
   }
@@ -145,7 +146,7 @@ class JourneyU1 : public Journey {
       QTest::qWait(150);
       falcon_->with([](FalconEmulator& f) { f.buttons = 0; });
       const auto done = [&] { return document().detail() == wanted_detail; };
-      if (QTest::qWaitFor(done, 5000)) return true;
+      if (QTest::qWaitFor(done, kPatienceMs)) return true;
     }
     return false;
   }
@@ -394,7 +395,7 @@ void JourneyU1::measureByTouch() {
     ASSERT_TRUE(proxyNear(step - 8, y, 1)) << where();
     handTo(step - 8, y, kAboveZ);
     ASSERT_TRUE(eventually([this] { return probe() && !probe()->touching; }));
-    drawn = QTest::qWaitFor([&] { return readsStep(MeasureKind::profile, 1); }, 2000);
+    drawn = QTest::qWaitFor([&] { return readsStep(MeasureKind::profile, 1); }, kPatienceMs);
   }
   EXPECT_TRUE(drawn) << "the stroke's height range";
   picture("6_by_touch");

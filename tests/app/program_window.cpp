@@ -167,7 +167,7 @@ void ProgramWindow::picture(const std::string& file) {
 }
 
 bool eventually(const std::function<bool()>& holds) {
-  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(90);
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(240);
   while (!holds()) {
     if (std::chrono::steady_clock::now() > give_up) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

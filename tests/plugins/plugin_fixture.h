@@ -17,7 +17,7 @@ namespace relievo::test {
 
 /// Lets events run until something holds; false after a generous while.
 inline bool eventually(const std::function<bool()>& holds) {
-  const QDeadlineTimer give_up(90'000);
+  const QDeadlineTimer give_up(240'000);
   while (!holds()) {
     if (give_up.hasExpired()) return false;
     QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 20);

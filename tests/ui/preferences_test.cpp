@@ -170,10 +170,11 @@ TEST_F(PreferencesTest, LargeTextHidesNoFieldOfTheStatusAndNoCommandOfTheTools) 
       return field->isHidden() || field->width() >= field->sizeHint().width();
     })) << name;
   }
-  EXPECT_GT(child<QLabel>("status_message")->width(), 400);
+  EXPECT_TRUE(waitFor([this] { return child<QLabel>("status_message")->width() > 400; }));
   const auto* more = child<QWidget>("tools")->findChild<QWidget*>("qt_toolbar_ext_button");
   ASSERT_NE(more, nullptr);
-  EXPECT_FALSE(more->isVisible()) << "commands behind the tool bar's end";
+  EXPECT_TRUE(waitFor([more] { return !more->isVisible(); }))
+      << "commands behind the tool bar's end";
   EXPECT_TRUE(child<QLabel>("detail_note")->isVisible());
 }
 
