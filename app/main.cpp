@@ -8,6 +8,7 @@
 #include "app/batch/other_program.h"
 #include "app/options.h"
 #include "core/base/error.h"
+#include "core/io/reader_guard.h"
 
 namespace {
 
@@ -22,6 +23,7 @@ int fail(int exit_code, const std::string& why) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  relievo::forbidReaders();
   // A file that may not grow is met like a full disk: what is written is completed.
   std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && relievo::isVerb(argv[1])) return relievo::runBatch(argc, argv);

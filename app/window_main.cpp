@@ -16,6 +16,7 @@
 #include "app/options.h"
 #include "app/plugin_loader.h"
 #include "core/base/error.h"
+#include "core/io/reader_guard.h"
 #include "ui/file_names.h"
 #include "ui/guarded_application.h"
 #include "ui/language.h"
@@ -115,6 +116,7 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  relievo::forbidReaders();
   // A file that may not grow is met like a full disk: what is written is completed.
   std::signal(SIGXFSZ, SIG_IGN);
   // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.

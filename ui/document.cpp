@@ -8,6 +8,7 @@
 
 #include "core/io/import.h"
 #include "core/provenance/sha256.h"
+#include "core/session/open_input.h"
 #include "core/session/tiled_surface.h"
 #include "core/session/unit_guess.h"
 #include "core/tiles/tiled_map.h"
@@ -222,14 +223,8 @@ void Document::showFirstViews(const std::shared_ptr<Work>& work, const Task& tas
 
 void Document::read(Work& w, const Task& task) {
   const std::filesystem::path file = w.path();
-  const ImportOptions import = w.import();
-  if (TiledMap::isOne(file)) {
-    w.source.tiled = std::make_shared<const Surface>(openTiledSurface(file));
-  } else if (looksLikeRaster(file)) {
-    w.source.raster = std::make_shared<const RasterMap>(importRaster(file, import, task));
-  } else {
-    w.source.scan = std::make_shared<const Scan>(importScan(file, import, task));
-  }
+  OpenedInput input = openInput(file, {.import = w.import()}, task);
+  w.source = {std::move(input.scan), std::move(input.raster), std::move(input.tiled)};
   const ScanInfo& info = w.source.info();
   if (!w.options.unit && !info.unit && w.open.remembered_unit) {
     w.options.unit = w.open.remembered_unit;

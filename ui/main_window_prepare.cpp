@@ -7,10 +7,12 @@
 #include <QFileInfo>
 
 #include "core/base/error.h"
+#include "core/io/input_facts.h"
 #include "ui/file_names.h"
 #include "ui/main_window.h"
 #include "ui/message_strip.h"
 #include "ui/prepare/prepare_dialog.h"
+#include "ui/spoken_error.h"
 #include "ui/start_page.h"
 
 namespace relievo {
@@ -28,12 +30,17 @@ Rotation rotationOf(const ViewFromFile& view_from_file) {
           m[6] / scale, m[8] / scale, m[9] / scale, m[10] / scale};
 }
 
-bool isScan(const QString& file) {
-  try {
-    return !looksLikeRaster(pathOf(file));
-  } catch (const Error&) {
-    return false;
+/// Those that hold points. @throw Error  none can be read here
+QStringList scansAmong(const QStringList& files) {
+  std::vector<std::filesystem::path> paths;
+  for (const QString& file : files) paths.push_back(pathOf(file));
+  const auto facts = inputFacts(paths);
+  QStringList scans;
+  for (int i = 0; i < files.size(); ++i) {
+    const auto& of_file = facts[static_cast<std::size_t>(i)];
+    if (of_file && of_file->kind == InputKind::scan) scans << files[i];
   }
+  return scans;
 }
 
 }  // namespace
@@ -70,7 +77,13 @@ void MainWindow::openFolder(const QString& folder) {
   QStringList files;
   for (const QFileInfo& file :
        QDir(folder).entryInfoList(scanPatterns(), QDir::Files, QDir::Name)) {
-    if (isScan(file.absoluteFilePath())) files << file.absoluteFilePath();
+    files << file.absoluteFilePath();
+  }
+  try {
+    files = scansAmong(files);
+  } catch (const Error& error) {
+    strip_->show(shownError(error));
+    return;
   }
   if (files.isEmpty()) {
     strip_->show(tr("There is no scan in %1. Nothing was opened.").arg(shownPath(folder)));

@@ -10,6 +10,7 @@
 #include <QStandardPaths>
 
 #include "core/base/error.h"
+#include "core/io/input_facts.h"
 #include "core/project/carried_state.h"
 #include "core/project/project_files.h"
 #include "core/relief/relief_image.h"
@@ -40,14 +41,16 @@ bool endsIn(const QString& file, std::initializer_list<const char*> endings) {
   });
 }
 
-/// A recording among the tables that carry a state: told by its first column.
+/// A recording among the tables that carry a state.
 bool isLog(const QString& file) {
+  // Others need not be asked about; of these a broken one is shown as what its name says.
   if (endsIn(file, {".h5", ".hdf5"})) return true;
-  QFile table(file);
-  if (!endsIn(file, {".csv"}) || !table.open(QIODevice::ReadOnly)) return false;
-  QByteArray line = table.readLine();
-  while (line.startsWith('#')) line = table.readLine();
-  return line.startsWith("t_s,tick,");  // A stroke has other columns.
+  if (!endsIn(file, {".csv"})) return false;
+  try {
+    return inputFacts(pathOf(file)).is_log;
+  } catch (const Error&) {
+    return false;  // Whoever opens it says what is wrong.
+  }
 }
 
 /// NAME-1.png, NAME-2.png, ... in the pictures folder: the first that is free.

@@ -12,9 +12,8 @@
 #include "core/depth/rasterize.h"
 #include "core/relief/relief_image.h"
 #include "core/session/level_cut.h"
-#include "core/session/load.h"
-#include "core/session/tiled_surface.h"
-#include "core/tiles/tiled_map.h"
+#include "core/session/open_input.h"
+#include "ui/surface_work.h"
 
 namespace relievo {
 namespace {
@@ -82,10 +81,11 @@ void ReliefPictures::make(const QStringList& files) {
           SurfaceOptions options;
           options.cells = kCells;
           const std::filesystem::path path = QFile::encodeName(file).toStdString();
-          const Surface surface = TiledMap::isOne(path)
-                                      ? openTiledSurface(path)
-                                      : loadSurface(path, options, rasterize, {}, task);
-          *picture = reliefPicture(surface, kPicturePx);
+          OpenedInput input = openInput(path, {}, task);
+          const auto surface =
+              makeSurface({std::move(input.scan), std::move(input.raster), std::move(input.tiled)},
+                          options, rasterize, task);
+          *picture = reliefPicture(*surface, kPicturePx);
         } catch (const std::exception&) {
           return;  // Opening it will say what is wrong; here it only has no picture.
         }

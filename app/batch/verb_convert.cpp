@@ -9,11 +9,11 @@
 #include "app/batch/verb.h"
 #include "core/base/failure.h"
 #include "core/base/replaceable.h"
-#include "core/io/import.h"
 #include "core/io/raster.h"
 #include "core/project/caption.h"
 #include "core/relief/relief_image.h"
 #include "core/session/export_map.h"
+#include "core/session/open_input.h"
 
 namespace relievo::batch {
 namespace {
@@ -36,8 +36,10 @@ struct Source {
 };
 
 Source load(const ConvertArguments& a, const Task& task) {
-  if (!looksLikeRaster(a.map.file)) return {loadForVerb(a.map, task), std::nullopt};
-  RasterMap raster = importRaster(a.map.file, {}, task);
+  const InputFacts facts = inputFacts(a.map.file, task);
+  if (facts.kind == InputKind::scan) return {loadForVerb(a.map, task), std::nullopt};
+  RasterMap raster =
+      *openInput(a.map.file, {.import = {}, .by_tiles = false, .facts = facts}, task).raster;
   Source source{makeSurface(raster, surfaceOptions(a.map), task), std::move(raster)};
   for (const std::string& message : source.surface.messages) tell(message);
   for (const std::string& message : source.surface.not_done) tell(message);

@@ -11,16 +11,15 @@
 #include "app/batch/verb.h"
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
-#include "core/io/import.h"
+#include "core/io/input_facts.h"
 #include "core/io/number_text.h"
 #include "core/io/raster.h"
-#include "core/io/tiff_head.h"
 #include "core/project/carried_state.h"
 #include "core/project/file_set.h"
 #include "core/provenance/name_text.h"
 #include "core/provenance/provenance.h"
-#include "core/recording/log_table.h"
 #include "core/session/nodata.h"
+#include "core/session/open_input.h"
 #include "core/session/strays.h"
 #include "core/session/unit_guess.h"
 
@@ -91,10 +90,11 @@ FileFacts factsOf(const Scan& scan, const Task& task) {
   return facts;
 }
 
-FileFacts readFacts(const InfoArguments& a, const Task& task) {
-  const ImportOptions options = importOptions(a.scan);
-  if (looksLikeRaster(a.file)) {
-    const RasterMap raster = importRaster(a.file, options, task);
+FileFacts readFacts(const InfoArguments& a, const InputFacts& facts, const Task& task) {
+  const OpenedInput source =
+      openInput(a.file, {.import = importOptions(a.scan), .by_tiles = false, .facts = facts}, task);
+  if (source.raster) {
+    const RasterMap& raster = *source.raster;
     return {.info = raster.info,
             .classes = {},
             .intensity = std::nullopt,
@@ -102,7 +102,7 @@ FileFacts readFacts(const InfoArguments& a, const Task& task) {
             .suspect_height = suspectHeight(raster),
             .box = raster.info.bounds};
   }
-  return factsOf(importScan(a.file, options, task), task);
+  return factsOf(*source.scan, task);
 }
 
 /// The keys for what is stored with the points; null or empty where there is none.
@@ -210,22 +210,23 @@ struct Shown {
   std::optional<Region> region;
 };
 
-/// "picture", "recording", "table"; empty: points or heights, or nothing of ours.
-std::string kindOf(const std::filesystem::path& file) {
-  const std::optional<TiffHead> tiff = readTiffHead(file);
-  if (tiff) return tiff->bands == 1 ? "" : "picture";
-  constexpr std::size_t kHeadBytes = 32;
-  const std::string head = readHead(file, kHeadBytes);
-  if (isHdf5Log(head) || head.starts_with("# relievo log")) return "recording";
-  if (head.starts_with('#')) return "table";
-  const bool picture = head.starts_with("\x89PNG") || head.starts_with("%PDF-") ||
-                       head.starts_with("<?xml") || head.starts_with("<svg");
-  return picture ? "picture" : "";
+/// Empty: points or heights, or nothing of ours.
+std::string kindOf(const InputFacts& facts) {
+  switch (facts.carrier) {
+    case CarrierKind::picture:
+      return "picture";
+    case CarrierKind::recording:
+      return "recording";
+    case CarrierKind::table:
+      return "table";
+    default:
+      return {};
+  }
 }
 
 /// Pictures, drawings, recordings and tables of ours; maps and clouds hold points of their own.
-std::optional<Shown> shownBy(const std::filesystem::path& file) {
-  const std::string kind = kindOf(file);
+std::optional<Shown> shownBy(const std::filesystem::path& file, const InputFacts& facts) {
+  const std::string kind = kindOf(facts);
   const auto state = kind.empty() ? std::nullopt : stateCarriedBy(file);
   if (!state) return std::nullopt;
   Shown shown{.kind = kind, .of = {}, .version = {}, .region = {}};
@@ -270,8 +271,9 @@ Outcome runInfo(const InfoArguments& a, const Task& task) {
       throw failure<MessageId::option_none_of>("--unit", a.unit, "mm, cm, m, in, ft and us-ft");
     }
   }
-  if (const auto shown = shownBy(a.file)) return infoOfShown(a, *shown);
-  const FileFacts found = readFacts(a, task);
+  const InputFacts facts = inputFacts(a.file, task);
+  if (const auto shown = shownBy(a.file, facts)) return infoOfShown(a, *shown);
+  const FileFacts found = readFacts(a, facts, task);
   const ScanInfo& info = found.info;
   ScanInfo without_strays = info;
   without_strays.bounds = found.box;

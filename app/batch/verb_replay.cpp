@@ -16,6 +16,7 @@
 #include "app/batch/verb.h"
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
+#include "core/io/input_facts.h"
 #include "core/project/carried_state.h"
 #include "core/project/package.h"
 #include "core/project/project.h"
@@ -39,7 +40,7 @@ struct ReplayArguments {
 constexpr int kVerifyMismatch = 5;
 
 bool isPackage(const std::string& file) {
-  return readHead(file, 4) == std::string("PK\x03\x04", 4);
+  return inputFacts(file).carrier == CarrierKind::package;
 }
 
 bool isOfWindow(const LogTable& log) {

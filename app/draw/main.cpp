@@ -5,8 +5,10 @@
 
 #include "app/batch/batch.h"
 #include "app/draw/drawing_verbs.h"
+#include "core/io/reader_guard.h"
 
 int main(int argc, char** argv) {
+  relievo::forbidReaders();
   // A file that may not grow is met like a full disk: what is written is completed.
   std::signal(SIGXFSZ, SIG_IGN);
   // The fonts of a PDF stand in the order of a hash: the same figure has the same bytes.

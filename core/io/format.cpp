@@ -10,6 +10,7 @@
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
+#include "core/io/reader_guard.h"
 
 namespace relievo {
 namespace {
@@ -200,6 +201,7 @@ std::optional<FoundFormat> findMagic(std::string_view head) {
 
 FoundFormat findFormat(std::string_view head, const std::filesystem::path& file,
                        std::uint64_t file_size) {
+  requireReadersAllowed("findFormat");
   const std::string extension = lowerExtension(file);
   if (head.starts_with("ply\n") || head.starts_with("ply\r") || head == "ply") {
     return found(FileFormat::ply);

@@ -3,94 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "core/base/failure.h"
 #include "core/io/colour_raster.h"
+#include "core/io/embedded_state.h"
+#include "core/io/facts_text.h"
 #include "core/io/file_check.h"
-#include "core/io/format.h"
-#include "core/io/pcd_header.h"
-#include "core/io/ply_header.h"
+#include "core/io/import_answer.h"
+#include "core/io/input_facts.h"
 #include "core/io/raster.h"
 #include "core/io/raster_rows.h"
-#include "core/io/read_scan.h"
-#include "core/io/reader_choice.h"
 #include "core/io/scan_transport.h"
 #include "core/io/system_unit.h"
+#include "core/io/tiff_head.h"
 #include "core/io/worker_process.h"
 
 namespace relievo {
 namespace {
 
-constexpr int kRowsAtOnce = 64;  ///< Between two looks at the stop token.
+constexpr int kRowsAtOnce = 64;            ///< Between two looks at the stop token.
+constexpr std::size_t kFilesAtOnce = 100;  ///< Whose names one process is told.
 
-/// What can be refused by the first bytes is refused here, before a process is started.
-/// @return  the program that reads the rest
-ImportProgram precheck(const std::filesystem::path& file, ReaderChoice choice) {
-  const std::uint64_t size = checkedFileSize(file);
-  const std::string head = readHead(file, kMaxHeaderBytes);
-  const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
-  checkReadableAsScan(found, file);
-  std::string why_not;
-  if (found.format == FileFormat::ply) {
-    why_not = whyNotPcl(parsePlyHeader(head, file));
-  } else if (found.format == FileFormat::pcd) {
-    why_not = whyNotPcl(parsePcdHeader(head, file));
-  } else {
-    why_not = whyNotPcl(found.format);
-  }
-  if (usesPcl(choice, why_not, file)) return ImportProgram::pcl;
-  // Its pictures need GDAL.
-  const bool may_have_pictures =
-      found.format == FileFormat::obj && head.find("mtllib ") != std::string::npos;
-  return may_have_pictures ? ImportProgram::libraries : ImportProgram::own;
-}
-
-[[noreturn]] void refuseEnd(const std::filesystem::path& file, const ImportOptions& options,
-                            const WorkerEnd& end) {
-  const std::string words = end.last_words.empty() ? "" : " (\"" + end.last_words + "\")";
-  if (!end.exited && end.number == SIGXCPU) {
-    refuseScan(file, "it takes more than " +
-                         grouped(static_cast<std::uint64_t>(options.max_cpu_s)) +
-                         " s of processor time. Thin it out or cut it into parts first.");
-  }
-  if (!end.exited && end.number == SIGBUS) {
-    throw failure<MessageId::file_became_shorter>(shownName(file));
-  }
-  if (!end.exited && end.number == SIGKILL) {
-    throw failure<MessageId::import_stopped_by_system>(shownName(file));
-  }
-  refuseScan(file, "its reader broke down on it" + words +
-                       ". The program is unharmed; the file "
-                       "is probably damaged. Export it again.");
-}
-
-/// What the worker answers to `wanted`; throws what it refuses with.
+/// @throw FileError  the answer is another one than `Wanted`
 template <class Wanted>
-Wanted importInWorker(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
-                      const ImportOptions& options, const Task& task,
-                      const std::filesystem::path& answer_folder = {}) {
-  task.report("opening", 0);
-  WorkerProcess worker(program, file, kind, options, answer_folder);
-  const WorkerEnd end = worker.wait(task);
-  task.check();
-  WorkerAnswer answer;
-  if (end.exited && end.number == 0) answer = receiveAnswer(worker.answerFd(), task);
+Wanted importInWorker(const ImportAsk& ask, const Task& task) {
+  WorkerAnswer answer = importAnswer(ask, task);
   if (auto* wanted = std::get_if<Wanted>(&answer)) return std::move(*wanted);
-  if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) {
-    if (refusal->code == kMisuse) throw ArgumentError(refusal->message);
-    if (const auto message = messageFromBytes(refusal->of_catalogue)) throw FileError(*message);
-    throw FileError(refusal->message, refusal->code);
-  }
-  refuseEnd(file, options, end);
+  refuseEnd(ask.file, ask.options, {});
 }
-
-}  // namespace
-
-namespace {
 
 void convertHeights(Scan& scan, double factor) {
   if (factor == 1) return;
@@ -105,13 +49,20 @@ void convertHeights(Scan& scan, double factor) {
 
 Scan importScan(const std::filesystem::path& file, const ImportOptions& options, const Task& task) {
   task.check();
-  Scan scan = importInWorker<Scan>(precheck(file, options.scan.reader), file, ImportKind::scan,
-                                   options, task);
+  checkedFileSize(file);
+  WorkerAnswer answer =
+      importAnswer({.file = file, .kind = ImportKind::scan, .options = options}, task);
+  Scan scan;
+  if (auto* read = std::get_if<Scan>(&answer)) {
+    scan = std::move(*read);
+  } else if (auto* of_system = std::get_if<ScanOfSystem>(&answer)) {
+    scan = std::move(of_system->scan);
+    convertHeights(scan, addUnitOfSystem(of_system->system, scan.info));
+  } else {
+    refuseEnd(file, options, {});
+  }
   scan.info.file = file;
   if (scan.info.reader.empty()) scan.info.reader = "relievo";
-  if (scan.info.format.starts_with("LAS") || scan.info.format.starts_with("LAZ")) {
-    convertHeights(scan, addUnitOfSystem(file, scan.info));
-  }
   return scan;
 }
 
@@ -139,8 +90,11 @@ bool readCompanion(const std::filesystem::path& file, std::string_view format, R
     return false;
   };
   try {
-    const auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster,
-                                                 options, task);
+    const auto rows = importInWorker<RasterRows>({.program = ImportProgram::libraries,
+                                                  .file = file,
+                                                  .kind = ImportKind::raster,
+                                                  .options = options},
+                                                 task);
     const RasterHead& head = rows.head();
     if (head.info.format != format) return drop("was not written with the map");
     if (head.size.cols != 2 * map.size.cols || head.size.rows != map.size.rows ||
@@ -201,8 +155,12 @@ RasterRows importRasterRows(const std::filesystem::path& file, const std::filesy
                             const ImportOptions& options, const Task& task) {
   task.check();
   checkedFileSize(file);
-  auto rows = importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster_rows,
-                                         options, task, folder.empty() ? "." : folder);
+  auto rows = importInWorker<RasterRows>({.program = ImportProgram::libraries,
+                                          .file = file,
+                                          .kind = ImportKind::raster_rows,
+                                          .options = options,
+                                          .answer_folder = folder.empty() ? "." : folder},
+                                         task);
   rows.nameFile(file);
   refuseColours(rows, file);
   return rows;
@@ -212,8 +170,11 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
                        const Task& task) {
   task.check();
   checkedFileSize(file);
-  auto rows =
-      importInWorker<RasterRows>(ImportProgram::libraries, file, ImportKind::raster, options, task);
+  auto rows = importInWorker<RasterRows>({.program = ImportProgram::libraries,
+                                          .file = file,
+                                          .kind = ImportKind::raster,
+                                          .options = options},
+                                         task);
   rows.nameFile(file);
   refuseColours(rows, file);
   RasterMap raster;
@@ -233,9 +194,70 @@ RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& o
   return raster;
 }
 
-bool looksLikeRaster(const std::filesystem::path& file) {
-  const std::uint64_t size = checkedFileSize(file);
-  return isReadableRaster(findFormat(readHead(file, kSniffedBytes), file, size).format);
+namespace {
+
+/// What the program that starts soonest says of these files.
+WorkerText askedOf(const std::vector<std::filesystem::path>& files, ImportKind kind,
+                   const Task& task) {
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    others.push_back(std::filesystem::absolute(files[i]).string());
+  }
+  return importInWorker<WorkerText>(
+      {.file = files.front(), .kind = kind, .options = {}, .more = std::move(others)}, task);
+}
+
+}  // namespace
+
+std::vector<std::optional<InputFacts>> inputFacts(const std::vector<std::filesystem::path>& files,
+                                                  const Task& task) {
+  task.check();
+  std::vector<std::optional<InputFacts>> facts;
+  for (std::size_t first = 0; first < files.size(); first += kFilesAtOnce) {
+    const std::vector<std::filesystem::path> some(
+        files.begin() + static_cast<std::ptrdiff_t>(first),
+        files.begin() + static_cast<std::ptrdiff_t>(std::min(first + kFilesAtOnce, files.size())));
+    const auto found = inputFactsOf(askedOf(some, ImportKind::facts, task));
+    if (!found || found->size() != some.size()) refuseEnd(some.front(), {}, {});
+    facts.insert(facts.end(), found->begin(), found->end());
+  }
+  return facts;
+}
+
+std::optional<std::string> embeddedState(const std::filesystem::path& file, const Task& task) {
+  task.check();
+  checkedFileSize(file);
+  auto state = stateOf(askedOf({file}, ImportKind::state, task));
+  if (!state) refuseEnd(file, {}, {});
+  return std::move(*state);
+}
+
+InputFacts inputFacts(const std::filesystem::path& file, const Task& task) {
+  checkedFileSize(file);
+  const auto facts = inputFacts(std::vector{file}, task).front();
+  if (facts) return *facts;
+  checkedFileSize(file);  // It has gone since.
+  refuseEnd(file, {}, {});
+}
+
+std::vector<std::optional<TiffHead>> importTiffHeads(
+    const std::vector<std::filesystem::path>& files, const Task& task) {
+  task.check();
+  for (const std::filesystem::path& file : files) checkedFileSize(file);
+  std::vector<std::optional<TiffHead>> heads;
+  for (std::size_t first = 0; first < files.size(); first += kFilesAtOnce) {
+    const std::vector<std::filesystem::path> some(
+        files.begin() + static_cast<std::ptrdiff_t>(first),
+        files.begin() + static_cast<std::ptrdiff_t>(std::min(first + kFilesAtOnce, files.size())));
+    auto found = tiffHeadsOf(askedOf(some, ImportKind::tiff_heads, task));
+    if (!found || found->size() != some.size()) refuseEnd(some.front(), {}, {});
+    std::move(found->begin(), found->end(), std::back_inserter(heads));
+  }
+  return heads;
+}
+
+std::optional<TiffHead> importTiffHead(const std::filesystem::path& file, const Task& task) {
+  return std::move(importTiffHeads({file}, task).front());
 }
 
 }  // namespace relievo

@@ -53,9 +53,4 @@ struct RasterMap;  // core/io/raster.h
 RasterMap importRaster(const std::filesystem::path& file, const ImportOptions& options = {},
                        const Task& task = {});
 
-/// Content check only: does the file look like a raster (TIFF, PNG, ESRI ASCII grid) rather than a
-/// scan?
-/// @throw FileError  missing, a directory or empty
-bool looksLikeRaster(const std::filesystem::path& file);
-
 }  // namespace relievo

@@ -6,15 +6,30 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/base/failure.h"
+#include "core/io/embedded_state.h"
+#include "core/io/facts_text.h"
 #include "core/io/file_check.h"
+#include "core/io/format.h"
 #include "core/io/import.h"
+#include "core/io/input_facts.h"
+#include "core/io/las_header.h"
+#include "core/io/las_unit.h"
 #include "core/io/lines.h"
+#include "core/io/pcd_header.h"
+#include "core/io/ply_header.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_choice.h"
 #include "core/io/scan_transport.h"
+#include "core/io/stream_worker.h"
+#include "core/io/tiff_head.h"
 #include "core/io/worker_child.h"
 #include "core/io/worker_process.h"
 #include "core/io/worker_sandbox.h"
@@ -22,13 +37,47 @@
 namespace relievo {
 namespace {
 
+/// What can be refused by the first bytes is refused here.
+/// @return  the program that reads the rest
+ImportProgram precheck(const std::filesystem::path& file, ReaderChoice choice) {
+  const std::uint64_t size = checkedFileSize(file);
+  const std::string head = readHead(file, kMaxHeaderBytes);
+  const FoundFormat found = findFormat(std::string_view(head).substr(0, kSniffedBytes), file, size);
+  checkReadableAsScan(found, file);
+  std::string why_not;
+  if (found.format == FileFormat::ply) {
+    why_not = whyNotPcl(parsePlyHeader(head, file));
+  } else if (found.format == FileFormat::pcd) {
+    why_not = whyNotPcl(parsePcdHeader(head, file));
+  } else {
+    why_not = whyNotPcl(found.format);
+  }
+  if (usesPcl(choice, why_not, file)) return ImportProgram::pcl;
+  // Its pictures need GDAL.
+  const bool may_have_pictures =
+      found.format == FileFormat::obj && head.find("mtllib ") != std::string::npos;
+  return may_have_pictures ? ImportProgram::libraries : ImportProgram::own;
+}
+
+/// Of LAS files, whose readers cannot look it up.
+std::optional<LasSystem> systemWithoutUnit(const std::filesystem::path& file,
+                                           const ScanInfo& info) {
+  const bool is_las = info.format.starts_with("LAS") || info.format.starts_with("LAZ");
+  if (!is_las || info.unit) return std::nullopt;
+  const std::string head = readHead(file, kLasHeadBytes);
+  return lasSystem(head, parseLasHeader(head, file));
+}
+
 struct WorkerArguments {
   std::filesystem::path file;
   ImportKind kind = ImportKind::scan;
   ImportOptions options;
+  std::vector<std::string> more;  ///< ImportAsk::more.
+  StreamSetup stream;             ///< Of a stream.
+  int last_fd = kAnswerFd;
 };
 
-std::optional<WorkerArguments> parseArguments(char** argv) {
+std::optional<WorkerArguments> parseArguments(int argc, char** argv) {
   WorkerArguments arguments;
   arguments.file = argv[2];
   const auto max_points = parseWhole<std::uint64_t>(argv[5]);
@@ -51,13 +100,25 @@ std::optional<WorkerArguments> parseArguments(char** argv) {
     if (!part) return std::nullopt;
     arguments.options.scan.parts.push_back(*part);
   }
+  arguments.more.assign(argv + kWorkerArgumentCount, argv + argc);
+  if (arguments.kind != ImportKind::points) return arguments;
+  const auto stream = streamSetupOf(arguments.more);
+  if (!stream) return std::nullopt;
+  arguments.stream = *stream;
+  arguments.last_fd = kFirstChannelFd + stream->channels;  // That of the slices.
   return arguments;
+}
+
+/// What is only asked about is not mapped.
+std::uint64_t mappedBytes(const WorkerArguments& arguments) {
+  const bool is_mapped = arguments.kind != ImportKind::facts;
+  return is_mapped ? checkedFileSize(arguments.file) : 0;
 }
 
 void setLimits(const WorkerArguments& arguments) {
   const ImportOptions& options = arguments.options;
   ChildLimits limits{.allocated_bytes = options.max_memory_bytes,
-                     .mapped_bytes = checkedFileSize(arguments.file),
+                     .mapped_bytes = mappedBytes(arguments),
                      .answer_bytes = options.max_memory_bytes,
                      .cpu_s = options.max_cpu_s};
   if (arguments.kind == ImportKind::raster_rows) limits.answer_bytes.reset();
@@ -81,49 +142,107 @@ WorkerRefusal tooLong(const WorkerArguments& arguments, const AnswerTooLong& ans
           ""};
 }
 
+/// What the parent is told of the exception in flight.
+WorkerRefusal refusalInFlight(const WorkerArguments& arguments) {
+  try {
+    throw;
+  } catch (const ArgumentError& error) {
+    return {error.what(), kMisuse};
+  } catch (const Error& error) {
+    return {error.what(), error.code, error.message ? messageBytes(*error.message) : ""};
+  } catch (const AnswerTooLong& answer) {
+    return tooLong(arguments, answer);
+  } catch (const std::bad_alloc&) {
+    return tooLarge(arguments);
+  } catch (const std::length_error&) {
+    return tooLarge(arguments);
+  } catch (const std::exception& error) {
+    return {"Cannot read " + shownName(arguments.file) + ": its reader gave up (" + error.what() +
+                "). The file is damaged; export it again.",
+            ""};
+  }
+}
+
+void answerWithScan(const WorkerArguments& arguments, const WorkerLibraries& libraries,
+                    const Task& task) {
+  // The program that starts soonest looks first, and says which one reads.
+  if (libraries.read.pcl == nullptr && libraries.read.load_texture == nullptr) {
+    const ImportProgram reads = precheck(arguments.file, arguments.options.scan.reader);
+    if (reads != ImportProgram::own) return sendAnswer(kAnswerFd, OtherProgram{reads});
+  }
+  Scan scan = readScanHere(arguments.file, arguments.options, task, libraries.read);
+  const auto system = systemWithoutUnit(arguments.file, scan.info);
+  if (!system) return sendAnswer(kAnswerFd, scan);
+  sendAnswer(kAnswerFd, ScanOfSystem{.scan = std::move(scan), .system = *system});
+}
+
+void answerWithFacts(const WorkerArguments& arguments) {
+  const auto factsOf = [](const std::filesystem::path& file) -> std::optional<InputFacts> {
+    try {
+      return inputFactsHere(file);
+    } catch (const FileError&) {  // Whoever opens it says why not.
+      return std::nullopt;
+    }
+  };
+  std::vector<std::optional<InputFacts>> facts{factsOf(arguments.file)};
+  for (const std::string& file : arguments.more) facts.push_back(factsOf(file));
+  sendAnswer(kAnswerFd, textOf(facts));
+}
+
+void answerWithTiffHeads(const WorkerArguments& arguments) {
+  std::vector<std::optional<TiffHead>> heads{readTiffHead(arguments.file)};
+  for (const std::string& file : arguments.more) heads.push_back(readTiffHead(file));
+  sendAnswer(kAnswerFd, textOf(heads));
+}
+
+void answer(const WorkerArguments& arguments, const WorkerLibraries& libraries) {
+  setLimits(arguments);
+  ProgressPipe pipe;
+  Task task;
+  task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
+  switch (arguments.kind) {
+    case ImportKind::scan:
+      return answerWithScan(arguments, libraries, task);
+    case ImportKind::facts:
+      return answerWithFacts(arguments);
+    case ImportKind::state:
+      return sendAnswer(kAnswerFd, textOf(embeddedStateHere(arguments.file)));
+    case ImportKind::tiff_heads:
+      return answerWithTiffHeads(arguments);
+    case ImportKind::points:
+      return servePoints(arguments.file, arguments.options, arguments.stream, task,
+                         [&arguments] { return refusalInFlight(arguments); });
+    case ImportKind::raster:
+    case ImportKind::raster_rows:
+      break;
+  }
+  if (libraries.read_raster == nullptr) {
+    refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
+  }
+  RasterAnswer rows(kAnswerFd);
+  rows.finish(libraries.read_raster(arguments.file, rows.sink(), task));
+}
+
 void readAndAnswer(const WorkerArguments& arguments, const WorkerLibraries& libraries) {
   try {
-    setLimits(arguments);
-    ProgressPipe pipe;
-    Task task;
-    task.progress = [&pipe](std::string_view step, double fraction) { pipe(step, fraction); };
-    if (arguments.kind == ImportKind::scan) {
-      sendAnswer(kAnswerFd, readScanHere(arguments.file, arguments.options, task, libraries.read));
-    } else if (libraries.read_raster != nullptr) {
-      RasterAnswer answer(kAnswerFd);
-      answer.finish(libraries.read_raster(arguments.file, answer.sink(), task));
-    } else {
-      refuseScan(arguments.file, "this import program reads no rasters. Install relievo again.");
-    }
-  } catch (const Error& error) {
-    sendAnswer(kAnswerFd, WorkerRefusal{error.what(), error.code,
-                                        error.message ? messageBytes(*error.message) : ""});
-  } catch (const AnswerTooLong& answer) {
-    sendAnswer(kAnswerFd, tooLong(arguments, answer));
-  } catch (const std::bad_alloc&) {
-    sendAnswer(kAnswerFd, tooLarge(arguments));
-  } catch (const std::length_error&) {
-    sendAnswer(kAnswerFd, tooLarge(arguments));
-  } catch (const std::exception& error) {
-    sendAnswer(kAnswerFd,
-               WorkerRefusal{"Cannot read " + shownName(arguments.file) + ": its reader gave up (" +
-                                 error.what() + "). The file is damaged; export it again.",
-                             ""});
+    answer(arguments, libraries);
+  } catch (...) {
+    sendAnswer(kAnswerFd, refusalInFlight(arguments));
   }
 }
 
 }  // namespace
 
 int runImportWorker(int argc, char** argv, const WorkerLibraries& libraries) {
-  const bool called = argc == kWorkerArgumentCount && std::string_view(argv[1]) == kWorkerArgument;
-  const auto arguments = called ? parseArguments(argv) : std::nullopt;
+  const bool called = argc >= kWorkerArgumentCount && std::string_view(argv[1]) == kWorkerArgument;
+  const auto arguments = called ? parseArguments(argc, argv) : std::nullopt;
   if (!arguments || !hasWorkersPlace({kAnswerFd})) {
     std::fputs("The import worker is started by relievo of the same version, not by hand.\n",
                stderr);
     return 1;
   }
   if (!dieWithParent()) return 1;
-  if (!enterWorkerSandbox(kAnswerFd)) {
+  if (!enterWorkerSandbox(arguments->last_fd)) {
     // Seen only if the reader breaks down, as its last words: limits and process still stand.
     std::fputs("The kernel offers no seccomp filter; the file was read without one.\n", stderr);
   }

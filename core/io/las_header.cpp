@@ -7,6 +7,7 @@
 #include "core/base/failure.h"
 #include "core/io/file_check.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_guard.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -80,6 +81,7 @@ std::optional<FileBounds> statedBounds(std::string_view bytes) {
 }  // namespace
 
 LasHeader parseLasHeader(std::string_view bytes, const std::filesystem::path& file) {
+  requireReadersAllowed("parseLasHeader");
   if (bytes.size() < kHeader) {
     throw failure<MessageId::shorter_than_las_header>(shownName(file));
   }

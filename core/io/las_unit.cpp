@@ -176,12 +176,12 @@ StatedUnits readRecords(std::string_view bytes, const LasHeader& header) {
   return units;
 }
 
-double heightFactor(const StatedUnits& units, ScanInfo& info) {
-  if (!info.unit || !units.vertical || *info.unit == *units.vertical) return 1;
+double heightFactor(std::optional<LengthUnit> vertical, ScanInfo& info) {
+  if (!info.unit || !vertical || *info.unit == *vertical) return 1;
   const std::string unit(name(*info.unit));
-  info.warnings.push_back("Its heights are in " + std::string(name(*units.vertical)) +
+  info.warnings.push_back("Its heights are in " + std::string(name(*vertical)) +
                           ", its x and y in " + unit + "; heights were converted to " + unit + ".");
-  return mmPer(*units.vertical) / mmPer(*info.unit);
+  return mmPer(*vertical) / mmPer(*info.unit);
 }
 
 }  // namespace
@@ -201,17 +201,19 @@ double readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& in
     info.warnings.push_back("It states a unit " + units.unknown +
                             ", which is not known here; state it with --unit.");
   }
-  return heightFactor(units, info);
+  return heightFactor(units.vertical, info);
 }
 
-double heightFactor(std::string_view bytes, const LasHeader& header, ScanInfo& info) {
-  return heightFactor(readRecords(bytes, header), info);
+double heightFactor(const LasSystem& system, ScanInfo& info) {
+  return heightFactor(system.height_unit, info);
 }
 
-std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header) {
+std::optional<LasSystem> lasSystem(std::string_view bytes, const LasHeader& header) {
   const StatedUnits units = readRecords(bytes, header);
-  if (units.degrees || units.horizontal || !units.unknown.empty()) return std::nullopt;
-  return units.system;
+  if (units.degrees || units.horizontal || !units.unknown.empty() || !units.system) {
+    return std::nullopt;
+  }
+  return LasSystem{.code = *units.system, .height_unit = units.vertical};
 }
 
 }  // namespace relievo

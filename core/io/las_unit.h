@@ -20,10 +20,16 @@ inline constexpr std::size_t kLasHeadBytes = 1 << 20;  ///< Header and records t
 ///          they are, or the records do not state both
 double readLasUnit(std::string_view bytes, const LasHeader& header, ScanInfo& info);
 
-/// The factor of heights once `info.unit` is known from elsewhere, with a warning unless it is 1.
-double heightFactor(std::string_view bytes, const LasHeader& header, ScanInfo& info);
+/// The projected system that a file names instead of a unit.
+struct LasSystem {
+  int code = 0;                                          ///< EPSG.
+  std::optional<LengthUnit> height_unit = std::nullopt;  ///< If the file states one.
+  friend bool operator==(const LasSystem&, const LasSystem&) = default;
+};
+std::optional<LasSystem> lasSystem(std::string_view bytes, const LasHeader& header);
 
-/// EPSG code of the projected system, if the file names it but not its unit.
-std::optional<int> lasSystem(std::string_view bytes, const LasHeader& header);
+/// The factor of heights once `info.unit` is known from its registry, with a warning unless it is
+/// 1.
+double heightFactor(const LasSystem& system, ScanInfo& info);
 
 }  // namespace relievo

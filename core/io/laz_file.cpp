@@ -10,6 +10,7 @@
 #include "core/io/laz_fields.h"
 #include "core/io/laz_recovery.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_guard.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -230,6 +231,7 @@ std::optional<std::string_view> lasRecord(std::string_view head, const LasHeader
 
 LazFile readLazFile(const LazBytesSource& source, const LasHeader& header,
                     const std::filesystem::path& file) {
+  requireReadersAllowed("readLazFile");
   constexpr std::string_view kNoRecord =
       "it is a compressed LAS file, and no record in it says how its points are packed. Copy or "
       "export it again.";

@@ -11,6 +11,7 @@
 #include "core/io/ply_header.h"
 #include "core/io/point_columns.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_guard.h"
 
 namespace relievo {
 namespace {
@@ -250,6 +251,7 @@ RecordLayout recordLayoutOf(const PcdHeader& header) {
 }
 
 PcdHeader parsePcdHeader(std::string_view head, const std::filesystem::path& file) {
+  requireReadersAllowed("parsePcdHeader");
   return PcdHeaderParser(head.substr(0, kMaxHeaderBytes), file).parse();
 }
 

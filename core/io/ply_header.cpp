@@ -8,6 +8,7 @@
 #include "core/io/file_check.h"
 #include "core/io/lines.h"
 #include "core/io/read_scan.h"
+#include "core/io/reader_guard.h"
 
 namespace relievo {
 namespace {
@@ -269,6 +270,7 @@ RecordLayout recordLayoutOf(const PlyHeader& header) {
 }
 
 PlyHeader parsePlyHeader(std::string_view head, const std::filesystem::path& file) {
+  requireReadersAllowed("parsePlyHeader");
   return HeaderParser(head.substr(0, kMaxHeaderBytes), file).parse();
 }
 

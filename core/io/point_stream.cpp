@@ -2,235 +2,290 @@
 #include "core/io/point_stream.h"
 
 #include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <limits>
-#include <string>
-#include <vector>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
 
-#include "core/base/failure.h"
+#include "core/base/error.h"
+#include "core/file/owned_fd.h"
+#include "core/io/answer_text.h"
 #include "core/io/file_check.h"
-#include "core/io/format.h"
-#include "core/io/las_header.h"
-#include "core/io/las_unit.h"
-#include "core/io/las_values.h"
-#include "core/io/planted_fault.h"
-#include "core/io/ply_header.h"
+#include "core/io/import_answer.h"
+#include "core/io/input_facts.h"
 #include "core/io/read_scan.h"
 #include "core/io/scan_builder.h"
+#include "core/io/stream_protocol.h"
+#include "core/io/stream_worker.h"
 #include "core/io/system_unit.h"
 
 namespace relievo {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1 << 20;
-/// Coordinates and flags, at the beginning of each record of LAS.
-constexpr std::size_t kPointBytes = kLasFlagsAt + 1;
+constexpr suseconds_t kLookUs = 50'000;      ///< Between two looks at the stop token.
+constexpr double kMostCpuS = 7 * 24 * 3600;  ///< A stream is as long as the work on it.
 
-FileFormat formatOf(const std::filesystem::path& file) {
-  const std::uint64_t size = checkedFileSize(file);
-  return findFormat(readHead(file, kSniffedBytes), file, size).format;
+int channelCount() {
+  return static_cast<int>(
+      std::clamp(std::thread::hardware_concurrency(), 1U, static_cast<unsigned>(kMostChannels)));
 }
 
-void readAll(int fd, std::uint64_t at, std::span<char> bytes, const std::filesystem::path& file) {
-  while (!bytes.empty()) {
-    const ssize_t got = ::pread(fd, bytes.data(), bytes.size(), static_cast<off_t>(at));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) {
-      throw failure<MessageId::file_became_shorter>(shownName(file));
-    }
-    at += static_cast<std::uint64_t>(got);
-    bytes = bytes.subspan(static_cast<std::size_t>(got));
+/// A socket that forgets to wait after a while; the other end is above the numbers of a child.
+void makeChannel(OwnedFd& ours, OwnedFd& childs) {
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    raised(-1);  // Says it.
   }
+  ours.reset(ends[0]);
+  childs.reset(raised(ends[1]));
+  const timeval look{.tv_sec = 0, .tv_usec = kLookUs};
+  ::setsockopt(ours.get(), SOL_SOCKET, SO_RCVTIMEO, &look, sizeof(look));
 }
 
-/// Bytes before the points, if points and all that comes before them have records of fixed size.
-std::optional<std::uint64_t> bytesBeforePoints(const PlyHeader& header) {
-  if (header.encoding == PlyEncoding::ascii || header.vertices().hasList()) return std::nullopt;
-  std::uint64_t bytes = header.body_start;
-  for (std::size_t e = 0; e < header.vertex_element; ++e) {
-    const PlyElement& element = header.elements[e];
-    if (element.hasList()) return std::nullopt;
-    const std::uint64_t record = element.leastBytes();
-    constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max() / 2;
-    if (record != 0 && element.count > (kMost - bytes) / record) return std::nullopt;
-    bytes += element.count * record;
-  }
-  return bytes;
+/// What the program may have sent instead of points is none.
+bool isPoint(const FilePoint& p) {
+  const bool none = std::isnan(p.x) && std::isnan(p.y) && std::isnan(p.z);
+  return none || (std::abs(p.x) <= kFarthestCoordinate && std::abs(p.y) <= kFarthestCoordinate &&
+                  std::abs(p.z) <= kFarthestCoordinate);
 }
 
 }  // namespace
 
+struct PointStream::Impl {
+  Impl(const std::filesystem::path& wanted, const ImportOptions& limits, const Task& work,
+       StreamedParts parts)
+      : file(wanted), options(limits), task{.stop = work.stop, .progress = {}} {
+    options.max_cpu_s = kMostCpuS;
+    open(work, parts);
+  }
+
+  /// A channel while a thread has it.
+  class Lease {
+   public:
+    explicit Lease(Impl& impl) : impl_(impl), channel_(impl.take()) {}
+    ~Lease() { impl_.giveBack(channel_); }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    int channel() const { return channel_; }
+
+   private:
+    Impl& impl_;
+    int channel_;
+  };
+
+  void open(const Task& work, StreamedParts parts);
+  void takeHead(const Task& work);
+  int take();
+  void giveBack(int channel);
+  /// @return  what the process counted @throw FileError  what it refused with; Cancelled
+  std::uint64_t ask(int channel, const StreamRequest& request);
+  void receive(int channel, void* out, std::size_t bytes);
+  void send(int channel, const void* from, std::size_t bytes);
+  void fetch(int channel, std::size_t at, void* out, std::size_t bytes);
+  void put(int channel, const void* from, std::size_t bytes);
+  [[noreturn]] void refuseEnded();           ///< It closed its end.
+  [[noreturn]] void refuseNonsense() const;  ///< It answered what it must not.
+  void check(std::span<const FilePoint> points);
+
+  std::filesystem::path file;
+  ImportOptions options;
+  Task task;
+  PointStreamHead head;
+  std::vector<OwnedFd> channels;  ///< Our ends.
+  OwnedFd slices;
+  std::unique_ptr<WorkerProcess> worker;
+  std::mutex mutex;
+  std::condition_variable freed;
+  std::vector<int> free;  ///< Channels that no thread has now.
+};
+
+void PointStream::Impl::open(const Task& work, StreamedParts parts) {
+  const StreamSetup setup{.channels = channelCount(), .parts = parts};
+  std::vector<OwnedFd> childs(static_cast<std::size_t>(setup.channels));
+  channels.resize(childs.size());
+  std::vector<FdForChild> fds;
+  for (std::size_t i = 0; i < childs.size(); ++i) {
+    makeChannel(channels[i], childs[i]);
+    fds.push_back({childs[i].get(), kFirstChannelFd + static_cast<int>(i)});
+  }
+  slices.reset(raised(::memfd_create("relievo-points", MFD_CLOEXEC)));
+  fds.push_back({slices.get(), kFirstChannelFd + setup.channels});
+  worker = std::make_unique<WorkerProcess>(ImportAsk{.program = ImportProgram::own,
+                                                     .file = file,
+                                                     .kind = ImportKind::points,
+                                                     .options = options,
+                                                     .answer_folder = {},
+                                                     .more = argumentsOf(setup),
+                                                     .fds = std::move(fds)});
+  childs.clear();  // What the process does not hold any more is closed.
+  takeHead(work);
+  for (int i = 0; i < setup.channels; ++i) free.push_back(i);
+}
+
+void PointStream::Impl::takeHead(const Task& work) {
+  worker->waitFor(channels[0].get(), work);
+  StreamReply ready;
+  if (::recv(channels[0].get(), &ready, sizeof(ready), 0) != sizeof(ready)) {
+    const WorkerEnd end = worker->wait(work);
+    const WorkerAnswer answer = receiveAnswer(worker->answerFd(), work);
+    if (const auto* refusal = std::get_if<WorkerRefusal>(&answer)) throwRefusal(*refusal);
+    refuseEnd(file, options, end);
+  }
+  const WorkerAnswer answer = receiveAnswer(worker->answerFd(), work);
+  const auto* text = std::get_if<WorkerText>(&answer);
+  auto known = text != nullptr ? streamHeadOf(*text) : std::nullopt;
+  if (!known) refuseNonsense();
+  head = std::move(*known);
+  head.info.file = file;
+  StreamStart start;
+  if (head.system) {
+    ScanInfo said;
+    start.height_factor = addUnitOfSystem(*head.system, said);
+    head.info.unit = said.unit;
+    head.info.warnings.insert(
+        head.info.warnings.begin() + static_cast<std::ptrdiff_t>(head.warnings_before_system),
+        said.warnings.begin(), said.warnings.end());
+    if (head.stated_bounds) {
+      head.stated_bounds->min.z *= start.height_factor;
+      head.stated_bounds->max.z *= start.height_factor;
+    }
+  }
+  send(0, &start, sizeof(start));
+}
+
+int PointStream::Impl::take() {
+  std::unique_lock lock(mutex);
+  freed.wait(lock, [this] { return !free.empty(); });
+  const int channel = free.back();
+  free.pop_back();
+  return channel;
+}
+
+void PointStream::Impl::giveBack(int channel) {
+  {
+    const std::scoped_lock lock(mutex);
+    free.push_back(channel);
+  }
+  freed.notify_one();
+}
+
+void PointStream::Impl::refuseEnded() {
+  const std::scoped_lock lock(mutex);
+  refuseEnd(file, options, worker->wait(task));
+}
+
+void PointStream::Impl::refuseNonsense() const {
+  refuseEnd(file, options, {});
+}
+
+void PointStream::Impl::send(int channel, const void* from, std::size_t bytes) {
+  const int fd = channels[static_cast<std::size_t>(channel)].get();
+  ssize_t sent = 0;
+  do {
+    sent = ::send(fd, from, bytes, MSG_NOSIGNAL);
+  } while (sent < 0 && errno == EINTR);
+  // Requests are few bytes, and there is never more than one.
+  if (sent != static_cast<ssize_t>(bytes)) refuseEnded();
+}
+
+void PointStream::Impl::receive(int channel, void* out, std::size_t bytes) {
+  const int fd = channels[static_cast<std::size_t>(channel)].get();
+  auto* to = static_cast<char*>(out);
+  while (bytes > 0) {
+    const ssize_t got = ::recv(fd, to, bytes, 0);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR)) {
+      task.check();  // Whoever is answered no more asks no more: the stop stays.
+      continue;
+    }
+    if (got <= 0) refuseEnded();
+    to += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+}
+
+void PointStream::Impl::fetch(int channel, std::size_t at, void* out, std::size_t bytes) {
+  auto* to = static_cast<char*>(out);
+  std::uint64_t from = static_cast<std::uint64_t>(channel) * kSliceBytes + at;
+  while (bytes > 0) {
+    const ssize_t got = ::pread(slices.get(), to, bytes, static_cast<off_t>(from));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) refuseNonsense();
+    to += got;
+    from += static_cast<std::uint64_t>(got);
+    bytes -= static_cast<std::size_t>(got);
+  }
+}
+
+void PointStream::Impl::put(int channel, const void* from, std::size_t bytes) {
+  const auto at = static_cast<off_t>(static_cast<std::uint64_t>(channel) * kSliceBytes);
+  if (::pwrite(slices.get(), from, bytes, at) != static_cast<ssize_t>(bytes)) {
+    refuseScan(file,
+               "its points cannot be kept while they are used. Free some memory, and try "
+               "again.");
+  }
+}
+
+std::uint64_t PointStream::Impl::ask(int channel, const StreamRequest& request) {
+  task.check();
+  send(channel, &request, sizeof(request));
+  StreamReply reply;
+  receive(channel, &reply, sizeof(reply));
+  if (reply.refused == 0) return reply.count;
+  std::string bytes(std::min<std::uint64_t>(reply.count, kSliceBytes), '\0');
+  fetch(channel, 0, bytes.data(), bytes.size());
+  Unpacker unpacker(std::move(bytes));
+  WorkerRefusal refusal;
+  refusal.message = unpacker.text();
+  refusal.code = unpacker.text();
+  refusal.of_catalogue = unpacker.text();
+  if (!unpacker.good() || refusal.message.empty()) refuseNonsense();
+  throwRefusal(refusal);
+}
+
+void PointStream::Impl::check(std::span<const FilePoint> points) {
+  if (!std::all_of(points.begin(), points.end(), isPoint)) refuseNonsense();
+}
+
 bool PointStream::canStream(const std::filesystem::path& file) {
-  const FileFormat format = formatOf(file);
-  if (format == FileFormat::las || format == FileFormat::laz) return true;
-  if (format != FileFormat::ply) return false;
-  return bytesBeforePoints(parsePlyHeader(readHead(file, kMaxHeaderBytes), file)).has_value();
+  return inputFacts(file).in_blocks;
 }
 
 PointStream::PointStream(const std::filesystem::path& file, const ImportOptions& options,
                          const Task& task, StreamedParts parts) {
-  info_.file = file;
-  info_.reader = "relievo";
-  const FileFormat format = formatOf(file);
-  fd_ = std::make_shared<OwnedFd>(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (fd_->get() < 0) refuseScan(file, std::string(std::strerror(errno)) + ".");
-  file_bytes_ = checkedFileSize(file);
-  if (format == FileFormat::las || format == FileFormat::laz) {
-    openLas(options, task, parts);
-  } else if (format == FileFormat::ply) {
-    openPly(options);
-  } else {
-    refuseScan(file,
-               "only LAS, LAZ and binary PLY files are read in blocks. Convert it to LAS first.");
-  }
+  checkedFileSize(file);
+  impl_ = std::make_unique<Impl>(file, options, task, parts);
 }
+PointStream::~PointStream() = default;
 
-void PointStream::openLas(const ImportOptions& options, const Task& task, StreamedParts parts) {
-  const std::string head = readHead(info_.file, kLasHeadBytes);
-  const LasHeader header = parseLasHeader(head, info_.file);
-  info_.format = (header.packed ? "LAZ 1." : "LAS 1.") + std::to_string(header.minor) +
-                 " point format " + std::to_string(header.point_format);
-  points_at_ = header.points_at;
-  record_bytes_ = header.record_bytes;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    coordinates_[axis] = {4 * axis, ScalarType::i32, header.scale[axis], header.offset[axis]};
-  }
-  stated_bounds_ = header.stated_bounds;
-  const LasPlaces places = lasPlaces(header.point_format);
-  if (!options.scan.keep_withheld) withheld_bit_ = places.withheld_bit;
-  std::size_t last_byte = kPointBytes;
-  if (places.colour) {
-    const auto channel = [&](std::size_t k) {
-      return StoredNumber{*places.colour + 2 * k, ScalarType::u16};
-    };
-    colour_ = std::array{channel(0), channel(1), channel(2)};
-    colour_source_ = "red green blue";
-    last_byte = *places.colour + 6;
-  }
-  intensity_ = StoredNumber{kLasIntensityAt, ScalarType::u16};
-  word_intensities_ = true;
-  double factor = readLasUnit(head, header, info_);
-  factor *= addUnitOfSystem(head, header, info_);
-  coordinates_[2].scale *= factor;
-  coordinates_[2].shift *= factor;
-  if (stated_bounds_) {
-    stated_bounds_->min.z *= factor;
-    stated_bounds_->max.z *= factor;
-  }
-  if (!header.packed) return setFound(header.points, options);
-  const LazBytesSource source{
-      .size = file_bytes_,
-      .read = [fd = fd_, file = info_.file](std::uint64_t at, std::uint64_t bytes) {
-        std::string read(static_cast<std::size_t>(bytes), '\0');
-        readAll(fd->get(), at, read, file);
-        return read;
-      }};
-  const bool values = parts == StreamedParts::values;
-  record_bytes_ = values ? last_byte : kPointBytes;
-  LazFile laz = readLazFile(source, header, info_.file);
-  if (!laz.has_list) info_.warnings.emplace_back(kLazListMissing);
-  setPoints(laz.points, header.points, options);
-  // Withheld points are told by their flags.
-  const LazWanted wanted{
-      .classes = false, .flags = true, .intensities = values, .colours = values, .others = false};
-  packed_ = std::make_shared<LazPoints>(source, std::move(laz), info_.file,
-                                        LazKept{.bytes = record_bytes_, .wanted = wanted}, task);
+const ScanInfo& PointStream::info() const noexcept {
+  return impl_->head.info;
 }
-
-void PointStream::openPly(const ImportOptions& options) {
-  const PlyHeader header = parsePlyHeader(readHead(info_.file, kMaxHeaderBytes), info_.file);
-  const auto before = bytesBeforePoints(header);
-  if (!before) {
-    refuseScan(info_.file,
-               "its points have no fixed places in the file (text, or lists). Save it as binary "
-               "PLY, or as LAS.");
-  }
-  const bool big = header.encoding == PlyEncoding::binary_big_endian;
-  info_.format = big ? "PLY binary_big_endian" : "PLY binary_little_endian";
-  info_.unit = header.unit;
-  info_.warnings = header.warnings;
-  points_at_ = *before;
-  record_bytes_ = static_cast<std::size_t>(header.vertices().leastBytes());
-  order_ = header.byteOrder();
-  const RecordLayout layout = recordLayoutOf(header);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    coordinates_[axis] = {layout.xyz[axis].offset, layout.xyz[axis].type};
-  }
-  colour_ = layout.colour;
-  colour_source_ = layout.colour_source;
-  intensity_ = layout.intensity;
-  setFound(header.vertices().count, options);
+const std::optional<FileBounds>& PointStream::statedBounds() const noexcept {
+  return impl_->head.stated_bounds;
 }
-
-void PointStream::setFound(std::uint64_t promised, const ImportOptions& options) {
-  plantedFault(record_bytes_ == 41);
-  const std::uint64_t room =
-      points_at_ < file_bytes_ ? (file_bytes_ - points_at_) / record_bytes_ : 0;
-  setPoints(std::min(promised, room), promised, options);
+std::size_t PointStream::keptBytes() const noexcept {
+  return static_cast<std::size_t>(impl_->head.kept_bytes);
 }
-
-/// @throw FileError  fewer than promised, and that is not accepted; none
-void PointStream::setPoints(std::uint64_t found, std::uint64_t promised,
-                            const ImportOptions& options) {
-  info_.points = found;
-  if (info_.points < promised) {
-    const Task task;
-    handleShortfall({"points", promised, info_.points, info_.points},
-                    {info_.file, {}, options, task}, info_);
-  }
-  if (info_.points == 0) {
-    throw failure<MessageId::no_points>(shownName(info_.file));
-  }
-}
-
-void PointStream::readRecords(std::uint64_t first, std::size_t count,
-                              std::vector<char>& buffer) const {
-  if (packed_) return packed_->read(first, count, buffer.data());
-  readAll(fd_->get(), points_at_ + first * record_bytes_,
-          std::span(buffer).first(count * record_bytes_), info_.file);
-}
-
-FilePoint PointStream::pointOf(const char* record) const noexcept {
-  std::array<double, 3> p{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Coordinate& c = coordinates_[axis];
-    p[axis] = loadDouble(record + c.offset, c.type, order_) * c.scale + c.shift;
-  }
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const bool left_out =
-      withheld_bit_ != 0 && (static_cast<std::uint8_t>(record[kLasFlagsAt]) & withheld_bit_) != 0;
-  const bool usable = !left_out && std::all_of(p.begin(), p.end(), [](double v) {
-    return std::abs(v) <= kFarthestCoordinate;
-  });
-  return usable ? FilePoint{p[0], p[1], p[2]} : FilePoint{kNaN, kNaN, kNaN};
-}
-
 std::optional<ScalarType> PointStream::colourType() const noexcept {
-  if (!colour_) return std::nullopt;
-  // Of different types, which is as good as never, the one that says least.
-  const auto same = [this](const StoredNumber& n) { return n.type == (*colour_)[0].type; };
-  return std::all_of(colour_->begin(), colour_->end(), same) ? (*colour_)[0].type : ScalarType::f64;
+  return impl_->head.colour_type;
 }
-
 std::optional<ScalarType> PointStream::intensityType() const noexcept {
-  if (!intensity_) return std::nullopt;
-  return intensity_->type;
+  return impl_->head.intensity_type;
 }
-
-StoredValues PointStream::valuesOf(const char* record) const noexcept {
-  const auto number = [&](const StoredNumber& n) {
-    return static_cast<float>(loadDouble(record + n.offset, n.type, order_));
-  };
-  StoredValues values;
-  if (colour_)
-    values.colour = {number((*colour_)[0]), number((*colour_)[1]), number((*colour_)[2])};
-  if (intensity_) values.intensity = number(*intensity_);
-  return values;
+bool PointStream::hasWordIntensities() const noexcept {
+  return impl_->head.word_intensities;
+}
+const std::string& PointStream::colourSource() const noexcept {
+  return impl_->head.colour_source;
 }
 
 std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block) const {
@@ -239,26 +294,70 @@ std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block) c
 
 std::size_t PointStream::read(std::uint64_t first, std::span<FilePoint> block,
                               std::span<StoredValues> values) const {
-  if (first >= info_.points) return 0;
-  const auto wanted =
-      static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), info_.points - first));
-  const std::size_t at_once = std::max<std::size_t>(1, kBufferBytes / record_bytes_);
-  std::vector<char> buffer(std::min(wanted, at_once) * record_bytes_);
+  const std::uint64_t all = impl_->head.info.points;
+  if (first >= all) return 0;
+  const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(block.size(), all - first));
+  const Impl::Lease lease(*impl_);
   for (std::size_t done = 0; done < wanted;) {
-    const std::size_t count = std::min(wanted - done, at_once);
-    readRecords(first + done, count, buffer);
-    for (std::size_t i = 0; i < count; ++i) {
-      const char* const record = buffer.data() + i * record_bytes_;
-      block[done + i] = pointOf(record);
-      if (!values.empty()) values[done + i] = valuesOf(record);
+    const std::size_t count = std::min(wanted - done, kPointsAtOnce);
+    const std::uint64_t got =
+        impl_->ask(lease.channel(), {.ask = values.empty() ? StreamAsk::points : StreamAsk::values,
+                                     .first = first + done,
+                                     .count = count});
+    if (got != count) impl_->refuseNonsense();
+    const std::span<FilePoint> points = block.subspan(done, count);
+    impl_->fetch(lease.channel(), 0, points.data(), points.size_bytes());
+    impl_->check(points);
+    if (!values.empty()) {
+      impl_->fetch(lease.channel(), kPointsAtOnce * sizeof(FilePoint), values.data() + done,
+                   count * sizeof(StoredValues));
     }
     done += count;
   }
   return wanted;
 }
 
+void PointStream::read(std::span<const PointRange> ranges, std::span<FilePoint> block) const {
+  const Impl::Lease lease(*impl_);
+  while (!ranges.empty()) {
+    // As many together as there is room for their points.
+    std::size_t together = 0, points = 0;
+    while (together < std::min(ranges.size(), kRangesAtOnce) &&
+           points + ranges[together].count <= kPointsAtOnce) {
+      points += static_cast<std::size_t>(ranges[together++].count);
+    }
+    impl_->put(lease.channel(), ranges.data(), together * sizeof(PointRange));
+    const std::uint64_t got =
+        impl_->ask(lease.channel(), {.ask = StreamAsk::ranges, .first = 0, .count = together});
+    if (got != points || together == 0) impl_->refuseNonsense();
+    impl_->fetch(lease.channel(), 0, block.data(), points * sizeof(FilePoint));
+    impl_->check(block.first(points));
+    ranges = ranges.subspan(together);
+    block = block.subspan(points);
+  }
+}
+
 std::vector<PointRange> PointStream::cheapSample(std::uint64_t points) const {
-  return packed_ ? packed_->cheapSample(points) : std::vector<PointRange>{};
+  std::vector<PointRange> ranges;
+  if (!impl_->head.is_packed) return ranges;
+  const Impl::Lease lease(*impl_);
+  std::uint64_t got = kRangesAtOnce;
+  while (got == kRangesAtOnce) {
+    got = std::min(
+        impl_->ask(lease.channel(),
+                   {.ask = StreamAsk::cheap_sample, .first = ranges.size(), .count = points}),
+        std::uint64_t{kRangesAtOnce});
+    const std::size_t known = ranges.size();
+    ranges.resize(known + static_cast<std::size_t>(got));
+    impl_->fetch(lease.channel(), 0, ranges.data() + known,
+                 static_cast<std::size_t>(got) * sizeof(PointRange));
+  }
+  const std::uint64_t all = impl_->head.info.points;
+  const bool sound = std::all_of(ranges.begin(), ranges.end(), [all](const PointRange& range) {
+    return range.first <= all && range.count <= all - range.first;
+  });
+  if (!sound) impl_->refuseNonsense();
+  return ranges;
 }
 
 }  // namespace relievo

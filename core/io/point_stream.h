@@ -12,10 +12,9 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
-#include "core/file/owned_fd.h"
 #include "core/io/import.h"
+#include "core/io/las_unit.h"
 #include "core/io/laz_points.h"
-#include "core/io/point_columns.h"
 #include "core/io/scalar.h"
 
 namespace relievo {
@@ -29,84 +28,78 @@ struct StoredValues {
 /// What of the points a stream gives. Packed files unpack no more than that.
 enum class StreamedParts { places, values };
 
+/// What is known of a stream before its points are.
+struct PointStreamHead {
+  ScanInfo info;
+  std::optional<FileBounds> stated_bounds;
+  std::optional<ScalarType> colour_type, intensity_type;
+  bool word_intensities = false, is_packed = false;
+  std::string colour_source;
+  std::uint64_t kept_bytes = 0;
+  std::optional<LasSystem> system;           ///< Its unit is still to be looked up; what is said of
+  std::uint64_t warnings_before_system = 0;  ///< it comes behind so many of `info`.
+};
+
 /// The points of a large file, block by block, without the file or the points in memory: LAS, LAZ
-/// and COPC, and binary PLY whose points have fixed places.
+/// and COPC, and binary PLY whose points have fixed places. An import process reads them for as
+/// long as the stream lives; the thread that made it must live as long.
 /// importScan reads the same points of the same files at once, and everything else.
 class PointStream {
  public:
   /// Can these files' points be read in blocks? By content. @throw FileError  missing, empty ...
   static bool canStream(const std::filesystem::path& file);
 
-  /// Reads the header only, and the list of chunks of LAZ and COPC. Of `options` max_points does
-  /// not apply. [worker]
-  /// @param task  also stops `read` of LAZ and COPC
+  /// Reads the header only, and the list of chunks of LAZ and COPC. Of `options` the limits on
+  /// points and processor time do not apply. [worker]
+  /// @param task  also stops `read`
   /// @throw FileError  malformed, or incomplete (E101) unless accepted; LAZ that is cut
   explicit PointStream(const std::filesystem::path& file, const ImportOptions& options = {},
                        const Task& task = {}, StreamedParts parts = StreamedParts::places);
+  ~PointStream();
+  PointStream(const PointStream&) = delete;
+  PointStream& operator=(const PointStream&) = delete;
 
   /// What the header says. `points` are those that can be read; `finite_points` and `bounds` are
   /// not known before they are, and stay empty.
-  const ScanInfo& info() const noexcept { return info_; }
+  const ScanInfo& info() const noexcept;
 
   /// The box that a LAS header states, not checked against the points; PLY states none.
-  const std::optional<FileBounds>& statedBounds() const noexcept { return stated_bounds_; }
+  const std::optional<FileBounds>& statedBounds() const noexcept;
 
   /// Reads up to block.size() points from the `first` on, file coordinates. A point that importScan
   /// would leave out (not finite, beyond 1e38, of LAS withheld) is three NaN: numbers stay those of
-  /// the file. The same for every size of block. Allocates at most 1 MB, of LAZ and COPC 32 MB (or
-  /// one chunk) for each thread that reads, kept for its next block. [any thread]
+  /// the file. The same for every size of block. The process allocates at most 1 MB, of LAZ and
+  /// COPC 32 MB (or one chunk) for each thread that reads, kept for its next block. [any thread]
   /// @return  points read; fewer than asked for only at the end
   /// @throw FileError  the file became shorter, its disk failed, or packed points are damaged
-  /// @throw Cancelled  by the task it was opened with (LAZ and COPC)
+  /// @throw Cancelled  by the task it was opened with
   std::size_t read(std::uint64_t first, std::span<FilePoint> block) const;
 
+  /// The same with what is stored beside the places; of what is not stored, 0. @pre made for values
+  std::size_t read(std::uint64_t first, std::span<FilePoint> block,
+                   std::span<StoredValues> values) const;
+
+  /// The points of several ranges, one after the other. @pre they lie within the file, and the
+  /// block is as long as all of them [any thread] @throw as read
+  void read(std::span<const PointRange> ranges, std::span<FilePoint> block) const;
+
   /// Memory that every thread which reads keeps for its next block: of packed files. [any thread]
-  std::size_t keptBytes() const noexcept { return packed_ ? packed_->keptBytes() : 0; }
+  std::size_t keptBytes() const noexcept;
 
   /// The numbers that the file has places for; they may all be 0. Nothing: there are none.
   std::optional<ScalarType> colourType() const noexcept;
   std::optional<ScalarType> intensityType() const noexcept;
   /// Formats whose intensities are 16 bits by their specification; only zeros mean none.
-  bool hasWordIntensities() const noexcept { return word_intensities_; }
-  const std::string& colourSource() const noexcept { return colour_source_; }  ///< As ColourFact.
-
-  /// The same with what is stored beside the places; of what is not stored, 0. @pre made for values
-  std::size_t read(std::uint64_t first, std::span<FilePoint> block,
-                   std::span<StoredValues> values) const;
+  bool hasWordIntensities() const noexcept;
+  const std::string& colourSource() const noexcept;  ///< As ColourFact.
 
   /// About `points` points all over a packed file that cost the least to read: of COPC the coarsest
   /// levels, of LAZ the beginning of each chunk. Empty where all points cost the same.
   std::vector<PointRange> cheapSample(std::uint64_t points) const;
 
  private:
-  struct Coordinate {
-    std::size_t offset = 0;  ///< In the record.
-    ScalarType type = ScalarType::i32;
-    double scale = 1, shift = 0;
-  };
-
-  void openLas(const ImportOptions& options, const Task& task, StreamedParts parts);
-  void openPly(const ImportOptions& options);
-  void setFound(std::uint64_t promised, const ImportOptions& options);
-  void setPoints(std::uint64_t found, std::uint64_t promised, const ImportOptions& options);
-  void readRecords(std::uint64_t first, std::size_t count, std::vector<char>& buffer) const;
-  FilePoint pointOf(const char* record) const noexcept;
-  StoredValues valuesOf(const char* record) const noexcept;
-
-  ScanInfo info_;
-  std::optional<FileBounds> stated_bounds_;
-  std::shared_ptr<const LazPoints> packed_;  ///< Of LAZ and COPC.
-  std::shared_ptr<const OwnedFd> fd_;
-  std::uint64_t file_bytes_ = 0;
-  std::uint64_t points_at_ = 0;
-  std::size_t record_bytes_ = 1;  ///< Those that are read.
-  ByteOrder order_ = ByteOrder::little;
-  std::array<Coordinate, 3> coordinates_;
-  std::optional<std::array<StoredNumber, 3>> colour_;
-  std::optional<StoredNumber> intensity_;
-  bool word_intensities_ = false;
-  std::string colour_source_;
-  std::uint8_t withheld_bit_ = 0;  ///< LAS: of byte 15, points that are left out; 0: none are.
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace relievo

@@ -18,6 +18,7 @@
 #include "core/io/gdal_session.h"
 #include "core/io/number_text.h"
 #include "core/io/planted_fault.h"
+#include "core/io/reader_guard.h"
 #include "core/io/tiff_head.h"
 #include "core/io/unit_text.h"
 
@@ -35,6 +36,7 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 Dataset openRaster(const std::filesystem::path& file, const RasterKind& kind,
                    const GdalErrors& errors) {
+  requireReadersAllowed("openRaster");
   registerRasterDrivers();
   const std::uint64_t metadata = largestTiffMetadata(file);
   if (metadata > kMostTiffMetadata) {
@@ -494,14 +496,6 @@ RasterMap readRaster(const std::filesystem::path& file) {
   for (const float value : raster.values) raster.valid.push_back(!std::isnan(value));
   if (!end.has_origins) raster.origins.clear();
   return raster;
-}
-
-std::optional<std::string> rasterState(const std::filesystem::path& file) {
-  const auto head = readTiffHead(file);
-  if (!head) refuse(file, "it is not a readable TIFF. Copy or export it again.");
-  const auto state = head->facts.find(kDescriptionTag);
-  if (state == head->facts.end()) return std::nullopt;
-  return state->second;
 }
 
 }  // namespace relievo

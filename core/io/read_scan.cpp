@@ -9,6 +9,7 @@
 #include "core/io/file_check.h"
 #include "core/io/format.h"
 #include "core/io/mapped_file.h"
+#include "core/io/reader_guard.h"
 
 namespace relievo {
 
@@ -68,6 +69,7 @@ void handleShortfall(const Shortfall& shortfall, const ReadJob& job, ScanInfo& i
 
 Scan readScanHere(const std::filesystem::path& file, const ImportOptions& options, const Task& task,
                   const ReadLibraries& libraries) {
+  requireReadersAllowed("readScanHere");
   const MappedFile mapped(file);
   const ReadJob job{file, mapped.bytes(), options, task, libraries.pcl, libraries.load_texture};
   const FoundFormat found = findFormat(job.bytes.substr(0, kSniffedBytes), file, job.bytes.size());

@@ -21,8 +21,8 @@
 
 #include "core/base/error.h"
 #include "core/base/large_pages.h"
+#include "core/io/answer_text.h"
 #include "core/io/file_check.h"
-#include "core/io/planted_fault.h"
 
 namespace relievo {
 namespace {
@@ -35,11 +35,11 @@ constexpr std::size_t kCheckEvery = 1 << 22;
 constexpr std::size_t kChunk = 16 << 20;  ///< Between two looks at the stop token.
 constexpr std::uint64_t kMaxCols = 1 << 24;
 
-enum class AnswerKind : std::uint64_t { refusal, scan, raster };
+enum class AnswerKind : std::uint64_t { refusal, scan, raster, text, other_program };
 
 /// First bytes of an answer; then so many bytes of each array, then of text.
 /// Scan: points, triangles, colours, intensities, classes, parts, texture corners, textures of
-/// triangles, texels of all textures. Raster: heights (NaN: none), origins.
+/// triangles, texels of all textures. Raster: heights (NaN: none), origins. Text: its bytes.
 struct AnswerHeader {
   std::uint64_t magic = kMagic;
   AnswerKind kind = AnswerKind::refusal;
@@ -54,55 +54,6 @@ struct AnswerHeader {
   std::uint64_t textAt() const noexcept { return arrayAt(kArrays); }
 };
 static_assert(std::is_trivially_copyable_v<AnswerHeader>);
-
-/// Everything but the two arrays, packed one after the other.
-class Packer {
- public:
-  template <class T>
-  void put(const T& value) {
-    static_assert(std::is_trivially_copyable_v<T>);
-    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
-  }
-  void put(const std::string& text) {
-    put(static_cast<std::uint64_t>(text.size()));
-    bytes_ += text;
-  }
-  const std::string& bytes() const noexcept { return bytes_; }
-
- private:
-  std::string bytes_;
-};
-
-class Unpacker {
- public:
-  explicit Unpacker(std::string bytes) : bytes_(std::move(bytes)) {}
-  template <class T>
-  T get() {
-    T value{};
-    if (bytes_.size() - at_ < sizeof(T)) {
-      good_ = false;
-      return value;
-    }
-    std::memcpy(&value, bytes_.data() + at_, sizeof(T));
-    at_ += sizeof(T);
-    return value;
-  }
-  std::string text() {
-    const auto size = get<std::uint64_t>();
-    if (size > bytes_.size() - at_) {
-      good_ = false;
-      return {};
-    }
-    at_ += static_cast<std::size_t>(size);
-    return bytes_.substr(at_ - static_cast<std::size_t>(size), static_cast<std::size_t>(size));
-  }
-  bool good() const noexcept { return good_; }
-
- private:
-  std::string bytes_;
-  std::size_t at_ = 0;
-  bool good_ = true;
-};
 
 void writeAll(int fd, const void* start, std::size_t size, std::uint64_t at) {
   const auto* from = static_cast<const char*>(start);
@@ -131,96 +82,7 @@ bool readAll(int fd, void* start, std::size_t size, std::uint64_t offset, const 
   return true;
 }
 
-void pack(const ScanInfo& info, Packer& packer) {
-  packer.put(info.points);
-  packer.put(info.finite_points);
-  packer.put(info.faces);
-  packer.put(info.dropped_faces);
-  packer.put(info.bounds.value_or(FileBounds{}));
-  packer.put(static_cast<std::uint64_t>(info.bounds.has_value()));
-  packer.put(static_cast<std::int64_t>(info.unit ? static_cast<int>(*info.unit) : -1));
-  packer.put(info.format);
-  packer.put(info.reader);
-  packer.put(info.reference_system);
-  packer.put(info.withheld);
-  packer.put(static_cast<std::uint64_t>(info.colour.has_value()));
-  if (info.colour) {
-    packer.put(info.colour->source);
-    packer.put(static_cast<std::int64_t>(info.colour->bits));
-    packer.put(info.colour->points);
-  }
-  packer.put(static_cast<std::uint64_t>(info.intensity.has_value()));
-  packer.put(info.intensity.value_or(IntensityRange{}));
-  packer.put(static_cast<std::uint64_t>(info.parts.size()));
-  for (const ScanPart& part : info.parts) {
-    packer.put(part.name);
-    packer.put(part.points);
-    packer.put(static_cast<std::uint64_t>(part.viewpoint.has_value()));
-    packer.put(part.viewpoint.value_or(FilePoint{}));
-  }
-  packer.put(static_cast<std::uint64_t>(info.warnings.size()));
-  for (const std::string& warning : info.warnings) packer.put(warning);
-}
-
-/// What a file says of its points beside their places. @return  false if it makes no sense
-bool unpackValues(Unpacker& unpacker, ScanInfo& info) {
-  constexpr std::uint64_t kMostParts = 256;
-  info.reader = unpacker.text();
-  info.reference_system = unpacker.text();
-  info.withheld = unpacker.get<std::uint64_t>();
-  if (unpacker.get<std::uint64_t>() != 0) {
-    ColourFact fact;
-    fact.source = unpacker.text();
-    const auto bits = unpacker.get<std::int64_t>();
-    fact.points = unpacker.get<std::uint64_t>();
-    if (bits != 8 && bits != 16 && bits != 32) return false;
-    fact.bits = static_cast<int>(bits);
-    info.colour = fact;
-  }
-  const bool has_intensity = unpacker.get<std::uint64_t>() != 0;
-  const auto range = unpacker.get<IntensityRange>();
-  if (has_intensity) {
-    const bool usable =
-        std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high;
-    if (!usable) return false;
-    info.intensity = range;
-  }
-  const auto parts = unpacker.get<std::uint64_t>();
-  if (parts > kMostParts) return false;
-  for (std::uint64_t i = 0; i < parts && unpacker.good(); ++i) {
-    ScanPart part;
-    part.name = unpacker.text();
-    part.points = unpacker.get<std::uint64_t>();
-    const bool has_viewpoint = unpacker.get<std::uint64_t>() != 0;
-    const auto viewpoint = unpacker.get<FilePoint>();
-    if (has_viewpoint && !isFinite(viewpoint)) return false;
-    if (has_viewpoint) part.viewpoint = viewpoint;
-    info.parts.push_back(std::move(part));
-  }
-  return unpacker.good();
-}
-
-bool unpack(Unpacker& unpacker, ScanInfo& info) {
-  info.points = unpacker.get<std::uint64_t>();
-  info.finite_points = unpacker.get<std::uint64_t>();
-  info.faces = unpacker.get<std::uint64_t>();
-  info.dropped_faces = unpacker.get<std::uint64_t>();
-  const auto bounds = unpacker.get<FileBounds>();
-  if (unpacker.get<std::uint64_t>() != 0) info.bounds = bounds;
-  const auto unit = unpacker.get<std::int64_t>();
-  if (unit >= static_cast<std::int64_t>(kLengthUnits.size())) return false;
-  if (unit >= 0) info.unit = static_cast<LengthUnit>(unit);
-  info.format = unpacker.text();
-  if (!unpackValues(unpacker, info)) return false;
-  const auto warnings = unpacker.get<std::uint64_t>();
-  plantedFault(warnings == 5);
-  for (std::uint64_t i = 0; i < warnings && unpacker.good(); ++i) {
-    info.warnings.push_back(unpacker.text());
-  }
-  return unpacker.good();
-}
-
-std::string textOf(const Scan& scan) {
+std::string textOf(const Scan& scan, const std::optional<LasSystem>& system) {
   Packer packer;
   packer.put(scan.origin);
   pack(scan.info, packer);
@@ -229,6 +91,8 @@ std::string textOf(const Scan& scan) {
     packer.put(texture.cols);
     packer.put(texture.rows);
   }
+  packer.put(static_cast<std::uint64_t>(system.has_value()));
+  if (system) pack(*system, packer);
   return packer.bytes();
 }
 
@@ -396,6 +260,10 @@ WorkerAnswer takeScan(int fd, const AnswerHeader& header, Unpacker& unpacker, co
       !takeTextures(fd, header, unpacker, scan, task) || !consistent(scan, task)) {
     return {};
   }
+  const bool has_system = unpacker.get<std::uint64_t>() != 0;
+  LasSystem system;
+  if ((has_system && !unpack(unpacker, system)) || !unpacker.good()) return {};
+  if (has_system) return ScanOfSystem{.scan = std::move(scan), .system = system};
   return scan;
 }
 
@@ -423,6 +291,22 @@ WorkerAnswer takeRaster(int fd, const AnswerHeader& header, Unpacker& unpacker) 
                     origins != 0 ? std::optional(sizeof(header) + heights) : std::nullopt);
 }
 
+WorkerAnswer takeText(int fd, const AnswerHeader& header, const Task& task) {
+  constexpr std::uint64_t kMostBytes = 1ULL << 30U;
+  WorkerText text;
+  if (header.array_bytes[0] > kMostBytes ||
+      !take(fd, header.arrayAt(0), header.array_bytes[0], text.bytes, task)) {
+    return {};
+  }
+  return text;
+}
+
+WorkerAnswer takeProgram(Unpacker& unpacker) {
+  const auto program = unpacker.get<std::uint64_t>();
+  if (!unpacker.good() || program > static_cast<std::uint64_t>(ImportProgram::libraries)) return {};
+  return OtherProgram{static_cast<ImportProgram>(program)};
+}
+
 }  // namespace
 
 void refuseLength() {
@@ -431,13 +315,36 @@ void refuseLength() {
   throw AnswerTooLong(files.rlim_cur);
 }
 
-void sendAnswer(int fd, const Scan& scan) {
+namespace {
+
+void sendScan(int fd, const Scan& scan, const std::optional<LasSystem>& system) {
   const auto bytes = [](const auto& list) { return std::as_bytes(std::span(list)); };
   const std::array<std::span<const std::byte>, kArrays - 1> arrays{
       bytes(scan.points),          bytes(scan.triangles),  bytes(scan.colours),
       bytes(scan.intensities),     bytes(scan.classes),    bytes(scan.parts),
       bytes(scan.texture_corners), bytes(scan.texture_of), bytes(scan.returns)};
-  send(fd, AnswerKind::scan, textOf(scan), arrays, scan.textures);
+  send(fd, AnswerKind::scan, textOf(scan, system), arrays, scan.textures);
+}
+
+}  // namespace
+
+void sendAnswer(int fd, const Scan& scan) {
+  sendScan(fd, scan, std::nullopt);
+}
+
+void sendAnswer(int fd, const ScanOfSystem& scan) {
+  sendScan(fd, scan.scan, scan.system);
+}
+
+void sendAnswer(int fd, const WorkerText& text) {
+  const std::array<std::span<const std::byte>, 1> arrays{std::as_bytes(std::span(text.bytes))};
+  send(fd, AnswerKind::text, {}, arrays);
+}
+
+void sendAnswer(int fd, const OtherProgram& other) {
+  Packer packer;
+  packer.put(static_cast<std::uint64_t>(other.program));
+  send(fd, AnswerKind::other_program, packer.bytes(), {});
 }
 
 void sendAnswer(int fd, const WorkerRefusal& refusal) {
@@ -498,6 +405,10 @@ WorkerAnswer receiveAnswer(int fd, const Task& task) {
       return takeScan(fd, *header, unpacker, task);
     case AnswerKind::raster:
       return takeRaster(fd, *header, unpacker);
+    case AnswerKind::text:
+      return takeText(fd, *header, task);
+    case AnswerKind::other_program:
+      return takeProgram(unpacker);
     case AnswerKind::refusal:
       break;
     default:

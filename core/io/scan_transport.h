@@ -8,8 +8,10 @@
 
 #include "core/base/task.h"
 #include "core/cloud/scan.h"
+#include "core/io/las_unit.h"
 #include "core/io/raster.h"
 #include "core/io/raster_rows.h"
+#include "core/io/worker_process.h"
 
 namespace relievo {
 
@@ -50,7 +52,27 @@ class RasterAnswer {
   GridSize size_;
 };
 
-using WorkerAnswer = std::variant<std::monostate, Scan, RasterRows, WorkerRefusal>;
+/// What is said by a Packer; whoever asked knows what it is to be.
+struct WorkerText {
+  std::string bytes;
+};
+void sendAnswer(int fd, const WorkerText& text);
+
+/// A scan of LAS that names its system and no unit (addUnitOfSystem).
+struct ScanOfSystem {
+  Scan scan;
+  LasSystem system;
+};
+void sendAnswer(int fd, const ScanOfSystem& scan);
+
+/// Another of the import programs is to read the file.
+struct OtherProgram {
+  ImportProgram program = ImportProgram::own;
+};
+void sendAnswer(int fd, const OtherProgram& other);
+
+using WorkerAnswer = std::variant<std::monostate, Scan, ScanOfSystem, RasterRows, WorkerText,
+                                  OtherProgram, WorkerRefusal>;
 
 /// Reads it in the parent. Nothing (monostate) if there is no complete, consistent answer: sizes
 /// must agree, points be finite, indices of triangles, parts and textures in range. A raster's

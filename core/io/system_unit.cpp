@@ -6,22 +6,18 @@
 #include <array>
 #include <string>
 
-#include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
-#include "core/io/las_unit.h"
 #include "core/io/number_text.h"
 #include "core/io/unit_text.h"
 
 namespace relievo {
 
-double addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo& info) {
-  if (info.unit) return 1;
-  const auto code = lasSystem(head, header);
-  if (!code) return 1;
-  const std::string system = "It names its coordinate system, EPSG:" + std::to_string(*code) + ", ";
+double addUnitOfSystem(const LasSystem& named, ScanInfo& info) {
+  const std::string system =
+      "It names its coordinate system, EPSG:" + std::to_string(named.code) + ", ";
   const GdalErrors silent;
   OGRSpatialReference reference;
-  if (reference.importFromEPSG(*code) != OGRERR_NONE) {
+  if (reference.importFromEPSG(named.code) != OGRERR_NONE) {
     info.warnings.push_back(system + "which is not known here, and no unit; state it with --unit.");
     return 1;
   }
@@ -37,13 +33,7 @@ double addUnitOfSystem(std::string_view head, const LasHeader& header, ScanInfo&
     info.warnings.push_back(system + "whose unit of " + roundTripText(std::array{metres}) +
                             " m is not known here; state it with --unit.");
   }
-  return heightFactor(head, header, info);
-}
-
-double addUnitOfSystem(const std::filesystem::path& file, ScanInfo& info) {
-  if (info.unit) return 1;
-  const std::string head = readHead(file, kLasHeadBytes);
-  return addUnitOfSystem(head, parseLasHeader(head, file), info);
+  return heightFactor(named, info);
 }
 
 }  // namespace relievo

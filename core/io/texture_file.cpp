@@ -9,6 +9,7 @@
 
 #include "core/io/file_check.h"
 #include "core/io/gdal_session.h"
+#include "core/io/reader_guard.h"
 #include "core/io/tiff_head.h"
 
 namespace relievo {
@@ -66,6 +67,7 @@ bool readTexels(GDALDataset& dataset, Texture& texture) {
 
 std::optional<Texture> readTexture(const std::filesystem::path& file, std::uint64_t most_texels,
                                    std::string& reason) {
+  requireReadersAllowed("readTexture");
   registerPictureDrivers();
   const GdalErrors errors;
   if (largestTiffMetadata(file) > kMostTiffMetadata) {

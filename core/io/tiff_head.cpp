@@ -8,12 +8,12 @@
 #include <array>
 #include <cerrno>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/file/owned_fd.h"
 #include "core/io/file_check.h"
+#include "core/io/reader_guard.h"
 
 namespace relievo {
 namespace {
@@ -249,6 +249,7 @@ bool take(const TiffBytes& in, const Field& field, TiffHead& head) {
 }  // namespace
 
 std::optional<TiffHead> readTiffHead(const std::filesystem::path& file) {
+  requireReadersAllowed("readTiffHead");
   TiffBytes in(file, checkedFileSize(file));
   const auto start = startOf(in);
   const auto first = start ? directoryAt(in, *start) : std::nullopt;
@@ -262,7 +263,19 @@ std::optional<TiffHead> readTiffHead(const std::filesystem::path& file) {
   return head;
 }
 
+std::optional<std::string> descriptionIn(const std::optional<TiffHead>& head,
+                                         const std::filesystem::path& file) {
+  if (!head) {
+    throw FileError("Cannot read " + shownName(file) +
+                    ": it is not a readable TIFF. Copy or export it again.");
+  }
+  const auto state = head->facts.find("TIFFTAG_IMAGEDESCRIPTION");
+  if (state == head->facts.end()) return std::nullopt;
+  return state->second;
+}
+
 std::uint64_t largestTiffMetadata(const std::filesystem::path& file) {
+  requireReadersAllowed("largestTiffMetadata");
   TiffBytes in(file, checkedFileSize(file));
   auto start = startOf(in);
   std::uint64_t largest = 0;
@@ -275,24 +288,6 @@ std::uint64_t largestTiffMetadata(const std::filesystem::path& file) {
     start->directory = directory->next;
   }
   return largest;
-}
-
-bool isOwnTiff(const std::filesystem::path& file) {
-  try {
-    const auto head = readTiffHead(file);
-    return head && head->facts.contains("RELIEVO_VERSION");
-  } catch (const FileError&) {  // Whatever it is, it is none of ours.
-    return false;
-  }
-}
-
-void requireOwnOrAbsent(const std::filesystem::path& file) {
-  std::error_code unknown;
-  const bool is_there = std::filesystem::exists(std::filesystem::symlink_status(file, unknown));
-  if (!is_there || isOwnTiff(file)) return;
-  throw WriteError("Cannot write " + file.string() +
-                   ": a file of this name is there that relievo did not write. It was left as it "
-                   "is. Move it, or choose another name for the result.");
 }
 
 }  // namespace relievo

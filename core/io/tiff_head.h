@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "core/base/task.h"
+
 namespace relievo {
 
 /// What the first directory of a TIFF or BigTIFF says: enough to know our own files again and to
-/// find their tiles. Read without a library, so that no foreign file is parsed by GDAL outside the
-/// import worker.
+/// find their tiles.
 struct TiffHead {
   std::uint64_t cols = 0, rows = 0;
   std::uint32_t bands = 1;
@@ -26,16 +27,27 @@ struct TiffHead {
   std::map<std::string, std::string> facts;  ///< GDAL's entries; TIFFTAG_IMAGEDESCRIPTION.
 };
 
-/// @return  nothing if the file is no TIFF, or its first directory is damaged. [any thread]
-/// @throw FileError  as checkedFileSize
+/// Asks an import process: that a file says it is ours does not make it so. [any thread]
+/// @return  nothing if the file is no TIFF, or its first directory is damaged.
+/// @throw FileError  as checkedFileSize; Cancelled
+std::optional<TiffHead> importTiffHead(const std::filesystem::path& file, const Task& task = {});
+/// The same of several files by one process.
+std::vector<std::optional<TiffHead>> importTiffHeads(
+    const std::vector<std::filesystem::path>& files, const Task& task = {});
+
+/// The same, read in this process without a library. [worker process]
 std::optional<TiffHead> readTiffHead(const std::filesystem::path& file);
+
+/// Its image description. Nothing if it has none. @throw FileError  there is no head
+std::optional<std::string> descriptionIn(const std::optional<TiffHead>& head,
+                                         const std::filesystem::path& file);
 
 /// What is given to GDAL, in bytes. It compares every entry with all before it: the six million
 /// that 180 MB hold would take it hours.
 inline constexpr std::uint64_t kMostTiffMetadata = std::uint64_t{1} << 20U;
 
 /// Bytes of the longest list of GDAL's own entries in any directory of a TIFF; 0 for other files.
-/// [any thread]
+/// [worker process]
 /// @throw FileError  as checkedFileSize
 std::uint64_t largestTiffMetadata(const std::filesystem::path& file);
 

@@ -87,28 +87,33 @@ std::filesystem::path importProgram(ImportProgram program, const std::filesystem
   return workerProgram(kNames[static_cast<std::size_t>(program)], "Files cannot be read:", folder);
 }
 
-WorkerProcess::WorkerProcess(ImportProgram program, const std::filesystem::path& file,
-                             ImportKind kind, const ImportOptions& options,
-                             const std::filesystem::path& answer_folder) {
-  start(importProgram(program, ownFolder("Files cannot be read:")),
-        {kWorkerArgument, std::filesystem::absolute(file).string(),
-         std::string(1, static_cast<char>(kind)), options.accept_incomplete ? "1" : "0",
-         std::to_string(options.max_points), std::to_string(options.max_memory_bytes),
-         roundTripText(std::array{options.max_cpu_s}), options.scan.keep_withheld ? "1" : "0",
-         std::to_string(static_cast<int>(options.scan.reader)), partsText(options.scan.parts)},
-        answerFile(answer_folder), nullptr);
+WorkerProcess::WorkerProcess(const ImportAsk& ask) {
+  const ImportOptions& options = ask.options;
+  std::vector<std::string> arguments{kWorkerArgument,
+                                     std::filesystem::absolute(ask.file).string(),
+                                     std::string(1, static_cast<char>(ask.kind)),
+                                     options.accept_incomplete ? "1" : "0",
+                                     std::to_string(options.max_points),
+                                     std::to_string(options.max_memory_bytes),
+                                     roundTripText(std::array{options.max_cpu_s}),
+                                     options.scan.keep_withheld ? "1" : "0",
+                                     std::to_string(static_cast<int>(options.scan.reader)),
+                                     partsText(options.scan.parts)};
+  arguments.insert(arguments.end(), ask.more.begin(), ask.more.end());
+  start(importProgram(ask.program, ownFolder("Files cannot be read:")), std::move(arguments),
+        answerFile(ask.answer_folder), ask.fds);
 }
 
 WorkerProcess::WorkerProcess(const WorkerStart& how) {
   OwnedFd child_input(raised(::fcntl(how.input, F_DUPFD_CLOEXEC, 0)));
   const FdForChild input{child_input.get(), kInputFd};
   const std::string does = "The scans cannot be prepared:";
-  start(workerProgram(how.program, does, ownFolder(does)), how.arguments, answerFile({}), &input);
+  start(workerProgram(how.program, does, ownFolder(does)), how.arguments, answerFile({}), {input});
 }
 
 void WorkerProcess::start(const std::filesystem::path& executable,
                           std::vector<std::string> arguments, OwnedFd child_answer,
-                          const FdForChild* input) {
+                          const std::vector<FdForChild>& more) {
   answer_.reset(raised(::fcntl(child_answer.get(), F_DUPFD_CLOEXEC, 0)));
   OwnedFd child_progress;
   OwnedFd child_words;
@@ -119,7 +124,7 @@ void WorkerProcess::start(const std::filesystem::path& executable,
                               {child_words.get(), 2},
                               {child_progress.get(), kProgressFd},
                               {child_answer.get(), kAnswerFd}};
-  if (input != nullptr) fds.push_back(*input);
+  fds.insert(fds.end(), more.begin(), more.end());
   child_.start({.program = executable,
                 .arguments = std::move(arguments),
                 .more_environment = {},
@@ -143,6 +148,20 @@ void WorkerProcess::drain(const Task& task) {
   if (words_.get() >= 0 && !readAvailable(words_.get(), words_text_)) words_.reset();
   if (words_text_.size() > kWordsKept) words_text_.erase(0, words_text_.size() - kWordsKept);
   passProgress(task);
+}
+
+void WorkerProcess::waitFor(int fd, const Task& task) {
+  for (;;) {
+    if (task.stop.stop_requested()) {
+      child_.kill();
+      task.check();
+    }
+    std::array<pollfd, 3> sources{pollfd{fd, POLLIN, 0}, pollfd{progress_.get(), POLLIN, 0},
+                                  pollfd{words_.get(), POLLIN, 0}};
+    ::poll(sources.data(), sources.size(), kPollMs);
+    drain(task);
+    if (sources[0].revents != 0) return;
+  }
 }
 
 WorkerEnd WorkerProcess::wait(const Task& task) {

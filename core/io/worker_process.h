@@ -15,13 +15,22 @@ namespace relievo {
 
 // What parent and child agree on.
 inline constexpr const char* kWorkerArgument = "import-" RELIEVO_VERSION_STRING;
-inline constexpr int kProgressFd = 3;  ///< Lines "fraction step".
-inline constexpr int kAnswerFd = 4;    ///< scan_transport.h
-inline constexpr int kInputFd = 5;     ///< What a worker without a file works on.
-inline constexpr int kWorkerArgumentCount = 11;
+inline constexpr int kProgressFd = 3;            ///< Lines "fraction step".
+inline constexpr int kAnswerFd = 4;              ///< scan_transport.h
+inline constexpr int kInputFd = 5;               ///< What a worker without a file works on.
+inline constexpr int kFirstChannelFd = 5;        ///< Of a stream (stream_protocol.h).
+inline constexpr int kWorkerArgumentCount = 11;  ///< And those of ImportAsk::more.
 
 /// What the worker is to answer with: its third argument.
-enum class ImportKind : char { scan = 's', raster = 'r', raster_rows = 'R' };
+enum class ImportKind : char {
+  scan = 's',
+  raster = 'r',
+  raster_rows = 'R',
+  facts = 'f',       ///< InputFacts.
+  tiff_heads = 't',  ///< Of the file, and of those that `more` names.
+  state = 'e',       ///< embeddedState.
+  points = 'p',      ///< PointStream.
+};
 
 /// Which program reads: `own` starts in a few milliseconds, because it loads none of the large
 /// libraries; `pcl` has PCL, `libraries` GDAL.
@@ -43,6 +52,18 @@ struct WorkerStart {
   int input = -1;                      ///< Ours; kInputFd in the child.
 };
 
+/// What an import program is asked for.
+struct ImportAsk {
+  ImportProgram program = ImportProgram::own;
+  std::filesystem::path file;
+  ImportKind kind = ImportKind::scan;
+  ImportOptions options = {};
+  /// Where the answer is a file without a name; empty: it is in memory.
+  std::filesystem::path answer_folder = {};
+  std::vector<std::string> more = {};
+  std::vector<FdForChild> fds = {};  ///< From kFirstChannelFd on.
+};
+
 /// How the child came to its end.
 struct WorkerEnd {
   bool exited = false;     ///< Else a signal killed it.
@@ -55,9 +76,7 @@ struct WorkerEnd {
 class WorkerProcess {
  public:
   /// @throw FileError  the program is missing, or the system refuses a further process
-  /// @param answer_folder  where the answer is a file without a name; empty: it is in memory
-  WorkerProcess(ImportProgram program, const std::filesystem::path& file, ImportKind kind,
-                const ImportOptions& options, const std::filesystem::path& answer_folder);
+  explicit WorkerProcess(const ImportAsk& ask);
   /// Its answer is in memory. @throw FileError  as above
   explicit WorkerProcess(const WorkerStart& start);
   WorkerProcess(const WorkerProcess&) = delete;
@@ -67,11 +86,15 @@ class WorkerProcess {
   /// @throw Cancelled  after the child was killed and reaped
   WorkerEnd wait(const Task& task);
 
+  /// The same until there is something to read from `fd`, or its other end is closed.
+  /// @throw Cancelled  after the child was killed and reaped
+  void waitFor(int fd, const Task& task);
+
   int answerFd() const noexcept { return answer_.get(); }
 
  private:
   void start(const std::filesystem::path& executable, std::vector<std::string> arguments,
-             OwnedFd child_answer, const FdForChild* input);
+             OwnedFd child_answer, const std::vector<FdForChild>& more);
   void drain(const Task& task);
   void passProgress(const Task& task);
 

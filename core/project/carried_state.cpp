@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project/carried_state.h"
 
-#include "core/io/file_check.h"
+#include "core/io/input_facts.h"
 #include "core/provenance/embedded.h"
 #include "core/provenance/prepared_state.h"
 #include "core/provenance/provenance.h"
@@ -38,13 +38,13 @@ std::optional<Project> projectFromState(std::string_view state, const std::strin
 }
 
 std::optional<std::string> stateCarriedBy(const std::filesystem::path& carrier) {
-  constexpr std::size_t kHeadBytes = 32;
-  return isHdf5Log(readHead(carrier, kHeadBytes)) ? hdf5State(carrier) : embeddedState(carrier);
+  return inputFacts(carrier).is_hdf5 ? hdf5State(carrier) : embeddedState(carrier);
 }
 
 std::optional<Project> carriedProject(const std::filesystem::path& carrier) {
-  if (readHead(carrier, 1) == "{") return readProject(carrier);
-  const auto state = stateCarriedBy(carrier);
+  const InputFacts facts = inputFacts(carrier);
+  if (facts.carrier == CarrierKind::project) return readProject(carrier);
+  const auto state = facts.is_hdf5 ? hdf5State(carrier) : embeddedState(carrier);
   return state ? carriedProject(carrier, *state) : std::nullopt;
 }
 

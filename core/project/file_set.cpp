@@ -9,6 +9,7 @@
 #include "core/base/failure.h"
 #include "core/hash/sha256.h"
 #include "core/io/file_check.h"
+#include "core/io/input_facts.h"
 #include "core/io/raster.h"
 #include "core/io/tiff_head.h"
 #include "core/project/carried_state.h"
@@ -32,7 +33,7 @@ struct Identity {
 /// What a file carries of how it was made; of lists of measurements the part that says so.
 std::optional<std::string> stateOf(const fs::path& file) {
   constexpr std::size_t kMostListBytes = 64U << 20U;
-  if (readHead(file, 1) != "{") return stateCarriedBy(file);
+  if (inputFacts(file).carrier != CarrierKind::project) return stateCarriedBy(file);
   Json list;
   try {
     list = parsedJson(readHead(file, kMostListBytes));
@@ -46,7 +47,7 @@ std::optional<std::string> stateOf(const fs::path& file) {
 
 Identity identityOf(const fs::path& file) {
   Identity identity;
-  if (const auto head = readTiffHead(file)) {
+  if (const auto head = importTiffHead(file)) {
     const auto content = head->facts.find(kSetFact);
     if (content != head->facts.end()) identity.map_content = content->second;
   }
@@ -74,7 +75,7 @@ SetMembership membershipIn(const Identity& main, const fs::path& file) {
   if (!other.says()) {
     if (file.extension() == ".txt") return captionMembership(main, file);
     // Beside a map that says its set, a raster that does not is another one's.
-    const bool raster = readTiffHead(file).has_value();
+    const bool raster = importTiffHead(file).has_value();
     return raster && !main.map_content.empty() ? SetMembership::other : SetMembership::unsaid;
   }
   if (!main.map_content.empty() && !other.map_content.empty()) {

@@ -2,10 +2,10 @@
 #include "core/session/first_view.h"
 
 #include "core/base/error.h"
+#include "core/io/input_facts.h"
 #include "core/io/point_stream.h"
 #include "core/session/large_map.h"
 #include "core/session/tiled_surface.h"
-#include "core/tiles/tiled_map.h"
 
 namespace relievo {
 namespace {
@@ -41,9 +41,10 @@ void viewsOfPoints(const std::filesystem::path& file, const SurfaceOptions& opti
 void makeFirstViews(const std::filesystem::path& file, const SurfaceOptions& options,
                     const ImportOptions& import, const FirstViewOptions& views, const Task& task) {
   try {
-    if (TiledMap::isOne(file)) {
+    const InputFacts facts = inputFacts(file, task);
+    if (facts.kind == InputKind::tiled_map) {
       views.on_view(viewOfTiles(file));
-    } else if (PointStream::canStream(file)) {
+    } else if (facts.in_blocks) {
       viewsOfPoints(file, options, import, views, task);
     }
   } catch (const Cancelled&) {

@@ -15,7 +15,7 @@
 #include "core/depth/point_rule.h"
 #include "core/depth/rasterize.h"
 #include "core/io/file_check.h"
-#include "core/io/ply_header.h"
+#include "core/io/input_facts.h"
 #include "core/io/point_stream.h"
 #include "core/io/raster_rows.h"
 #include "core/io/scan_builder.h"
@@ -46,21 +46,10 @@ double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// @throw FileError  triangles would be lost
-void refuseMesh(const std::filesystem::path& file) {
-  const std::string head = readHead(file, kMaxHeaderBytes);
-  if (!head.starts_with("ply")) return;
-  const PlyHeader header = parsePlyHeader(head, file);
-  if (header.face_element && header.elements[*header.face_element].count > 0) {
-    throw failure<MessageId::mesh_in_blocks>(shownName(file));
-  }
-}
-
-void requireStreamable(const std::filesystem::path& file) {
-  if (!PointStream::canStream(file)) {
-    throw failure<MessageId::not_read_in_blocks>(shownName(file));
-  }
-  refuseMesh(file);
+/// @throw FileError  it is none, or triangles would be lost
+void requireStreamable(const std::filesystem::path& file, const InputFacts& facts) {
+  if (!facts.in_blocks) throw failure<MessageId::not_read_in_blocks>(shownName(file));
+  if (facts.has_faces) throw failure<MessageId::mesh_in_blocks>(shownName(file));
 }
 
 PointSource sourceOf(const PointStream& stream) {
@@ -93,18 +82,29 @@ std::vector<PointRange> firstRuns(const PointStream& stream, std::uint64_t wante
 }
 
 Scan sampleOf(const PointStream& stream, const std::vector<PointRange>& ranges, const Task& task) {
-  constexpr std::uint64_t kAtOnce = 4096;
+  constexpr std::uint64_t kAtOnce = 16384;
   ScanBuilder builder(stream.info().file, std::numeric_limits<std::uint64_t>::max());
   std::vector<FilePoint> block(kAtOnce);
-  std::size_t looked = 0;
+  // Short runs are asked for together.
+  std::vector<PointRange> together;
+  std::size_t points = 0;
+  const auto take = [&] {
+    task.check();
+    const std::span<FilePoint> found = std::span(block).first(std::exchange(points, 0));
+    stream.read(together, found);
+    together.clear();
+    for (const FilePoint& p : found) builder.addPoint(p.x, p.y, p.z);
+  };
   for (const PointRange& range : ranges) {
-    if (looked++ % 256 == 0 || range.count > kAtOnce) task.check();
-    for (std::uint64_t done = 0; done < range.count; done += kAtOnce) {
-      const auto wanted = static_cast<std::size_t>(std::min(kAtOnce, range.count - done));
-      const std::size_t got = stream.read(range.first + done, std::span(block).first(wanted));
-      for (std::size_t k = 0; k < got; ++k) builder.addPoint(block[k].x, block[k].y, block[k].z);
+    for (std::uint64_t done = 0; done < range.count;) {
+      const std::uint64_t part = std::min(range.count - done, kAtOnce - points);
+      together.push_back({range.first + done, part});
+      points += static_cast<std::size_t>(part);
+      done += part;
+      if (points == kAtOnce) take();
     }
   }
+  take();
   ScanInfo info = stream.info();
   Scan scan = builder.finish();
   info.bounds = scan.info.bounds;
@@ -456,10 +456,11 @@ std::uint64_t heldBytes(const PointStream& stream, const Placed& placed,
   return (placed.front ? placed.front->bytes() : 0) + 2 * threads * stream.keptBytes();
 }
 
-LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& options,
-                    const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
+LargeMap fromPoints(const std::filesystem::path& file, const InputFacts& facts,
+                    const SurfaceOptions& options, const LargeMapOptions& large,
+                    const ImportOptions& import, const Task& task) {
   const auto start = Clock::now();
-  requireStreamable(file);
+  requireStreamable(file, facts);
   if (options.engine != "cpu") {
     throw failure<MessageId::tiles_by_cpu_only>();
   }
@@ -471,20 +472,20 @@ LargeMap fromPoints(const std::filesystem::path& file, const SurfaceOptions& opt
     map.first_view_s = secondsSince(start);
     large.on_view(view);
   }
-  Surface facts;
-  facts.info = stream.info();
-  facts.messages = stream.info().warnings;
+  Surface made;
+  made.info = stream.info();
+  made.messages = stream.info().warnings;
   Scan sample = sampleOf(stream, evenRuns(stream, kSecondSample), task);
   const ScanInUse sample_in_use(sample, options.strays,
                                 options.nodata ? options.nodata->value : std::nullopt, task);
-  const Placed placed = place(facts, stream, sample_in_use.scan(), options, large, task);
+  const Placed placed = place(made, stream, sample_in_use.scan(), options, large, task);
   map.strays = placed.points.strays;
   map.missing = placed.points.missing;
-  sayLeftOut(facts, placed.points, stream, options);
+  sayLeftOut(made, placed.points, stream, options);
   const MemoryPlan plan = planMemory(placed.frame, large, heldBytes(stream, placed, large));
   if (large.on_view) large.on_view(viewOf(sample, options, kSecondViewCells, task));
   sample = {};
-  copyFacts(facts, map);
+  copyFacts(made, map);
   map.engine = "cpu";
   const StreamedValues values(file, import, large.threads, task);
   const bool with_values = takeValues(map, values, plan);
@@ -611,15 +612,17 @@ LargeMap fromRaster(const std::filesystem::path& file, const SurfaceOptions& opt
 
 LargeMap makeLargeMap(const std::filesystem::path& file, const SurfaceOptions& options,
                       const LargeMapOptions& large, const ImportOptions& import, const Task& task) {
-  LargeMap map = looksLikeRaster(file) ? fromRaster(file, options, large, import, task)
-                                       : fromPoints(file, options, large, import, task);
+  const InputFacts facts = inputFacts(file, task);
+  LargeMap map = facts.kind == InputKind::scan
+                     ? fromPoints(file, facts, options, large, import, task)
+                     : fromRaster(file, options, large, import, task);
   map.file = large.file;
   return map;
 }
 
 Surface sampleSurface(const std::filesystem::path& file, const SurfaceOptions& options,
                       std::uint64_t points, const ImportOptions& import, const Task& task) {
-  requireStreamable(file);
+  requireStreamable(file, inputFacts(file, task));
   const PointStream stream(file, import, task);
   return viewOf(sampleOf(stream, firstRuns(stream, points), task), options, kSecondViewCells, task);
 }

@@ -3,8 +3,7 @@
 
 #include <chrono>
 
-#include "core/io/import.h"
-#include "core/io/raster.h"
+#include "core/session/open_input.h"
 
 namespace relievo {
 
@@ -14,16 +13,10 @@ Surface loadSurface(const std::filesystem::path& file, const SurfaceOptions& opt
   const auto seconds_since_start = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  if (looksLikeRaster(file)) {
-    const RasterMap raster = importRaster(file, import, task);
-    const double read_s = seconds_since_start();
-    Surface surface = makeSurface(raster, options, task);
-    surface.seconds.read = read_s;
-    return surface;
-  }
-  const Scan scan = importScan(file, import, task);
+  const OpenedInput source = openInput(file, {.import = import, .by_tiles = false}, task);
   const double read_s = seconds_since_start();
-  Surface surface = makeSurface(scan, options, engine, task);
+  Surface surface = source.raster ? makeSurface(*source.raster, options, task)
+                                  : makeSurface(*source.scan, options, engine, task);
   surface.seconds.read = read_s;
   return surface;
 }

@@ -210,15 +210,15 @@ void checkLayout(const TiffHead& head, const std::filesystem::path& file, std::s
 
 }  // namespace
 
-TileRaster::TileRaster(const std::filesystem::path& file, std::size_t cell_bytes, int bands)
+TileRaster::TileRaster(const std::filesystem::path& file, const std::optional<TiffHead>& head,
+                       std::size_t cell_bytes, int bands)
     : file_(file), cell_bytes_(cell_bytes) {
   const std::uint64_t bytes = checkedFileSize(file);
-  std::optional<TiffHead> head = readTiffHead(file);
   if (!head) refuse<MessageId::tiles_no_geotiff>(file);
   checkLayout(*head, file, cell_bytes, bands);
   size_ = {.cols = static_cast<int>(head->cols), .rows = static_cast<int>(head->rows)};
-  facts_ = std::move(head->facts);
-  offsets_ = std::move(head->tile_offsets);
+  facts_ = head->facts;
+  offsets_ = head->tile_offsets;
   const auto tiles = static_cast<std::uint64_t>(TileLayout{size_}.count());
   const bool all_there = bytes >= tileBytes() &&
                          offsets_.size() == tiles * static_cast<std::uint64_t>(bands) &&
@@ -257,7 +257,7 @@ void TileRaster::read(int band, int tile, std::span<std::byte> out) const {
 
 RasterFacts rasterFacts(const std::filesystem::path& file) {
   try {
-    auto head = readTiffHead(file);
+    auto head = importTiffHead(file);
     return head ? std::move(head->facts) : RasterFacts{};
   } catch (const FileError&) {  // Whoever reads it says so.
     return {};

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/grid.h"
 #include "core/file/atomic_file.h"
+#include "core/io/tiff_head.h"
 #include "core/tiles/row_store.h"
 
 namespace relievo {
@@ -54,8 +56,10 @@ class TileRasterWriter {
 /// are read straight from their place in the file.
 class TileRaster {
  public:
+  /// @param head  importTiffHead of the file: nothing in it is parsed here
   /// @throw FileError  not such a file
-  TileRaster(const std::filesystem::path& file, std::size_t cell_bytes, int bands);
+  TileRaster(const std::filesystem::path& file, const std::optional<TiffHead>& head,
+             std::size_t cell_bytes, int bands);
   ~TileRaster();
   TileRaster(const TileRaster&) = delete;
   TileRaster& operator=(const TileRaster&) = delete;
@@ -78,7 +82,8 @@ class TileRaster {
   int fd_ = -1;
 };
 
-/// The facts of a GeoTIFF, empty if it is none or has none. [any thread]
+/// The facts of a GeoTIFF, empty if it is none or has none; an import process reads them. [any
+/// thread]
 RasterFacts rasterFacts(const std::filesystem::path& file);
 
 }  // namespace relievo

@@ -5,13 +5,16 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "core/base/failure.h"
 #include "core/io/colour_raster.h"
 #include "core/io/file_check.h"
+#include "core/io/input_facts.h"
 #include "core/io/number_text.h"
+#include "core/io/tiff_head.h"
 #include "core/region/window_colours.h"
 #include "core/tiles/level_files.h"
 #include "core/tiles/tile_cache.h"
@@ -59,13 +62,23 @@ void checkOrigins(std::span<const std::byte> bytes, const std::filesystem::path&
   }
 }
 
+using Heads = std::map<std::filesystem::path, std::optional<TiffHead>>;
+
+/// Of several files by one process. @throw FileError  one is missing
+Heads headsOf(const std::vector<std::filesystem::path>& files) {
+  std::vector<std::optional<TiffHead>> read = importTiffHeads(files);
+  Heads heads;
+  for (std::size_t i = 0; i < files.size(); ++i) heads[files[i]] = std::move(read[i]);
+  return heads;
+}
+
 struct LevelTiles {
-  LevelTiles(const std::filesystem::path& file, int number)
+  LevelTiles(const std::filesystem::path& file, int number, const Heads& heads)
       : heights_file(file),
         origins_file(originFile(file)),
         level(number),
-        heights(heights_file, sizeof(float), 1),
-        origins(origins_file, 1, 2) {}
+        heights(heights_file, heads.at(heights_file), sizeof(float), 1),
+        origins(origins_file, heads.at(origins_file), 1, 2) {}
 
   std::filesystem::path heights_file, origins_file;
   int level;
@@ -111,7 +124,7 @@ struct TiledMap::Impl {
 
 TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_bytes)
     : file(finest), cache(cache_bytes) {
-  levels.push_back(std::make_unique<LevelTiles>(finest, 0));
+  levels.push_back(std::make_unique<LevelTiles>(finest, 0, headsOf({finest, originFile(finest)})));
   const RasterFacts& facts = levels[0]->heights.facts();
   constexpr double kMostLevels = 10'000;
   const double count = numbersOf<1>(facts, "RELIEVO_LEVELS", finest)[0];
@@ -120,8 +133,14 @@ TiledMap::Impl::Impl(const std::filesystem::path& finest, std::size_t cache_byte
   if (!(count >= 1 && count <= kMostLevels) || !(factor > 1) || !(factor <= kMostFactor)) {
     refuse<MessageId::tiles_levels_odd>(finest);
   }
+  std::vector<std::filesystem::path> coarser;
   for (int l = 1; l < static_cast<int>(count); ++l) {
-    levels.push_back(std::make_unique<LevelTiles>(levelFile(finest, l), l));
+    coarser.push_back(levelFile(finest, l));
+    coarser.push_back(originFile(coarser.back()));
+  }
+  const Heads heads = headsOf(coarser);
+  for (int l = 1; l < static_cast<int>(count); ++l) {
+    levels.push_back(std::make_unique<LevelTiles>(levelFile(finest, l), l, heads));
   }
   const auto [x, y, spacing] = numbersOf<3>(facts, "RELIEVO_FRAME", finest);
   if (!(spacing > 0)) refuse<MessageId::tiles_spacing_odd>(finest);
@@ -151,10 +170,10 @@ namespace {
 /// A file of pixels that belongs to a level; null if there is none.
 /// @throw FileError  it is none that can be read, or of another map
 std::unique_ptr<TileRaster> pixelFile(const std::filesystem::path& file, int bands,
-                                      const LevelTiles& level) {
-  std::error_code unknown;
-  if (!std::filesystem::exists(file, unknown)) return nullptr;
-  auto raster = std::make_unique<TileRaster>(file, 1, bands);
+                                      const LevelTiles& level, const Heads& heads) {
+  const auto head = heads.find(file);
+  if (head == heads.end()) return nullptr;
+  auto raster = std::make_unique<TileRaster>(file, head->second, 1, bands);
   const RasterFacts& facts = raster->facts();
   const RasterFacts& own = level.heights.facts();
   for (const char* const name : {kSetFact, "RELIEVO_LEVEL"}) {
@@ -169,9 +188,18 @@ std::unique_ptr<TileRaster> pixelFile(const std::filesystem::path& file, int ban
 /// Heights are shown without colours rather than with those of another map.
 void TiledMap::Impl::openColours() {
   try {
+    std::vector<std::filesystem::path> there;
     for (const auto& level : levels) {
-      level->colours = pixelFile(colourFileOf(level->heights_file), 4, *level);
-      level->intensities = pixelFile(intensityFileOf(level->heights_file), 2, *level);
+      for (const auto& pixels :
+           {colourFileOf(level->heights_file), intensityFileOf(level->heights_file)}) {
+        std::error_code unknown;
+        if (std::filesystem::exists(pixels, unknown)) there.push_back(pixels);
+      }
+    }
+    const Heads heads = headsOf(there);
+    for (const auto& level : levels) {
+      level->colours = pixelFile(colourFileOf(level->heights_file), 4, *level, heads);
+      level->intensities = pixelFile(intensityFileOf(level->heights_file), 2, *level, heads);
     }
   } catch (const FileError& error) {
     left_aside = error.what();
@@ -322,9 +350,11 @@ ColourNodes TiledMap::Impl::coloursOf(Level number) const {
 }
 
 bool TiledMap::isOne(const std::filesystem::path& file) {
-  const RasterFacts facts = rasterFacts(file);
-  return textOf(facts, "RELIEVO_LEVEL") == "0" && facts.contains("RELIEVO_LEVELS") &&
-         !facts.contains("RELIEVO_CONTENT");
+  try {
+    return inputFacts(file).kind == InputKind::tiled_map;
+  } catch (const FileError&) {  // Whoever opens it says so.
+    return false;
+  }
 }
 
 TiledMap::TiledMap(const std::filesystem::path& finest, std::size_t cache_bytes)

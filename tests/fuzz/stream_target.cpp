@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/io/point_stream.h"
+#include "core/io/point_reader.h"
 #include "tests/fuzz/input_file.h"
 #include "tests/fuzz/invariants.h"
 
@@ -17,7 +17,7 @@ void readInBlocks(const std::filesystem::path& file, bool accept_incomplete) {
   using namespace relievo;
   ImportOptions options;
   options.accept_incomplete = accept_incomplete;
-  const PointStream stream(file, options);
+  const PointReader stream(file, options);
   std::vector<FilePoint> whole(static_cast<std::size_t>(stream.info().points));
   fuzz::require(stream.read(0, whole) == whole.size(), "every point is there");
   std::vector<FilePoint> block(7);

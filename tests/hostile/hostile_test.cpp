@@ -18,6 +18,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "core/io/input_facts.h"
 #include "core/io/raster.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/hostile/hostile_files.h"
@@ -62,7 +63,8 @@ Seen open(const std::filesystem::path& file) {
   const Deadline deadline(60);
   const Task task{.stop = deadline.token(), .progress = {}};
   try {
-    if (looksLikeRaster(file)) return {importRaster(file, options, task).info, {}};
+    if (inputFacts(file).kind == InputKind::raster)
+      return {importRaster(file, options, task).info, {}};
     return {importScan(file, options, task).info, {}};
   } catch (const FileError& error) {
     return {std::nullopt, error.what()};

@@ -15,6 +15,7 @@
 #include "core/depth/rasterize.h"
 #include "core/io/export_grid.h"
 #include "core/io/import.h"
+#include "core/io/input_facts.h"
 #include "core/io/raster.h"
 #include "core/io/raster_rows.h"
 #include "core/io/tiff_head.h"
@@ -81,7 +82,7 @@ TEST(ForeignRaster, IsOpenedByGdalInTheWorkerOnly) {
     ASSERT_NE(opened.words(), "");
   }
   const OpenedByGdal opened;
-  EXPECT_TRUE(looksLikeRaster(file));
+  EXPECT_EQ(inputFacts(file).kind, InputKind::raster);
   EXPECT_FALSE(TiledMap::isOne(file));
   EXPECT_EQ(rasterState(file), "words of another program");
   EXPECT_FALSE(carriedProject(file).has_value());

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/input_facts.h"
 #include "core/io/worker_process.h"
 #include "tests/core/io/refusal.h"
 #include "tests/core/io/sample_files.h"
@@ -44,7 +45,7 @@ TEST(Import, WhatIsNoFileIsRefusedAtOnce) {
   const std::filesystem::path pipe = folder.path() / "pipe.ply";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THAT(refusal(pipe).words, HasSubstr("pipe or device"));
-  EXPECT_THROW(looksLikeRaster(pipe), FileError);
+  EXPECT_THROW(inputFacts(pipe), FileError);
   std::filesystem::create_symlink("loop.ply", folder.path() / "loop.ply");
   EXPECT_THAT(refusal(folder.path() / "loop.ply").words, HasSubstr("circle"));
 }

@@ -18,6 +18,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "core/io/input_facts.h"
 #include "core/io/raster_rows.h"
 #include "tests/core/io/refusal.h"
 #include "tests/core/io/temporary_folder.h"
@@ -479,7 +480,7 @@ TEST(Raster, PicturesOfHeightsHaveOneUnitAPixelAndRowZeroLowest) {
   for (const auto& [name, driver, type, format] : cases) {
     SCOPED_TRACE(name);
     const std::filesystem::path file = writePicture(folder, name, driver, type);
-    EXPECT_TRUE(looksLikeRaster(file));
+    EXPECT_EQ(inputFacts(file).kind, InputKind::raster);
     const RasterMap raster = readRaster(file);
     EXPECT_EQ(raster.info.format, format);
     EXPECT_EQ(raster.size, (GridSize{3, 2}));
@@ -500,7 +501,7 @@ TEST(Raster, AsciiGridsKeepTheirPlaceAndNodata) {
   const std::string head = "3\nNROWS 2\nXLLCORNER 600000\nYLLCORNER 5400000\nCELLSIZE 0.5\n";
   for (const char* const first : {"NCOLS ", "ncols        "}) {
     const auto file = folder.write("grid.asc", std::string(first).append(head).append(cells));
-    EXPECT_TRUE(looksLikeRaster(file));
+    EXPECT_EQ(inputFacts(file).kind, InputKind::raster);
     const RasterMap raster = readRaster(file);
     EXPECT_EQ(raster.info.format, "ESRI ASCII grid Float32");
     EXPECT_EQ(raster.pixel, 0.5);

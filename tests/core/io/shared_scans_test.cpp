@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/io/import.h"
+#include "core/io/input_facts.h"
 #include "tests/core/io/temporary_folder.h"
 
 namespace relievo {
@@ -118,8 +119,8 @@ TEST(SharedScans, ARasterIsNamedAndRefused) {
   } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("TIFF raster"), std::string::npos) << error.what();
   }
-  EXPECT_TRUE(looksLikeRaster(data / "dem" / "synthetic_dem15_0.50.tif"));
-  EXPECT_FALSE(looksLikeRaster(data / "las" / "autzen_trim.las"));
+  EXPECT_TRUE((inputFacts(data / "dem" / "synthetic_dem15_0.50.tif").kind == InputKind::raster));
+  EXPECT_FALSE((inputFacts(data / "las" / "autzen_trim.las").kind == InputKind::raster));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/cloud/part_of_scan.h"
 #include "core/depth/rasterize.h"
 #include "core/io/import.h"
+#include "core/io/input_facts.h"
 #include "core/session/large_map.h"
 #include "core/session/surface.h"
 #include "tests/core/io/temporary_folder.h"
@@ -292,7 +293,7 @@ TEST(SharedScans, LoseNoPointThatBelongsToThem) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(data)) {
     const std::filesystem::path& file = entry.path();
     if (!entry.is_regular_file() || file.extension() == ".md" || file.extension() == ".tsv" ||
-        file.extension() == ".laz" || looksLikeRaster(file)) {
+        file.extension() == ".laz" || inputFacts(file).kind == InputKind::raster) {
       continue;
     }
     const Strays strays = straysOf(importScan(file));
