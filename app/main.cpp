@@ -112,6 +112,16 @@ int runWindow(int argc, char** argv, const relievo::WindowOptions& options) {
   return status;
 }
 
+/// A verb, misspelt or not, is misuse behind options, too, and never opens a window; a word behind
+/// "--" is a file.
+std::string unknownWord(const relievo::WindowOptions& options) {
+  for (const std::string& word : options.files) {
+    if (options.only_files) break;
+    if (std::string unknown = relievo::unknownVerb(word); !unknown.empty()) return unknown;
+  }
+  return {};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -131,9 +141,13 @@ int main(int argc, char** argv) {
     std::cerr << "relievo: " << error.what() << '\n';
     return kUsage;
   }
+  if (const std::string unknown = unknownWord(options); !unknown.empty()) {
+    std::cerr << "relievo: " << unknown << '\n';
+    return kUsage;
+  }
   if (options.help || options.version) {
     std::cout << (options.help ? relievo::windowHelp() + '\n' + relievo::verbHelp()
-                               : "relievo " RELIEVO_VERSION_STRING "\n");
+                               : relievo::versionText());
     return 0;
   }
   // Held until the window is there: a server without other clients would reset when this one

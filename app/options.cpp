@@ -52,6 +52,7 @@ WindowOptions parseWindowOptions(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     std::string option = arguments[i];
     if (option == "--") {  // From here on all are files, whatever they begin with.
+      options.only_files = true;
       options.files.insert(options.files.end(),
                            arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1, arguments.end());
       break;
@@ -111,7 +112,7 @@ const std::vector<WindowOptionRow>& windowOptionRows() {
       {{"--region"}, "X,Y,W,H", "first window, millimetres from the lower left corner"},
       {{"--lang"}, "en|de|hi", "language of the window"},
       {{"--safe-mode"}, "", "ignore and keep no settings"},
-      {{"--version"}, "", "print the version"},
+      {{"--version"}, "", "print the version and those of libraries"},
       {{"-h", "--help"}, "", "print this help"},
       {{"--"}, "", "what follows are files, whatever they begin with"}};
   return kRows;

@@ -18,7 +18,8 @@ struct WindowOptions {
   std::optional<ViewChoice> view;
   std::optional<int> detail;
   std::optional<RectMm> region;
-  std::string language;  ///< "de"; empty: as set, else the system's.
+  std::string language;     ///< "de"; empty: as set, else the system's.
+  bool only_files = false;  ///< "--" was given.
   bool safe_mode = false;
   bool help = false;
   bool version = false;

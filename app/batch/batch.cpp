@@ -16,12 +16,14 @@
 #include <vector>
 
 #include "app/batch/declare_verbs.h"
+#include "app/batch/library_versions.h"
 #include "app/batch/number_option.h"
 #include "app/batch/state.h"
 #include "app/batch/verb.h"
 #include "core/depth/rasterize.h"
 #include "core/io/raster.h"
 #include "core/provenance/name_text.h"
+#include "core/provenance/program.h"
 #include "core/session/load.h"
 #include "core/session/surface_colours.h"
 #include "ui/vtk/depth_capture.h"
@@ -228,6 +230,10 @@ std::string unknownVerb(const std::string& word) {
                            word.find_first_of("./") != std::string::npos ||
                            std::filesystem::exists(word, unknown);
   if (like_a_file) return {};
+  if (isVerb(word)) {
+    return "The verb '" + word + "' stands before all options. Nothing was done. 'relievo " + word +
+           " --help' says what there is.";
+  }
   std::string nearest;
   std::size_t least = 3;  // More changes than two make another word.
   for (const batch::Verb& verb : batch::verbs()) {
@@ -250,6 +256,15 @@ std::string verbHelp() {
   return text +
          "Exit codes: 0 done, 1 usage, 2 cannot read, 3 cannot write, 4 not all done,\n"
          "            5 not as before, 6 device, 7 no graphics, 130 interrupted\n";
+}
+
+std::string versionText() {
+  std::string text = "relievo " + std::string(programVersion()) + "\ncommit " +
+                     std::string(programCommit()) + '\n';
+  for (const LibraryVersion& one : batch::libraryVersions()) {
+    text += one.name + ' ' + one.version + '\n';
+  }
+  return text;
 }
 
 int runBatch(int argc, char** argv) {
